@@ -1,20 +1,29 @@
 package carom.server;
 
 import carom.game.Games;
+import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
+import carom.server.match.HandedInMatch;
+import carom.server.match.MatchLibrary;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.catalog.Scenes;
-import carom.values.Suggestion;
+import carom.text.Suggestion;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 
-/** Holds what {@code --game}, {@code --level} and {@code --scene} choose: a game and its level. */
+/**
+ * Holds what {@code --game}, {@code --level}, {@code --levels}, {@code --room} and {@code --scene}
+ * choose: the rooms, each with its levels, and the game and level of the first.
+ */
 final class GameChoice {
   private static final String DEFAULT_GAME = "arena";
 
@@ -26,31 +35,106 @@ final class GameChoice {
 
   private final ServerFlags flags;
   private final Level level;
+  private final String levelName;
   private final String gameName;
 
+  /** The rooms of {@code --room}, with names of levels that are there; empty without the flag. */
+  private final List<RoomFlag> named;
+
+  /** The levels of {@code --levels}, which are there; empty without the flag. */
+  private final List<String> rotation;
+
   /**
-   * Reads the flags and loads the level.
+   * Reads the flags and loads each level that they name.
    *
    * @throws carom.options.BadFlag when a flag names an unknown game, level or scene, or when the
    *     flags don't fit together
    */
   GameChoice(ServerFlags flags) {
     this.flags = flags;
-    level = flags.scene == null ? chooseLevel() : SceneGame.level(chooseScene());
+    flags.checkRooms();
+    named = flags.rooms.stream().map(this::named).toList();
+    rotation = flags.levels == null ? List.of() : rotation(flags.levels);
+    Scene scene = flags.scene == null ? null : chooseScene();
+    levelName = scene == null ? chooseLevelName() : "";
+    level = scene == null ? load("--level=" + levelName, levelName) : SceneGame.level(scene);
     gameName = chooseGame().name();
   }
 
-  /** Returns the level. */
+  private RoomFlag named(String text) {
+    try {
+      RoomFlag room = RoomFlag.parse(text);
+      String flag = "--room=" + text;
+      return new RoomFlag(
+          room.name(),
+          room.levels().stream().map(name -> nameOfLevel(flag, name)).toList(),
+          room.places());
+    } catch (IllegalArgumentException e) {
+      throw flags.bad(e.getMessage());
+    }
+  }
+
+  private List<String> rotation(String text) {
+    try {
+      String flag = "--levels=" + text;
+      return RoomFlag.levels(flag, text).stream().map(name -> nameOfLevel(flag, name)).toList();
+    } catch (IllegalArgumentException e) {
+      throw flags.bad(e.getMessage());
+    }
+  }
+
+  /** Returns the name of a level that is there, for the name of a level, file or game. */
+  private String nameOfLevel(String flag, String name) {
+    boolean isGame =
+        !Files.exists(path(flag, name))
+            && !builtInLevels().contains(name)
+            && Games.names().contains(name);
+    String levelName = isGame ? Games.create(name).defaultLevel() : name;
+    load(flag, levelName);
+    return levelName;
+  }
+
+  /**
+   * Returns the settings of the rooms.
+   *
+   * @throws carom.options.BadFlag when they don't fit together
+   */
+  List<RoomConfig> rooms(ServerConfig config) {
+    if (named.isEmpty()) {
+      List<String> levels =
+          !rotation.isEmpty() ? rotation : List.of(levelName.isEmpty() ? level.name() : levelName);
+      return RoomConfig.equalRooms(config, levels);
+    }
+    List<RoomConfig> rooms = new ArrayList<>();
+    for (RoomFlag room : named) {
+      rooms.add(
+          new RoomConfig(
+              room.name(),
+              "",
+              room.levels(),
+              room.places() == 0 ? config.maxPlayers() : room.places(),
+              config.seed() + rooms.size(),
+              Map.of()));
+    }
+    return List.copyOf(rooms);
+  }
+
+  /** Returns where the rooms find their games and levels. */
+  MatchLibrary library() {
+    return flags.scene == null ? MatchLibrary.INSTALLED : new HandedInMatch(this::newGame, level);
+  }
+
+  /** Returns the first level of the first room. */
   Level level() {
     return level;
   }
 
-  /** Returns the name of the game. */
+  /** Returns the name of that level's game. */
   String gameName() {
     return gameName;
   }
 
-  /** Returns a new instance of the game. */
+  /** Returns a new instance of that game. */
   Game newGame() {
     return Games.create(gameName);
   }
@@ -92,26 +176,42 @@ final class GameChoice {
     return chosen;
   }
 
-  private Level chooseLevel() {
-    String wanted = flags.level;
+  /** Returns the file or name of the first level of the first room. */
+  private String chooseLevelName() {
+    if (!named.isEmpty()) {
+      return named.get(0).levels().get(0);
+    }
+    if (!rotation.isEmpty()) {
+      return rotation.get(0);
+    }
+    return flags.level != null
+        ? flags.level
+        : createGame(flags.game == null ? DEFAULT_GAME : flags.game).defaultLevel();
+  }
+
+  private Level load(String flag, String wanted) {
     try {
-      if (wanted == null) {
-        String game = flags.game == null ? DEFAULT_GAME : flags.game;
-        return Level.builtIn(createGame(game).defaultLevel());
-      }
-      Path file = Path.of(wanted);
+      Path file = path(flag, wanted);
       if (Files.exists(file)) {
         return Level.load(file);
       }
       if (builtInLevels().contains(wanted)) {
         return Level.builtIn(wanted);
       }
-    } catch (LevelException | InvalidPathException e) {
-      throw flags.bad("--level: " + e.getMessage());
+    } catch (LevelException e) {
+      throw flags.bad(flag + ": " + e.getMessage());
     }
     throw flags.bad(
-        "--level=%s: there is no such file, and the levels that come with the program are %s"
-            .formatted(wanted, String.join(", ", builtInLevels())));
+        "%s: there is no file level=%s, and the levels that come with the program are %s"
+            .formatted(flag, wanted, String.join(", ", builtInLevels())));
+  }
+
+  private Path path(String flag, String name) {
+    try {
+      return Path.of(name);
+    } catch (InvalidPathException e) {
+      throw flags.bad(flag + ": level=" + name + " can't be the name of a file or level");
+    }
   }
 
   private static List<String> builtInLevels() {

@@ -116,8 +116,8 @@ public final class Server implements AutoCloseable {
    * @param library finds games and levels, for the first matches and for those that follow
    * @param transport accepts links; owned by the server from now on
    * @param clock as above
-   * @throws IllegalArgumentException when a room's first match can't be played; the message says
-   *     why
+   * @throws IllegalArgumentException when a room's first match can't be played, or the rooms don't
+   *     fit together; the message says why
    */
   public Server(
       ServerConfig config,
@@ -125,6 +125,7 @@ public final class Server implements AutoCloseable {
       MatchLibrary library,
       ServerTransport transport,
       LongSupplier clock) {
+    RoomConfig.places(roomConfigs);
     this.config = config;
     this.transport = transport;
     this.clock = clock;
@@ -142,7 +143,7 @@ public final class Server implements AutoCloseable {
     }
     this.rooms = List.copyOf(built);
     this.lobby = new Lobby(config, transport, rooms);
-    this.status = new StatusLine(rooms, config, clock.getAsLong());
+    this.status = new StatusLine(rooms, clock.getAsLong());
   }
 
   /**

@@ -7,15 +7,19 @@ import carom.options.BadFlag;
 import carom.options.NetworkConditions;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Arrays;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
@@ -28,9 +32,40 @@ final class ServerFlags {
   private static final int MAX_SPECTATOR_DELAY_S = 3_600;
   private static final int MAX_GRACE_S = 600;
   private static final int MAX_KEPT = 10_000;
+  private static final int MAX_LOGS = 20;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec program;
+
+  @Option(
+      names = "--config",
+      paramLabel = "FILE",
+      description =
+          "File of settings: name = value, with the names of these flags (carom.conf in the data"
+              + " folder, if it is there). Flags win over environment variables such as"
+              + " CAROM_TICK_RATE, variables over the file.")
+  @SuppressWarnings("unused") // the layers of settings read it
+  private Path config;
+
+  @Option(
+      names = "--print-config",
+      description = "Prints the settings as such a file, with what each does, and ends.")
+  boolean printConfig;
+
+  @Option(
+      names = "--data",
+      paramLabel = "FOLDER",
+      defaultValue = "data",
+      description =
+          "Folder of the server's own files: carom.conf, levels, recordings, logs"
+              + " (${DEFAULT-VALUE}).")
+  Path data;
+
+  @Option(
+      names = "--bind",
+      paramLabel = "ADDRESS",
+      description = "Address of this machine on which the ports are open (all).")
+  private String bind;
 
   @Option(
       names = "--tcp-port",
@@ -58,6 +93,23 @@ final class ServerFlags {
       paramLabel = "FILE",
       description = "Level file, or the name of one that comes with the program (the game's own).")
   String level;
+
+  @Option(
+      names = "--levels",
+      paramLabel = "A,B,C",
+      description =
+          "Levels that follow each other in every room: the next begins when a match is over, and"
+              + " the first after the last.")
+  String levels;
+
+  @Option(
+      names = "--room",
+      paramLabel = "NAME=LEVELS",
+      description =
+          "A room with a name of its own, NAME=LEVEL[,LEVEL...][:PLAYERS]; give it once for each"
+              + " room, up to 64 times. A game's name stands for its default level. Example:"
+              + " --room cup=arena,commons:16 --room jump=platformer.")
+  List<String> rooms = List.of();
 
   @Option(
       names = "--scene",
@@ -90,9 +142,9 @@ final class ServerFlags {
       paramLabel = "N",
       defaultValue = "1",
       description =
-          "Games that are played side by side, 1..64, each with a thread of its own;"
+          "Equal rooms that play side by side, 1..64, each with a thread of its own;"
               + " a newcomer gets into the fullest that has a place (${DEFAULT-VALUE}).")
-  private int rooms;
+  private int equalRooms;
 
   @Option(
       names = "--threads",
@@ -194,6 +246,15 @@ final class ServerFlags {
   LogLevel logLevel;
 
   @Option(
+      names = "--log-keep",
+      paramLabel = "N",
+      defaultValue = "10",
+      description =
+          "Files of 10 MB that the log in the data folder keeps, 0..20; 0 = log to standard error"
+              + " only (${DEFAULT-VALUE}).")
+  int logKeep;
+
+  @Option(
       names = {"-h", "--help"},
       usageHelp = true,
       description = "Shows this text.")
@@ -248,14 +309,52 @@ final class ServerFlags {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
-    if (record != null && rooms > 1 && !Files.isDirectory(record)) {
-      throw bad("--record=" + record + " is no folder; --rooms=" + rooms + " need one");
+    requireRange("--log-keep", logKeep, MAX_LOGS);
+    if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
+      throw bad("--record=" + record + " is no folder; rooms=" + roomCount() + " need one");
     }
     requireRange("--spectator-delay", spectatorDelayS, MAX_SPECTATOR_DELAY_S);
     checkRotation();
     if (network.problem() != null) {
       throw bad(network.problem());
     }
+  }
+
+  /**
+   * Checks that the flags which say what rooms there are exclude each other.
+   *
+   * @throws BadFlag when they don't
+   */
+  void checkRooms() {
+    ParseResult given = program.commandLine().getParseResult();
+    if (!rooms.isEmpty()) {
+      for (String other : List.of("--rooms", "--level", "--levels", "--game", "--scene")) {
+        if (given.hasMatchedOption(other)) {
+          throw bad(
+              "--room and "
+                  + other
+                  + " exclude each other: each --room names its levels; leave "
+                  + other
+                  + " out");
+        }
+      }
+      if (rooms.size() > ServerConfig.MAX_ROOMS) {
+        throw bad(
+            "--room is given %d times, a server has 1..%d rooms; leave some out"
+                .formatted(rooms.size(), ServerConfig.MAX_ROOMS));
+      }
+    }
+    if (levels != null) {
+      for (String other : List.of("--level", "--game", "--scene")) {
+        if (given.hasMatchedOption(other)) {
+          throw bad("--levels and " + other + " exclude each other; leave " + other + " out");
+        }
+      }
+    }
+  }
+
+  private int roomCount() {
+    return rooms.isEmpty() ? equalRooms : rooms.size();
   }
 
   private void checkRotation() {
@@ -298,7 +397,7 @@ final class ServerFlags {
           .withMaxPlayers(maxPlayers)
           .withSnapshotBitsPerSecond(1_000 * Math.max(0, Math.min(1_000_000, budget)))
           .withViewMetres(view)
-          .withRooms(rooms)
+          .withRooms(roomCount())
           .withThreads(threads)
           .withGraceMs(graceS * 1_000)
           .withInputHoldTicks(tickRate / 2)
@@ -312,10 +411,20 @@ final class ServerFlags {
   /**
    * Returns the transport's limits for connections, half-open ones included. A single address may
    * hold all seats, because a whole school may be behind one router.
+   *
+   * @param places number of seats of all rooms
    */
-  KryoLimits limits() {
-    int places = rooms * maxPlayers;
+  KryoLimits limits(int places) {
     return KryoLimits.DEFAULT.withConnections(2 * places + 64, places + 32);
+  }
+
+  /** Returns the address to listen on, or null for all. */
+  InetAddress bindAddress() {
+    try {
+      return bind == null ? null : InetAddress.getByName(bind);
+    } catch (UnknownHostException e) {
+      throw bad("--bind=" + bind + " is no address; give one such as 127.0.0.1 or ::1");
+    }
   }
 
   /** Returns the limit of {@code --record-rotate} for each file. */

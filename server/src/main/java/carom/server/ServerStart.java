@@ -1,5 +1,6 @@
 package carom.server;
 
+import carom.net.kryo.KryoLimits;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.PortUnavailableException;
@@ -7,10 +8,12 @@ import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
+import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.util.List;
 import org.slf4j.Logger;
 
 /**
@@ -51,7 +54,8 @@ final class ServerStart {
    * @throws StartFailure when a port or a file is not available
    */
   Server open() throws StartFailure {
-    Server server = openRooms(openTransport());
+    List<RoomConfig> rooms = choice.rooms(config);
+    Server server = openRooms(rooms, openTransport(rooms));
     try {
       record(server);
       show(server);
@@ -62,10 +66,14 @@ final class ServerStart {
     }
   }
 
-  private ServerTransport openTransport() throws StartFailure {
+  private ServerTransport openTransport(List<RoomConfig> rooms) throws StartFailure {
     ServerTransport transport;
     try {
-      transport = new KryoServerTransport(flags.tcpPort, flags.udpPort, flags.limits());
+      KryoLimits limits = flags.limits(RoomConfig.places(rooms));
+      transport =
+          new KryoServerTransport(flags.bindAddress(), flags.tcpPort, flags.udpPort, limits);
+    } catch (IllegalArgumentException e) {
+      throw flags.bad("--room: " + e.getMessage());
     } catch (PortUnavailableException e) {
       throw new StartFailure(e.getMessage(), e);
     }
@@ -78,9 +86,9 @@ final class ServerStart {
         transport, impairment, new KryoMessageCodec(), System::nanoTime);
   }
 
-  private Server openRooms(ServerTransport transport) {
+  private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {
     try {
-      return new Server(config, choice::newGame, choice.level(), transport, System::nanoTime);
+      return new Server(config, rooms, choice.library(), transport, System::nanoTime);
     } catch (IllegalArgumentException e) {
       transport.close();
       throw flags.bad("--level: " + e.getMessage());

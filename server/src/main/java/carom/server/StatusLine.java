@@ -1,6 +1,5 @@
 package carom.server;
 
-import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.room.Room;
@@ -18,7 +17,6 @@ final class StatusLine {
   private static final double NS_PER_S = 1e9;
 
   private final List<Room> rooms;
-  private final ServerConfig config;
   private final List<Reading> start = new ArrayList<>();
   private List<Reading> last;
 
@@ -85,9 +83,8 @@ final class StatusLine {
     }
   }
 
-  StatusLine(List<Room> rooms, ServerConfig config, long startNs) {
+  StatusLine(List<Room> rooms, long startNs) {
     this.rooms = rooms;
-    this.config = config;
     for (int i = 0; i < rooms.size(); i++) {
       start.add(new Reading(startNs));
     }
@@ -116,7 +113,7 @@ final class StatusLine {
     for (int i = 0; i < rooms.size(); i++) {
       Room room = rooms.get(i);
       Counters.TickTimes took = times.apply(room.counters());
-      String label = rooms.size() == 1 ? "" : "room " + room.number() + ": ";
+      String label = rooms.size() == 1 ? "" : "room " + room.name() + ": ";
       lines.add(
           label.isEmpty() || !room.hasFailed()
               ? label + line(room, new Span(from.get(i), to.get(i)), took)
@@ -124,8 +121,8 @@ final class StatusLine {
     }
     if (rooms.size() > 1) {
       Span all = new Span(Reading.sum(from), Reading.sum(to));
-      lines.add(
-          "all %d rooms: %s, %s".formatted(rooms.size(), all.players(config.places()), all.load()));
+      int places = rooms.stream().mapToInt(room -> room.seats().count()).sum();
+      lines.add("all %d rooms: %s, %s".formatted(rooms.size(), all.players(places), all.load()));
     }
     return lines;
   }
@@ -134,7 +131,7 @@ final class StatusLine {
     return String.format(
         Locale.ROOT,
         "%s, tick %d, %.1f Hz, %s, %s",
-        span.players(config.maxPlayers()),
+        span.players(room.seats().count()),
         room.tick(),
         span.perSecond(Counter.TICKS),
         times,

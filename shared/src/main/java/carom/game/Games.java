@@ -3,7 +3,7 @@ package carom.game;
 import carom.sim.Game;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.catalog.Scenes;
-import carom.values.Suggestion;
+import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Iterator;

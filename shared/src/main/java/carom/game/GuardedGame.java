@@ -13,6 +13,7 @@ import carom.sim.field.Field;
 import carom.sim.level.Level;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
+import carom.sim.message.PlayerRole;
 import java.util.List;
 import java.util.Objects;
 
@@ -36,6 +37,9 @@ public final class GuardedGame implements Game {
      */
     void failed(String callback, Simulation s, Throwable failure);
   }
+
+  /** What a player is told whose wish made the game fail. */
+  private static final String FAILED = "That is not possible now.";
 
   private final Game game;
   private final Watch watch;
@@ -94,6 +98,45 @@ public final class GuardedGame implements Game {
   @Override
   public void setUp(Simulation s) {
     game.setUp(s);
+  }
+
+  @Override
+  public int maxPlayers() {
+    return game.maxPlayers();
+  }
+
+  @Override
+  public List<String> teams() {
+    return game.teams();
+  }
+
+  @Override
+  public String refuseTeam(Simulation s, Player p, int team) {
+    try {
+      return game.refuseTeam(s, p, team);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("refuseTeam of player " + p.id(), s, e);
+      return FAILED;
+    }
+  }
+
+  @Override
+  public void teamChanged(Simulation s, Player p) {
+    try {
+      game.teamChanged(s, p);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("teamChanged of player " + p.id(), s, e);
+    }
+  }
+
+  @Override
+  public String refuseRole(Simulation s, Player p, PlayerRole role) {
+    try {
+      return game.refuseRole(s, p, role);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("refuseRole of player " + p.id(), s, e);
+      return FAILED;
+    }
   }
 
   @Override

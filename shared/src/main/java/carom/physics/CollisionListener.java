@@ -11,7 +11,9 @@ package carom.physics;
  *
  * <p>When a shape enters a sensor or leaves it, {@code begin} and {@code end} are called, with
  * {@link Collision#isSensor} true. Nothing else is called, as there is no response. Sensors notice
- * real overlap only, not shapes that are merely close.
+ * real overlap only, not shapes that are merely close. A fast shape may cross a sensor within one
+ * step (unless {@link WorldDef#continuous} is off): {@code begin} is then called at the end of that
+ * step, after {@code hit}, and {@code end} in the next one.
  *
  * <p>Contacts of sleeping bodies are not reported. They stay as they were when the bodies fell
  * asleep, and waking doesn't begin them anew. If {@code preSolve} would return another value
@@ -28,7 +30,7 @@ package carom.physics;
 public interface CollisionListener<T> {
   /**
    * Receives a contact whose shapes began to touch. Called before {@link #preSolve} of the same
-   * contact.
+   * contact; for a sensor that was crossed within the step, at its end.
    *
    * @param collision valid during the call only; no impulses yet
    */

@@ -46,6 +46,8 @@ public enum Block {
   static final int TICK = 3;
   static final int STEPPED = 4;
   static final int MESSAGE = 5;
+  static final int WATCH = 6;
+  static final int ROLE = 7;
 
   private static final Block[] ALL = values();
 

@@ -9,6 +9,7 @@ import carom.sim.Simulation;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
 import carom.sim.message.MessageKinds;
+import carom.sim.message.PlayerRole;
 import carom.sim.message.WaitingMessages;
 import java.util.Arrays;
 
@@ -101,6 +102,28 @@ public final class Recorder implements Journal {
   }
 
   @Override
+  public void watching(Simulation s, int id, String name) {
+    if (stopped) {
+      return;
+    }
+    out.u8(Block.WATCH);
+    out.varint(id);
+    out.text(name);
+    inputs[id] = 0;
+    viewDelays[id] = 0;
+  }
+
+  @Override
+  public void changing(Simulation s, int id, PlayerRole role) {
+    if (stopped) {
+      return;
+    }
+    out.u8(Block.ROLE);
+    out.varint(id);
+    out.u8(role.ordinal());
+  }
+
+  @Override
   public void leaving(Simulation s, int id) {
     if (stopped) {
       return;
@@ -120,11 +143,11 @@ public final class Recorder implements Journal {
     out.u8(Block.TICK);
     int changed = 0;
     for (int id = 0; id < s.playerCapacity(); id++) {
-      changed += hasChanged(s.player(id)) ? 1 : 0;
+      changed += hasChanged(s.participant(id)) ? 1 : 0;
     }
     out.varint(changed);
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      Player p = s.participant(id);
       if (hasChanged(p)) {
         out.varint(id);
         out.varint(p.input().pack() ^ inputs[id]);
@@ -215,7 +238,7 @@ public final class Recorder implements Journal {
     Arrays.fill(inputs, 0);
     Arrays.fill(viewDelays, 0);
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      Player p = s.participant(id);
       if (p != null) {
         inputs[id] = p.input().pack();
         viewDelays[id] = p.viewDelay();

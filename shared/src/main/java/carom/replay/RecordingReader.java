@@ -4,6 +4,7 @@ import carom.physics.archive.ArchiveReader;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.message.MessageKind;
+import carom.sim.message.PlayerRole;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
@@ -36,6 +37,10 @@ public final class RecordingReader implements AutoCloseable {
   public enum Event {
     /** The player {@link #playerId} with the name {@link #playerName} joins. */
     JOIN,
+    /** The spectator {@link #playerId} with the name {@link #playerName} comes. */
+    WATCH,
+    /** The participant {@link #playerId} gets the role {@link #role}. */
+    ROLE,
     /** The player {@link #playerId} leaves. */
     LEAVE,
     /** The player {@link #playerId} has sent the message {@link #message}, for the next step. */
@@ -89,6 +94,7 @@ public final class RecordingReader implements AutoCloseable {
   private final RecordingHeader header;
   private int playerId;
   private String playerName = "";
+  private PlayerRole role;
   private byte[] message = {};
   private final long[] inputs = new long[Simulation.MAX_PLAYERS];
   private final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
@@ -244,12 +250,16 @@ public final class RecordingReader implements AutoCloseable {
   private Event readTicks() throws RecordingException {
     int tag = block.u8();
     switch (tag) {
-      case Block.JOIN:
+      case Block.JOIN, Block.WATCH:
         playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
         playerName = block.text("player name", MAX_NAME_BYTES);
         inputs[playerId] = 0;
         viewDelays[playerId] = 0;
-        return Event.JOIN;
+        return tag == Block.JOIN ? Event.JOIN : Event.WATCH;
+      case Block.ROLE:
+        playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
+        role = PlayerRole.values()[block.varint("role", 0, PlayerRole.values().length - 1)];
+        return Event.ROLE;
       case Block.LEAVE:
         playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
         return Event.LEAVE;
@@ -432,6 +442,11 @@ public final class RecordingReader implements AutoCloseable {
   /** Returns the name of the player who joins. */
   public String playerName() {
     return playerName;
+  }
+
+  /** Returns the role that a participant gets. */
+  public PlayerRole role() {
+    return role;
   }
 
   /** Returns the message that a player has sent, as {@link Simulation#messageKinds} codes it. */

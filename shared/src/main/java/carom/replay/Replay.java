@@ -93,6 +93,8 @@ public final class Replay {
     while (true) {
       switch (reader.next()) {
         case JOIN -> join();
+        case WATCH -> watch();
+        case ROLE -> simulation.role(player(reader.playerId(), "changes"), reader.role());
         case LEAVE -> leave();
         case MESSAGE -> message();
         case TICK -> begin();
@@ -113,11 +115,20 @@ public final class Replay {
   }
 
   private void join() throws RecordingException {
+    requireNew();
+    simulation.join(reader.playerId(), reader.playerName());
+  }
+
+  private void watch() throws RecordingException {
+    requireNew();
+    simulation.joinAsSpectator(reader.playerId(), reader.playerName());
+  }
+
+  private void requireNew() throws RecordingException {
     computing = true;
-    if (simulation.player(reader.playerId()) != null) {
+    if (simulation.participant(reader.playerId()) != null) {
       throw contradicts("player " + reader.playerId() + " joins twice");
     }
-    simulation.join(reader.playerId(), reader.playerName());
   }
 
   private void leave() throws RecordingException {
@@ -135,7 +146,7 @@ public final class Replay {
   }
 
   private Player player(int id, String what) throws RecordingException {
-    Player player = simulation.player(id);
+    Player player = simulation.participant(id);
     if (player == null) {
       throw contradicts("player " + id + " " + what + " without having joined");
     }

@@ -8,6 +8,7 @@ import carom.sim.field.Field;
 import carom.sim.level.Level;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
+import carom.sim.message.PlayerRole;
 import java.util.List;
 
 /**
@@ -85,14 +86,58 @@ public interface Game {
    */
   void setUp(Simulation s);
 
-  /** Handles a player who has joined. It may give the player a body. */
+  /**
+   * Returns how many may play at a time, 1 or more. Who comes when so many play is a spectator and
+   * may ask to play later.
+   */
+  default int maxPlayers() {
+    return Simulation.MAX_PLAYERS;
+  }
+
+  /**
+   * Returns the names of the teams among which players may choose, at most 255. The first is team
+   * 1. Clients show them. Without names there is nothing to choose.
+   */
+  default List<String> teams() {
+    return List.of();
+  }
+
+  /**
+   * Handles a player who has joined, or a spectator who begins to play. It may give the player a
+   * body.
+   */
   void join(Simulation s, Player p);
 
   /**
-   * Handles a player who is about to leave. Afterwards the simulation despawns everything the
-   * player owns.
+   * Handles a player who is about to leave, or to become a spectator. Afterwards the simulation
+   * despawns everything the player owns.
    */
   default void leave(Simulation s, Player p) {}
+
+  /**
+   * Returns why a player can't change to a team now, in words for the player, or null if it can;
+   * {@link Role#AUTHORITY} only. The default keeps teams balanced: it refuses a team that has more
+   * players than another, not counting the one that asks.
+   *
+   * @param team one of {@link #teams}, 1 or more, but not the player's own
+   */
+  default String refuseTeam(Simulation s, Player p, int team) {
+    return Talk.imbalance(s, p, team);
+  }
+
+  /**
+   * Handles a player who asked for another team and now has it; {@link Role#AUTHORITY} only. The
+   * place to give the player another body.
+   */
+  default void teamChanged(Simulation s, Player p) {}
+
+  /**
+   * Returns why a player can't become a spectator now, or a spectator a player, in words for the
+   * one that asks, or null if it can; {@link Role#AUTHORITY} only. There is a place for a player.
+   */
+  default String refuseRole(Simulation s, Player p, PlayerRole role) {
+    return null;
+  }
 
   /**
    * Turns a player's commands into forces; both roles, each tick before the world steps, for each
@@ -113,6 +158,7 @@ public interface Game {
    * Role#AUTHORITY} only, when {@link #message} would be called. The place to filter words, and to
    * switch chat off.
    *
+   * @param p the player, who may be a {@linkplain Player#isSpectator spectator}
    * @param text what the player wrote, 1..120 characters that can be shown
    */
   default String chat(Simulation s, Player p, String text) {

@@ -5,14 +5,24 @@ import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
 import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
+import carom.sim.message.PlayerRole;
+import carom.sim.spawn.Origin;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
- * A person or bot that plays: a name, an input, a score, perhaps a body. It belongs to one {@link
- * Simulation} and its thread.
+ * A person or bot that takes part: a name, an input, a team, a score, perhaps a body. It belongs to
+ * one {@link Simulation} and its thread.
+ *
+ * <p>A player without a body is out until the game gives it another. Its client then shows the view
+ * of another player. A {@linkplain #isSpectator spectator} has no body at all.
  */
 public final class Player extends FieldHolder<Entity, Player> {
   /** Number of parts of a tick in which {@link #viewDelay} counts. */
   public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;
+
+  /** The team of a spectator, which no game has. */
+  public static final int NO_TEAM = -1;
 
   /** Largest {@link #viewDelay}, which is 255 ticks. */
   public static final int MAX_VIEW_DELAY = 255 * VIEW_STEPS;
@@ -25,7 +35,12 @@ public final class Player extends FieldHolder<Entity, Player> {
   private int viewDelay;
   private int score;
   private int team;
+  private PlayerRole role = PlayerRole.PLAYER;
+  private boolean ready;
   Entity body;
+
+  /** Its entities with an origin, oldest first. */
+  private final List<Entity> spawned = new ArrayList<>(0);
 
   Player(Simulation simulation, int id, String name) {
     this.simulation = simulation;
@@ -47,6 +62,83 @@ public final class Player extends FieldHolder<Entity, Player> {
   /** Returns the body the player steers, or null while there is none. */
   public Entity body() {
     return body;
+  }
+
+  /** Returns whether the player has a body. One without is out until the game gives it another. */
+  public boolean isAlive() {
+    return body != null;
+  }
+
+  /**
+   * Returns whether it plays or watches. {@link Simulation#role} changes it. On {@link
+   * Role#PREDICTION} everybody plays.
+   */
+  public PlayerRole role() {
+    return role;
+  }
+
+  /** Returns whether it watches: it has no body, no team, no score, and no fields of its own. */
+  public boolean isSpectator() {
+    return role == PlayerRole.SPECTATOR;
+  }
+
+  /**
+   * Returns whether the player has said that it is ready. What that begins is for the game to say.
+   * A spectator never is. On {@link Role#PREDICTION} it is false.
+   */
+  public boolean isReady() {
+    return ready;
+  }
+
+  /**
+   * Sets whether the player is ready, such as to false when a round has begun.
+   *
+   * @throws IllegalStateException on {@link Role#PREDICTION}
+   */
+  public void ready(boolean value) {
+    simulation.requireAuthority("ready");
+    ready = value && !isSpectator();
+  }
+
+  /**
+   * Returns the number of living entities that {@link Game#input} spawned for this player, at most
+   * {@value Origin#MOST_PER_PLAYER}: an older one is an entity like others. A client knows those of
+   * its own player only.
+   */
+  public int spawnedCount() {
+    return spawned.size();
+  }
+
+  /**
+   * Returns an entity that {@link Game#input} spawned for this player. To despawn some of them, go
+   * from the newest to the oldest.
+   *
+   * @param index 0, the oldest, to {@link #spawnedCount} - 1
+   */
+  public Entity spawned(int index) {
+    return spawned.get(index);
+  }
+
+  /**
+   * Adds an entity with an origin.
+   *
+   * @return the one that is too many now, the oldest, or null
+   */
+  Entity addSpawned(Entity entity) {
+    int at = spawned.size();
+    while (at > 0 && Origin.isEarlier(entity.origin(), spawned.get(at - 1).origin())) {
+      at--;
+    }
+    spawned.add(at, entity);
+    return spawned.size() > Origin.MOST_PER_PLAYER ? spawned.remove(0) : null;
+  }
+
+  void removeSpawned(Entity entity) {
+    spawned.remove(entity);
+  }
+
+  void clearSpawned() {
+    spawned.clear();
   }
 
   /**
@@ -90,8 +182,8 @@ public final class Player extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Returns the team, a number with a meaning of the game's own; 0 by default. It is not sent to
-   * clients.
+   * Returns the team, a number with a meaning of the game's own; 0 by default, {@link #NO_TEAM} for
+   * spectators. Clients are told it in the roster, but {@link Role#PREDICTION} doesn't know it.
    */
   public int team() {
     return team;
@@ -107,9 +199,27 @@ public final class Player extends FieldHolder<Entity, Player> {
     team = value;
   }
 
-  void restore(int savedScore, int savedTeam, long savedInput, int savedViewDelay) {
+  /** Begins to play or to watch, with nothing left from before but name and input. */
+  void become(PlayerRole newRole) {
+    role = newRole;
+    team = isSpectator() ? NO_TEAM : 0;
+    score = 0;
+    ready = false;
+    body = null;
+    resetFields();
+  }
+
+  /** Returns role and readiness in two bits; 0 for a player who isn't ready. */
+  int standing() {
+    return role.ordinal() | (ready ? 2 : 0);
+  }
+
+  void restore(
+      int savedScore, int savedTeam, int savedStanding, long savedInput, int savedViewDelay) {
     score = savedScore;
     team = savedTeam;
+    role = (savedStanding & 1) == 0 ? PlayerRole.PLAYER : PlayerRole.SPECTATOR;
+    ready = (savedStanding & 2) != 0;
     input.unpack(savedInput);
     viewDelay = savedViewDelay;
   }

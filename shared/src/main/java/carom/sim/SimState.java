@@ -12,6 +12,7 @@ import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.pool.PoolsState;
+import carom.sim.spawn.Origin;
 import java.util.Arrays;
 
 /**
@@ -20,7 +21,7 @@ import java.util.Arrays;
  */
 public final class SimState {
   private static final int MAX_NAME = 1 << 16;
-  private static final int ENTITY_BYTES = 1 + 6 * Integer.BYTES;
+  private static final int ENTITY_BYTES = 1 + 7 * Integer.BYTES;
 
   final Simulation owner;
   final SavedFields fields;
@@ -32,6 +33,7 @@ public final class SimState {
   Entity[] bodies = {};
   int[] scores = {};
   int[] teams = {};
+  int[] standings = {};
   long[] inputs = {};
   int[] viewDelays = {};
   int entityCount;
@@ -40,6 +42,8 @@ public final class SimState {
   int[] tags = {};
   int[] teleports = {};
   int[] roots = {};
+  int[] origins = {};
+  int provisionalCount;
   final JointTable.Saved joints = new JointTable.Saved();
   byte[] generations = {};
   PoseHistory<Entity> history;
@@ -66,11 +70,50 @@ public final class SimState {
       bodies = Arrays.copyOf(bodies, grown);
       scores = Arrays.copyOf(scores, grown);
       teams = Arrays.copyOf(teams, grown);
+      standings = Arrays.copyOf(standings, grown);
       inputs = Arrays.copyOf(inputs, grown);
       viewDelays = Arrays.copyOf(viewDelays, grown);
     }
     Arrays.fill(players, limit, Math.max(limit, playerLimit), null);
     playerLimit = limit;
+  }
+
+  /** Makes room for entities. What was saved is lost when there isn't enough. */
+  void ensureEntities(int room) {
+    if (entities.length < room) {
+      entities = new Entity[room];
+      tags = new int[room];
+      roots = new int[room];
+      origins = new int[room];
+      teleports = new int[room];
+      generations = new byte[room];
+    }
+  }
+
+  /** Saves an entity at a place, or that there is none. Ids are places. */
+  void save(int at, Entity entity) {
+    entities[at] = entity;
+    if (entity != null) {
+      tags[at] = entity.tag();
+      teleports[at] = entity.teleports();
+      roots[at] = entity.rootId();
+      origins[at] = entity.origin();
+      fields.save(entity.fieldValues(), at);
+    } else {
+      tags[at] = 0;
+      teleports[at] = 0;
+      roots[at] = Entity.NO_ROOT;
+      origins[at] = Origin.NONE;
+    }
+  }
+
+  /** Gives an entity what was saved at a place. */
+  void restore(int at, Entity entity) {
+    entity.tag(tags[at]);
+    entity.teleports(teleports[at]);
+    entity.rootId(roots[at]);
+    entity.origin(origins[at]);
+    fields.restore(entity.fieldValues(), at);
   }
 
   /** Copies the remembered poses of a simulation, if there are any. */
@@ -158,7 +201,7 @@ public final class SimState {
   private void passPlayer(Archive a, int id) {
     String name = a.text("name", players[id] == null ? "" : players[id].name(), MAX_NAME);
     if (a.reads()) {
-      Player known = owner.player(id);
+      Player known = owner.participant(id);
       players[id] =
           known != null && known.name().equals(name) ? known : new Player(owner, id, name);
     }
@@ -170,6 +213,8 @@ public final class SimState {
     bodies[id] = body < 0 ? null : entities[body];
     scores[id] = a.integer("score", scores[id], least, most);
     teams[id] = a.integer("team", teams[id], least, most);
+    standings[id] = a.integer("role and readiness", standings[id], 0, 2);
+    a.require(body < 0 || standings[id] != 1, "player=" + id + " watches and has body=" + body);
     inputs[id] = a.bits("input", inputs[id]);
     viewDelays[id] = a.integer("view delay", viewDelays[id], 0, Player.MAX_VIEW_DELAY);
     fields.pass(a, Scope.PLAYER, id);
@@ -181,11 +226,7 @@ public final class SimState {
     int[] owners = new int[n];
     if (a.reads()) {
       entityCapacity = n;
-      entities = new Entity[n];
-      tags = new int[n];
-      teleports = new int[n];
-      roots = new int[n];
-      generations = new byte[n];
+      ensureEntities(n);
     }
     slots = new int[n];
     for (int id = 0; !a.reads() && id < n; id++) {
@@ -200,6 +241,7 @@ public final class SimState {
     a.integers("tag of entity", tags, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("teleports of entity", teleports, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("root of entity", roots, n, Entity.NO_ROOT, Simulation.MAX_ENTITIES - 1);
+    a.integers("origin of entity", origins, n, Origin.NONE, Origin.LAST);
     a.integers("body of entity", slots, n, -1, Integer.MAX_VALUE);
     for (int id = 0; id < n; id++) {
       if (kinds[id] >= 0) {

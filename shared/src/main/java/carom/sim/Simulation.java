@@ -36,11 +36,14 @@ import carom.sim.level.LevelJoint;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind;
 import carom.sim.message.MessageKinds;
+import carom.sim.message.PlayerRole;
 import carom.sim.message.WaitingMessages;
 import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
 import carom.sim.random.SimRandom;
 import carom.sim.ruling.Findings;
+import carom.sim.spawn.Origin;
+import carom.sim.spawn.OwnSpawns;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -125,11 +128,27 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   private int tick;
   private boolean inTick;
+
+  /** How many calls of {@link Game#join} and {@link Game#leave} are on the stack. */
+  private int inGame;
+
+  /** Who is becoming a spectator; null mostly. */
+  private Player retiring;
+
   private Journal journal;
   private NextMatch nextMatch;
 
   /** What is known of the server's rules, on PREDICTION; may be null. */
   private Rulings rulings;
+
+  /** What is known of the entities that the own player's input spawned, on PREDICTION. */
+  private OwnSpawns ownSpawns;
+
+  /** The player whose input runs, or null. */
+  private Player inputOf;
+
+  /** Number of spawns of that call. */
+  private int spawnsOfInput;
 
   /** Past poses on AUTHORITY if the game looks back; otherwise null. */
   private final PoseHistory<Entity> history;
@@ -166,11 +185,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
             (carrier, power) -> carrier.user().get(power),
             role == Role.AUTHORITY);
     Schema schema = Schema.of(game.fields());
-    entities = new EntityTable(world, players, areas, assemblies, tickRate, schema, this::tick);
+    joints = new JointTable<>(world, role == Role.AUTHORITY);
+    entities =
+        new EntityTable(world, players, areas, assemblies, joints, tickRate, schema, this::tick);
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
     fieldUse = role == Role.AUTHORITY ? fields.noteUse(findings, this::nameOf) : null;
-    joints = new JointTable<>(world, role == Role.AUTHORITY);
     world.jointListener(new Joints());
     forceCheck = new ForceCheck(world, findings);
     interference = new InterferenceLog(entities, players, findings);
@@ -197,7 +217,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     game.setUp(this);
     PoolGround.begin(pools, game, level, archetypes, tickRate);
     archetypes.close();
-    requireDeclaredPowers();
+    requireDeclaredFields();
     eventKinds.close();
     messageKinds.close();
     if (role == Role.PREDICTION) {
@@ -227,6 +247,17 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public void rulings(Rulings known) {
     calls.requirePrediction("rulings");
     rulings = known;
+  }
+
+  /**
+   * Sets what is known of the entities that the own player's {@link Game#input} spawns. Without it,
+   * they live until the end of the call.
+   *
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void ownSpawns(OwnSpawns known) {
+    calls.requirePrediction("ownSpawns");
+    ownSpawns = known;
   }
 
   /** Returns the physics world. */
@@ -356,18 +387,120 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * Creates an entity under the smallest free id. An entity owned by a player without a body
    * becomes the player's body.
    *
+   * <p>{@link Game#input} may call it on both roles for what belongs to its player, and give the
+   * new entity a velocity and fields. That player's client has it at once, as a {@linkplain
+   * Entity#isProvisional provisional} one, and it becomes the server's or goes when the server's
+   * word is there. What the input of others spawns, a client keeps until the end of the call only.
+   * {@link Player#spawned} finds it again.
+   *
    * @param archetype its archetype
    * @param x position of the body's origin, metres
    * @param y position of the body's origin, metres
    * @param angle radians, counterclockwise
-   * @param owner the player it belongs to, or null
-   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
-   *     #MAX_ENTITIES}
+   * @param owner the player it belongs to, or null; in {@link Game#input} its player
+   * @throws IllegalStateException during the physics, beyond {@value #MAX_ENTITIES}, in {@link
+   *     Game#input} beyond {@value Origin#MOST_PER_CALL} in a call, and on {@link Role#PREDICTION}
+   *     anywhere else
+   * @throws IllegalArgumentException in {@link Game#input}, if the owner isn't its player
    */
   public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
+    if (inputOf != null) {
+      return spawnInInput(archetype, x, y, angle, owner);
+    }
     calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
     return entities.spawn(archetype, x, y, angle, ownerId, tick);
+  }
+
+  private Entity spawnInInput(Archetype archetype, float x, float y, float angle, Player owner) {
+    if (owner != inputOf) {
+      throw new IllegalArgumentException(
+          "owner="
+              + owner
+              + " isn't the player whose Game.input runs, "
+              + inputOf
+              + "; spawn what belongs to others in Game.beforeStep or Game.afterStep");
+    }
+    if (spawnsOfInput == Origin.MOST_PER_CALL) {
+      throw new IllegalStateException(
+          "spawns=" + spawnsOfInput + " is the most that one call of Game.input may make");
+    }
+    int id = owner.id();
+    int origin = Origin.of(tick, spawnsOfInput++);
+    Entity entity;
+    if (role == Role.AUTHORITY) {
+      entity = entities.spawn(archetype, x, y, angle, id, tick);
+    } else {
+      int key = ownSpawns == null ? OwnSpawns.UNKNOWN : ownSpawns.key(origin);
+      Entity known = key < 0 ? null : entities.get(key & 0xffff);
+      if (known != null && known.generation() == key >>> 16) {
+        despawn(known); // the tick is computed again
+        known = null;
+      }
+      entity =
+          key < 0 || known != null
+              ? entities.spawnProvisional(origin, archetype, x, y, angle, id, tick)
+              : entities.spawnAs(key & 0xffff, key >>> 16, archetype, x, y, angle, id, tick);
+    }
+    entity.fieldValues().spawner(owner);
+    entities.setOrigin(entity, origin);
+    return entity;
+  }
+
+  /** Removes what an input spawned that isn't the own player's. */
+  private void endInput(Player player) {
+    boolean foreseen = ownSpawns != null && ownSpawns.foresees(player.id());
+    for (int i = entities.provisional().count() - 1; i >= 0 && !foreseen; i--) {
+      if (entities.provisional().at(i).ownerId() == player.id()) {
+        entities.despawn(entities.provisional().at(i));
+      }
+    }
+  }
+
+  /**
+   * Returns the number of {@linkplain Entity#isProvisional provisional} entities; 0 on {@link
+   * Role#AUTHORITY}. They aren't below {@link #entityCapacity}.
+   */
+  public int provisionalCount() {
+    return entities.provisional().count();
+  }
+
+  /** Returns a provisional entity, in the order in which they were spawned. */
+  public Entity provisional(int index) {
+    return entities.provisional().at(index);
+  }
+
+  /**
+   * Mirrors which spawn of its owner's {@link Game#input} an entity of the server is. A provisional
+   * entity of that origin goes, and fields that mean it mean this one.
+   *
+   * @param entity an entity that isn't provisional
+   * @param origin see {@link Entity#origin}
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void identify(Entity entity, int origin) {
+    calls.requirePrediction("identify");
+    Entity before = origin == Origin.NONE ? null : entities.get(origin);
+    if (before != null) {
+      replaceReferences(before.reference(), entity.reference());
+      entities.despawn(before);
+    }
+    entity.fieldValues().spawner(owner(entity));
+    entities.setOrigin(entity, origin);
+  }
+
+  private void replaceReferences(int word, int by) {
+    match.replaceEntity(word, by);
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null) {
+        players.get(i).fieldValues().replaceEntity(word, by);
+      }
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      if (entities.get(i) != null) {
+        entities.get(i).fieldValues().replaceEntity(word, by);
+      }
+    }
   }
 
   /**
@@ -376,10 +509,11 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *
    * @param archetype its archetype, with the same shapes; its path is ignored
    * @param def the definition of the body
-   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
-   *     #MAX_ENTITIES}
+   * @throws IllegalStateException on {@link Role#PREDICTION}, in {@link Game#input}, during the
+   *     physics, or beyond {@value #MAX_ENTITIES}
    */
   public Entity spawn(Archetype archetype, BodyDef def) {
+    calls.requireOutsideInput("spawn(archetype, def)");
     calls.requireAuthority("spawn");
     return entities.spawn(archetype, def);
   }
@@ -394,13 +528,14 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @param angle of the whole assembly, radians, counterclockwise
    * @param owner the player it belongs to, or null
    * @return the root
-   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
-   *     #MAX_ENTITIES}
+   * @throws IllegalStateException on {@link Role#PREDICTION}, in {@link Game#input}, during the
+   *     physics, or beyond {@value #MAX_ENTITIES}
    */
   public Entity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
+    calls.requireOutsideInput("spawn(assembly, ...)");
     calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return entities.spawn(assembly, x, y, angle, ownerId, tick, joints);
+    return entities.spawn(assembly, x, y, angle, ownerId, tick);
   }
 
   /**
@@ -565,11 +700,14 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * Destroys an entity with its joints, and with the root of an assembly all of it. If it was a
    * player's body, the player then has none. Nothing happens when the entity is gone already.
    *
+   * <p>{@link Game#input} may call it on both roles. A client foresees it for what belongs to the
+   * player and isn't its body. All else stays there until the server's word.
+   *
    * @throws IllegalStateException during the physics
    */
   public void despawn(Entity entity) {
     calls.requireOutsidePhysics("despawn");
-    if (!entities.holds(entity)) {
+    if (!entities.holds(entity) || (inputOf != null && !mayDespawn(entity))) {
       return;
     }
     if (history != null) {
@@ -584,6 +722,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       }
     }
     entities.despawn(entity);
+  }
+
+  /** Returns whether a server, or a client that foresees it, despawns an entity in an input. */
+  private boolean mayDespawn(Entity entity) {
+    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body;
+    return role == Role.AUTHORITY || isOwn;
   }
 
   /** Returns a number above all entity ids. It never shrinks, except by {@link #restore}. */
@@ -617,15 +761,42 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return entities.get(id);
   }
 
-  /** Returns a number above all player ids. */
+  /** Returns a number above all ids of players and spectators. */
   public int playerCapacity() {
     return players.limit();
   }
 
-  /** Returns the player under an id, or null when the id is free or out of range. */
+  /**
+   * Returns the player under an id, or null when the id is free, out of range or that of a
+   * spectator.
+   */
   public Player player(int id) {
     calls.requireOutsideForces("player");
     return players.get(id);
+  }
+
+  /**
+   * Returns the player or spectator under an id, or null when the id is free or out of range. Games
+   * ask for {@link #player} instead.
+   */
+  public Player participant(int id) {
+    calls.requireOutsideForces("participant");
+    return players.participant(id);
+  }
+
+  /** Returns the number of players, without spectators. */
+  public int playerCount() {
+    return players.count();
+  }
+
+  /** Returns the number of players in a team, without spectators. */
+  public int teamSize(int team) {
+    return players.teamSize(team);
+  }
+
+  /** Returns whether there are players, and all of them are {@linkplain Player#isReady ready}. */
+  public boolean allReady() {
+    return players.allReady();
   }
 
   /** Returns the player to whom an entity belongs, or null. */
@@ -634,7 +805,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Adds a player under the smallest free id. The game gives it a body.
+   * Adds a player under the smallest free id. The game gives it a body. If {@link Game#maxPlayers}
+   * play already, it watches instead, and the game doesn't hear of it.
    *
    * @throws IllegalStateException on {@link Role#PREDICTION}, or when {@value #MAX_PLAYERS} players
    *     play
@@ -648,7 +820,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Adds a player under an id that was promised to it. The game gives it a body.
+   * Adds a player under an id that was promised to it, as {@link #join(String)} does.
    *
    * @param id 0..1,023
    * @param name any text
@@ -675,12 +847,97 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       }
       journal.joining(this, id, name);
     }
-    interference.beginRules();
+    boolean full = players.count() >= game.maxPlayers();
     Player player = newPlayer(id, name);
+    if (full) {
+      player.become(PlayerRole.SPECTATOR);
+      Talk.tell(this, player, Talk.refusalWhenFull(this));
+      return player;
+    }
     player.team(team);
     player.score(score);
-    game.join(this, player);
+    enter(player);
     return player;
+  }
+
+  /**
+   * Adds a spectator under an id that was promised to it. {@link Game#join} isn't called.
+   *
+   * @throws IllegalStateException as {@link #join(int, String)}
+   */
+  public Player joinAsSpectator(int id, String name) {
+    calls.requireAuthority("joinAsSpectator");
+    requireFree(id);
+    if (journal != null) {
+      journal.watching(this, id, name);
+    }
+    Player player = newPlayer(id, name);
+    player.become(PlayerRole.SPECTATOR);
+    return player;
+  }
+
+  /**
+   * Makes a player a spectator, or a spectator a player. For the game a player who becomes a
+   * spectator leaves: {@link Game#leave} is called, everything the player owns is despawned, and
+   * its fields, score and team are gone. A spectator who becomes a player joins: {@link Game#join}
+   * is called. Id, name and link stay. Nothing happens when the participant has the role already,
+   * or has left.
+   *
+   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or in {@link
+   *     Game#leave} for the player who leaves
+   */
+  public void role(Player participant, PlayerRole role) {
+    calls.requireAuthority("role");
+    if (participant == retiring) {
+      throw new IllegalStateException("the role of " + participant + " can't change in Game.leave");
+    }
+    if (players.participant(participant.id()) != participant || participant.role() == role) {
+      return;
+    }
+    if (journal != null && !inTick && inGame == 0) {
+      journal.changing(this, participant.id(), role);
+    }
+    if (role == PlayerRole.PLAYER) {
+      participant.become(role);
+      enter(participant);
+    } else {
+      retiring = participant;
+      try {
+        retire(participant);
+      } finally {
+        retiring = null;
+      }
+      participant.become(role);
+      forget(participant.id());
+    }
+  }
+
+  /** Lets a player into the game. */
+  private void enter(Player player) {
+    interference.beginRules();
+    inGame++;
+    try {
+      game.join(this, player);
+    } finally {
+      inGame--;
+    }
+  }
+
+  /** Takes a player out of the game, with everything the player owns. */
+  private void retire(Player player) {
+    interference.beginRules();
+    inGame++;
+    try {
+      game.leave(this, player);
+    } finally {
+      inGame--;
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      Entity entity = entities.get(i);
+      if (entity != null && entity.ownerId() == player.id()) {
+        despawn(entity);
+      }
+    }
   }
 
   /**
@@ -697,28 +954,21 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Removes a player and despawns everything the player owns. Nothing happens when the player is
-   * gone already.
+   * Removes a player or spectator and despawns everything the player owns. Nothing happens when it
+   * is gone already.
    */
   public void leave(Player player) {
     calls.requireOutsidePhysics("leave");
     int id = player.id();
-    if (players.get(id) != player) {
+    if (players.participant(id) != player) {
       return;
     }
     received.forget(id);
     if (journal != null) {
       journal.leaving(this, id);
     }
-    if (role == Role.AUTHORITY) {
-      interference.beginRules();
-      game.leave(this, player);
-      for (int i = 0; i < entities.capacity(); i++) {
-        Entity entity = entities.get(i);
-        if (entity != null && entity.ownerId() == id) {
-          despawn(entity);
-        }
-      }
+    if (role == Role.AUTHORITY && !player.isSpectator()) {
+      retire(player);
     }
     players.remove(id);
     forget(id);
@@ -728,8 +978,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private void forget(int playerId) {
     match.forget(playerId);
     for (int i = 0; i < players.limit(); i++) {
-      if (players.get(i) != null) {
-        players.get(i).fieldValues().forget(playerId);
+      if (players.participant(i) != null) {
+        players.participant(i).fieldValues().forget(playerId);
       }
     }
     for (int i = 0; i < entities.capacity(); i++) {
@@ -813,8 +1063,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Hands over a message of a player, which {@link Game#message} receives in the next step. It is
-   * an input of that step: {@link #restore} drops what waits.
+   * Hands over a message of a player, which {@link Game#message} receives in the next step. Of a
+   * spectator the game receives none but chat. It is an input of that step: {@link #restore} drops
+   * what waits.
    *
    * @param player who sent it
    * @param message a message that a client may send, of a registered kind
@@ -904,8 +1155,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     for (int i = 0; i < players.limit(); i++) {
       Player player = players.get(i);
       if (player != null && player.body != null) {
-        fields.beginInput(player.fieldValues(), player.body.fieldValues());
-        game.input(this, player, player.input());
+        takeInput(player);
       }
     }
     fields.end();
@@ -928,15 +1178,32 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
   }
 
+  private void takeInput(Player player) {
+    fields.beginInput(player, player.fieldValues(), player.body.fieldValues());
+    calls.inInput(true);
+    inputOf = player;
+    spawnsOfInput = 0;
+    try {
+      game.input(this, player, player.input());
+    } finally {
+      inputOf = null;
+      calls.inInput(false);
+    }
+    if (role == Role.PREDICTION) {
+      endInput(player);
+    }
+  }
+
   private void handle(int playerId, Message message) {
-    Player player = players.get(playerId);
+    Player player = players.participant(playerId);
     if (player != null) { // one handled before may have removed it
       Talk.handle(this, player, message);
     }
   }
 
-  private void requireDeclaredPowers() {
+  private void requireDeclaredFields() {
     for (int i = 0; i < archetypes.size(); i++) {
+      entities.starts(archetypes.get(i));
       Ratio power = archetypes.get(i).areaPower();
       if (power != null && !schema().fields().contains(power)) {
         throw new IllegalArgumentException(
@@ -1038,8 +1305,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /**
    * Returns 64 bits of everything that decides the future: tick, world, random numbers, fields,
-   * players with score, team and input, entities with archetype, owner and tag. Equal runs have
-   * equal hashes.
+   * players with score, team, role and input, entities with archetype, owner and tag. Equal runs
+   * have equal hashes.
    */
   public long stateHash() {
     long h = SimRandom.mix(world.stateHash(), tick);
@@ -1124,7 +1391,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   private void requireFree(int playerId) {
-    if (playerId < 0 || playerId >= MAX_PLAYERS || players.get(playerId) != null) {
+    if (playerId < 0 || playerId >= MAX_PLAYERS || players.participant(playerId) != null) {
       throw new IllegalStateException(
           "player id=" + playerId + " is taken or outside 0.." + (MAX_PLAYERS - 1));
     }

@@ -3,25 +3,49 @@ package carom.sim;
 import static carom.sim.message.BuiltInKinds.EMOTE;
 import static carom.sim.message.BuiltInKinds.EMOTED;
 import static carom.sim.message.BuiltInKinds.MAX_CHAT;
+import static carom.sim.message.BuiltInKinds.READY;
+import static carom.sim.message.BuiltInKinds.ROLE;
 import static carom.sim.message.BuiltInKinds.SAID;
 import static carom.sim.message.BuiltInKinds.SAY;
+import static carom.sim.message.BuiltInKinds.SERVER;
+import static carom.sim.message.BuiltInKinds.TEAM;
 
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
+import carom.sim.message.PlayerRole;
+import java.util.List;
 
-/** What every game does with the messages that every game has: chat and emotes. */
+/**
+ * What every game does with the messages that every game has: chat, emotes, and what a participant
+ * asks of the roster. A wish that isn't granted is answered in words, to the one who asked.
+ */
 final class Talk {
   private Talk() {}
 
-  /** Handles a message of a player: here if its kind is built in, or by the game. */
+  /** Handles a message of a participant: here if its kind is built in, or by the game. */
   static void handle(Simulation s, Player p, Message m) {
     if (m.is(SAY)) {
       say(s, p, m.text("text"), m.flag("team"));
     } else if (m.is(EMOTE)) {
       emote(s, p, m.choice("emote", Emote.class));
-    } else {
+    } else if (m.is(ROLE)) {
+      role(s, p, m.choice("role", PlayerRole.class));
+    } else if (m.is(TEAM)) {
+      team(s, p, m.count("team"));
+    } else if (m.is(READY)) {
+      p.ready(m.flag("ready"));
+    } else if (!p.isSpectator()) {
       s.game().message(s, p, m);
     }
+  }
+
+  /** Says a line of the server to one participant. */
+  static void tell(Simulation s, Player p, String text) {
+    s.send(SAID.of(SERVER, false, cut(text))).to(p);
+  }
+
+  private static String cut(String text) {
+    return text.substring(0, Math.min(MAX_CHAT, text.length()));
   }
 
   private static void say(Simulation s, Player p, String text, boolean toTeam) {
@@ -30,7 +54,7 @@ final class Talk {
     if (said == null || said.isEmpty()) {
       return;
     }
-    Message line = SAID.of(p.id(), toTeam, said.substring(0, Math.min(MAX_CHAT, said.length())));
+    Message line = SAID.of(p.id(), toTeam, cut(said));
     if (toTeam) {
       s.send(line).toTeam(p.team());
     } else {
@@ -42,5 +66,60 @@ final class Talk {
     if (p.body() != null && s.game().emote(s, p, emote)) {
       s.send(EMOTED.of(p.id(), emote)).toNear(p.body());
     }
+  }
+
+  private static void role(Simulation s, Player p, PlayerRole role) {
+    if (p.role() == role) {
+      return;
+    }
+    boolean full = role == PlayerRole.PLAYER && s.playerCount() >= s.game().maxPlayers();
+    String refusal = full ? refusalWhenFull(s) : s.game().refuseRole(s, p, role);
+    if (refusal == null) {
+      s.role(p, role);
+    } else {
+      tell(s, p, refusal);
+    }
+  }
+
+  /** Returns what a participant is told who can't play because others do. */
+  static String refusalWhenFull(Simulation s) {
+    return "All " + s.game().maxPlayers() + " places are taken: you watch";
+  }
+
+  private static void team(Simulation s, Player p, int team) {
+    if (!p.isSpectator() && p.team() == team) {
+      return;
+    }
+    String refusal = refusal(s, p, team);
+    if (refusal == null) {
+      p.team(team);
+      s.game().teamChanged(s, p);
+    } else {
+      tell(s, p, refusal);
+    }
+  }
+
+  private static String refusal(Simulation s, Player p, int team) {
+    List<String> teams = s.game().teams();
+    if (p.isSpectator()) {
+      return "Spectators have no team: ask to play first";
+    } else if (teams.isEmpty()) {
+      return "This game has no teams to choose";
+    } else if (team < 1 || team > teams.size()) {
+      return "There is no team " + team + ", only 1 to " + teams.size();
+    }
+    return s.game().refuseTeam(s, p, team);
+  }
+
+  /** Returns why a change to a team would make the teams unequal, or null if it doesn't. */
+  static String imbalance(Simulation s, Player p, int team) {
+    List<String> teams = s.game().teams();
+    for (int other = 1; other <= teams.size(); other++) {
+      int others = s.teamSize(other) - (p.team() == other ? 1 : 0);
+      if (s.teamSize(team) > others) {
+        return teams.get(team - 1) + " has more players than " + teams.get(other - 1);
+      }
+    }
+    return null;
   }
 }

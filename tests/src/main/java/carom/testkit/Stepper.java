@@ -8,8 +8,11 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Impairment;
+import carom.net.transport.ServerTransport;
 import carom.server.Server;
+import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.sim.Entity;
@@ -18,6 +21,7 @@ import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 
 /**
  * Runs a scenario: it owns one server, any number of clients and the clock, and advances them in
@@ -36,8 +40,7 @@ public final class Stepper implements AutoCloseable {
   private static final long SEED_STRIDE = 1_000; // a client may connect again, with further seeds
 
   private final Wire wire;
-  private final ServerConfig config;
-  private final Level level;
+  private final Function<ServerTransport, Server> servers;
   private final List<SimulatedClient> clients = new ArrayList<>();
   private long nowNs;
   private Server server;
@@ -47,10 +50,33 @@ public final class Stepper implements AutoCloseable {
 
   private Stepper(Wire wire, ServerConfig config, Level level, long startNs) {
     this.wire = wire;
-    this.config = config.withStatusIntervalS(0).withGameName(level.gameName());
-    this.level = level;
     this.nowNs = startNs;
+    ServerConfig settings = config.withStatusIntervalS(0).withGameName(level.gameName());
+    servers =
+        transport ->
+            new Server(
+                settings, () -> Games.create(level.gameName()), level, transport, () -> nowNs);
     startServer();
+  }
+
+  private Stepper(
+      Wire wire, ServerConfig config, List<RoomConfig> rooms, MatchLibrary library, long startNs) {
+    this.wire = wire;
+    this.nowNs = startNs;
+    ServerConfig settings = config.withStatusIntervalS(0);
+    servers = transport -> new Server(settings, rooms, library, transport, () -> nowNs);
+    startServer();
+  }
+
+  /** Returns a stepper in memory and virtual time, with these rooms. */
+  public static Stepper ofRooms(ServerConfig config, MatchLibrary library, RoomConfig... rooms) {
+    return new Stepper(new InProcessWire(), config, List.of(rooms), library, 1_000_000_000L);
+  }
+
+  /** Returns a stepper over KryoNet on loopback in real time, with these rooms. */
+  public static Stepper ofRoomsOverSockets(
+      ServerConfig config, MatchLibrary library, RoomConfig... rooms) {
+    return new Stepper(new SocketWire(), config, List.of(rooms), library, System.nanoTime());
   }
 
   /** Returns a stepper in memory and virtual time, with the default level of a game. */
@@ -85,8 +111,7 @@ public final class Stepper implements AutoCloseable {
 
   /** Starts a fresh server at the same address, after {@link #stopServer}. */
   public void startServer() {
-    server =
-        new Server(config, () -> Games.create(level.gameName()), level, wire.serve(), () -> nowNs);
+    server = servers.apply(wire.serve());
     hashedTick = -1;
     server.tick(nowNs);
   }

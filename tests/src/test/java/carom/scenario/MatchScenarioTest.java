@@ -5,11 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
+import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
+import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.sim.NextMatch;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** Goal: matches follow each other in a running room, and players notice no new link. */
@@ -49,6 +54,32 @@ class MatchScenarioTest {
         assertEquals(0, client.stats().reconnects(), client::toString);
         assertEquals(4, client.view().players().size(), client::toString);
       }
+    }
+  }
+
+  @Test
+  void aRoomGoesRoundThreeLevelsOfTwoGames() {
+    RoomConfig room =
+        new RoomConfig("cup", "", List.of("arena", "platformer", "commons"), 8, 1, Map.of());
+    try (Stepper stepper = Stepper.ofRooms(ServerConfig.defaults(), MatchLibrary.INSTALLED, room)) {
+      stepper.join("Ann", BAD, Scripts.wander(1));
+      SimulatedClient client = stepper.clients().get(0);
+      stepper.run(3);
+      for (String level : List.of("Windmill Gap", "Commons", "Corner Pocket", "Windmill Gap")) {
+        stepper.room().simulation().matchOver();
+        stepper.runUntil(
+            "plays " + level,
+            () ->
+                client.view().phase() == ConnectionPhase.PLAYING
+                    && client.view().own() != null
+                    && client.view().level().name().equals(level),
+            5);
+        long compared = stepper.compared();
+        stepper.run(3);
+        assertTrue(stepper.compared() > compared + 20, stepper.describe());
+      }
+      assertEquals("platformer", client.view().game());
+      assertEquals(0, client.stats().reconnects());
     }
   }
 

@@ -10,6 +10,7 @@ import carom.sim.Journal;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.level.Level;
+import carom.sim.message.PlayerRole;
 import carom.testkit.Condition;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;
@@ -95,6 +96,12 @@ class OwnBodyScenarioTest {
 
     @Override
     public void joining(Simulation s, int id, String name) {}
+
+    @Override
+    public void watching(Simulation s, int id, String name) {}
+
+    @Override
+    public void changing(Simulation s, int id, PlayerRole role) {}
 
     @Override
     public void leaving(Simulation s, int id) {}

@@ -48,8 +48,9 @@ class ServerMainTest {
     command.add(System.getProperty("java.class.path"));
     command.add(ServerMain.class.getName());
     command.addAll(List.of(args));
-    Process process =
-        new ProcessBuilder(command).redirectError(folder.resolve("err").toFile()).start();
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().put("CAROM_DATA", folder.resolve("data").toString());
+    Process process = builder.redirectError(folder.resolve("err").toFile()).start();
     process.getOutputStream().close(); // closed standard input must not matter
     started.add(process);
     return process;
@@ -85,6 +86,20 @@ class ServerMainTest {
     assertTrue(fails(2, "--rooms", "65").contains("rooms=65 is outside 1..64"), err());
     assertTrue(fails(2, "--rooms", "64", "--max-players", "256").contains("at most 4096"), err());
     assertTrue(fails(2, "--log-level", "loud").contains("none of [off, error"), err());
+  }
+
+  @Test
+  void roomsThatCanNotBePlayedAreRefusedWithTheFormThatWorks() throws Exception {
+    assertTrue(fails(2, "--room", "cup").contains("example cup=arena,commons:16"), err());
+    assertTrue(fails(2, "--room", "cup=aren").contains("no file level=aren"), err());
+    assertTrue(fails(2, "--room", "a b=arena").contains("name=a b must be 1..32 letters"), err());
+    assertTrue(fails(2, "--room", "cup=arena:2000").contains("players=2000 is outside"), err());
+    String[] twice = {
+      "--tcp-port", "0", "--udp-port", "0", "--room", "a=arena", "--room", "a=arena"
+    };
+    assertTrue(fails(2, twice).contains("name=a belongs to two rooms"), err());
+    assertTrue(fails(2, "--room", "a=arena", "--rooms", "2").contains("leave --rooms out"), err());
+    assertTrue(fails(2, "--levels", "arena", "--game", "x").contains("leave --game out"), err());
   }
 
   @Test
@@ -132,6 +147,33 @@ class ServerMainTest {
   }
 
   @Test
+  void settingsOfTheFileAreCheckedAndErrorsNameTheirLine() throws Exception {
+    Path data = Files.createDirectory(folder.resolve("data"));
+    Path file = Files.writeString(data.resolve("carom.conf"), "\ntick-rate = 300\n");
+    String error = fails(2);
+    assertTrue(error.contains("set it with --tick-rate"), error);
+    assertTrue(error.contains("tick-rate is set by " + file + ": 2"), error);
+    Files.writeString(file, "tick-rat = 30\n");
+    assertTrue(fails(2).contains("did you mean \"tick-rate\"?"), err());
+    assertTrue(fails(2, "--config", "no.conf").contains("config=no.conf can't be read"), err());
+    Files.writeString(file, "");
+    assertTrue(fails(2, "--bind", "no such").contains("--bind=no such is no address"), err());
+    String noFolder = file.toString();
+    assertTrue(fails(1, "--data", noFolder).contains("name another folder with --data"), err());
+  }
+
+  @Test
+  void printsItsSettingsAsAFile() throws Exception {
+    Process process = start("--print-config", "--grace", "1 min");
+    String printed = rest(process.getInputStream());
+    assertEquals(0, process.waitFor());
+    assertTrue(printed.contains("\ngrace = 1 min\n"), printed);
+    assertTrue(printed.contains("\n#tick-rate = 60 Hz\n"), printed);
+    assertEquals("", err());
+    assertFalse(Files.exists(folder.resolve("data/logs")), "only printed");
+  }
+
+  @Test
   void saysReadyOnceServesPlayersAndSigtermTellsThem() throws Exception {
     Process process = start("--tcp-port", "0", "--udp-port", "0", "--seed", "7");
     BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
@@ -171,6 +213,7 @@ class ServerMainTest {
     assertTrue(log.contains("join: Ann as player 0"), log);
     assertTrue(log.contains("stopped: "), log);
     assertFalse(log.contains("WARN") || log.contains("ERROR"), log);
+    assertEquals(log, Files.readString(folder.resolve("data/logs/carom.log")));
   }
 
   @Test

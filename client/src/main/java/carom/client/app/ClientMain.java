@@ -14,7 +14,7 @@ import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
 import carom.sim.scene.catalog.Scenes;
-import carom.values.Suggestion;
+import carom.text.Suggestion;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;

@@ -5,6 +5,7 @@ import carom.sim.Event;
 import carom.sim.Journal;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.message.PlayerRole;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -103,6 +104,12 @@ public final class EventReconciler implements Journal {
 
   @Override
   public void joining(Simulation s, int id, String name) {}
+
+  @Override
+  public void watching(Simulation s, int id, String name) {}
+
+  @Override
+  public void changing(Simulation s, int id, PlayerRole role) {}
 
   @Override
   public void leaving(Simulation s, int id) {}

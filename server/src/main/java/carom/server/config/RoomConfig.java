@@ -4,9 +4,11 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.RoomName;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * The settings of one room. Immutable. The constructor refuses a value outside its range with a
@@ -53,6 +55,29 @@ public record RoomConfig(
     }
     levels = List.copyOf(levels);
     metadata = Collections.unmodifiableMap(new LinkedHashMap<>(metadata));
+  }
+
+  /**
+   * Returns the number of seats of several rooms.
+   *
+   * @throws IllegalArgumentException when rooms have the same name, or too many seats together
+   */
+  public static int places(List<RoomConfig> rooms) {
+    Set<String> names = new HashSet<>();
+    int places = 0;
+    for (RoomConfig room : rooms) {
+      if (!names.add(room.name)) {
+        throw new IllegalArgumentException(
+            "name=" + room.name + " belongs to two rooms; give each a name of its own");
+      }
+      places += room.places;
+    }
+    if (places > ServerConfig.MAX_PLACES) {
+      throw new IllegalArgumentException(
+          "places=%d in all rooms are more than limit=%d; lower the players of some rooms"
+              .formatted(places, ServerConfig.MAX_PLACES));
+    }
+    return places;
   }
 
   /**

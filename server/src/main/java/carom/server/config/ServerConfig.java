@@ -16,8 +16,7 @@ import java.util.Objects;
  *     one datagram per tick in both directions
  * @param seed seed of the first room's random numbers; each further room's is one higher. The same
  *     seed and the same inputs give the same game
- * @param rooms number of rooms, 1..64. Each has its own world, players and thread; all have the
- *     same game and level
+ * @param rooms number of rooms, 1..64. Each has its own world, players and thread
  * @param threads number of threads that may step one world together, 1..64: the room's own and
  *     helpers that all rooms share. 1 means no helpers. Helpers pay off in worlds of a thousand
  *     bodies and more, and change no result
@@ -72,7 +71,12 @@ public record ServerConfig(
     int statusIntervalS) {
 
   private static final int MAX_SERVER_NAME = 40;
-  private static final int MAX_PLACES = 4_096;
+
+  /** Largest number of rooms. */
+  public static final int MAX_ROOMS = 64;
+
+  /** Largest number of seats in all rooms together. */
+  public static final int MAX_PLACES = 4_096;
 
   /**
    * Checks every setting.
@@ -91,7 +95,7 @@ public record ServerConfig(
               .formatted(serverName, serverName.strip().length(), MAX_SERVER_NAME));
     }
     check("tickRateHz", tickRateHz, 10, 240, "--tick-rate");
-    check("rooms", rooms, 1, 64, "--rooms");
+    check("rooms", rooms, 1, MAX_ROOMS, "--rooms");
     check("threads", threads, 1, WorkerThreads.MAX_COUNT, "--threads");
     check("maxPlayers", maxPlayers, 1, Limits.MAX_PLAYERS, "--max-players");
     if (rooms * maxPlayers > MAX_PLACES) {
@@ -154,11 +158,6 @@ public record ServerConfig(
   /** Returns the length of one tick, ns, rounded down. Use a tick loop for exact deadlines. */
   public long tickNs() {
     return 1_000_000_000L / tickRateHz;
-  }
-
-  /** Returns the number of seats of all rooms together. */
-  public int places() {
-    return rooms * maxPlayers;
   }
 
   /** Returns a copy that runs the game of this name. */

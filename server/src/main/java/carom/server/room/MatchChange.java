@@ -159,13 +159,7 @@ final class MatchChange {
     for (int id = 0; id < room.seats().count(); id++) {
       Session session = sessions.onSeat(id);
       if (session != null) {
-        Player before = session.player();
-        Player player =
-            simulation.join(
-                id,
-                before.name(),
-                brings && wanted.keepsTeams() ? before.team() : 0,
-                brings && wanted.keepsScores() ? before.score() : 0);
+        Player player = enter(simulation, session.player(), wanted, brings);
         session.enter(player, next.replicationTo(player), next.messagesOf(player));
       }
     }
@@ -187,6 +181,18 @@ final class MatchChange {
         next.info().game(),
         next.info().level().level().name(),
         sessions.count());
+  }
+
+  /** Lets a participant into the next match; spectators go on watching. */
+  private static Player enter(Simulation next, Player before, NextMatch wanted, boolean brings) {
+    if (before.isSpectator()) {
+      return next.joinAsSpectator(before.id(), before.name());
+    }
+    return next.join(
+        before.id(),
+        before.name(),
+        brings && wanted.keepsTeams() ? before.team() : 0,
+        brings && wanted.keepsScores() ? before.score() : 0);
   }
 
   /** Tells a session's client what to load. It plays as soon as it has. */

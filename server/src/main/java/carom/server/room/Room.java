@@ -16,6 +16,7 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
+import carom.server.schedule.TickLoop;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import carom.server.session.Session;

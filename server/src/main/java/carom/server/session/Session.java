@@ -18,6 +18,7 @@ import carom.server.metrics.Counters;
 import carom.server.metrics.LogInterval;
 import carom.server.prediction.PredictionAudit.Finding;
 import carom.server.replication.SessionReplication;
+import carom.sim.Input;
 import carom.sim.Player;
 import java.util.Locale;
 import org.slf4j.Logger;
@@ -45,6 +46,7 @@ public final class Session implements LinkHandler {
 
   private static final Logger LOG = LoggerFactory.getLogger(Session.class);
   private static final long NS_PER_MS = 1_000_000;
+  private static final long NEUTRAL = new Input().pack();
   private static final int MAX_HOLD_MS = 255;
   private static final int MIN_MARGIN = -32;
   private static final int MAX_MARGIN = 31;
@@ -365,8 +367,9 @@ public final class Session implements LinkHandler {
       return;
     }
     silentTicks++;
-    player.viewDelay(viewDelay);
-    player.input().unpack(inputs.consume(tick));
+    long input = inputs.consume(tick);
+    player.viewDelay(player.isSpectator() ? 0 : viewDelay);
+    player.input().unpack(player.isSpectator() ? NEUTRAL : input);
     if (!inputs.lastWasMissing()) {
       feedback.consumedTick = tick;
     }

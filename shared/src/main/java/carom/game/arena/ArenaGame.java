@@ -286,9 +286,20 @@ public final class ArenaGame implements Game {
   }
 
   @Override
+  public List<String> teams() {
+    return List.of(TEAM_NAMES[1], TEAM_NAMES[2]);
+  }
+
+  @Override
   public void join(Simulation s, Player p) {
-    p.team(size(s, 1) <= size(s, 2) ? 1 : 2);
+    p.team(s.teamSize(1) <= s.teamSize(2) ? 1 : 2);
     giveBody(s, p);
+  }
+
+  @Override
+  public void teamChanged(Simulation s, Player p) {
+    giveBody(s, p);
+    s.notice(p.name() + " now plays for " + TEAM_NAMES[p.team()]);
   }
 
   @Override
@@ -367,7 +378,7 @@ public final class ArenaGame implements Game {
       }
       return;
     }
-    int wanted = Math.min(MAX_BALLS, 1 + playerCount(s) / PLAYERS_PER_BALL);
+    int wanted = Math.min(MAX_BALLS, 1 + s.playerCount() / PLAYERS_PER_BALL);
     for (int i = 0; i < wanted; i++) {
       if (s.get(BALL, i) == null && s.get(BALL_WAIT, i) == 0) {
         kickOff(s, i);
@@ -567,12 +578,11 @@ public final class ArenaGame implements Game {
    */
   private void balance(Simulation s) {
     for (int id = s.playerCapacity() - 1; id >= 0; id--) {
-      int more = size(s, 1) - size(s, 2);
+      int more = s.teamSize(1) - s.teamSize(2);
       Player p = s.player(id);
       if (p != null && ((more > 1 && p.team() == 1) || (more < -1 && p.team() == 2))) {
         p.team(TEAMS + 1 - p.team());
-        giveBody(s, p);
-        s.notice(p.name() + " now plays for " + TEAM_NAMES[p.team()]);
+        teamChanged(s, p);
       }
     }
   }
@@ -670,20 +680,5 @@ public final class ArenaGame implements Game {
         }
       }
     }
-  }
-
-  private static int size(Simulation s, int team) {
-    int size = 0;
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
-      if (p != null && p.team() == team) {
-        size++;
-      }
-    }
-    return size;
-  }
-
-  private static int playerCount(Simulation s) {
-    return size(s, 1) + size(s, 2);
   }
 }

@@ -42,7 +42,8 @@ import carom.physics.threads.Workers;
  *   EVENTS       EventStage             manifolds                vetoes; callbacks: end, begin, preSolve
  *   PREPARE..    Substeps               rows, joints, bodies     velocities, poses, impulses
  *   CONTINUOUS   ContinuousCollision    motion in this step      poses of fast bodies
- *   EVENTS       EventStage             impulses                 callbacks: postSolve, hit, broke
+ *   EVENTS       EventStage             impulses                 callbacks: postSolve, hit, begin
+ *                                                                (sensors crossed), broke
  *   SLEEP        Sleeping               speeds, islands          sleeping bodies, rows that retire
  * </pre>
  *
@@ -240,7 +241,7 @@ public final class Dynamics {
       if (bodies.type[body] == BodyStore.DYNAMIC) {
         bodies.applyImpulses(body);
       } else {
-        sleeping.wakeJointed(body);
+        sleeping.wakeDriven(body, dt);
       }
     }
     sleeping.mergeWoken();
@@ -261,6 +262,7 @@ public final class Dynamics {
     if (events != null) {
       eventStage.afterSolving(events);
     }
+    continuous.beginCrossings(events);
     if (breakable) {
       breakJoints(jointEvents);
     }

@@ -5,7 +5,7 @@ import carom.lab.broadphase.PairSearchJob;
 import carom.lab.broadphase.RebuildJob;
 import carom.lab.measure.BenchJob;
 import carom.sim.scene.catalog.Scenes;
-import carom.values.Suggestion;
+import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 

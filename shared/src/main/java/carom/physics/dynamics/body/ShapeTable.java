@@ -64,6 +64,9 @@ public final class ShapeTable {
   /** Whether any part ever was a sensor or had a filter; if not, nobody looks at them. */
   private boolean selective;
 
+  /** Whether any part ever was a sensor; if not, nobody looks for some. */
+  private boolean sensors;
+
   /** Whether the box changed since pairs were last searched. */
   public boolean[] moved = new boolean[FIRST_CAPACITY];
 
@@ -125,6 +128,11 @@ public final class ShapeTable {
             && meet(category[p], mask[p], group[p], category[q], mask[q], group[q]));
   }
 
+  /** Returns whether any part is a sensor, or was one. */
+  public boolean anySensors() {
+    return sensors;
+  }
+
   /** Fills a part in. */
   void set(int part, Convex local, int shape, ShapeSpec spec) {
     convex[part] = pool.share(local);
@@ -145,6 +153,7 @@ public final class ShapeTable {
     group[part] = spec.group();
     sensor[part] = spec.sensor();
     selective |= !spec.plain();
+    sensors |= spec.sensor();
   }
 
   private static byte kind(Convex part) {
@@ -226,6 +235,7 @@ public final class ShapeTable {
     System.arraycopy(group, 0, to.group, 0, used);
     System.arraycopy(sensor, 0, to.sensor, 0, used);
     to.selective |= selective;
+    to.sensors |= sensors;
     System.arraycopy(nextFree, 0, to.nextFree, 0, used);
     System.arraycopy(freeBlocks, 0, to.freeBlocks, 0, freeBlocks.length);
     Arrays.fill(to.moved, false);

@@ -83,6 +83,43 @@ public final class RowOrder {
     }
   }
 
+  /**
+   * Makes pairs touch that include a sensor, and adds rows for those that have none.
+   *
+   * @param keys ascending, each once
+   * @param n how many
+   */
+  public void touch(long[] keys, int n, BodyStore bodies, ShapeTable parts) {
+    table.beginUpdate();
+    table.beginMoves();
+    int count = table.count();
+    int fresh = 0;
+    int from = 0;
+    for (int i = 0; i < n; i++) {
+      int row = table.find(keys[i]);
+      if (row >= 0) {
+        table.flags[row] = ContactTable.SENSOR | ContactTable.TOUCHING;
+      } else {
+        moves.keep(from, -1 - row - from, from + fresh);
+        from = -1 - row;
+        moves.insert(fresh, from + fresh);
+        fresh++;
+        keys[i] = ~keys[i]; // marks it until its row is filled in
+      }
+    }
+    moves.keep(from, count - from, from + fresh);
+    table.moveRows(count + fresh, null);
+    fresh = 0;
+    for (int i = 0; i < n; i++) {
+      if (keys[i] < 0) {
+        keys[i] = ~keys[i];
+        int row = moves.inserted[fresh++];
+        table.start(row, keys[i], bodies, parts);
+        table.flags[row] = ContactTable.SENSOR | ContactTable.TOUCHING;
+      }
+    }
+  }
+
   /** Moves the touching rows of sleeping bodies to another store, and removes their other rows. */
   public void retire(BodyStore bodies, SleepingContacts to) {
     table.beginMoves();

@@ -5,6 +5,7 @@ import carom.physics.collision.distance.Sweep;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.solver.SolverBodies;
@@ -19,7 +20,8 @@ import carom.physics.settings.Settings;
  *
  * <p><b>Who is swept.</b> Dynamic bodies that move farther in the step than {@link #GATE} times
  * their inner radius, turning included: against static and kinematic parts; bullets against dynamic
- * ones, too. Who pushes through something slowly is the solver's business.
+ * ones, too. A bullet that a fast kinematic body may pass over is swept however slow it is. Who
+ * pushes through something slowly is the solver's business.
  *
  * <p><b>What counts.</b> A body that touches something, or lies in it a little, must slide on
  * freely. So the question is first put with a <b>core</b>, the shape without its rim of {@link
@@ -34,8 +36,8 @@ import carom.physics.settings.Settings;
  * Bullets are settled after all others and in the order of their slots, each against the corrected
  * motion of those before.
  *
- * <p>A sensor that a body crosses within one step hears nothing of it: only what is inside at the
- * start of a step counts.
+ * <p><b>Sensors</b> stop nothing. One that a fast body crosses within the step is told of it; see
+ * {@link SensorCrossings}.
  *
  * <p>The result depends on the state alone: candidates are tested in the order in which their boxes
  * can be met, which has nothing to do with the trees. Nothing is allocated in a steady world.
@@ -84,6 +86,7 @@ public final class ContinuousCollision {
   private final TargetMotion target;
   private final ImpactSearch search;
   private final SweptBox swept;
+  private final SensorCrossings crossings;
 
   // Scratch.
   private final Sweep ride = new Sweep();
@@ -105,9 +108,10 @@ public final class ContinuousCollision {
     this.bodies = bodies;
     this.parts = parts;
     swept = new SweptBox(parts);
-    fast = new FastBodies(bodies, active, parts);
+    fast = new FastBodies(settings, bodies, active, parts);
     target = new TargetMotion(bodies, active, fast);
     search = new ImpactSearch(pairs, settings, bodies, parts, contacts, fast, target, swept);
+    crossings = new SensorCrossings(pairs, bodies, parts, contacts, fast, target);
   }
 
   /** Forgets which bodies were pressed in, when a step begins to find contacts. */
@@ -144,8 +148,16 @@ public final class ContinuousCollision {
     for (int i = 0; i < fast.count(); i++) {
       settle(fast.inOrder(i), pairs.moving(), pairs.resting());
     }
+    if (parts.anySensors()) {
+      crossings.find();
+    }
     fast.clear();
     pairs.posesChanged();
+  }
+
+  /** Begins the contacts with sensors that fast bodies crossed in this step. */
+  public void beginCrossings(ContactEvents events) {
+    crossings.begin(events);
   }
 
   /** Makes the boxes of fast bodies contain all of their way, so that the tree finds them. */

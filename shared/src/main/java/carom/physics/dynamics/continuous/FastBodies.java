@@ -5,10 +5,12 @@ import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.store.IntList;
 import carom.physics.dynamics.store.KeySorter;
 import carom.physics.geometry.Convex;
 import carom.physics.math.Limits;
 import carom.physics.math.Trig;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**
@@ -23,6 +25,7 @@ final class FastBodies {
 
   private static final int FIRST_CAPACITY = 16;
 
+  private final Settings settings;
   private final BodyStore bodies;
   private final ActiveBodies active;
   private final ShapeTable parts;
@@ -45,6 +48,9 @@ final class FastBodies {
   /** Whether anything that moves may be a target. */
   private boolean moving;
 
+  /** The kinematic bodies that may pass over slow bodies in this step. */
+  private final IntList strikers = new IntList();
+
   /** The farthest any point of a slow body gets, m. */
   private float drift;
 
@@ -52,11 +58,16 @@ final class FastBodies {
   private SolverBodies solverBodies;
   private float stepS;
   private final Sweep sweep = new Sweep();
+  private final SweptBox own;
+  private final SweptBox theirs;
 
-  FastBodies(BodyStore bodies, ActiveBodies active, ShapeTable parts) {
+  FastBodies(Settings settings, BodyStore bodies, ActiveBodies active, ShapeTable parts) {
+    this.settings = settings;
     this.bodies = bodies;
     this.active = active;
     this.parts = parts;
+    own = new SweptBox(parts);
+    theirs = new SweptBox(parts);
   }
 
   /** Returns the number of fast bodies. */
@@ -83,6 +94,18 @@ final class FastBodies {
   /** Returns whether anything that moves may be a target. */
   boolean movingTargets() {
     return moving;
+  }
+
+  /** Returns the number of kinematic bodies that move far in this step. */
+  int strikers() {
+    return strikers.count;
+  }
+
+  /** Sets a flight to the motion of a kinematic body that moves far in this step. */
+  void striker(int i, Flight out) {
+    out.body = strikers.values[i];
+    out.split = 1;
+    motion(out.body, out.whole);
   }
 
   /** Returns how far a moving target may be outside of the box that the tree has of it, m. */
@@ -137,33 +160,104 @@ final class FastBodies {
     stepS = dt;
     count = 0;
     moving = false;
-    float[] s = solved.state;
+    strikers.count = 0;
     for (int i = 0; i < active.count; i++) {
       int body = active.list[i];
       if (bodies.type[body] != BodyStore.DYNAMIC) {
         moving = true;
+        noteStriker(body);
         continue;
       }
-      int at = solved.slot(body) * SolverBodies.STRIDE;
-      float dx = s[at + SolverBodies.DX];
-      float dy = s[at + SolverBodies.DY];
-      float turn = ANGLE_BY_SINE * Math.abs(s[at + SolverBodies.SIN]);
-      float free = ContinuousCollision.GATE * bodies.innerRadius[body] - bodies.reach[body] * turn;
-      boolean slow = s[at + SolverBodies.COS] > 0 && free >= 0 && dx * dx + dy * dy <= free * free;
       boolean pressedIn = anyPressed && body < isPressed.length && isPressed[body];
-      if (!slow || pressedIn) {
-        add(body, pressedIn);
+      if (pressedIn || !isSlow(body)) {
+        add(body, pressedIn ? 0 : ContinuousCollision.GATE * bodies.innerRadius[body]);
+      } else if (parts.anySensors() && bodies.innerRadius[body] == Float.POSITIVE_INFINITY) {
+        add(body, settings.speculativeDistance());
       }
+      moving = moving || hasSensor(body);
     }
-    return count > 0;
+    if (strikers.count > 0) {
+      addStruck();
+    }
+    return count > 0 || (strikers.count > 0 && parts.anySensors());
   }
 
-  private void add(int body, boolean pressedIn) {
-    float limit = ContinuousCollision.GATE * bodies.innerRadius[body];
+  private boolean hasSensor(int body) {
+    int end = parts.anySensors() ? bodies.firstPart[body] + bodies.partCount[body] : 0;
+    for (int part = bodies.firstPart[body]; part < end; part++) {
+      if (parts.sensor[part]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Returns whether a body surely moved less than a swept one; most do. */
+  private boolean isSlow(int body) {
+    float[] s = solverBodies.state;
+    int at = solverBodies.slot(body) * SolverBodies.STRIDE;
+    float dx = s[at + SolverBodies.DX];
+    float dy = s[at + SolverBodies.DY];
+    float turn = ANGLE_BY_SINE * Math.abs(s[at + SolverBodies.SIN]);
+    float free = ContinuousCollision.GATE * bodies.innerRadius[body] - bodies.reach[body] * turn;
+    return s[at + SolverBodies.COS] > 0 && free >= 0 && dx * dx + dy * dy <= free * free;
+  }
+
+  /** Notes a kinematic body that moves so far in the step that contacts may not foresee it. */
+  private void noteStriker(int body) {
+    motion(body, sweep);
+    float turned = bodies.reach[body] * Math.abs(sweep.angleRad);
+    if (way(sweep) + turned > settings.speculativeDistance()) {
+      strikers.add(body);
+    }
+  }
+
+  /** Adds the bullets that a fast kinematic body may pass over, however slow they are. */
+  private void addStruck() {
+    for (int i = 0; i < active.count; i++) {
+      int body = active.list[i];
+      if (bodies.bullet(body) && bodies.type[body] == BodyStore.DYNAMIC && !flies(body)) {
+        measure(body, own);
+        for (int k = 0; k < strikers.count; k++) {
+          measure(strikers.values[k], theirs);
+          if (own.box().overlaps(theirs.box())) {
+            add(body, -1);
+            break;
+          }
+        }
+      }
+    }
+  }
+
+  private boolean flies(int body) {
+    for (int k = 0; k < count; k++) {
+      if (flights[k].body == body) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Computes the box that a body sweeps in the step. */
+  private void measure(int body, SweptBox box) {
+    motion(body, sweep);
+    box.setEmpty();
+    int first = bodies.firstPart[body];
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      box.add(part, sweep);
+    }
+  }
+
+  private static float way(Sweep s) {
+    return (float) Math.sqrt(s.dx * s.dx + s.dy * s.dy);
+  }
+
+  /** Adds a body, if its points may have moved by more than a way, m. */
+  private void add(int body, float least) {
     boolean atEdge =
         Math.abs(bodies.x[body]) >= Limits.MAX_COORDINATE
             || Math.abs(bodies.y[body]) >= Limits.MAX_COORDINATE;
-    if (atEdge || limit == Float.POSITIVE_INFINITY) {
+    if (atEdge) {
       return;
     }
     if (count == flights.length) {
@@ -174,11 +268,7 @@ final class FastBodies {
     }
     Flight f = flights[count];
     motion(body, f.whole);
-    float way = (float) Math.sqrt(f.whole.dx * f.whole.dx + f.whole.dy * f.whole.dy);
-    if (way == 0 && f.whole.angleRad == 0) {
-      return;
-    }
-    if (!pressedIn && way + arm(body) * Math.abs(f.whole.angleRad) <= limit) {
+    if (way(f.whole) + arm(body) * Math.abs(f.whole.angleRad) <= least) {
       return;
     }
     f.body = body;

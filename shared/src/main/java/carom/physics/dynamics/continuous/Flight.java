@@ -21,4 +21,9 @@ final class Flight {
 
   /** The time of the impact as a part of the step; 1 if there is none. */
   float split;
+
+  /** Returns the motion until the body was stopped: all of it, if nothing did. */
+  Sweep beginning() {
+    return split < 1 ? first : whole;
+  }
 }

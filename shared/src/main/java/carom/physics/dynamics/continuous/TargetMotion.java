@@ -37,7 +37,7 @@ final class TargetMotion {
     split = 1;
     if (f != null) {
       split = f.split;
-      first = f.split < 1 ? f.first : f.whole;
+      first = f.beginning();
       second = f.second;
     } else {
       first = own;

@@ -15,13 +15,12 @@ import carom.physics.settings.Settings;
 /**
  * Decides which bodies fall asleep and wakes them, with all that belongs to them.
  *
- * <p>A step looks at the {@linkplain ActiveBodies active bodies} alone. The parts of all others are
- * in a tree of their own, contacts between them in {@link SleepingContacts}, their joints are
- * passed over. An island falls asleep when all its bodies have been slow for long enough and
- * nothing keeps it awake: a pending force, a moving kinematic body, a running belt or motor, a body
- * that may not sleep. Kinematic bodies at rest fall asleep alone. A body wakes with its whole
- * island: when something awake begins to touch it or no longer does, when its velocity, forces,
- * pose or joints change, and when what it touches, static bodies too, is moved, changed or removed.
+ * <p>A step looks at the {@linkplain ActiveBodies active bodies} alone. The others have a tree of
+ * their own, and {@link SleepingContacts}; their joints are skipped. An island falls asleep when
+ * all its bodies have been slow for long and nothing keeps it awake: a pending force, a moving
+ * kinematic body, a running belt or motor, a body that may not sleep. Kinematic bodies at rest fall
+ * asleep alone. A body wakes with its island: when something awake begins to touch it or ceases to,
+ * when its velocity, forces, pose or joints change, and when what it touches moves or changes.
  *
  * <p>The contacts of a body that wakes are in no table until {@link #mergeWoken}.
  */
@@ -219,12 +218,14 @@ public final class Sleeping {
     wake(joints.bodyB[joint]);
   }
 
-  /** Wakes the bodies that a kinematic body holds by joints, if it moves. */
-  public void wakeJointed(int body) {
+  /** Wakes what a moving kinematic body holds by joints, or may strike in a step of dt seconds. */
+  public void wakeDriven(int body, float dt) {
     if (!drives(body)) {
       return;
     }
+    staticReach.listBullets(body, dt, touched);
     restTime.noteDriven(body);
+    wakeTouched();
     for (int end = joints.firstEnd(body); end >= 0; end = joints.nextEnd(end)) {
       int other = joints.other(end);
       if (other >= 0) {

@@ -1,4 +1,4 @@
-package carom.server.room;
+package carom.server.schedule;
 
 /**
  * Shares the snapshots of all sessions out among the ticks. With fewer snapshots than ticks, no
@@ -11,7 +11,7 @@ package carom.server.room;
  *
  * <p>The first session that had to wait is the first in the next tick. One thread; no allocation.
  */
-final class SendTurns {
+public final class SendTurns {
   private static final int TIME_PARTS = 8;
   private static final int TIME_PARTS_TO_SEND_IN = 5;
   private static final int LEAST_PARTS = 4;
@@ -33,7 +33,7 @@ final class SendTurns {
    *
    * @param snapshotRateHz snapshots per second and session; more than one per tick count as one
    */
-  SendTurns(int tickRateHz, int snapshotRateHz) {
+  public SendTurns(int tickRateHz, int snapshotRateHz) {
     this.tickRateHz = tickRateHz;
     this.snapshotRateHz = Math.min(snapshotRateHz, tickRateHz);
     timeNs = 1_000_000_000L / tickRateHz * TIME_PARTS_TO_SEND_IN / TIME_PARTS;
@@ -45,7 +45,7 @@ final class SendTurns {
    * @param sessions how many there are
    * @param tickBeganNs when the tick began, by the clock of {@link #take}
    */
-  void begin(int sessions, long tickBeganNs) {
+  public void begin(int sessions, long tickBeganNs) {
     count = sessions;
     first = sessions == 0 ? 0 : next % sessions;
     next = first;
@@ -57,7 +57,7 @@ final class SendTurns {
   }
 
   /** Returns the session that has turn {@code i}, 0..number of sessions - 1. */
-  int index(int i) {
+  public int index(int i) {
     int index = first + i;
     return index < count ? index : index - count;
   }
@@ -66,7 +66,7 @@ final class SendTurns {
    * Takes turn {@code i} for its session, which may send if this returns true and has to wait if
    * not. Call in order of turns, and only for sessions that have something to send.
    */
-  boolean take(int i, long nowNs) {
+  public boolean take(int i, long nowNs) {
     boolean inTime = nowNs - beginNs < timeNs || served < (share + LEAST_PARTS - 1) / LEAST_PARTS;
     if (inTime && served < share) {
       served++;
@@ -81,7 +81,7 @@ final class SendTurns {
   }
 
   /** Returns how many sessions wait because the tick took too long. */
-  int late() {
+  public int late() {
     return late;
   }
 }

@@ -1,4 +1,4 @@
-package carom.server.room;
+package carom.server.schedule;
 
 /**
  * Says how many ticks are due, at a fixed rate, for a clock that is handed in.

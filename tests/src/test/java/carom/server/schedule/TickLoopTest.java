@@ -1,4 +1,4 @@
-package carom.server.room;
+package carom.server.schedule;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

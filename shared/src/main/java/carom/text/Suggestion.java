@@ -1,4 +1,4 @@
-package carom.values;
+package carom.text;
 
 import java.util.Collection;
 

@@ -1,0 +1,72 @@
+package carom.server;
+
+import carom.net.protocol.Limits;
+import carom.net.protocol.RoomName;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * One value of {@code --room}: {@code NAME=LEVEL[,LEVEL...][:PLAYERS]}. No character of it means
+ * anything to a shell.
+ *
+ * @param name name of the room, see {@link RoomName}
+ * @param levels files, names of levels, or names of games, which stand for their default levels
+ * @param places seats of the room; 0 = as {@code --max-players} says
+ */
+record RoomFlag(String name, List<String> levels, int places) {
+  private static final String FORM =
+      "; write NAME=LEVEL[,LEVEL...][:PLAYERS], for example cup=arena,commons:16";
+
+  /** A number behind the last colon; a colon elsewhere belongs to a path. */
+  private static final Pattern PLACES = Pattern.compile("(.*):(\\d+)");
+
+  /**
+   * Reads a value.
+   *
+   * @throws IllegalArgumentException when it has another form; the message says how to write it
+   */
+  static RoomFlag parse(String text) {
+    int equals = text.indexOf('=');
+    if (equals < 0) {
+      throw new IllegalArgumentException("--room=" + text + " has no \"=\"" + FORM);
+    }
+    String name = text.substring(0, equals);
+    String problem = RoomName.problem(name);
+    if (problem != null) {
+      throw new IllegalArgumentException("--room=" + text + ": " + problem);
+    }
+    String levels = text.substring(equals + 1);
+    int places = 0;
+    Matcher withPlaces = PLACES.matcher(levels);
+    if (withPlaces.matches()) {
+      levels = withPlaces.group(1);
+      places = number(withPlaces.group(2));
+      if (places < 1 || places > Limits.MAX_PLAYERS) {
+        throw new IllegalArgumentException(
+            "--room=%s: players=%s is outside 1..%d"
+                .formatted(text, withPlaces.group(2), Limits.MAX_PLAYERS));
+      }
+    }
+    return new RoomFlag(name, levels("--room=" + text, levels), places);
+  }
+
+  /**
+   * Splits a list of levels at its commas.
+   *
+   * @param flag begins the message of the exception
+   * @throws IllegalArgumentException when there is none, or one is empty
+   */
+  static List<String> levels(String flag, String text) {
+    List<String> levels = List.of(text.split(",", -1)).stream().map(String::strip).toList();
+    if (levels.contains("")) {
+      throw new IllegalArgumentException(
+          flag + " names " + (levels.size() == 1 ? "no level" : "an empty level") + FORM);
+    }
+    return levels;
+  }
+
+  private static int number(String digits) {
+    return digits.length() > 4 ? Integer.MAX_VALUE : Integer.parseInt(digits);
+  }
+}
