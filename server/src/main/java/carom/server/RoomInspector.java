@@ -58,6 +58,26 @@ final class RoomInspector implements RoomMXBean {
   }
 
   @Override
+  public String say(String text) {
+    return room.operator().say(text);
+  }
+
+  @Override
+  public String mute(String name) {
+    return room.operator().mute(name, true);
+  }
+
+  @Override
+  public String unmute(String name) {
+    return room.operator().mute(name, false);
+  }
+
+  @Override
+  public String spectate(String name) {
+    return room.operator().spectate(name);
+  }
+
+  @Override
   public String change(String game, String level) {
     return room.operator().change(game == null ? "" : game, level == null ? "" : level);
   }

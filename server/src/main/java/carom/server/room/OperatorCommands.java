@@ -3,6 +3,7 @@ package carom.server.room;
 import carom.net.protocol.SessionState;
 import carom.server.match.MatchInfo;
 import carom.server.recording.RecordingFile;
+import carom.server.session.Moderator;
 import carom.server.session.Session;
 import carom.sim.NextMatch;
 import carom.sim.Simulation;
@@ -110,6 +111,21 @@ public final class OperatorCommands {
           departures.kick(session, text, clock.getAsLong());
           return "removed player=" + playerId + " name=" + session.seat().name();
         });
+  }
+
+  /** Says a line to everybody in the room. */
+  public String say(String text) {
+    return ask(() -> Moderator.say(room.simulation(), text));
+  }
+
+  /** Drops a player's chat and emotes from now on, or ends that; returns what was done. */
+  public String mute(String name, boolean on) {
+    return ask(() -> Moderator.mute(sessions.bySeat(), name, on));
+  }
+
+  /** Makes a player a spectator; returns what was done. */
+  public String spectate(String name) {
+    return ask(() -> Moderator.spectate(room.simulation(), sessions.bySeat(), name));
   }
 
   /**
