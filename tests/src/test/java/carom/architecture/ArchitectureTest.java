@@ -284,6 +284,7 @@ final class ArchitectureTest {
     allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
     allow(
         "carom.net.kryo",
+        "carom.text",
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.frame",

@@ -165,7 +165,8 @@ public final class MessageExchange {
   }
 
   private void hear(byte[] bytes) {
-    Message m = kinds.decode(bytes, 0, bytes.length, Direction.FROM_SERVER);
+    Message raw = kinds.decode(bytes, 0, bytes.length, Direction.FROM_SERVER);
+    Message m = raw == null ? null : raw.cleaned();
     if (m == null) {
       stats.malformed();
     } else if (m.is(BuiltInKinds.SAID)) {

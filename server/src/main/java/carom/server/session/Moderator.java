@@ -4,6 +4,7 @@ import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.PlayerRole;
+import carom.text.Texts;
 
 /**
  * What an operator does to the people in a room: speaks to all, mutes one, makes one a spectator.
@@ -14,7 +15,7 @@ public final class Moderator {
 
   /** Says a line to everybody in the room, as chat of the server. */
   public static String say(Simulation s, String text) {
-    String line = text == null ? "" : text.strip();
+    String line = text == null ? "" : Texts.clean(text).strip();
     if (line.isEmpty() || line.length() > BuiltInKinds.MAX_CHAT) {
       return "text has length=" + line.length() + ", allowed are 1.." + BuiltInKinds.MAX_CHAT;
     }

@@ -20,6 +20,7 @@ import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.protocol.ServerMessage.Watching;
 import carom.net.protocol.ServerMessage.Welcome;
 import carom.net.transport.MessageCodec;
+import carom.text.Texts;
 import com.esotericsoftware.kryo.Kryo;
 import com.esotericsoftware.kryo.KryoException;
 import com.esotericsoftware.kryo.Serializer;
@@ -505,9 +506,10 @@ public final class KryoMessageCodec implements MessageCodec {
     out.writeBytes(bytes);
   }
 
+  /** Reads a text, which may come to a screen or a terminal: without what can't be shown there. */
   private static String readText(Input in, String name, int maxBytes) {
     int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
-    return new String(readBytes(in, length), StandardCharsets.UTF_8);
+    return Texts.clean(new String(readBytes(in, length), StandardCharsets.UTF_8));
   }
 
   private static byte[] readBytes(Input in, int length) {

@@ -159,6 +159,25 @@ final class KryoMessageCodecTest {
   }
 
   @Test
+  void noTextBringsWhatWouldChangeATerminalOrOtherTexts() {
+    String evil = "a\u001b[2Jb\u202ec\u0007\nd";
+    String clean = "a[2Jbc d";
+    assertEquals(new ServerMessage.Notice(clean), again(new ServerMessage.Notice(evil)));
+    assertEquals(
+        new ServerMessage.Goodbye(GoodbyeReason.KICKED, clean),
+        again(new ServerMessage.Goodbye(GoodbyeReason.KICKED, evil)));
+    RosterEntry row = new RosterEntry(5, evil, 1, -7, false, false, true, 200);
+    ServerMessage.Roster roster =
+        (ServerMessage.Roster) again(new ServerMessage.Roster(List.of(row)));
+    assertEquals(clean, roster.entries().get(0).name());
+  }
+
+  private Object again(ServerMessage message) {
+    byte[] bytes = codec.encode(message);
+    return codec.decode(bytes, 0, bytes.length);
+  }
+
+  @Test
   void writingAssertsTheLimitsByName() {
     List<Object> wrong =
         List.of(

@@ -158,8 +158,7 @@ public final class Hud implements Disposable {
         fonts.small,
         ranking.size() == 1
             ? "1 player"
-            : ranking.size()
-                + (ranking.size() == shown ? " players" : " players   Tab: all"),
+            : ranking.size() + (ranking.size() == shown ? " players" : " players   Tab: all"),
         x + PAD,
         top - PAD,
         Theme.MUTED);

@@ -12,8 +12,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The table of all who are here, while Tab is held: team, name, score, how they stand, ping. Players
- * come first, by team and score, then spectators. Render thread only.
+ * The table of all who are here, while Tab is held: team, name, score, how they stand, ping.
+ * Players come first, by team and score, then spectators. Render thread only.
  */
 public final class ScoreBoard {
   private static final float PAD = 14;
