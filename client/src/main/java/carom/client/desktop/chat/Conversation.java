@@ -21,6 +21,7 @@ public final class Conversation implements MessageListener {
   private static final long SHOWN_NS = 9_000_000_000L;
   private static final long FADES_NS = 1_000_000_000L;
   private static final float PAD = 12;
+  private static final float GAP = 5;
   private static final float LINE = 20;
   private static final float BOTTOM = 64;
   private static final float WIDTH = 460;
@@ -117,11 +118,11 @@ public final class Conversation implements MessageListener {
     if (log.isOpen()) {
       hud.panel(PAD, y - LINE + 2, WIDTH, LINE + 6);
       hud.begin();
-      String to = log.isToTeam() ? "Team: " : "All: ";
+      String to = log.isToTeam() ? "Team:" : "All:";
       float x = 2 * PAD;
       hud.left(fonts.small, to, x, y, Theme.MUTED);
-      x += hud.width(fonts.small, to);
-      float room = WIDTH - 3 * PAD - hud.width(fonts.small, to);
+      x += hud.width(fonts.small, to) + GAP;
+      float room = WIDTH + PAD - x - PAD;
       String cursor = nowNs / 500_000_000L % 2 == 0 ? "|" : "";
       hud.left(fonts.small, hud.endOf(fonts.small, log.draft(), room) + cursor, x, y, Theme.TEXT);
       hud.end();
@@ -140,11 +141,12 @@ public final class Conversation implements MessageListener {
   }
 
   private void draw(Hud hud, ChatLog.Line line, float y, float alpha) {
-    String who = line.who().isEmpty() ? "" : line.who() + (line.team() ? " (team): " : ": ");
+    String who = line.who().isEmpty() ? "" : line.who() + (line.team() ? " (team):" : ":");
     Color tint = line.who().isEmpty() ? Theme.ACCENT : line.team() ? Theme.GOOD : Theme.INFO;
     color.set(tint).a = alpha;
     hud.shadowed(fonts.small, who, 2 * PAD, y, color);
     color.set(line.who().isEmpty() ? Theme.ACCENT : Theme.TEXT).a = alpha;
-    hud.shadowed(fonts.small, line.text(), 2 * PAD + hud.width(fonts.small, who), y, color);
+    float after = who.isEmpty() ? 0 : hud.width(fonts.small, who) + GAP;
+    hud.shadowed(fonts.small, line.text(), 2 * PAD + after, y, color);
   }
 }

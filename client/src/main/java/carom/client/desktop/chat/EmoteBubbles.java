@@ -13,7 +13,7 @@ import com.badlogic.gdx.math.Vector3;
 /** Words that rise above the bodies of players who show an emote, and fade. Render thread only. */
 final class EmoteBubbles {
   private static final long SHOWN_NS = 2_500_000_000L;
-  private static final float ABOVE_METRES = 1.2f;
+  private static final float ABOVE_METRES = 1.9f;
   private static final float RISE_METRES = 0.8f;
 
   private final Emote[] emotes = new Emote[Limits.MAX_PLAYERS];
