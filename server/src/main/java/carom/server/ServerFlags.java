@@ -7,6 +7,8 @@ import carom.options.BadFlag;
 import carom.options.NetworkConditions;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
@@ -30,9 +32,40 @@ final class ServerFlags {
   private static final int MAX_SPECTATOR_DELAY_S = 3_600;
   private static final int MAX_GRACE_S = 600;
   private static final int MAX_KEPT = 10_000;
+  private static final int MAX_LOGS = 20;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec program;
+
+  @Option(
+      names = "--config",
+      paramLabel = "FILE",
+      description =
+          "File of settings: name = value, with the names of these flags (carom.conf in the data"
+              + " folder, if it is there). Flags win over environment variables such as"
+              + " CAROM_TICK_RATE, variables over the file.")
+  @SuppressWarnings("unused") // the layers of settings read it
+  private Path config;
+
+  @Option(
+      names = "--print-config",
+      description = "Prints the settings as such a file, with what each does, and ends.")
+  boolean printConfig;
+
+  @Option(
+      names = "--data",
+      paramLabel = "FOLDER",
+      defaultValue = "data",
+      description =
+          "Folder of the server's own files: carom.conf, levels, recordings, logs"
+              + " (${DEFAULT-VALUE}).")
+  Path data;
+
+  @Option(
+      names = "--bind",
+      paramLabel = "ADDRESS",
+      description = "Address of this machine on which the ports are open (all).")
+  private String bind;
 
   @Option(
       names = "--tcp-port",
@@ -213,6 +246,15 @@ final class ServerFlags {
   LogLevel logLevel;
 
   @Option(
+      names = "--log-keep",
+      paramLabel = "N",
+      defaultValue = "10",
+      description =
+          "Files of 10 MB that the log in the data folder keeps, 0..20; 0 = log to standard error"
+              + " only (${DEFAULT-VALUE}).")
+  int logKeep;
+
+  @Option(
       names = {"-h", "--help"},
       usageHelp = true,
       description = "Shows this text.")
@@ -267,6 +309,7 @@ final class ServerFlags {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
+    requireRange("--log-keep", logKeep, MAX_LOGS);
     if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
       throw bad("--record=" + record + " is no folder; rooms=" + roomCount() + " need one");
     }
@@ -373,6 +416,15 @@ final class ServerFlags {
    */
   KryoLimits limits(int places) {
     return KryoLimits.DEFAULT.withConnections(2 * places + 64, places + 32);
+  }
+
+  /** Returns the address to listen on, or null for all. */
+  InetAddress bindAddress() {
+    try {
+      return bind == null ? null : InetAddress.getByName(bind);
+    } catch (UnknownHostException e) {
+      throw bad("--bind=" + bind + " is no address; give one such as 127.0.0.1 or ::1");
+    }
   }
 
   /** Returns the limit of {@code --record-rotate} for each file. */

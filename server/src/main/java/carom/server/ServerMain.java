@@ -2,14 +2,23 @@ package carom.server;
 
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
+import carom.server.config.BadSettingException;
+import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.config.Settings;
+import carom.server.config.SettingsLayers;
+import carom.server.console.LogFiles;
+import carom.server.console.ReadyLine;
 import carom.server.metrics.Counter;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
 import ch.qos.logback.classic.LoggerContext;
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.util.Collections;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import org.slf4j.Logger;
@@ -48,11 +57,14 @@ import picocli.CommandLine.TypeConversionException;
 public final class ServerMain implements Callable<Integer> {
   private static final String LOG_CONFIG_PROPERTY = "logback.configurationFile";
   private static final String LOG_CONFIG = "carom-server-logback.xml";
+  private static final Set<String> ONLY_EXPLAIN = Set.of("--help", "-h", "--version", "-V");
   private static final int FAILED = 1;
 
   @Spec private CommandSpec spec;
 
   @Mixin private final ServerFlags flags = new ServerFlags();
+
+  private SettingsLayers layers;
 
   /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -84,15 +96,42 @@ public final class ServerMain implements Callable<Integer> {
         CompletableFuture.supplyAsync(
             () -> (LoggerContext) LoggerFactory.getILoggerFactory(),
             task -> new Thread(task, "carom-logging").start());
-    CommandLine commandLine =
-        BadFlag.explainedBy(CaromMain.withBench(new CommandLine(new ServerMain(loggingSoon))));
+    ServerMain program = new ServerMain(loggingSoon);
+    CommandLine commandLine = BadFlag.explainedBy(CaromMain.withBench(new CommandLine(program)));
     commandLine.registerConverter(int.class, ServerMain::wholeNumber);
     commandLine.registerConverter(Long.class, ServerMain::longNumber);
     commandLine.registerConverter(ServerFlags.LogLevel.class, ServerFlags.LogLevel::of);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     // After a signal, exit() waits for the shutdown hook, and the process ends with the signal's
     // exit code.
-    System.exit(commandLine.execute(args));
+    System.exit(program.execute(commandLine, args));
+  }
+
+  /** Runs the program with the settings of all layers, unless it only explains itself. */
+  private int execute(CommandLine commandLine, String[] args) {
+    List<String> words = List.of(args);
+    if (!Collections.disjoint(words, ONLY_EXPLAIN)
+        || (!words.isEmpty() && commandLine.getSubcommands().containsKey(words.get(0)))) {
+      return commandLine.execute(args);
+    }
+    try {
+      layers = new SettingsLayers(commandLine.getCommandSpec(), words, System.getenv());
+    } catch (BadSettingException e) {
+      loggingSoon.join().stop();
+      commandLine.getErr().println("carom-server: " + e.getMessage());
+      return commandLine.getCommandSpec().exitCodeOnInvalidInput();
+    }
+    CommandLine.IParameterExceptionHandler usual = commandLine.getParameterExceptionHandler();
+    commandLine.setParameterExceptionHandler(
+        (e, all) -> {
+          int status = usual.handleParseException(e, all);
+          String origins = layers.origins(e.getMessage());
+          if (!origins.isEmpty()) {
+            commandLine.getErr().println("carom-server: " + origins);
+          }
+          return status;
+        });
+    return commandLine.execute(layers.arguments());
   }
 
   private static int wholeNumber(String text) {
@@ -114,6 +153,13 @@ public final class ServerMain implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     LoggerContext logging = loggingSoon.join();
+    Settings settings = layers.settings(spec.commandLine().getParseResult());
+    if (flags.printConfig) {
+      logging.stop();
+      spec.commandLine().getOut().print(settings.file());
+      spec.commandLine().getOut().flush();
+      return 0;
+    }
     try {
       return run(open(logging), logging);
     } catch (BadFlag e) {
@@ -133,6 +179,7 @@ public final class ServerMain implements Callable<Integer> {
     flags.check();
     ServerConfig config = flags.config(choice.gameName());
     Logger log = LoggerFactory.getLogger(ServerMain.class);
+    openData(logging, log);
     ServerStart start = new ServerStart(flags, choice, config, log);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
@@ -140,6 +187,27 @@ public final class ServerMain implements Callable<Integer> {
     root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
     logStart(log, config, choice.rooms(config));
     return start.open();
+  }
+
+  /**
+   * Creates the data folder and begins the log in it. A server without a data folder runs, too, but
+   * not if the operator named one.
+   */
+  private void openData(LoggerContext logging, Logger log) throws StartFailure {
+    DataFolder data = new DataFolder(flags.data);
+    try {
+      data.create();
+      LogFiles.begin(logging, data.logs(), flags.logKeep);
+    } catch (IOException e) {
+      if (layers
+          .settings(spec.commandLine().getParseResult())
+          .find(SettingsLayers.DATA)
+          .orElseThrow()
+          .isSet()) {
+        throw new StartFailure(e.getMessage(), e);
+      }
+      log.warn("nothing is kept in files: {}", e.getMessage());
+    }
   }
 
   private void logStart(Logger log, ServerConfig config, List<RoomConfig> rooms) {
@@ -150,6 +218,10 @@ public final class ServerMain implements Callable<Integer> {
         config.tickRateHz(),
         config.seed(),
         Runtime.version().feature());
+    layers.warnings().forEach(log::warn);
+    if (layers.file() != null) {
+      log.info("settings: {}", layers.file());
+    }
     for (RoomConfig room : rooms) {
       log.info(
           "room {}: {}, {} places", room.name(), String.join(", ", room.levels()), room.places());

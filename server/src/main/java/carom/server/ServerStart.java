@@ -70,7 +70,8 @@ final class ServerStart {
     ServerTransport transport;
     try {
       KryoLimits limits = flags.limits(RoomConfig.places(rooms));
-      transport = new KryoServerTransport(flags.tcpPort, flags.udpPort, limits);
+      transport =
+          new KryoServerTransport(flags.bindAddress(), flags.tcpPort, flags.udpPort, limits);
     } catch (IllegalArgumentException e) {
       throw flags.bad("--room: " + e.getMessage());
     } catch (PortUnavailableException e) {

@@ -11,6 +11,8 @@ import carom.sim.history.PoseHistory;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
+import carom.sim.pool.PoolsState;
+import carom.sim.spawn.Origin;
 import java.util.Arrays;
 
 /**
@@ -19,7 +21,7 @@ import java.util.Arrays;
  */
 public final class SimState {
   private static final int MAX_NAME = 1 << 16;
-  private static final int ENTITY_BYTES = 1 + 6 * Integer.BYTES;
+  private static final int ENTITY_BYTES = 1 + 7 * Integer.BYTES;
 
   final Simulation owner;
   final SavedFields fields;
@@ -40,9 +42,14 @@ public final class SimState {
   int[] tags = {};
   int[] teleports = {};
   int[] roots = {};
+  int[] origins = {};
+  int provisionalCount;
   final JointTable.Saved joints = new JointTable.Saved();
   byte[] generations = {};
   PoseHistory<Entity> history;
+
+  /** The state of water and sand; null if there is none, and on PREDICTION. */
+  PoolsState pools;
 
   /** Body slot of each entity, by entity id; used while the state is read or written. */
   private int[] slots = {};
@@ -71,6 +78,44 @@ public final class SimState {
     playerLimit = limit;
   }
 
+  /** Makes room for entities. What was saved is lost when there isn't enough. */
+  void ensureEntities(int room) {
+    if (entities.length < room) {
+      entities = new Entity[room];
+      tags = new int[room];
+      roots = new int[room];
+      origins = new int[room];
+      teleports = new int[room];
+      generations = new byte[room];
+    }
+  }
+
+  /** Saves an entity at a place, or that there is none. Ids are places. */
+  void save(int at, Entity entity) {
+    entities[at] = entity;
+    if (entity != null) {
+      tags[at] = entity.tag();
+      teleports[at] = entity.teleports();
+      roots[at] = entity.rootId();
+      origins[at] = entity.origin();
+      fields.save(entity.fieldValues(), at);
+    } else {
+      tags[at] = 0;
+      teleports[at] = 0;
+      roots[at] = Entity.NO_ROOT;
+      origins[at] = Origin.NONE;
+    }
+  }
+
+  /** Gives an entity what was saved at a place. */
+  void restore(int at, Entity entity) {
+    entity.tag(tags[at]);
+    entity.teleports(teleports[at]);
+    entity.rootId(roots[at]);
+    entity.origin(origins[at]);
+    fields.restore(entity.fieldValues(), at);
+  }
+
   /** Copies the remembered poses of a simulation, if there are any. */
   void saveHistory(PoseHistory<Entity> from) {
     if (from != null) {
@@ -96,6 +141,9 @@ public final class SimState {
    */
   public void write(ArchiveWriter archive) {
     pass(archive);
+    if (pools != null) {
+      pools.write(archive);
+    }
     world.write(archive);
   }
 
@@ -103,6 +151,9 @@ public final class SimState {
   static SimState read(Simulation owner, ArchiveReader archive) {
     SimState s = new SimState(owner);
     s.pass(archive);
+    if (owner.pools().count() > 0) {
+      s.pools = owner.pools().read(archive);
+    }
     s.world = owner.world().read(archive, s::user);
     for (int id = 0; id < s.entityCapacity; id++) {
       if (s.entities[id] != null) {
@@ -175,11 +226,7 @@ public final class SimState {
     int[] owners = new int[n];
     if (a.reads()) {
       entityCapacity = n;
-      entities = new Entity[n];
-      tags = new int[n];
-      teleports = new int[n];
-      roots = new int[n];
-      generations = new byte[n];
+      ensureEntities(n);
     }
     slots = new int[n];
     for (int id = 0; !a.reads() && id < n; id++) {
@@ -194,6 +241,7 @@ public final class SimState {
     a.integers("tag of entity", tags, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("teleports of entity", teleports, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("root of entity", roots, n, Entity.NO_ROOT, Simulation.MAX_ENTITIES - 1);
+    a.integers("origin of entity", origins, n, Origin.NONE, Origin.LAST);
     a.integers("body of entity", slots, n, -1, Integer.MAX_VALUE);
     for (int id = 0; id < n; id++) {
       if (kinds[id] >= 0) {

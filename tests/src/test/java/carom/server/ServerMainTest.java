@@ -48,8 +48,9 @@ class ServerMainTest {
     command.add(System.getProperty("java.class.path"));
     command.add(ServerMain.class.getName());
     command.addAll(List.of(args));
-    Process process =
-        new ProcessBuilder(command).redirectError(folder.resolve("err").toFile()).start();
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().put("CAROM_DATA", folder.resolve("data").toString());
+    Process process = builder.redirectError(folder.resolve("err").toFile()).start();
     process.getOutputStream().close(); // closed standard input must not matter
     started.add(process);
     return process;
@@ -146,6 +147,33 @@ class ServerMainTest {
   }
 
   @Test
+  void settingsOfTheFileAreCheckedAndErrorsNameTheirLine() throws Exception {
+    Path data = Files.createDirectory(folder.resolve("data"));
+    Path file = Files.writeString(data.resolve("carom.conf"), "\ntick-rate = 300\n");
+    String error = fails(2);
+    assertTrue(error.contains("set it with --tick-rate"), error);
+    assertTrue(error.contains("tick-rate is set by " + file + ": 2"), error);
+    Files.writeString(file, "tick-rat = 30\n");
+    assertTrue(fails(2).contains("did you mean \"tick-rate\"?"), err());
+    assertTrue(fails(2, "--config", "no.conf").contains("config=no.conf can't be read"), err());
+    Files.writeString(file, "");
+    assertTrue(fails(2, "--bind", "no such").contains("--bind=no such is no address"), err());
+    String noFolder = file.toString();
+    assertTrue(fails(1, "--data", noFolder).contains("name another folder with --data"), err());
+  }
+
+  @Test
+  void printsItsSettingsAsAFile() throws Exception {
+    Process process = start("--print-config", "--grace", "1 min");
+    String printed = rest(process.getInputStream());
+    assertEquals(0, process.waitFor());
+    assertTrue(printed.contains("\ngrace = 1 min\n"), printed);
+    assertTrue(printed.contains("\n#tick-rate = 60 Hz\n"), printed);
+    assertEquals("", err());
+    assertFalse(Files.exists(folder.resolve("data/logs")), "only printed");
+  }
+
+  @Test
   void saysReadyOnceServesPlayersAndSigtermTellsThem() throws Exception {
     Process process = start("--tcp-port", "0", "--udp-port", "0", "--seed", "7");
     BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
@@ -185,6 +213,7 @@ class ServerMainTest {
     assertTrue(log.contains("join: Ann as player 0"), log);
     assertTrue(log.contains("stopped: "), log);
     assertFalse(log.contains("WARN") || log.contains("ERROR"), log);
+    assertEquals(log, Files.readString(folder.resolve("data/logs/carom.log")));
   }
 
   @Test

@@ -1,6 +1,9 @@
 /**
- * The settings of a server: one immutable record, which checks itself when it is built.
+ * The settings of a server: the records that check themselves when they are built, and the layers
+ * (command line, environment, file) that the settings come from.
  *
- * <p>Allowed imports: the JDK. Read first: {@link carom.server.config.ServerConfig}.
+ * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.physics.threads}, {@code
+ * carom.sim.level}, {@code carom.values}, picocli, HOCON, the JDK. Read first: {@link
+ * carom.server.config.ServerConfig}, {@link carom.server.config.SettingsLayers}.
  */
 package carom.server.config;

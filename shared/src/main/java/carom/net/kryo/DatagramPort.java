@@ -66,10 +66,12 @@ final class DatagramPort implements Runnable {
   /**
    * Opens the port. {@link #start} begins to read.
    *
-   * @param port port number; 0 takes a free one
+   * @param address an address of this machine, or the wildcard address, and a port number; 0 takes
+   *     a free port
    * @throws IOException when the port can't be opened; nothing stays open then
    */
-  DatagramPort(int port, Receiver receiver, KryoServerCounters counters) throws IOException {
+  DatagramPort(InetSocketAddress address, Receiver receiver, KryoServerCounters counters)
+      throws IOException {
     this.receiver = receiver;
     this.counters = counters;
     thread.setDaemon(true);
@@ -79,7 +81,7 @@ final class DatagramPort implements Runnable {
       opened = DatagramChannel.open();
       opened.setOption(StandardSocketOptions.SO_RCVBUF, SOCKET_BUFFER_BYTES);
       opened.setOption(StandardSocketOptions.SO_SNDBUF, SOCKET_BUFFER_BYTES);
-      opened.bind(new InetSocketAddress(port));
+      opened.bind(address);
       opened.configureBlocking(false);
       opened.register(selector, SelectionKey.OP_READ);
     } catch (IOException x) {

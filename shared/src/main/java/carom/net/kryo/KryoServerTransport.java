@@ -4,6 +4,8 @@ import carom.net.transport.Link;
 import carom.net.transport.ServerTransport;
 import java.io.IOException;
 import java.net.BindException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 
 /**
@@ -26,7 +28,7 @@ public final class KryoServerTransport implements ServerTransport {
   }
 
   /**
-   * Opens the ports and starts to listen.
+   * Opens the ports on all addresses of this machine and starts to listen.
    *
    * @param tcpPort 0..65,535; 0 takes a free one
    * @param udpPort 0..65,535; 0 takes a free one
@@ -34,6 +36,19 @@ public final class KryoServerTransport implements ServerTransport {
    * @throws IllegalArgumentException when a port is outside its range
    */
   public KryoServerTransport(int tcpPort, int udpPort, KryoLimits limits) {
+    this(null, tcpPort, udpPort, limits);
+  }
+
+  /**
+   * Opens the ports on one address of this machine and starts to listen.
+   *
+   * @param address an address of this machine, or null for all of them
+   * @param tcpPort 0..65,535; 0 takes a free one
+   * @param udpPort 0..65,535; 0 takes a free one
+   * @throws PortUnavailableException when a port is busy or forbidden; nothing stays open then
+   * @throws IllegalArgumentException when a port is outside its range
+   */
+  public KryoServerTransport(InetAddress address, int tcpPort, int udpPort, KryoLimits limits) {
     checkPort("tcpPort", tcpPort);
     checkPort("udpPort", udpPort);
     network = new ServerNetwork(limits);
@@ -43,11 +58,11 @@ public final class KryoServerTransport implements ServerTransport {
         // KryoNet doesn't report the port that the system gave it. So this looks up a free one and
         // requests it by number. If another process takes it in between, the next attempt requests
         // another one.
-        tcp = tcpPort != 0 ? tcpPort : freeTcpPort();
-        network.bind(tcp, udpPort);
+        tcp = tcpPort != 0 ? tcpPort : freeTcpPort(address);
+        network.bind(new InetSocketAddress(address, tcp), new InetSocketAddress(address, udpPort));
         break;
       } catch (IOException x) {
-        PortUnavailableException explained = explain(x, tcp, udpPort);
+        PortUnavailableException explained = explain(x, address, tcp, udpPort);
         boolean chosenHere = explained.port() != tcpPort && explained.port() != udpPort;
         if (!chosenHere || attempt == EPHEMERAL_ATTEMPTS || !(x instanceof BindException)) {
           network.dispose();
@@ -67,8 +82,8 @@ public final class KryoServerTransport implements ServerTransport {
     }
   }
 
-  private static int freeTcpPort() throws IOException {
-    try (ServerSocket probe = new ServerSocket(0)) {
+  private static int freeTcpPort(InetAddress address) throws IOException {
+    try (ServerSocket probe = new ServerSocket(0, 1, address)) {
       return probe.getLocalPort();
     }
   }
@@ -77,13 +92,28 @@ public final class KryoServerTransport implements ServerTransport {
    * Returns an exception that names the port that failed. KryoNet's exception doesn't name it, so a
    * second attempt on TCP finds out.
    */
-  private static PortUnavailableException explain(IOException failure, int tcp, int udp) {
+  private static PortUnavailableException explain(
+      IOException failure, InetAddress address, int tcp, int udp) {
+    if (address != null && !isOurs(address)) {
+      String name = address.getHostAddress();
+      String text = name + " is no address of this machine; choose one with --bind";
+      return new PortUnavailableException("TCP", tcp, text, failure);
+    }
     try {
-      new ServerSocket(tcp).close();
+      new ServerSocket(tcp, 1, address).close();
     } catch (IOException x) {
       return explain("TCP", tcp, "--tcp-port", failure);
     }
     return explain("UDP", udp, "--udp-port", failure);
+  }
+
+  private static boolean isOurs(InetAddress address) {
+    try {
+      new ServerSocket(0, 1, address).close();
+      return true;
+    } catch (IOException x) {
+      return false;
+    }
   }
 
   private static PortUnavailableException explain(

@@ -69,8 +69,8 @@ final class ServerNetwork implements Runnable {
   }
 
   /** Opens both ports or none. Call it before {@link #start}. */
-  void bind(int tcp, int udp) throws IOException {
-    server.bind(tcp);
+  void bind(InetSocketAddress tcp, InetSocketAddress udp) throws IOException {
+    server.bind(tcp, null);
     try {
       datagrams = new DatagramPort(udp, this::datagram, counters);
     } catch (IOException x) {

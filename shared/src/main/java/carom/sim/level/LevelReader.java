@@ -1,5 +1,7 @@
 package carom.sim.level;
 
+import carom.json.Json;
+import carom.json.JsonException;
 import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.effects.Attractor;
@@ -12,6 +14,9 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
+import carom.sim.pool.PoolDef;
+import carom.sim.pool.Pools;
+import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -51,6 +56,7 @@ final class LevelReader {
           "spawns",
           "zones",
           "areas",
+          "pools",
           "statics",
           "bodies",
           "joints");
@@ -75,19 +81,9 @@ final class LevelReader {
           "tag",
           "repeat");
   static final List<String> BODY =
-      List.of(
-          "name",
-          "at",
-          "angle",
-          "shape",
-          "material",
-          "color",
-          "outline",
-          "look",
-          "oneWay",
-          "sensor",
-          "tag",
-          "repeat",
+      with(
+          STATIC,
+          "fields",
           "type",
           "linearDamping",
           "angularDamping",
@@ -96,19 +92,21 @@ final class LevelReader {
           "motion",
           "spin",
           "area");
-  static final List<String> WATER =
-      List.of(
-          "type", "name", "tag", "color", "min", "max", "density", "drag", "angularDrag", "flow");
-  static final List<String> WIND =
-      List.of("type", "name", "tag", "color", "min", "max", "velocity", "rate");
-  static final List<String> GRAVITY =
-      List.of("type", "name", "tag", "color", "min", "max", "gravity");
-  static final List<String> DRAG =
-      List.of("type", "name", "tag", "color", "min", "max", "drag", "angularDrag");
+  private static final List<String> AREA = List.of("type", "name", "tag", "color");
+  private static final List<String> BOX_AREA = with(AREA, "min", "max");
+  static final List<String> WATER = with(BOX_AREA, "density", "drag", "angularDrag", "flow");
+  static final List<String> WIND = with(BOX_AREA, "velocity", "rate");
+  static final List<String> GRAVITY = with(BOX_AREA, "gravity");
+  static final List<String> DRAG = with(BOX_AREA, "drag", "angularDrag");
   static final List<String> ATTRACTOR =
-      List.of(
-          "type", "name", "tag", "color", "at", "range", "strength", "swirl", "falloff", "core");
+      with(AREA, "at", "range", "strength", "swirl", "falloff", "core");
   static final List<String> AREAS = List.of("water", "wind", "gravity", "drag", "attractor");
+  static final List<String> POOL =
+      List.of(
+          "type name color min max spacing density drag most lifetime fill drains spouts"
+              .split(" "));
+  static final List<String> SPOUT = List.of("name", "at", "direction", "width", "speed", "open");
+  static final List<String> POOLS = List.of("water", "sand");
   static final List<String> FALLOFFS = List.of("constant", "linear", "inverseSquare");
   static final List<String> CIRCLE = List.of("type", "radius", "at");
   static final List<String> BOX = List.of("type", "width", "height", "at");
@@ -141,6 +139,7 @@ final class LevelReader {
   final List<Level.Spawn> spawns = new ArrayList<>();
   final List<Level.Zone> zones = new ArrayList<>();
   final List<Area> areas = new ArrayList<>();
+  final List<PoolDef> pools = new ArrayList<>();
   final List<LevelJoint> joints = new ArrayList<>();
 
   private final String file;
@@ -149,7 +148,7 @@ final class LevelReader {
 
   LevelReader(String file, byte[] bytes) throws LevelException {
     this.file = file;
-    readRoot(Json.parse(file, bytes));
+    readRoot(parse(file, bytes));
   }
 
   private void readRoot(Json root) throws LevelException {
@@ -174,6 +173,9 @@ final class LevelReader {
     }
     for (Json area : list(root, "areas", MAX_AREAS)) {
       areas.add(area(area));
+    }
+    for (Json pool : list(root, "pools", Pools.MAX_POOLS)) {
+      pools.add(pool(pool));
     }
     for (Json body : list(root, "statics", MAX_STATIC_ITEMS)) {
       readBody(body, STATIC, statics);
@@ -350,6 +352,57 @@ final class LevelReader {
             number(node, "core", Math.max(0.01f, 0.01f * range), 0.01f, Math.max(0.01f, range)));
   }
 
+  private PoolDef pool(Json node) throws LevelException {
+    knownFields(node, POOL);
+    required(node, "type");
+    boolean water = word(node, "type", POOLS, "").equals("water");
+    String poolName = text(required(node, "name"));
+    float[] box = box4(node);
+    float spacing = number(node, "spacing", 0.3f, 0.125f, 2);
+    try {
+      PoolDef def = PoolDef.water(poolName, box[0], box[1], box[2], box[3], spacing);
+      def = water ? def : PoolDef.sand(poolName, box[0], box[1], box[2], box[3], spacing);
+      def =
+          def.density(number(node, "density", def.density(), 0.001f, 1000))
+              .drag(number(node, "drag", def.drag(), 0, 1000))
+              .most(integer(node, "most", def.most(), 1, PoolDef.MAX_PARTICLES))
+              .lifetime(
+                  number(node, "lifetime", PoolDef.MAX_LIFETIME, 0.125f, PoolDef.MAX_LIFETIME))
+              .colored(color(node, "color", def.rgb()));
+      for (Json fill : list(node, "fill", PoolDef.MAX_BOXES)) {
+        knownFields(fill, BOUNDS);
+        float[] b = box4(fill);
+        def = def.fill(b[0], b[1], b[2], b[3]);
+      }
+      for (Json drain : list(node, "drains", PoolDef.MAX_BOXES)) {
+        knownFields(drain, BOUNDS);
+        float[] b = box4(drain);
+        def = def.drain(b[0], b[1], b[2], b[3]);
+      }
+      for (Json spout : list(node, "spouts", PoolDef.MAX_SPOUTS)) {
+        def = def.spout(spout(spout));
+      }
+      return def;
+    } catch (IllegalArgumentException e) {
+      throw wrong(node, ": " + e.getMessage());
+    }
+  }
+
+  private PoolDef.Spout spout(Json node) throws LevelException {
+    knownFields(node, SPOUT);
+    float[] at = vector(required(node, "at"), MAX_COORDINATE);
+    float[] direction = vector(required(node, "direction"), 1);
+    return new PoolDef.Spout(
+        text(required(node, "name")),
+        at[0],
+        at[1],
+        direction[0],
+        direction[1],
+        number(node, "width", 0, 0, 100),
+        number(node, "speed", 5, 0, 50),
+        bool(node, "open", true));
+  }
+
   /** Returns the corners of an area: min x and y, max x and y. */
   private float[] box4(Json node) throws LevelException {
     float[] min = vector(required(node, "min"), MAX_COORDINATE);
@@ -363,7 +416,7 @@ final class LevelReader {
     knownFields(node, known);
     boolean isStatic = known == STATIC;
     Json bodyName = node.fields.get("name");
-    ArchetypeDef def = new ArchetypeDef(bodyName == null ? node.path : text(bodyName));
+    ArchetypeDef def = new ArchetypeDef(bodyName == null ? node.path() : text(bodyName));
     float[] at = vector(required(node, "at"), MAX_COORDINATE);
     float angle = number(node, "angle", 0, -360, 360) * RAD_PER_DEGREE;
     Material material = material(node.fields.get("material"));
@@ -397,6 +450,7 @@ final class LevelReader {
     def.angularDamping(number(node, "angularDamping", 0, 0, 100));
     def.gravityScale(number(node, "gravityScale", 1, -10, 10));
     def.fixedRotation(bool(node, "fixedRotation", false));
+    readFields(node.fields.get("fields"), def);
     Json area = node.fields.get("area");
     def.area(area == null ? null : area(area));
     def.spin(number(node, "spin", 0, -1080, 1080) * RAD_PER_DEGREE);
@@ -423,6 +477,25 @@ final class LevelReader {
     }
     if (motion != null && node.fields.containsKey("repeat")) {
       throw wrong(motion, " belongs to one body only; remove \"repeat\"");
+    }
+  }
+
+  private void readFields(Json node, ArchetypeDef def) throws LevelException {
+    if (node == null) {
+      return;
+    }
+    require(node, Json.Kind.OBJECT);
+    for (Map.Entry<String, Json> field : node.fields.entrySet()) {
+      Json value = field.getValue();
+      Object start =
+          switch (value.kind) {
+            case NUMBER -> value.number;
+            case BOOLEAN -> value.truth;
+            case STRING -> value.text;
+            default -> throw wrong(value, " must be a number, true or false, or a text");
+          };
+      String where = file + ":" + value.line + ":" + value.column + ": " + value.path();
+      def.levelFields.add(new LevelField(where, field.getKey(), start));
     }
   }
 
@@ -686,7 +759,7 @@ final class LevelReader {
     require(parent, Json.Kind.OBJECT);
     Json node = parent.fields.get(field);
     if (node == null) {
-      String path = parent.path.isEmpty() ? field : parent.path + "." + field;
+      String path = parent.path().isEmpty() ? field : parent.path() + "." + field;
       throw new LevelException(file, parent.line, parent.column, path, " is missing");
     }
     return node;
@@ -696,7 +769,7 @@ final class LevelReader {
     if (node.kind != kind) {
       throw wrong(
           node,
-          (node.path.isEmpty() ? "the file holds " : "=")
+          (node.path().isEmpty() ? "the file holds " : "=")
               + node.shown()
               + ", must be "
               + kind.words);
@@ -711,12 +784,26 @@ final class LevelReader {
   }
 
   LevelException wrong(Json node, String problem) {
-    return new LevelException(file, node.line, node.column, node.path, problem);
+    return new LevelException(file, node.line, node.column, node.path(), problem);
   }
 
   /** Returns a number as people write it: 0.05, but 2000 rather than 2000.0. */
   private static String plain(float value) {
     return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
+  }
+
+  private static Json parse(String file, byte[] bytes) throws LevelException {
+    try {
+      return Json.parse(bytes);
+    } catch (JsonException e) {
+      throw new LevelException(file, e.line(), e.column(), e.path(), e.getMessage());
+    }
+  }
+
+  private static List<String> with(List<String> base, String... more) {
+    List<String> all = new ArrayList<>(base);
+    all.addAll(List.of(more));
+    return List.copyOf(all);
   }
 
   private static List<String> looks() {

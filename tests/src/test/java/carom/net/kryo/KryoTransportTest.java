@@ -15,7 +15,9 @@ import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import java.io.IOException;
+import java.net.BindException;
 import java.net.DatagramSocket;
+import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.ByteBuffer;
@@ -309,6 +311,27 @@ public class KryoTransportTest {
       new ServerSocket(free).close(); // TCP was let go again
     }
     assertThrows(IllegalArgumentException.class, () -> new KryoServerTransport(65_536, 0));
+  }
+
+  @Test
+  void listensOnTheChosenAddressOnly() throws IOException {
+    InetAddress chosen = InetAddress.getByName("127.0.0.2");
+    KryoServerTransport bound = new KryoServerTransport(chosen, 0, 0, KryoLimits.DEFAULT);
+    try {
+      InetAddress other = InetAddress.getByName("127.0.0.1");
+      new ServerSocket(bound.tcpPort(), 1, other).close();
+      new DatagramSocket(bound.udpPort(), other).close();
+      assertThrows(BindException.class, () -> new ServerSocket(bound.tcpPort(), 1, chosen));
+      assertThrows(BindException.class, () -> new DatagramSocket(bound.udpPort(), chosen));
+    } finally {
+      bound.close();
+    }
+    InetAddress foreign = InetAddress.getByName("203.0.113.7");
+    PortUnavailableException x =
+        assertThrows(
+            PortUnavailableException.class,
+            () -> new KryoServerTransport(foreign, 0, 0, KryoLimits.DEFAULT));
+    assertTrue(x.getMessage().contains("203.0.113.7 is no address of this machine"), x::getMessage);
   }
 
   @Test

@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.console;
 
 import java.io.Console;
 import java.io.PrintStream;
@@ -9,7 +9,7 @@ import java.net.UnknownHostException;
  * Prints the line {@code ready tcp=54555 udp=54777} to standard output, for programs that wait for
  * it. On a terminal a few hints for people follow.
  */
-final class ReadyLine {
+public final class ReadyLine {
   private static final String TERMINAL_PROPERTY = "carom.terminal";
   private static final int DEFAULT_TCP_PORT = 54_555;
   private static final int DEFAULT_UDP_PORT = 54_777;
@@ -17,7 +17,7 @@ final class ReadyLine {
   private ReadyLine() {}
 
   /** Prints the line, with the ports at which players can join. */
-  static void print(PrintStream out, int tcp, int udp) {
+  public static void print(PrintStream out, int tcp, int udp) {
     out.println("ready tcp=" + tcp + " udp=" + udp);
     if (isOnTerminal()) {
       printHints(out, tcp, udp);

@@ -1,0 +1,39 @@
+package carom.server.config;
+
+import java.util.Locale;
+
+/**
+ * One setting with its effective value. Immutable.
+ *
+ * @param name its name, the same in the file, on the command line (behind {@code --}), in the
+ *     environment (as {@link #variable}) and at the console
+ * @param value effective value as text, or empty when it isn't set and has no default
+ * @param origin where the value comes from, for people: {@code default}, {@code command line},
+ *     {@code environment CAROM_SEED} or {@code data/carom.conf: 12}
+ * @param defaultValue default as text, empty for none
+ * @param kind what the value is, such as {@code FILE} or {@code HZ}
+ * @param doc what the setting does, in a sentence or two without the default
+ */
+public record Setting(
+    String name, String value, String origin, String defaultValue, String kind, String doc) {
+  /** Origin of a value that nobody set. */
+  public static final String DEFAULT = "default";
+
+  /** Beginning of the names of environment variables. */
+  public static final String VARIABLE_PREFIX = "CAROM_";
+
+  /** Returns whether a layer above the default sets this. */
+  public boolean isSet() {
+    return !origin.equals(DEFAULT);
+  }
+
+  /** Returns the name of the environment variable that sets this. */
+  public String variable() {
+    return variable(name);
+  }
+
+  /** Returns the name of the environment variable of a setting. */
+  static String variable(String name) {
+    return VARIABLE_PREFIX + name.toUpperCase(Locale.ROOT).replace('-', '_');
+  }
+}
