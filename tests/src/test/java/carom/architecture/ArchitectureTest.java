@@ -229,6 +229,7 @@ final class ArchitectureTest {
         "carom.sim.joint");
     allow(
         "carom.net.field",
+        "carom.sim.message",
         "carom.net.protocol",
         "carom.net.snapshot.table",
         "carom.sim.event",

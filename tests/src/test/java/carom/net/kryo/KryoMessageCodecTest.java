@@ -138,7 +138,7 @@ final class KryoMessageCodecTest {
             + "2a00000000000000" // levelHash
             + "b960" // levelSize
             + "a605" // packedSize
-            + "f7ffffffffffffff" // fieldsDigest
+            + "f7ffffffffffffff" // declarationsDigest
             + "0220706c617965722e616d6d6f20636f756e7420302e2e333020746f204f574e455200", // fields
         hex.formatHex(codec.encode(everyMessage().get(0))));
     assertEquals(
