@@ -5,6 +5,7 @@ import carom.net.kryo.KryoLimits;
 import carom.net.transport.Impairment;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions;
+import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
 import java.net.InetAddress;
@@ -59,7 +60,7 @@ final class ServerFlags {
       description =
           "Folder of the server's own files: carom.conf, levels, recordings, logs"
               + " (${DEFAULT-VALUE}).")
-  Path data;
+  private Path data;
 
   @Option(
       names = "--bind",
@@ -239,6 +240,18 @@ final class ServerFlags {
   private int statusIntervalS;
 
   @Option(
+      names = "--console",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "true",
+      description =
+          "Read commands from standard input; 'help' shows them. For a server in the background of"
+              + " a terminal: --no-console.")
+  boolean console;
+
+  @Option(
       names = "--log-level",
       paramLabel = "L",
       defaultValue = "info",
@@ -416,6 +429,11 @@ final class ServerFlags {
    */
   KryoLimits limits(int places) {
     return KryoLimits.DEFAULT.withConnections(2 * places + 64, places + 32);
+  }
+
+  /** Returns the folder of the server's own files. */
+  DataFolder dataFolder() {
+    return new DataFolder(data);
   }
 
   /** Returns the address to listen on, or null for all. */

@@ -76,7 +76,9 @@ final class MatchLoader {
       int number = built.incrementAndGet();
       long seed = room.seed() + (long) SEED_STEP * (number - 1);
       return new Match(number, game, level, seed, config, label, counters);
-    } catch (LevelException | IllegalArgumentException e) {
+    } catch (LevelException e) {
+      throw new Unplayable(e.getMessage(), null); // which says all
+    } catch (IllegalArgumentException e) {
       throw new Unplayable(e.getMessage(), e);
     } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       throw new Unplayable("the set-up failed: " + e, e);

@@ -7,7 +7,11 @@ import carom.server.session.Session;
 import carom.sim.NextMatch;
 import carom.sim.Simulation;
 import carom.sim.field.FieldHolder;
+import carom.sim.message.BuiltInKinds;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -39,8 +43,7 @@ public final class OperatorCommands {
   private final MatchChange changes;
   private final LongSupplier clock;
   private final BooleanSupplier closed;
-  private final ArrayBlockingQueue<FutureTask<String>> waiting =
-      new ArrayBlockingQueue<>(MAX_WAITING);
+  private final ArrayBlockingQueue<FutureTask<?>> waiting = new ArrayBlockingQueue<>(MAX_WAITING);
 
   /**
    * Creates an empty queue of commands.
@@ -69,7 +72,7 @@ public final class OperatorCommands {
 
   /** Carries out the commands that wait; on the room's thread. */
   void serve() {
-    for (FutureTask<String> command; (command = waiting.poll()) != null; ) {
+    for (FutureTask<?> command; (command = waiting.poll()) != null; ) {
       command.run();
     }
   }
@@ -168,19 +171,68 @@ public final class OperatorCommands {
         });
   }
 
+  /** Returns the players in the order of their ids; empty if the room doesn't answer. */
+  public List<PlayerInfo> players() {
+    try {
+      return await(
+          () ->
+              Arrays.stream(sessions.bySeat())
+                  .filter(Objects::nonNull)
+                  .map(PlayerInfo::of)
+                  .toList());
+    } catch (NoAnswer e) {
+      return List.of();
+    }
+  }
+
+  /**
+   * Says a line to all players, as the server.
+   *
+   * @param text at most {@link BuiltInKinds#MAX_CHAT} characters
+   * @return the number of players that hear it; 0 if the room doesn't answer
+   */
+  public int say(String text) {
+    try {
+      return await(
+          () -> {
+            room.simulation().send(BuiltInKinds.SAID.of(BuiltInKinds.SERVER, false, text)).toAll();
+            return sessions.count();
+          });
+    } catch (NoAnswer e) {
+      return 0;
+    }
+  }
+
   private String ask(Callable<String> what) {
-    FutureTask<String> command = new FutureTask<>(what);
+    try {
+      return await(what);
+    } catch (NoAnswer e) {
+      return e.getMessage();
+    }
+  }
+
+  /** Says why a room didn't carry out a command. */
+  private static final class NoAnswer extends Exception {
+    private static final long serialVersionUID = 1;
+
+    NoAnswer(String message) {
+      super(message);
+    }
+  }
+
+  private <T> T await(Callable<T> what) throws NoAnswer {
+    FutureTask<T> command = new FutureTask<>(what);
     if (!waiting.offer(command)) {
-      return "too many questions at once; ask again";
+      throw new NoAnswer("too many questions at once; ask again");
     }
     try {
       return command.get(ANSWER_S, TimeUnit.SECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return "interrupted";
+      throw new NoAnswer("interrupted");
     } catch (ExecutionException | TimeoutException e) {
       waiting.remove(command);
-      return "no answer from the room: " + e;
+      throw new NoAnswer("no answer from the room: " + e);
     }
   }
 
