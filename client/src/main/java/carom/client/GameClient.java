@@ -4,6 +4,7 @@ import carom.client.events.EventListener;
 import carom.client.events.RepeatedEventFilter;
 import carom.client.link.Connection;
 import carom.client.link.ConnectionPhase;
+import carom.client.link.RoomListing;
 import carom.client.link.ServerAddress;
 import carom.client.message.MessageExchange;
 import carom.client.message.MessageListener;
@@ -13,7 +14,11 @@ import carom.client.view.ClientView;
 import carom.client.view.ViewWriter;
 import carom.game.Games;
 import carom.net.field.FieldAgreement;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.RoomName;
 import carom.net.protocol.ServerMessage;
+import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
 import carom.sim.Event;
@@ -24,6 +29,7 @@ import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
+import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
@@ -60,6 +66,7 @@ public final class GameClient implements AutoCloseable {
   private final ViewWriter view = new ViewWriter(stats.stats());
   private final Connection connection;
   private final MessageExchange messages;
+  private final RoomListing rooms = new RoomListing();
   private final InterestReporter interest = new InterestReporter();
   private final RepeatedEventFilter repeats = new RepeatedEventFilter();
   private final EventListener countingListener =
@@ -116,6 +123,8 @@ public final class GameClient implements AutoCloseable {
         new Connection(
             new ServerAddress(config.host(), config.tcpPort(), config.udpPort()),
             config.name(),
+            config.room(),
+            config.game(),
             config.reconnect(),
             transport,
             new ConnectionListener(),
@@ -187,6 +196,14 @@ public final class GameClient implements AutoCloseable {
     @Override
     public void roster(ServerMessage.Roster roster) {
       view.roster(roster);
+    }
+
+    @Override
+    public void rooms(ServerMessage.RoomList part) {
+      List<RoomEntry> all = rooms.add(part);
+      if (all != null) {
+        view.rooms(all);
+      }
     }
 
     @Override
@@ -290,6 +307,30 @@ public final class GameClient implements AutoCloseable {
   /** Shows an emote above the own body, see {@link #send}. */
   public boolean emote(Emote emote) {
     return send(BuiltInKinds.EMOTE.of(emote));
+  }
+
+  /**
+   * Asks the server for its rooms; {@link ClientView#rooms} then lists them. Does nothing while
+   * nothing is played.
+   */
+  public void listRooms() {
+    connection.send(new ClientMessage.ListRooms(Protocol.VERSION));
+  }
+
+  /**
+   * Asks to go on in another room, with the same name and over the same link. If there is no such
+   * room, or no place in it, a {@linkplain ClientView#notices notice} says so and the player stays.
+   * Does nothing while nothing is played.
+   *
+   * @param room name of the room
+   * @throws IllegalArgumentException when no room can have this name
+   */
+  public void changeRoom(String room) {
+    String problem = RoomName.problem(room);
+    if (problem != null) {
+      throw new IllegalArgumentException(problem);
+    }
+    connection.send(new ClientMessage.ChangeRoom(room));
   }
 
   /** Returns what the player sees; the same object for ever. */

@@ -14,6 +14,7 @@ import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
+import carom.server.room.RoomDirectory;
 import carom.server.session.Seats;
 import carom.sim.Game;
 import carom.sim.level.Level;
@@ -24,8 +25,6 @@ import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -73,7 +72,7 @@ public final class Server implements AutoCloseable {
   private final StatusLine status;
   private final List<ShownRecordings> recordings = new ArrayList<>();
   private final List<RotatingRecording> rotations = new ArrayList<>();
-  private ExecutorService loader;
+  private final LoaderThread loader = new LoaderThread();
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
@@ -132,17 +131,19 @@ public final class Server implements AutoCloseable {
     this.helpers =
         config.threads() == 1 ? null : new WorkerThreads(config.threads(), System::nanoTime);
     SecureRandom random = new SecureRandom();
+    RoomDirectory directory = new RoomDirectory();
     List<Room> built = new ArrayList<>();
     for (RoomConfig each : roomConfigs) {
       Seats seats = new Seats(each.places(), random::nextLong);
       boolean alone = roomConfigs.size() == 1;
       int number = built.size() + 1;
-      Room room = new Room(config, number, alone, each, library, this::load, clock, seats);
+      Room room = new Room(config, number, alone, each, library, loader, clock, seats, directory);
       room.helpedBy(helpers);
       built.add(room);
     }
     this.rooms = List.copyOf(built);
-    this.lobby = new Lobby(config, transport, rooms);
+    directory.open(rooms);
+    this.lobby = new Lobby(config, transport, rooms, directory);
     this.status = new StatusLine(rooms, clock.getAsLong());
   }
 
@@ -201,28 +202,6 @@ public final class Server implements AutoCloseable {
   private Path file(Path target, Room room) {
     int number = rooms.size() == 1 ? 0 : room.number();
     return RecordingFile.fileFor(target, room.match().game(), number);
-  }
-
-  /** Runs what builds a match: beside the rooms' threads, or at once if the caller drives us. */
-  private void load(Runnable task) {
-    if (started) {
-      loader().execute(task);
-    } else {
-      task.run();
-    }
-  }
-
-  private synchronized ExecutorService loader() {
-    if (loader == null) {
-      loader =
-          Executors.newSingleThreadExecutor(
-              task -> {
-                Thread thread = new Thread(task, "carom-loader");
-                thread.setDaemon(true);
-                return thread;
-              });
-    }
-    return loader;
   }
 
   /**
@@ -302,6 +281,7 @@ public final class Server implements AutoCloseable {
       throw new IllegalStateException(closed ? "the server is closed" : "already started");
     }
     started = true;
+    loader.start();
     workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
     long nowNs = clock.getAsLong();
     for (Room room : rooms) {
@@ -435,9 +415,7 @@ public final class Server implements AutoCloseable {
       lobby.closeLinks();
       rooms.forEach(Room::closeLinks);
     }
-    if (loader != null) {
-      loader.shutdownNow();
-    }
+    loader.close();
     if (helpers != null) {
       helpers.close();
     }

@@ -1,9 +1,9 @@
 package carom.game;
 
 import carom.sim.Game;
-import carom.sim.level.Suggestion;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.catalog.Scenes;
+import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Iterator;

@@ -584,7 +584,7 @@ public final class Joint<T> {
   }
 
   private void changed() {
-    store.coldChanged();
+    store.settingChanged(index);
     world.dynamics().wakeEnds(index);
   }
 

@@ -346,6 +346,16 @@ public final class World<T> {
     joints.sortFree();
   }
 
+  /**
+   * Returns how often the settings of joints of an index were changed: motors, limits, springs,
+   * targets. It is only good for comparison, and no part of the state.
+   *
+   * @param index below {@link #jointSlotCount()}
+   */
+  public int jointChanges(int index) {
+    return joints.changes(index);
+  }
+
   /** Returns a number above all indices of joints that were ever used. */
   public int jointSlotCount() {
     return joints.slots();

@@ -8,6 +8,7 @@ final class CallRules {
   private final Role role;
   private boolean inPhysics;
   private boolean inForces;
+  private boolean inInput;
 
   CallRules(Role role) {
     this.role = role;
@@ -21,6 +22,26 @@ final class CallRules {
   /** Sets whether {@link Game#forces} is called now. */
   void inForces(boolean now) {
     inForces = now;
+  }
+
+  /** Sets whether {@link Game#input} is called now. */
+  void inInput(boolean now) {
+    inInput = now;
+  }
+
+  /**
+   * Throws in {@link Game#input}, which clients run, too.
+   *
+   * @param what the method that was called
+   */
+  void requireOutsideInput(String what) {
+    if (inInput) {
+      throw new IllegalStateException(
+          what
+              + " can't be called in Game.input, which clients run, too; call spawn(archetype, x,"
+              + " y, angle, player) there and set its velocity and fields, or do this in"
+              + " Game.beforeStep or Game.afterStep");
+    }
   }
 
   /**

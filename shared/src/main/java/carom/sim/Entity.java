@@ -5,11 +5,11 @@ import carom.physics.math.Transform;
 import carom.sim.field.EntityRef;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
-import carom.sim.field.Scope;
 import carom.sim.joint.Assembly;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
+import carom.sim.spawn.Origin;
 
 /**
  * A body with an identity, an archetype and perhaps an owner. The static geometry of the level
@@ -17,6 +17,10 @@ import carom.sim.level.Level;
  *
  * <p>An entity is a handle that is valid until it is despawned. Its id is then given to another
  * entity, with another generation.
+ *
+ * <p>A client that predicts {@link Game#input} has entities before the server tells their ids. Such
+ * an entity is <em>provisional</em>: its id is its {@link #origin}. When the server tells which of
+ * its entities it is, that one takes its place.
  */
 public final class Entity extends FieldHolder<Entity, Player> {
   /** Id of static level geometry. It never appears in snapshots. */
@@ -36,6 +40,7 @@ public final class Entity extends FieldHolder<Entity, Player> {
   private final FieldValues fields;
   private int tag;
   private int teleports;
+  private int origin = Origin.NONE;
 
   /** Id of the root of its assembly, the entity itself if it is the root, or {@link #NO_ROOT}. */
   private int rootId = NO_ROOT;
@@ -49,11 +54,11 @@ public final class Entity extends FieldHolder<Entity, Player> {
     this.generation = generation;
     this.archetype = archetype;
     this.ownerId = ownerId;
-    fields = id == LEVEL ? table.fields().ofLevel() : table.fields().create(Scope.ENTITY);
+    fields = table.newFields(archetype, id == LEVEL);
     tag = archetype.tag();
   }
 
-  /** Returns the slot, 0..65534, or {@link #LEVEL}. */
+  /** Returns the slot, 0..65534, {@link #LEVEL}, or the {@link #origin} of a provisional one. */
   public int id() {
     return id;
   }
@@ -96,6 +101,23 @@ public final class Entity extends FieldHolder<Entity, Player> {
     return id == LEVEL;
   }
 
+  /** Returns whether it is a client's own, spawned in {@link Game#input} and not told yet. */
+  public boolean isProvisional() {
+    return Origin.isProvisional(id);
+  }
+
+  /**
+   * Returns which spawn of its owner's {@link Game#input} it is, see {@link Origin}; {@link
+   * Origin#NONE} if none, or if the owner has {@value Origin#MOST_PER_PLAYER} newer ones.
+   */
+  public int origin() {
+    return origin;
+  }
+
+  void origin(int value) {
+    origin = value;
+  }
+
   /** Returns a number with a meaning of the game's own. It starts as the archetype's tag. */
   public int tag() {
     return tag;
@@ -134,18 +156,20 @@ public final class Entity extends FieldHolder<Entity, Player> {
   /**
    * Puts the body somewhere else, as a respawn or a gate does. Clients show it here and then there,
    * and nothing between. {@link Body#setPose} alone would look like a fast movement. The root of an
-   * assembly takes all of it along, rigidly.
+   * assembly takes all of it along, rigidly, with the points over which its pulleys' ropes run. The
+   * server makes its gears and pulleys anew, so handles of these end.
    *
    * @param x position of the body's origin, metres
    * @param y position of the body's origin, metres
    * @param angle radians, counterclockwise
    */
   public void teleport(float x, float y, float angle) {
-    if (isRoot()) {
-      table.moveMembers(this, x, y, angle);
-    }
     table.wakeAround(this);
-    body.setPose(x, y, angle);
+    if (isRoot()) {
+      table.moveAssembly(this, x, y, angle);
+    } else {
+      body.setPose(x, y, angle);
+    }
     table.wakeAround(this);
     teleports++;
     table.noteChange();

@@ -8,7 +8,9 @@ import carom.physics.math.Trig;
 import carom.physics.rows.JointDefRow;
 import carom.sim.area.AreaForces;
 import carom.sim.field.FieldStore;
+import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.history.TrackedBodies;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
@@ -17,6 +19,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
 import carom.sim.random.SimRandom;
+import carom.sim.spawn.Origin;
 import java.util.Arrays;
 import java.util.function.IntSupplier;
 
@@ -29,10 +32,15 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   private final PlayerTable players;
   private final AreaForces<Entity> areas;
   private final Assemblies assemblies;
+  private final JointTable<Entity> joints;
   private final int tickRate;
   private final FieldStore fields;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
+  private final ProvisionalEntities provisional = new ProvisionalEntities();
+
+  /** By archetype: the words with which its entities begin; null until one does. */
+  private int[][] starts = new int[16][];
 
   /** Number above all ids that were ever used. */
   private int capacity;
@@ -49,11 +57,13 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       PlayerTable players,
       AreaForces<Entity> areas,
       Assemblies assemblies,
+      JointTable<Entity> joints,
       int tickRate,
       Schema schema,
       IntSupplier clock) {
     this.areas = areas;
     this.assemblies = assemblies;
+    this.joints = joints;
     this.world = world;
     this.players = players;
     this.tickRate = tickRate;
@@ -62,12 +72,46 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
   Entity get(int id) {
+    if (Origin.isProvisional(id)) {
+      return provisional.get(id);
+    }
     return id >= 0 && id < capacity ? entities[id] : null;
+  }
+
+  /** Returns the entities that a client has before the server tells them. */
+  ProvisionalEntities provisional() {
+    return provisional;
   }
 
   /** Returns the declared fields and the rules of writing them. */
   FieldStore fields() {
     return fields;
+  }
+
+  /**
+   * Creates the fields of an entity, which begin as its archetype says.
+   *
+   * @throws IllegalArgumentException if the archetype starts a field that isn't declared
+   */
+  FieldValues newFields(Archetype archetype, boolean ofLevel) {
+    int[] begins = starts(archetype);
+    return ofLevel ? fields.createOfLevel(begins) : fields.create(Scope.ENTITY, begins);
+  }
+
+  /**
+   * Returns the words with which entities of an archetype begin.
+   *
+   * @throws IllegalArgumentException if the archetype starts a field that isn't declared
+   */
+  int[] starts(Archetype archetype) {
+    int index = archetype.index();
+    if (index >= starts.length) {
+      starts = Arrays.copyOf(starts, Math.max(index + 1, 2 * starts.length));
+    }
+    if (starts[index] == null) {
+      starts[index] = fields.schema().starts(Scope.ENTITY, archetype.starts(fields.schema()));
+    }
+    return starts[index];
   }
 
   @Override
@@ -181,21 +225,54 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     return add(new Entity(this, id, generation, archetype, ownerId), x, y, angle, tick);
   }
 
+  /**
+   * Creates an entity that the server hasn't told yet, in place of one of the same origin. It has
+   * no part in the order of ids.
+   */
+  Entity spawnProvisional(
+      int origin, Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
+    if (provisional.get(origin) != null) {
+      despawn(provisional.get(origin));
+    }
+    Entity entity = new Entity(this, origin, 0, archetype, ownerId);
+    createBody(entity, x, y, angle, tick);
+    provisional.add(entity);
+    noteChange();
+    areas.come(origin, entity.body(), archetype);
+    return entity;
+  }
+
+  /**
+   * Notes that {@link Game#input} of an entity's owner spawned it. If the owner has too many of
+   * them, the oldest is an entity like others from now on, or goes if it is provisional.
+   */
+  void setOrigin(Entity entity, int origin) {
+    Player owner = players.get(entity.ownerId());
+    if (owner == null || origin == entity.origin()) {
+      return;
+    }
+    owner.removeSpawned(entity);
+    entity.origin(origin);
+    if (origin == Origin.NONE) {
+      return;
+    }
+    Entity oldest = owner.addSpawned(entity);
+    if (oldest != null) {
+      oldest.origin(Origin.NONE);
+      if (oldest.isProvisional()) {
+        despawn(oldest);
+      }
+    }
+  }
+
   /** Creates the bodies and joints of an assembly; returns its root. */
-  Entity spawn(
-      Assembly assembly,
-      float x,
-      float y,
-      float angle,
-      int ownerId,
-      int tick,
-      JointTable<Entity> joints) {
+  Entity spawn(Assembly assembly, float x, float y, float angle, int ownerId, int tick) {
     if (count + assembly.bodyCount() > Simulation.MAX_ENTITIES) {
       throw new IllegalStateException(
           "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
     }
-    float c = Trig.cos(angle);
-    float s = Trig.sin(angle);
+    Transform pose = new Transform();
+    pose.set(x, y, Trig.cos(angle), Trig.sin(angle));
     Entity[] members = new Entity[assembly.bodyCount()];
     for (int i = 0; i < members.length; i++) {
       float dx = assembly.x(i);
@@ -203,8 +280,8 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       members[i] =
           spawn(
               assembly.archetypes().get(i),
-              x + c * dx - s * dy,
-              y + s * dx + c * dy,
+              x + pose.cos * dx - pose.sin * dy,
+              y + pose.sin * dx + pose.cos * dy,
               angle + assembly.angle(i),
               ownerId,
               tick);
@@ -214,13 +291,13 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       int at = i * JointDefRow.INTS;
       Body<Entity> a = members[assembly.bodyA(i)].body();
       Body<Entity> b = members[assembly.bodyB(i)].body();
-      joints.create(0, members[0].id(), i, a, b, assembly.definitions(), at);
+      joints.place(pose, members[0].id(), i, a, b, assembly.definitions(), at);
     }
     return members[0];
   }
 
-  /** Moves the other bodies of an assembly as its root is about to be moved. */
-  void moveMembers(Entity root, float x, float y, float angle) {
+  /** Moves an assembly rigidly to where its root shall be. */
+  void moveAssembly(Entity root, float x, float y, float angle) {
     Transform before = new Transform();
     Body<Entity> body = root.body();
     before.set(body.x(), body.y(), body.cos(), body.sin());
@@ -231,6 +308,8 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
         entities[i].teleportWith(before, after);
       }
     }
+    body.setPose(x, y, angle);
+    joints.assemblyMoved(root.id(), before, after);
   }
 
   private int takeFreeId(Archetype archetype) {
@@ -256,13 +335,17 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   private Entity add(Entity entity, float x, float y, float angle, int tick) {
+    createBody(entity, x, y, angle, tick);
+    return register(entity);
+  }
+
+  private void createBody(Entity entity, float x, float y, float angle, int tick) {
     ScriptedMotion path = entity.archetype().motion();
     if (path == null) {
       createBody(entity, x, y, angle);
     } else {
       createBody(entity, path.x(tick, tickRate), path.y(tick, tickRate), angle);
     }
-    return register(entity);
   }
 
   /** Creates the body. Players' bodies never sleep, because a game may act on them at any time. */
@@ -292,8 +375,15 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     int id = entity.id();
     areas.go(id);
     world.destroyBody(entity.body());
-    entities[id] = null;
     noteChange();
+    if (entity.origin() != Origin.NONE && players.get(entity.ownerId()) != null) {
+      players.get(entity.ownerId()).removeSpawned(entity);
+    }
+    if (entity.isProvisional()) {
+      provisional.remove(entity);
+      return;
+    }
+    entities[id] = null;
     generations[id] = (byte) (entity.generation() + 1);
     count--;
     firstFree = Math.min(firstFree, id);
@@ -312,6 +402,12 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       }
       e.archetype().motion().drive(e.body(), tick, tickRate);
     }
+    for (int i = 0; i < provisional.count(); i++) {
+      Entity e = provisional.at(i);
+      if (e.archetype().motion() != null) {
+        e.archetype().motion().drive(e.body(), tick, tickRate);
+      }
+    }
   }
 
   /** Mixes everything that decides the entities' future, except their bodies, into a state hash. */
@@ -325,34 +421,25 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
         h = e.fieldValues().hash(h);
         h = SimRandom.mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
         h = e.rootId() == Entity.NO_ROOT ? h : SimRandom.mix(h, e.rootId());
+        h = e.origin() == Origin.NONE ? h : SimRandom.mix(h, e.origin());
       }
       h = SimRandom.mix(h, identity);
     }
-    return h;
+    return provisional.hash(h);
   }
 
   /** Copies the entities' state to a saved one. */
   void save(SimState s) {
-    if (s.entities.length < generations.length) {
-      s.entities = new Entity[generations.length];
-      s.tags = new int[generations.length];
-      s.roots = new int[generations.length];
-      s.teleports = new int[generations.length];
-      s.generations = new byte[generations.length];
-    }
-    Arrays.fill(s.entities, capacity, Math.max(capacity, s.entityCapacity), null);
+    s.ensureEntities(Math.max(generations.length, capacity + provisional.count()));
+    int end = capacity + provisional.count();
+    Arrays.fill(s.entities, end, Math.max(end, s.entityCapacity + s.provisionalCount), null);
     s.entityCapacity = capacity;
     s.entityCount = count;
-    System.arraycopy(entities, 0, s.entities, 0, capacity);
     System.arraycopy(generations, 0, s.generations, 0, capacity);
     for (int i = 0; i < capacity; i++) {
-      s.tags[i] = entities[i] == null ? 0 : entities[i].tag();
-      s.teleports[i] = entities[i] == null ? 0 : entities[i].teleports();
-      if (entities[i] != null) {
-        s.fields.save(entities[i].fieldValues(), i);
-      }
-      s.roots[i] = entities[i] == null ? Entity.NO_ROOT : entities[i].rootId();
+      s.save(i, entities[i]);
     }
+    provisional.save(s);
   }
 
   /** Takes the entities' state from a saved one. */
@@ -367,15 +454,30 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     Arrays.fill(entities, capacity, Math.max(before, capacity), null);
     System.arraycopy(s.generations, 0, generations, 0, capacity);
     Arrays.fill(generations, capacity, Math.max(before, capacity), (byte) 0);
-    for (int i = 0; i < capacity; i++) {
-      if (entities[i] != null) {
-        entities[i].tag(s.tags[i]);
-        entities[i].teleports(s.teleports[i]);
-        s.fields.restore(entities[i].fieldValues(), i);
-        entities[i].rootId(s.roots[i]);
-        areas.add(i, entities[i].body(), entities[i].archetype());
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null) {
+        players.get(i).clearSpawned();
       }
     }
+    for (int i = 0; i < capacity; i++) {
+      if (entities[i] != null) {
+        s.restore(i, entities[i]);
+        addRestored(entities[i]);
+      }
+    }
+    provisional.restore(s);
+    for (int i = 0; i < provisional.count(); i++) {
+      addRestored(provisional.at(i));
+    }
     firstFree = 0;
+  }
+
+  private void addRestored(Entity entity) {
+    areas.add(entity.id(), entity.body(), entity.archetype());
+    Player owner = players.get(entity.ownerId());
+    if (owner != null && entity.origin() != Origin.NONE) {
+      entity.fieldValues().spawner(owner);
+      owner.addSpawned(entity);
+    }
   }
 }

@@ -6,6 +6,9 @@ import carom.sim.field.PlayerRef;
 import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
 import carom.sim.message.PlayerRole;
+import carom.sim.spawn.Origin;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * A person or bot that takes part: a name, an input, a team, a score, perhaps a body. It belongs to
@@ -35,6 +38,9 @@ public final class Player extends FieldHolder<Entity, Player> {
   private PlayerRole role = PlayerRole.PLAYER;
   private boolean ready;
   Entity body;
+
+  /** Its entities with an origin, oldest first. */
+  private final List<Entity> spawned = new ArrayList<>(0);
 
   Player(Simulation simulation, int id, String name) {
     this.simulation = simulation;
@@ -92,6 +98,47 @@ public final class Player extends FieldHolder<Entity, Player> {
   public void ready(boolean value) {
     simulation.requireAuthority("ready");
     ready = value && !isSpectator();
+  }
+
+  /**
+   * Returns the number of living entities that {@link Game#input} spawned for this player, at most
+   * {@value Origin#MOST_PER_PLAYER}: an older one is an entity like others. A client knows those of
+   * its own player only.
+   */
+  public int spawnedCount() {
+    return spawned.size();
+  }
+
+  /**
+   * Returns an entity that {@link Game#input} spawned for this player. To despawn some of them, go
+   * from the newest to the oldest.
+   *
+   * @param index 0, the oldest, to {@link #spawnedCount} - 1
+   */
+  public Entity spawned(int index) {
+    return spawned.get(index);
+  }
+
+  /**
+   * Adds an entity with an origin.
+   *
+   * @return the one that is too many now, the oldest, or null
+   */
+  Entity addSpawned(Entity entity) {
+    int at = spawned.size();
+    while (at > 0 && Origin.isEarlier(entity.origin(), spawned.get(at - 1).origin())) {
+      at--;
+    }
+    spawned.add(at, entity);
+    return spawned.size() > Origin.MOST_PER_PLAYER ? spawned.remove(0) : null;
+  }
+
+  void removeSpawned(Entity entity) {
+    spawned.remove(entity);
+  }
+
+  void clearSpawned() {
+    spawned.clear();
   }
 
   /**

@@ -11,6 +11,7 @@ import carom.sim.history.PoseHistory;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
+import carom.sim.spawn.Origin;
 import java.util.Arrays;
 
 /**
@@ -19,7 +20,7 @@ import java.util.Arrays;
  */
 public final class SimState {
   private static final int MAX_NAME = 1 << 16;
-  private static final int ENTITY_BYTES = 1 + 6 * Integer.BYTES;
+  private static final int ENTITY_BYTES = 1 + 7 * Integer.BYTES;
 
   final Simulation owner;
   final SavedFields fields;
@@ -40,6 +41,8 @@ public final class SimState {
   int[] tags = {};
   int[] teleports = {};
   int[] roots = {};
+  int[] origins = {};
+  int provisionalCount;
   final JointTable.Saved joints = new JointTable.Saved();
   byte[] generations = {};
   PoseHistory<Entity> history;
@@ -69,6 +72,44 @@ public final class SimState {
     }
     Arrays.fill(players, limit, Math.max(limit, playerLimit), null);
     playerLimit = limit;
+  }
+
+  /** Makes room for entities. What was saved is lost when there isn't enough. */
+  void ensureEntities(int room) {
+    if (entities.length < room) {
+      entities = new Entity[room];
+      tags = new int[room];
+      roots = new int[room];
+      origins = new int[room];
+      teleports = new int[room];
+      generations = new byte[room];
+    }
+  }
+
+  /** Saves an entity at a place, or that there is none. Ids are places. */
+  void save(int at, Entity entity) {
+    entities[at] = entity;
+    if (entity != null) {
+      tags[at] = entity.tag();
+      teleports[at] = entity.teleports();
+      roots[at] = entity.rootId();
+      origins[at] = entity.origin();
+      fields.save(entity.fieldValues(), at);
+    } else {
+      tags[at] = 0;
+      teleports[at] = 0;
+      roots[at] = Entity.NO_ROOT;
+      origins[at] = Origin.NONE;
+    }
+  }
+
+  /** Gives an entity what was saved at a place. */
+  void restore(int at, Entity entity) {
+    entity.tag(tags[at]);
+    entity.teleports(teleports[at]);
+    entity.rootId(roots[at]);
+    entity.origin(origins[at]);
+    fields.restore(entity.fieldValues(), at);
   }
 
   /** Copies the remembered poses of a simulation, if there are any. */
@@ -175,11 +216,7 @@ public final class SimState {
     int[] owners = new int[n];
     if (a.reads()) {
       entityCapacity = n;
-      entities = new Entity[n];
-      tags = new int[n];
-      teleports = new int[n];
-      roots = new int[n];
-      generations = new byte[n];
+      ensureEntities(n);
     }
     slots = new int[n];
     for (int id = 0; !a.reads() && id < n; id++) {
@@ -194,6 +231,7 @@ public final class SimState {
     a.integers("tag of entity", tags, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("teleports of entity", teleports, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("root of entity", roots, n, Entity.NO_ROOT, Simulation.MAX_ENTITIES - 1);
+    a.integers("origin of entity", origins, n, Origin.NONE, Origin.LAST);
     a.integers("body of entity", slots, n, -1, Integer.MAX_VALUE);
     for (int id = 0; id < n; id++) {
       if (kinds[id] >= 0) {

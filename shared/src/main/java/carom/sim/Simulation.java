@@ -39,6 +39,8 @@ import carom.sim.message.PlayerRole;
 import carom.sim.message.WaitingMessages;
 import carom.sim.random.SimRandom;
 import carom.sim.ruling.Findings;
+import carom.sim.spawn.Origin;
+import carom.sim.spawn.OwnSpawns;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -134,6 +136,15 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   /** What is known of the server's rules, on PREDICTION; may be null. */
   private Rulings rulings;
 
+  /** What is known of the entities that the own player's input spawned, on PREDICTION. */
+  private OwnSpawns ownSpawns;
+
+  /** The player whose input runs, or null. */
+  private Player inputOf;
+
+  /** Number of spawns of that call. */
+  private int spawnsOfInput;
+
   /** Past poses on AUTHORITY if the game looks back; otherwise null. */
   private final PoseHistory<Entity> history;
 
@@ -169,11 +180,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
             (carrier, power) -> carrier.user().get(power),
             role == Role.AUTHORITY);
     Schema schema = Schema.of(game.fields());
-    entities = new EntityTable(world, players, areas, assemblies, tickRate, schema, this::tick);
+    joints = new JointTable<>(world, role == Role.AUTHORITY);
+    entities =
+        new EntityTable(world, players, areas, assemblies, joints, tickRate, schema, this::tick);
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
     fieldUse = role == Role.AUTHORITY ? fields.noteUse(findings, this::nameOf) : null;
-    joints = new JointTable<>(world, role == Role.AUTHORITY);
     world.jointListener(new Joints());
     forceCheck = new ForceCheck(world, findings);
     interference = new InterferenceLog(entities, players, findings);
@@ -195,7 +207,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
     game.setUp(this);
     archetypes.close();
-    requireDeclaredPowers();
+    requireDeclaredFields();
     eventKinds.close();
     messageKinds.close();
     if (role == Role.PREDICTION) {
@@ -225,6 +237,17 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public void rulings(Rulings known) {
     calls.requirePrediction("rulings");
     rulings = known;
+  }
+
+  /**
+   * Sets what is known of the entities that the own player's {@link Game#input} spawns. Without it,
+   * they live until the end of the call.
+   *
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void ownSpawns(OwnSpawns known) {
+    calls.requirePrediction("ownSpawns");
+    ownSpawns = known;
   }
 
   /** Returns the physics world. */
@@ -354,18 +377,120 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * Creates an entity under the smallest free id. An entity owned by a player without a body
    * becomes the player's body.
    *
+   * <p>{@link Game#input} may call it on both roles for what belongs to its player, and give the
+   * new entity a velocity and fields. That player's client has it at once, as a {@linkplain
+   * Entity#isProvisional provisional} one, and it becomes the server's or goes when the server's
+   * word is there. What the input of others spawns, a client keeps until the end of the call only.
+   * {@link Player#spawned} finds it again.
+   *
    * @param archetype its archetype
    * @param x position of the body's origin, metres
    * @param y position of the body's origin, metres
    * @param angle radians, counterclockwise
-   * @param owner the player it belongs to, or null
-   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
-   *     #MAX_ENTITIES}
+   * @param owner the player it belongs to, or null; in {@link Game#input} its player
+   * @throws IllegalStateException during the physics, beyond {@value #MAX_ENTITIES}, in {@link
+   *     Game#input} beyond {@value Origin#MOST_PER_CALL} in a call, and on {@link Role#PREDICTION}
+   *     anywhere else
+   * @throws IllegalArgumentException in {@link Game#input}, if the owner isn't its player
    */
   public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
+    if (inputOf != null) {
+      return spawnInInput(archetype, x, y, angle, owner);
+    }
     calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
     return entities.spawn(archetype, x, y, angle, ownerId, tick);
+  }
+
+  private Entity spawnInInput(Archetype archetype, float x, float y, float angle, Player owner) {
+    if (owner != inputOf) {
+      throw new IllegalArgumentException(
+          "owner="
+              + owner
+              + " isn't the player whose Game.input runs, "
+              + inputOf
+              + "; spawn what belongs to others in Game.beforeStep or Game.afterStep");
+    }
+    if (spawnsOfInput == Origin.MOST_PER_CALL) {
+      throw new IllegalStateException(
+          "spawns=" + spawnsOfInput + " is the most that one call of Game.input may make");
+    }
+    int id = owner.id();
+    int origin = Origin.of(tick, spawnsOfInput++);
+    Entity entity;
+    if (role == Role.AUTHORITY) {
+      entity = entities.spawn(archetype, x, y, angle, id, tick);
+    } else {
+      int key = ownSpawns == null ? OwnSpawns.UNKNOWN : ownSpawns.key(origin);
+      Entity known = key < 0 ? null : entities.get(key & 0xffff);
+      if (known != null && known.generation() == key >>> 16) {
+        despawn(known); // the tick is computed again
+        known = null;
+      }
+      entity =
+          key < 0 || known != null
+              ? entities.spawnProvisional(origin, archetype, x, y, angle, id, tick)
+              : entities.spawnAs(key & 0xffff, key >>> 16, archetype, x, y, angle, id, tick);
+    }
+    entity.fieldValues().spawner(owner);
+    entities.setOrigin(entity, origin);
+    return entity;
+  }
+
+  /** Removes what an input spawned that isn't the own player's. */
+  private void endInput(Player player) {
+    boolean foreseen = ownSpawns != null && ownSpawns.foresees(player.id());
+    for (int i = entities.provisional().count() - 1; i >= 0 && !foreseen; i--) {
+      if (entities.provisional().at(i).ownerId() == player.id()) {
+        entities.despawn(entities.provisional().at(i));
+      }
+    }
+  }
+
+  /**
+   * Returns the number of {@linkplain Entity#isProvisional provisional} entities; 0 on {@link
+   * Role#AUTHORITY}. They aren't below {@link #entityCapacity}.
+   */
+  public int provisionalCount() {
+    return entities.provisional().count();
+  }
+
+  /** Returns a provisional entity, in the order in which they were spawned. */
+  public Entity provisional(int index) {
+    return entities.provisional().at(index);
+  }
+
+  /**
+   * Mirrors which spawn of its owner's {@link Game#input} an entity of the server is. A provisional
+   * entity of that origin goes, and fields that mean it mean this one.
+   *
+   * @param entity an entity that isn't provisional
+   * @param origin see {@link Entity#origin}
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void identify(Entity entity, int origin) {
+    calls.requirePrediction("identify");
+    Entity before = origin == Origin.NONE ? null : entities.get(origin);
+    if (before != null) {
+      replaceReferences(before.reference(), entity.reference());
+      entities.despawn(before);
+    }
+    entity.fieldValues().spawner(owner(entity));
+    entities.setOrigin(entity, origin);
+  }
+
+  private void replaceReferences(int word, int by) {
+    match.replaceEntity(word, by);
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null) {
+        players.get(i).fieldValues().replaceEntity(word, by);
+      }
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      if (entities.get(i) != null) {
+        entities.get(i).fieldValues().replaceEntity(word, by);
+      }
+    }
   }
 
   /**
@@ -374,10 +499,11 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *
    * @param archetype its archetype, with the same shapes; its path is ignored
    * @param def the definition of the body
-   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
-   *     #MAX_ENTITIES}
+   * @throws IllegalStateException on {@link Role#PREDICTION}, in {@link Game#input}, during the
+   *     physics, or beyond {@value #MAX_ENTITIES}
    */
   public Entity spawn(Archetype archetype, BodyDef def) {
+    calls.requireOutsideInput("spawn(archetype, def)");
     calls.requireAuthority("spawn");
     return entities.spawn(archetype, def);
   }
@@ -392,13 +518,14 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @param angle of the whole assembly, radians, counterclockwise
    * @param owner the player it belongs to, or null
    * @return the root
-   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
-   *     #MAX_ENTITIES}
+   * @throws IllegalStateException on {@link Role#PREDICTION}, in {@link Game#input}, during the
+   *     physics, or beyond {@value #MAX_ENTITIES}
    */
   public Entity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
+    calls.requireOutsideInput("spawn(assembly, ...)");
     calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return entities.spawn(assembly, x, y, angle, ownerId, tick, joints);
+    return entities.spawn(assembly, x, y, angle, ownerId, tick);
   }
 
   /**
@@ -563,11 +690,14 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * Destroys an entity with its joints, and with the root of an assembly all of it. If it was a
    * player's body, the player then has none. Nothing happens when the entity is gone already.
    *
+   * <p>{@link Game#input} may call it on both roles. A client foresees it for what belongs to the
+   * player and isn't its body. All else stays there until the server's word.
+   *
    * @throws IllegalStateException during the physics
    */
   public void despawn(Entity entity) {
     calls.requireOutsidePhysics("despawn");
-    if (!entities.holds(entity)) {
+    if (!entities.holds(entity) || (inputOf != null && !mayDespawn(entity))) {
       return;
     }
     if (history != null) {
@@ -582,6 +712,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       }
     }
     entities.despawn(entity);
+  }
+
+  /** Returns whether a server, or a client that foresees it, despawns an entity in an input. */
+  private boolean mayDespawn(Entity entity) {
+    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body;
+    return role == Role.AUTHORITY || isOwn;
   }
 
   /** Returns a number above all entity ids. It never shrinks, except by {@link #restore}. */
@@ -1009,8 +1145,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     for (int i = 0; i < players.limit(); i++) {
       Player player = players.get(i);
       if (player != null && player.body != null) {
-        fields.beginInput(player.fieldValues(), player.body.fieldValues());
-        game.input(this, player, player.input());
+        takeInput(player);
       }
     }
     fields.end();
@@ -1033,6 +1168,22 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
   }
 
+  private void takeInput(Player player) {
+    fields.beginInput(player, player.fieldValues(), player.body.fieldValues());
+    calls.inInput(true);
+    inputOf = player;
+    spawnsOfInput = 0;
+    try {
+      game.input(this, player, player.input());
+    } finally {
+      inputOf = null;
+      calls.inInput(false);
+    }
+    if (role == Role.PREDICTION) {
+      endInput(player);
+    }
+  }
+
   private void handle(int playerId, Message message) {
     Player player = players.participant(playerId);
     if (player != null) { // one handled before may have removed it
@@ -1040,8 +1191,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
   }
 
-  private void requireDeclaredPowers() {
+  private void requireDeclaredFields() {
     for (int i = 0; i < archetypes.size(); i++) {
+      entities.starts(archetypes.get(i));
       Ratio power = archetypes.get(i).areaPower();
       if (power != null && !schema().fields().contains(power)) {
         throw new IllegalArgumentException(

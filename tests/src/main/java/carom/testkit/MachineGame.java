@@ -40,6 +40,7 @@ public final class MachineGame implements Game {
 
   private Assembly car;
   private Assembly ragdoll;
+  private Assembly gears;
   private Archetype plank;
   private Archetype load;
   private Archetype link;
@@ -53,8 +54,8 @@ public final class MachineGame implements Game {
   /**
    * Returns a level with a floor between two walls, 60 m apart, and players' spawns on it.
    *
-   * @param more further spawns, each after a comma: ragdolls, bridges (team: planks), cranes,
-   *     crates
+   * @param more further spawns, each after a comma: ragdolls, bridges (team: planks), gears,
+   *     cranes, crates
    */
   public static Level level(String more) {
     return level(more, "");
@@ -130,6 +131,7 @@ public final class MachineGame implements Game {
                                 .limits(-0.3f, 0.3f)
                                 .spring(4, 0.7f)));
     ragdoll = s.assemblies().add(ragdoll());
+    gears = s.assemblies().add(gears());
     plank = s.archetypes().add(new ArchetypeDef("plank").shape(new Box(0.48f, 0.12f), METAL));
     link = s.archetypes().add(new ArchetypeDef("link").shape(new Box(0.09f, 0.05f), METAL));
     load = s.archetypes().add(new ArchetypeDef("load").shape(new Box(0.5f, 0.5f), METAL));
@@ -146,6 +148,7 @@ public final class MachineGame implements Game {
         case "bridge" -> bridge(s, spot.x(), spot.y(), spot.team(), 1e9f);
         case "weak bridge" -> bridge(s, spot.x(), spot.y(), spot.team(), 400);
         case "carpet" -> carpet(s, spot.x(), spot.y(), 270);
+        case "gears" -> gears(s, spot.x(), spot.y(), 0);
         case "crane" -> crane(s, spot.x(), spot.y());
         case "crate" -> crate(s, spot.x(), spot.y());
         case "tie" -> ties = true;
@@ -184,6 +187,29 @@ public final class MachineGame implements Game {
     return def;
   }
 
+  /** A heavy frame with two wheels in gear, the first driven, and two buckets on a pulley. */
+  private static AssemblyDef gears() {
+    ArchetypeDef bucket = new ArchetypeDef("bucket").shape(new Box(0.25f, 0.2f), METAL);
+    return new AssemblyDef("gears")
+        .body("frame", new ArchetypeDef("frame").shape(new Box(1.5f, 0.3f), METAL), 0, 0)
+        .body("small", cog(0.4f), -0.8f, 1)
+        .body("large", cog(0.8f), 0.4f, 1)
+        .body("left", bucket, -2.5f, 1.5f)
+        .body("right", bucket, 2.5f, 1)
+        .joint("drive", "frame", "small", (a, b) -> JointDef.revolute(a, b, -0.8f, 1).motor(3, 30))
+        .joint("axle", "frame", "large", (a, b) -> JointDef.revolute(a, b, 0.4f, 1))
+        .joint("gear", "small", "large", (a, b) -> JointDef.gear(a, b, -0.5f))
+        .joint(
+            "rope",
+            "left",
+            "right",
+            (a, b) -> JointDef.pulley(a, b, -2.5f, 1.7f, 2.5f, 1.2f, -2.5f, 4, 2.5f, 4, 1));
+  }
+
+  private static ArchetypeDef cog(float radius) {
+    return new ArchetypeDef("cog").shape(new Circle(radius), METAL);
+  }
+
   private static ArchetypeDef limb(float length, float radius) {
     return new ArchetypeDef("limb")
         .shape(new Capsule(0, 0, 0, -length, radius), METAL)
@@ -198,6 +224,11 @@ public final class MachineGame implements Game {
   /** Makes a ragdoll with its feet at a place. */
   public Entity ragdoll(Simulation s, float x, float y) {
     return s.spawn(ragdoll, x, y, 0, null);
+  }
+
+  /** Makes two wheels in gear on a frame, and two buckets on a pulley, turned by an angle. */
+  public Entity gears(Simulation s, float x, float y, float angle) {
+    return s.spawn(gears, x, y, angle, null);
   }
 
   /**

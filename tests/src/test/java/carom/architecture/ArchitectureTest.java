@@ -182,19 +182,27 @@ final class ArchitectureTest {
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
-    allow("carom.sim.message");
-    allow("carom.sim.level", "carom.physics..", "carom.sim.field", "carom.sim.event");
+    allow("carom.sim.message", "carom.text");
+    allow(
+        "carom.sim.level",
+        "carom.physics..",
+        "carom.sim.field",
+        "carom.sim.event",
+        "carom.json",
+        "carom.text");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow("carom.sim.area", "carom.physics..", "carom.sim.level", "carom.sim.field");
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow("carom.sim.random");
+    allow("carom.sim.spawn");
     allow(
         "carom.sim.field",
         "carom.physics.math",
         "carom.physics.archive",
         "carom.sim.event",
-        "carom.sim.ruling");
+        "carom.sim.ruling",
+        "carom.sim.spawn");
     allow(
         "carom.sim",
         "carom.physics..",
@@ -206,7 +214,8 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.area",
         "carom.sim.joint",
-        "carom.sim.ruling");
+        "carom.sim.ruling",
+        "carom.sim.spawn");
     allow(
         "carom.sim.near",
         "carom.physics..",
@@ -228,8 +237,9 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.level",
         "carom.sim.random",
-        "carom.sim.scene");
-    allow("carom.game", "carom.physics..", "carom.sim..");
+        "carom.sim.scene",
+        "carom.text");
+    allow("carom.game", "carom.physics..", "carom.sim..", "carom.text");
     game("arena");
     game("platformer");
     allow("carom.net.codec", "carom.physics.simd");
@@ -256,10 +266,16 @@ final class ArchitectureTest {
         "carom.net.snapshot.frame",
         "carom.net.snapshot.relay",
         "carom.physics.rows"); // codes rows field by field, and sees no world
-    allow("carom.net.snapshot.table", "carom.net.codec", "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.table",
+        "carom.net.codec",
+        "carom.net.snapshot.frame",
+        "carom.physics.rows"); // what a joint was made with
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
     allow("carom.values");
+    allow("carom.text");
+    allow("carom.json");
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
     allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
     allow(
@@ -269,7 +285,7 @@ final class ArchitectureTest {
         "carom.net.frame",
         "carom.net.codec",
         "carom.values");
-    allow("carom.options", "carom.net.transport");
+    allow("carom.options", "carom.net.transport", "carom.text");
     allow(
         "carom.replay",
         "carom.sim",
@@ -285,6 +301,7 @@ final class ArchitectureTest {
         "carom.net..",
         "carom.options",
         "carom.values",
+        "carom.text",
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -295,6 +312,7 @@ final class ArchitectureTest {
         "carom.net..",
         "carom.options",
         "carom.values",
+        "carom.text",
         "carom.replay",
         "carom.sim..",
         "carom.game",

@@ -107,9 +107,12 @@ class ProtocolDocTest {
 
   private static Map<String, byte[]> goldenOfTheCode() {
     Map<String, byte[]> golden = new TreeMap<>();
+    golden.put("list-rooms", ClientMessageCodec.encode(new ClientMessage.ListRooms(9)));
+    golden.put("change-room", ClientMessageCodec.encode(new ClientMessage.ChangeRoom("cup")));
     golden.put(
         "hello",
-        ClientMessageCodec.encode(new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0)));
+        ClientMessageCodec.encode(
+            new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0, "cup", "")));
     golden.put(
         "level-request",
         ClientMessageCodec.encode(new ClientMessage.LevelRequest(0x11223344, 4096)));
@@ -200,6 +203,7 @@ class ProtocolDocTest {
                 0x11223344,
                 3,
                 60,
+                "cup",
                 1,
                 1000,
                 42,
@@ -220,6 +224,14 @@ class ProtocolDocTest {
                 List.of(
                     new ServerMessage.RosterEntry(0, "Zoë", -3),
                     new ServerMessage.RosterEntry(1000, "x", 300)))));
+    golden.put(
+        "room-list",
+        codec.encode(
+            new ServerMessage.RoomList(
+                0,
+                List.of(
+                    new ServerMessage.RoomEntry(
+                        "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put("watching", codec.encode(new ServerMessage.Watching(10)));
     golden.put(

@@ -9,7 +9,9 @@ import carom.client.view.JointView;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
 import carom.net.transport.Impairment;
+import carom.physics.Body;
 import carom.physics.Joint;
+import carom.physics.JointDef;
 import carom.physics.JointType;
 import carom.physics.rows.JointDefRow;
 import carom.server.config.ServerConfig;
@@ -24,6 +26,7 @@ import carom.testkit.MachineGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -55,6 +58,9 @@ final class MachineScenarioTest {
                 + spawn("crate", -20, 6, 0)
                 + spawn("crate", -19, 8, 0)
                 + spawn("crate", -14, 1, 0)),
+        Arguments.of(
+            "a car among gears and pulleys",
+            spawn("gears", -17, 0.35f, 0) + spawn("gears", -9, 0.35f, 0)),
         Arguments.of("a car under a crane", spawn("crane", -20, 6, 0) + spawn("crate", -16, 1, 0)));
   }
 
@@ -158,6 +164,95 @@ final class MachineScenarioTest {
       stepper.run(1);
       assertEquals(12, client.view().jointCount());
     }
+  }
+
+  @Test
+  void whatTheGameChangesAboutAJointIsToldOnceAndDrawn() {
+    // Goal: a picture has the targets, lengths and motors of now, and what stays as it is costs
+    // nothing. Method: a driver who stands still sees a crate on a mouse joint and a rope, which
+    // are not predicted; the server moves the target and pays out the rope.
+    Level level = MachineGame.level(spawn("crate", -10, 3, 0) + spawn("crate", -6, 3, 0));
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      SimulatedClient client = stepper.join("p", FAR, Scripts.hold(0, 0));
+      Simulation server = stepper.room().simulation();
+      List<Entity> crates = named(server, "load");
+      Body<Entity> one = crates.get(0).body();
+      Body<Entity> two = crates.get(1).body();
+      Joint<Entity> mouse = server.connect(JointDef.mouse(one, one.x(), one.y(), 400));
+      Joint<Entity> rope =
+          server.connect(JointDef.rope(null, two, two.x(), 9, two.x(), two.y(), 7));
+      stepper.run(3);
+      TableInbox tables = client.game().decoder().tables();
+      int mouseTold = tables.tick(JointWords.TABLE, mouse.index());
+      assertTrue(mouseTold >= 0, stepper.describe());
+      float x = one.x();
+      for (int i = 0; i < 60; i++) {
+        x += 0.02f;
+        mouse.setTarget(x, 4);
+        rope.setLimits(0, 7 + 0.01f * i);
+        stepper.step();
+      }
+      stepper.run(1);
+      JointView drawn = joint(client.view(), mouse.index());
+      assertEquals(JointType.MOUSE, drawn.type());
+      assertEquals(x, drawn.ax(), 0.001f);
+      assertEquals(4, drawn.ay(), 0.001f);
+      JointView paidOut = joint(client.view(), rope.index());
+      assertTrue(paidOut.isLimited());
+      assertEquals(rope.upper(), paidOut.upper(), 0.001f);
+      ClientView.Drawn body = client.view().find(crates.get(0).id());
+      assertEquals(0, body.predicted(), "the test is about what isn't predicted");
+      assertEquals(mouse.anchorBX(), drawn.bx(), 0.02f);
+      int told = tables.tick(JointWords.TABLE, mouse.index());
+      assertTrue(told > mouseTold, "told=" + told);
+      stepper.run(5);
+      assertEquals(told, tables.tick(JointWords.TABLE, mouse.index()), "nothing has changed");
+    }
+  }
+
+  @Test
+  void theMotorOfTheOwnCarIsDrawnAsPredicted() {
+    // Goal: what input does to a joint shows at once. Method: full throttle, looked at before the
+    // server can have answered.
+    try (Stepper stepper = Stepper.of(MachineGame.level(""), ServerConfig.defaults())) {
+      SimulatedClient client =
+          stepper.join("p", FAR, (view, tick, in) -> in.move(tick >= 300 ? 1 : 0, 0));
+      Simulation server = stepper.room().simulation();
+      int drive = -1;
+      while (drive < 0 || joint(client.view(), drive).motorSpeed() == 0) {
+        stepper.step();
+        Entity car = server.player(client.view().playerId()).body();
+        drive = server.joint(car, "drive").index();
+        assertTrue(server.tick() < 600, stepper.describe());
+      }
+      assertEquals(-MachineGame.WHEEL_SPEED, joint(client.view(), drive).motorSpeed());
+      assertEquals(0, motorSpeed(server, drive), "the server hasn't heard of it");
+    }
+  }
+
+  private static float motorSpeed(Simulation s, int joint) {
+    int[] now = new int[JointDefRow.INTS];
+    s.world().readJoint(s.joints().get(joint), now, 0);
+    return Float.intBitsToFloat(now[JointDefRow.MOTOR_SPEED]);
+  }
+
+  private static List<Entity> named(Simulation s, String archetype) {
+    List<Entity> found = new ArrayList<>();
+    for (int id = 0; id < s.entityCapacity(); id++) {
+      if (s.entity(id) != null && s.entity(id).archetype().name().equals(archetype)) {
+        found.add(s.entity(id));
+      }
+    }
+    return found;
+  }
+
+  private static JointView joint(ClientView view, int index) {
+    for (int i = 0; i < view.jointCount(); i++) {
+      if (view.joint(i).index() == index) {
+        return view.joint(i);
+      }
+    }
+    throw new AssertionError("joint " + index + " isn't in the picture");
   }
 
   @Test

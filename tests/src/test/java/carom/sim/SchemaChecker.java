@@ -1,6 +1,6 @@
 package carom.sim;
 
-import carom.sim.level.Json;
+import carom.json.Json;
 import carom.sim.level.Level;
 import java.io.InputStream;
 import java.util.ArrayList;
@@ -17,7 +17,7 @@ public final class SchemaChecker {
 
   public static SchemaChecker levels() throws Exception {
     try (InputStream in = Level.class.getResourceAsStream("/levels/level.schema.json")) {
-      return new SchemaChecker(Json.parse("level.schema.json", in.readAllBytes()));
+      return new SchemaChecker(Json.parse(in.readAllBytes()));
     }
   }
 
@@ -118,6 +118,6 @@ public final class SchemaChecker {
   }
 
   private static String when(boolean agrees, Json value, String keyword) {
-    return agrees ? "" : value.path + " at line " + value.line + ": " + keyword;
+    return agrees ? "" : value.path() + " at line " + value.line + ": " + keyword;
   }
 }

@@ -21,7 +21,7 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.level.ScriptedMotion;
-import carom.sim.level.Suggestion;
+import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -5,6 +5,7 @@ import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
+import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Input;
@@ -116,6 +117,9 @@ public final class ClientView {
   private int jointCount;
   private int own = -1;
 
+  String room = "";
+  int matchNumber;
+  List<RoomEntry> rooms = List.of();
   ConnectionPhase phase = ConnectionPhase.IDLE;
   String message = "";
   double progress;
@@ -321,6 +325,24 @@ public final class ClientView {
       }
     }
     return "";
+  }
+
+  /** Returns the name of the room, or an empty string before a game was joined. */
+  public String room() {
+    return room;
+  }
+
+  /** Returns the number of the room's match, from 1 on; 0 before a game was joined. */
+  public int matchNumber() {
+    return matchNumber;
+  }
+
+  /**
+   * Returns the server's rooms, as it told when the client last asked ({@code
+   * GameClient.listRooms}); empty before. Never modified.
+   */
+  public List<RoomEntry> rooms() {
+    return rooms;
   }
 
   /** Returns the last few lines from the server, oldest first. Do not change the list. */

@@ -9,12 +9,12 @@ import carom.sim.Simulation;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
-import java.util.BitSet;
+import java.util.Arrays;
 
 /**
  * Puts the joints into a picture: between the bodies where these are drawn, predicted or
- * interpolated. A joint of predicted bodies that broke in the prediction is gone at once. One
- * stay's; allocates only to grow.
+ * interpolated. A joint of predicted bodies has the settings of the prediction, so that the own
+ * grapple follows at once; if it broke there, it is gone. One stay's; allocates only to grow.
  */
 final class JointComposer {
   /** Weight from which a body counts as predicted. */
@@ -22,7 +22,9 @@ final class JointComposer {
 
   private static final JointType[] TYPES = JointType.values();
 
-  /** Flag of {@link JointDefRow#FLAGS}: there is a spring on the coordinate. */
+  // Flags of JointDefRow.FLAGS.
+  private static final int LIMITED = 2;
+  private static final int DRIVEN = 4;
   private static final int SPRUNG = 8;
 
   private final ClientView view;
@@ -31,7 +33,11 @@ final class JointComposer {
   /** Null if nothing is predicted. */
   private final Simulation predicted;
 
-  private final BitSet held = new BitSet();
+  /** By row: one more than the joint's index in the predicted world, or 0. */
+  private int[] held = {};
+
+  /** The joint as the predicted world has it. */
+  private final int[] present = new int[JointDefRow.INTS];
 
   // Where the end of a joint is that is being composed.
   private int entity;
@@ -60,12 +66,16 @@ final class JointComposer {
   }
 
   private void findHeld() {
-    held.clear();
+    Arrays.fill(held, 0);
     if (predicted != null) {
       JointTable<?> joints = predicted.joints();
       for (int i = 0; i < joints.limit(); i++) {
         if (joints.get(i) != null) {
-          held.set(JointTable.index(joints.key(i)));
+          int row = JointTable.index(joints.key(i));
+          if (row >= held.length) {
+            held = Arrays.copyOf(held, 2 * row + 1);
+          }
+          held[row] = i + 1;
         }
       }
     }
@@ -79,29 +89,42 @@ final class JointComposer {
     final int bodyA = entity;
     final float alphaA = alpha;
     final boolean predictedA = isPredicted;
-    final float ax = anchorX(row, JointDefRow.ANCHOR_AX);
-    final float ay = anchorY(row, JointDefRow.ANCHOR_AX);
+    final float x1 = x;
+    final float y1 = y;
+    final float angle1 = angle;
     if (!find(word(row, JointWords.END_B)) || (bodyA < 0 && entity < 0)) {
       return;
     }
-    if (predictedA && isPredicted && !held.get(row)) {
+    boolean bothPredicted = predicted != null && predictedA && isPredicted;
+    if (bothPredicted && (row >= held.length || held[row] == 0)) {
       return; // it broke
     }
+    readSettings(row, bothPredicted);
     JointView joint = view.addJoint();
     joint.index = row;
     joint.type = TYPES[type];
     joint.bodyA = bodyA;
     joint.bodyB = entity;
-    joint.ax = ax;
-    joint.ay = ay;
-    joint.bx = anchorX(row, JointDefRow.ANCHOR_BX);
-    joint.by = anchorY(row, JointDefRow.ANCHOR_BX);
+    float ax = present(JointDefRow.ANCHOR_AX);
+    float ay = present(JointDefRow.ANCHOR_AY);
+    joint.ax = turnedX(x1, angle1, ax, ay);
+    joint.ay = turnedY(y1, angle1, ax, ay);
+    float bx = number(row, JointDefRow.ANCHOR_BX);
+    float by = number(row, JointDefRow.ANCHOR_BY);
+    joint.bx = turnedX(x, angle, bx, by);
+    joint.by = turnedY(y, angle, bx, by);
     joint.groundAX = number(row, JointDefRow.BASE_AX);
     joint.groundAY = number(row, JointDefRow.BASE_AY);
     joint.groundBX = number(row, JointDefRow.BASE_BX);
     joint.groundBY = number(row, JointDefRow.BASE_BY);
-    joint.sprung = (word(row, JointWords.DEFINITION + JointDefRow.FLAGS) & SPRUNG) != 0;
-    joint.rest = number(row, JointDefRow.REST);
+    int flags = present[JointDefRow.FLAGS];
+    joint.sprung = (flags & SPRUNG) != 0;
+    joint.limited = (flags & LIMITED) != 0;
+    joint.driven = (flags & DRIVEN) != 0;
+    joint.rest = present(JointDefRow.REST);
+    joint.lower = present(JointDefRow.LOWER);
+    joint.upper = present(JointDefRow.UPPER);
+    joint.motorSpeed = present(JointDefRow.MOTOR_SPEED);
     joint.alpha = Math.min(alphaA, alpha);
   }
 
@@ -139,16 +162,30 @@ final class JointComposer {
     return true;
   }
 
-  private float anchorX(int row, int field) {
-    double c = Math.cos(angle);
-    double s = Math.sin(angle);
-    return (float) (x + c * number(row, field) - s * number(row, field + 1));
+  /** Reads the settings of now: those of the prediction, or those that the server told. */
+  private void readSettings(int row, boolean ofPrediction) {
+    if (ofPrediction) {
+      predicted.world().readJoint(predicted.joints().get(held[row] - 1), present, 0);
+      return;
+    }
+    for (int i = 0; i < JointRow.SETTING_INTS; i++) {
+      int field = JointRow.definedBy(i);
+      int made = word(row, JointWords.DEFINITION + field);
+      int told = word(row, JointWords.SETTINGS + i);
+      present[field] = JointWords.setting(JointRow.SETTINGS + i, made, told);
+    }
   }
 
-  private float anchorY(int row, int field) {
-    double c = Math.cos(angle);
-    double s = Math.sin(angle);
-    return (float) (y + s * number(row, field) + c * number(row, field + 1));
+  private float present(int field) {
+    return Float.intBitsToFloat(present[field]);
+  }
+
+  private static float turnedX(float x, float angle, float dx, float dy) {
+    return (float) (x + Math.cos(angle) * dx - Math.sin(angle) * dy);
+  }
+
+  private static float turnedY(float y, float angle, float dx, float dy) {
+    return (float) (y + Math.sin(angle) * dx + Math.cos(angle) * dy);
   }
 
   private float number(int row, int field) {

@@ -2,7 +2,10 @@ package carom.client.view;
 
 import carom.physics.JointType;
 
-/** One joint as drawn, between two places of the picture. Reused from frame to frame. */
+/**
+ * One joint as drawn, between two places of the picture, with the settings that the game has given
+ * it since. Reused from frame to frame.
+ */
 public final class JointView {
   int index;
   JointType type;
@@ -15,7 +18,12 @@ public final class JointView {
   float groundBX;
   float groundBY;
   boolean sprung;
+  boolean limited;
+  boolean driven;
   float rest;
+  float lower;
+  float upper;
+  float motorSpeed;
   float alpha;
   int bodyA;
   int bodyB;
@@ -42,7 +50,7 @@ public final class JointView {
     return bodyB;
   }
 
-  /** Returns x of the anchor on body A, metres. */
+  /** Returns x of the anchor on body A, or of the target of a mouse joint, metres. */
   public float ax() {
     return ax;
   }
@@ -87,9 +95,34 @@ public final class JointView {
     return sprung;
   }
 
-  /** Returns the length of a spring at ease, metres. */
+  /** Returns the length of a spring at ease or of a rod, metres, or an angle at ease, radians. */
   public float rest() {
     return rest;
+  }
+
+  /** Returns whether it has limits. A rope is a distance joint with limits. */
+  public boolean isLimited() {
+    return limited;
+  }
+
+  /** Returns the lower limit, metres or radians. */
+  public float lower() {
+    return lower;
+  }
+
+  /** Returns the upper limit, metres or radians: the length of a rope. */
+  public float upper() {
+    return upper;
+  }
+
+  /** Returns whether a motor drives it. */
+  public boolean isDriven() {
+    return driven;
+  }
+
+  /** Returns the speed that its motor aims at, m/s or rad/s. */
+  public float motorSpeed() {
+    return motorSpeed;
   }
 
   /** Returns the opacity, 0..1: that of the fainter body. */

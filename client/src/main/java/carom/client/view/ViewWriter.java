@@ -4,6 +4,7 @@ import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
+import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Input;
@@ -53,6 +54,17 @@ public final class ViewWriter {
     view.playerId = playerId;
     view.tickRate = tickRate;
     view.predictedWorld = predicted;
+  }
+
+  /** Sets the room, and the number of its match. */
+  public void room(String name, int match) {
+    view.room = name;
+    view.matchNumber = match;
+  }
+
+  /** Sets the server's rooms. */
+  public void rooms(List<RoomEntry> rooms) {
+    view.rooms = rooms;
   }
 
   /** Sets the tick that is predicted. */

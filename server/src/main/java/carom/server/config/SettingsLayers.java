@@ -1,6 +1,6 @@
 package carom.server.config;
 
-import carom.sim.level.Suggestion;
+import carom.text.Suggestion;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;

@@ -14,6 +14,8 @@ public enum Counter {
   PLAYERS,
   /** Gauge: players whose link was lost and whose body waits for them. */
   PLAYERS_IN_GRACE,
+  /** Gauge: spectators. */
+  SPECTATORS,
   /** Players who joined, returning ones included. */
   JOINS,
   /** Players who came back within their grace period. */

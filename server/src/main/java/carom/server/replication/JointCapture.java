@@ -10,10 +10,12 @@ import carom.sim.Entity;
 import carom.sim.Simulation;
 import carom.sim.joint.JointTable;
 import carom.sim.near.Neighbourhood;
+import java.util.Arrays;
 
 /**
- * Keeps the table of joints that clients are told: what each was made with, once. Ticks in which no
- * joint comes or goes cost nothing. The room's thread; allocates only to grow.
+ * Keeps the table of joints that clients are told: what each was made with, and what the game has
+ * changed about it since. Ticks in which no joint comes or goes cost a look at one number for each.
+ * The room's thread; allocates only to grow.
  */
 final class JointCapture {
   private final Simulation simulation;
@@ -22,6 +24,9 @@ final class JointCapture {
   private final int[] definition = new int[JointDefRow.INTS];
   private long version;
   private int limit;
+
+  /** By index: how often its settings had been changed when it was captured last. */
+  private int[] changes = {};
 
   JointCapture(Simulation simulation) {
     this.simulation = simulation;
@@ -41,24 +46,33 @@ final class JointCapture {
   /** Takes over the joints after the simulation's last step. */
   void capture() {
     JointTable<Entity> joints = simulation.joints();
-    if (joints.version() == version) {
-      return;
-    }
+    boolean isNew = joints.version() != version;
     version = joints.version();
     limit = Math.max(limit, joints.limit());
+    if (changes.length < limit) {
+      changes = Arrays.copyOf(changes, 2 * limit);
+    }
     for (int i = 0; i < limit; i++) {
       Joint<Entity> joint = i < joints.limit() ? joints.get(i) : null;
       if (joint == null) {
         table.remove(i, simulation.tick());
-        continue;
+      } else if (isNew || simulation.world().jointChanges(i) != changes[i]) {
+        capture(i, joint);
       }
-      joints.definition(i, definition, 0);
-      int endA = end(joint.bodyA());
-      int endB = end(joint.bodyB());
-      JointWords.put(words, endA, endB, joints.root(i), joints.number(i), definition, 0);
-      int generation = JointTable.generation(joints.key(i));
-      table.put(i, generation, words, 0, simulation.tick());
     }
+  }
+
+  private void capture(int index, Joint<Entity> joint) {
+    JointTable<Entity> joints = simulation.joints();
+    changes[index] = simulation.world().jointChanges(index);
+    joints.definition(index, definition, 0);
+    int endA = end(joint.bodyA());
+    int endB = end(joint.bodyB());
+    JointWords.put(words, endA, endB, joints.root(index), joints.number(index), definition, 0);
+    simulation.world().readJoint(joint, definition, 0);
+    JointWords.putSettings(words, definition);
+    int generation = JointTable.generation(joints.key(index));
+    table.put(index, generation, words, 0, simulation.tick());
   }
 
   private static int end(Body<Entity> body) {

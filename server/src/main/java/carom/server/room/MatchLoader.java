@@ -75,7 +75,7 @@ final class MatchLoader {
       }
       int number = built.incrementAndGet();
       long seed = room.seed() + (long) SEED_STEP * (number - 1);
-      return new Match(number, game, level, seed, config, label, counters);
+      return new Match(room.name(), number, game, level, seed, config, label, counters);
     } catch (LevelException e) {
       throw new Unplayable(e.getMessage(), null); // which says all
     } catch (IllegalArgumentException e) {

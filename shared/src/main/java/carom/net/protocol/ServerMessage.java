@@ -2,6 +2,7 @@ package carom.net.protocol;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 
 /**
  * A message from the server to a client, sent reliably and in order. It is plain data with sizes
@@ -11,13 +12,14 @@ public sealed interface ServerMessage {
 
   /**
    * Admits a client and gives it what it needs to load the level and to predict. A client that
-   * plays receives another one when its room goes on with another level or game: it keeps its
-   * secret and id, and has to load again.
+   * plays receives another one when its room goes on with another level or game, or when it changes
+   * the room: it keeps its secret, and has to load again.
    *
    * @param sessionSecret proves the client's identity when it resumes the session; never 0
    * @param datagramKey first 32 bits of each input datagram, and the key of the snapshots' checksum
    * @param playerId 0..1,023
    * @param tickRate ticks per second, {@link Limits#MIN_TICK_RATE}..{@link Limits#MAX_TICK_RATE}
+   * @param room name of the room; another than before if the player has changed the room
    * @param match counts the room's matches from 1 on; ticks begin at 0 in each
    * @param tick the server's tick when it sent this
    * @param seed seed of the simulation
@@ -36,6 +38,7 @@ public sealed interface ServerMessage {
       int datagramKey,
       int playerId,
       int tickRate,
+      String room,
       int match,
       int tick,
       long seed,
@@ -137,6 +140,41 @@ public sealed interface ServerMessage {
       return name.isEmpty();
     }
   }
+
+  /**
+   * Lists rooms, in answer to {@link ClientMessage.ListRooms}. A long list takes several messages.
+   *
+   * @param left number of rooms that follow in further messages
+   * @param rooms at most {@link Limits#MAX_LISTED_ROOMS}
+   */
+  record RoomList(int left, List<RoomEntry> rooms) implements ServerMessage {
+    /** Copies the list. */
+    public RoomList {
+      rooms = List.copyOf(rooms);
+    }
+  }
+
+  /**
+   * One room of a {@link RoomList}.
+   *
+   * @param name see {@link RoomName}
+   * @param game name of the game that it plays
+   * @param level name of the level, for people
+   * @param phase what the match is at, for people; empty if the game doesn't say
+   * @param players number of places that are taken
+   * @param places number of places
+   * @param spectators number of spectators
+   * @param metadata what players can choose the room by, see {@link RoomName#metadataProblem}
+   */
+  record RoomEntry(
+      String name,
+      String game,
+      String level,
+      String phase,
+      int players,
+      int places,
+      int spectators,
+      Map<String, String> metadata) {}
 
   /**
    * Shows a line on the player's screen.

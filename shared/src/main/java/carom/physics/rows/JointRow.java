@@ -132,5 +132,30 @@ public final class JointRow {
   /** Number of ints of a row. */
   public static final int INTS = LOADS + LOAD_INTS;
 
+  /** By int of {@link #SETTINGS}: where the definition has it. */
+  private static final int[] DEFINED = {
+    JointDefRow.FLAGS,
+    JointDefRow.MOTOR_SPEED,
+    JointDefRow.MOTOR_MAX,
+    JointDefRow.LOWER,
+    JointDefRow.UPPER,
+    JointDefRow.HERTZ,
+    JointDefRow.DAMPING,
+    JointDefRow.REST,
+    JointDefRow.ANCHOR_AX,
+    JointDefRow.ANCHOR_AY,
+    JointDefRow.REF_COS,
+    JointDefRow.REF_SIN
+  };
+
   private JointRow() {}
+
+  /**
+   * Returns the field of {@link JointDefRow} that has a setting.
+   *
+   * @param setting 0..{@link #SETTING_INTS} - 1, a number of {@link #SETTINGS}
+   */
+  public static int definedBy(int setting) {
+    return DEFINED[setting];
+  }
 }

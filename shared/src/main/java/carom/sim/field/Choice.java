@@ -36,6 +36,16 @@ public final class Choice<E extends Enum<E>> extends Field<Choice<E>> {
     return startingWith(constant.ordinal());
   }
 
+  @Override
+  public Choice<E> startsFrom(Object value) {
+    for (E constant : constants) {
+      if (constant.name().equals(value)) {
+        return startsAt(constant);
+      }
+    }
+    throw outside(value, "");
+  }
+
   /** Returns the constant of a word. */
   E decode(int word) {
     return constants[word];

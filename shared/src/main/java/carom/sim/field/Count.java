@@ -31,6 +31,14 @@ public final class Count extends IntField<Count> {
   }
 
   @Override
+  public Count startsFrom(Object value) {
+    if (value instanceof Double number && number == number.intValue()) {
+      return startsAt(number.intValue());
+    }
+    throw outside(value, "");
+  }
+
+  @Override
   int decode(int word, int tick) {
     return word;
   }

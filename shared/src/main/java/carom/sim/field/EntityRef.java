@@ -1,5 +1,7 @@
 package carom.sim.field;
 
+import carom.sim.spawn.Origin;
+
 /**
  * A field for an entity, see {@link Field#entity}. It knows the entity's id and generation, so it
  * never means another entity that was given the id later.
@@ -22,10 +24,18 @@ public final class EntityRef extends Field<EntityRef> {
     return (generation << 16 | id) + 1;
   }
 
+  /** Returns the id in a word less 1. What a client's input spawned has its origin for an id. */
+  static int id(int key) {
+    return Origin.isProvisional(key) ? key : key & 0xffff;
+  }
+
+  /** Returns the generation in a word less 1. */
+  static int generation(int key) {
+    return Origin.isProvisional(key) ? 0 : key >>> 16;
+  }
+
   @Override
   public String show(int word) {
-    return word == 0
-        ? "none"
-        : "entity " + ((word - 1) & 0xffff) + " generation " + ((word - 1) >>> 16);
+    return word == 0 ? "none" : "entity " + id(word - 1) + " generation " + generation(word - 1);
   }
 }

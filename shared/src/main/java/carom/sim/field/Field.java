@@ -204,6 +204,22 @@ public abstract class Field<F extends Field<F>> {
     return with(spec.times(count));
   }
 
+  /**
+   * Returns the same field with another start, which a level file gives.
+   *
+   * @param value a {@code Double}, {@code Boolean} or {@code String}
+   * @throws IllegalArgumentException if the field can't begin with that
+   */
+  public F startsFrom(Object value) {
+    throw new IllegalArgumentException(
+        path() + "=" + value + " can't be set by a level; set it in Game.setUp");
+  }
+
+  /** Returns whether another field differs in nothing but its start. */
+  final boolean isLike(Field<?> other) {
+    return getClass() == other.getClass() && spec.equals(other.spec.startsAt(spec.start));
+  }
+
   /** Returns the same field with another word to start with, which must be in its range. */
   final F startingWith(int word) {
     return with(spec.startsAt(word));

@@ -243,7 +243,9 @@ public abstract class FieldHolder<E extends FieldHolder<E, P>, P extends FieldHo
   private E entity(int word) {
     FieldValues values = fieldValues();
     int key = values.read(word) - 1;
-    return key < 0 ? null : (E) values.store().references().entity(key & 0xffff, key >>> 16);
+    return key < 0
+        ? null
+        : (E) values.store().references().entity(EntityRef.id(key), EntityRef.generation(key));
   }
 
   @SuppressWarnings("unchecked") // the simulation that made the store has players of this class

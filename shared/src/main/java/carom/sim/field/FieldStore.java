@@ -1,6 +1,7 @@
 package carom.sim.field;
 
 import carom.sim.ruling.Findings;
+import java.util.List;
 import java.util.function.IntSupplier;
 
 /**
@@ -8,9 +9,9 @@ import java.util.function.IntSupplier;
  * the moment. The values themselves are with the players, the entities and the match.
  *
  * <p>A server takes every write but those of {@code Game.collision} and {@code Game.forces}. A
- * client takes the writes that it can foresee: those of {@code Game.input} to that player and its
- * body, of fields that players are told. It drops all others, and the server's word follows. One
- * thread; a write allocates nothing.
+ * client takes the writes that it can foresee: those of {@code Game.input} to that player, its body
+ * and what it spawned, of fields that players are told. It drops all others, and the server's word
+ * follows. One thread; a write allocates nothing.
  */
 public final class FieldStore {
   /** Finds what references mean; the simulation knows. */
@@ -34,11 +35,11 @@ public final class FieldStore {
   private final References<?, ?> references;
   private final long[] changes = new long[Scope.values().length];
   private final FieldValues[] shared = new FieldValues[Scope.values().length];
-  private final FieldValues ofLevel;
   private Writes rest = Writes.ALL;
   private Writes writes = Writes.ALL;
   private FieldValues own;
   private FieldValues ownBody;
+  private Object spawner;
   private boolean isInput;
   private String refuser;
   private FieldUse use;
@@ -53,9 +54,8 @@ public final class FieldStore {
     this.clock = clock;
     this.references = references;
     for (Scope scope : Scope.values()) {
-      shared[scope.ordinal()] = new FieldValues(this, scope, true);
+      shared[scope.ordinal()] = new FieldValues(this, scope, true, schema.starts(scope));
     }
-    ofLevel = new FieldValues(this, Scope.ENTITY, false);
   }
 
   /** Returns the declarations. */
@@ -65,13 +65,26 @@ public final class FieldStore {
 
   /** Creates the values of a player, an entity or the match, which begin as declared. */
   public FieldValues create(Scope scope) {
-    boolean empty = schema.words(scope) == 0;
-    return empty ? shared[scope.ordinal()] : new FieldValues(this, scope, true);
+    return create(scope, schema.starts(scope));
   }
 
-  /** Returns the values of static level geometry, which are as declared and can't be written. */
-  public FieldValues ofLevel() {
-    return ofLevel;
+  /**
+   * Creates values that begin otherwise.
+   *
+   * @param starts of {@link Schema#starts(Scope, List)}
+   */
+  public FieldValues create(Scope scope, int[] starts) {
+    boolean empty = schema.words(scope) == 0;
+    return empty ? shared[scope.ordinal()] : new FieldValues(this, scope, true, starts);
+  }
+
+  /**
+   * Creates the values of static level geometry, which can't be written.
+   *
+   * @param starts of {@link Schema#starts(Scope, List)}
+   */
+  public FieldValues createOfLevel(int[] starts) {
+    return new FieldValues(this, Scope.ENTITY, false, starts);
   }
 
   /**
@@ -103,8 +116,12 @@ public final class FieldStore {
     return use;
   }
 
-  /** Begins {@code Game.input} of a player. A client takes writes to these two. */
-  public void beginInput(FieldValues player, FieldValues body) {
+  /**
+   * Begins {@code Game.input} of a player. A client takes writes to these two, and to values whose
+   * {@link FieldValues#spawner} the player is.
+   */
+  public void beginInput(Object who, FieldValues player, FieldValues body) {
+    spawner = who;
     beginReading("input");
     writes = rest == Writes.NONE ? Writes.OWN : rest;
     own = player;
@@ -135,6 +152,7 @@ public final class FieldStore {
   public void end() {
     writes = rest;
     isInput = false;
+    spawner = null;
     if (use != null) {
       use.endReading();
     }
@@ -142,7 +160,13 @@ public final class FieldStore {
 
   /** Returns whether a client couldn't foresee a write to these values now. */
   boolean isRuling(FieldValues values) {
-    return !isInput || (values != own && values != ownBody);
+    return !isInput || !isOwn(values);
+  }
+
+  private boolean isOwn(FieldValues values) {
+    return values == own
+        || values == ownBody
+        || (values.spawner() != null && values.spawner() == spawner);
   }
 
   /**
@@ -155,7 +179,7 @@ public final class FieldStore {
       case ALL:
         return true;
       case OWN:
-        return (values == own || values == ownBody) && word < schema.toldWords(values.scope());
+        return isOwn(values) && word < schema.toldWords(values.scope());
       case NONE:
         return false;
       default:

@@ -11,26 +11,45 @@ public final class FieldValues {
   private final FieldStore store;
   private final Scope scope;
   private final boolean writable;
+  private final int[] starts;
   private final int[] words;
   private long stamp;
   private long ruled;
 
+  /** The player whose input spawned what the values belong to, or null. */
+  private Object spawner;
+
   /** By word: how often rules write it; null where they never did. */
   private Habit[] habits;
 
-  FieldValues(FieldStore store, Scope scope, boolean writable) {
+  /**
+   * Creates values that are as at the start.
+   *
+   * @param starts what each word begins with; shared, never changed
+   */
+  FieldValues(FieldStore store, Scope scope, boolean writable, int[] starts) {
     this.store = store;
     this.scope = scope;
     this.writable = writable;
-    words = new int[store.schema().words(scope)];
-    for (int i = 0; i < words.length; i++) {
-      words[i] = store.schema().field(scope, i).start();
-    }
+    this.starts = starts;
+    words = starts.clone();
   }
 
   /** Returns what these words belong to. */
   public Scope scope() {
     return scope;
+  }
+
+  /** Returns the player whose {@code Game.input} spawned what the values belong to, or null. */
+  public Object spawner() {
+    return spawner;
+  }
+
+  /** Sets the player whose {@code Game.input} spawned what the values belong to; not saved. */
+  public void spawner(Object player) {
+    if (words.length > 0) { // without words many share one object
+      spawner = player;
+    }
   }
 
   /** Returns the number of words. */
@@ -41,6 +60,11 @@ public final class FieldValues {
   /** Returns a word. */
   public int word(int index) {
     return words[index];
+  }
+
+  /** Returns what a word was when the values were created. */
+  public int start(int index) {
+    return starts[index];
   }
 
   /** Returns a word that a game asks for. */
@@ -127,7 +151,7 @@ public final class FieldValues {
   /** Sets all words to their start values, as a game asks for it. */
   void reset() {
     for (int i = 0; i < words.length; i++) {
-      write(i, store.schema().field(scope, i).start());
+      write(i, starts[i]);
     }
   }
 
@@ -136,6 +160,15 @@ public final class FieldValues {
     for (int word : store.schema().playerWords(scope)) {
       if (words[word] == playerId + 1) {
         put(word, 0);
+      }
+    }
+  }
+
+  /** Lets fields mean another entity instead of one, both as {@link EntityRef#word} has them. */
+  public void replaceEntity(int word, int by) {
+    for (int i = 0; i < words.length; i++) {
+      if (words[i] == word && store.schema().field(scope, i) instanceof EntityRef) {
+        put(i, by);
       }
     }
   }

@@ -17,6 +17,14 @@ public final class Flag extends Field<Flag> {
   }
 
   @Override
+  public Flag startsFrom(Object value) {
+    if (value instanceof Boolean truth) {
+      return startsAt(truth);
+    }
+    throw outside(value, "; write true or false");
+  }
+
+  @Override
   public String show(int word) {
     return Boolean.toString(word != 0);
   }

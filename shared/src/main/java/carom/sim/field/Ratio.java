@@ -39,6 +39,14 @@ public final class Ratio extends FloatField<Ratio> {
   }
 
   @Override
+  public Ratio startsFrom(Object value) {
+    if (value instanceof Double number) {
+      return startsAt(number.floatValue());
+    }
+    throw outside(value, "; write a number");
+  }
+
+  @Override
   float decode(int word) {
     return (float) word / max();
   }

@@ -21,6 +21,14 @@ public final class Real extends FloatField<Real> {
   }
 
   @Override
+  public Real startsFrom(Object value) {
+    if (value instanceof Double number) {
+      return startsAt(number.floatValue());
+    }
+    throw outside(value, "; write a number");
+  }
+
+  @Override
   float decode(int word) {
     return Float.intBitsToFloat(word);
   }

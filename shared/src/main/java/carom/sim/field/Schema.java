@@ -23,7 +23,7 @@ public final class Schema {
 
   /** Words of one scope. */
   @SuppressWarnings("ArrayRecordComponent") // never compared
-  private record Layout(Field<?>[] fields, int[] indices, int told, int[] players) {}
+  private record Layout(Field<?>[] fields, int[] indices, int told, int[] players, int[] starts) {}
 
   private final List<Field<?>> declared;
   private final List<String> lines;
@@ -113,18 +113,20 @@ public final class Schema {
     Field<?>[] fields = new Field<?>[(int) size];
     int[] indices = new int[(int) size];
     int[] players = new int[(int) size];
+    int[] starts = new int[(int) size];
     int playerCount = 0;
     for (Field<?> field : order) {
       for (int i = 0; i < field.times(); i++) {
         int word = offsets[field.id() - firstId] + i;
         fields[word] = field;
         indices[word] = i;
+        starts[word] = field.start();
         if (field instanceof PlayerRef) {
           players[playerCount++] = word;
         }
       }
     }
-    return new Layout(fields, indices, told, Arrays.copyOf(players, playerCount));
+    return new Layout(fields, indices, told, Arrays.copyOf(players, playerCount), starts);
   }
 
   private static void requireNewName(List<Field<?>> order, int at) {
@@ -165,6 +167,45 @@ public final class Schema {
   public String name(Scope scope, int word) {
     Field<?> field = field(scope, word);
     return field.times() == 1 ? field.path() : field.path() + "[" + index(scope, word) + "]";
+  }
+
+  /** Returns the words with which the targets of a scope begin. The array is the live one. */
+  int[] starts(Scope scope) {
+    return layouts[scope.ordinal()].starts;
+  }
+
+  /**
+   * Returns the words with which targets of a kind of their own begin.
+   *
+   * @param changed declared fields with another start
+   * @return a new array; the live one if nothing changes
+   * @throws IllegalArgumentException if a field isn't declared in this scope, or otherwise
+   */
+  public int[] starts(Scope scope, List<? extends Field<?>> changed) {
+    int[] starts = changed.isEmpty() ? starts(scope) : starts(scope).clone();
+    for (Field<?> field : changed) {
+      Field<?> mine = find(scope, field.name());
+      if (mine == null || !mine.isLike(field)) {
+        throw new IllegalArgumentException(
+            "field \""
+                + field
+                + "\" isn't declared"
+                + (mine == null ? "; return it from Game.fields" : " so, but as \"" + mine + "\""));
+      }
+      int word = word(mine, scope, 0);
+      Arrays.fill(starts, word, word + mine.times(), field.start());
+    }
+    return starts;
+  }
+
+  /** Returns the field of a name in a scope, or null. */
+  public Field<?> find(Scope scope, String name) {
+    for (Field<?> field : declared) {
+      if (field.scope() == scope && field.name().equals(name)) {
+        return field;
+      }
+    }
+    return null;
   }
 
   /** Returns the words of a scope that mean players. The array is the live one. */

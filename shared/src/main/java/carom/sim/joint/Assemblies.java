@@ -28,8 +28,8 @@ public final class Assemblies {
    * Registers an assembly and the archetypes of its bodies. Call it in {@code Game.setUp} only.
    *
    * @throws IllegalStateException after set-up
-   * @throws IllegalArgumentException if it has no body, or a joint of a kind that depends on where
-   *     the assembly is
+   * @throws IllegalArgumentException if it has no body, or a joint that holds others than it is
+   *     given
    */
   public Assembly add(AssemblyDef def) {
     Assembly assembly = new Assembly(def, archetypes);

@@ -4,7 +4,6 @@ import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.Joint;
 import carom.physics.JointDef;
-import carom.physics.JointType;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.rows.JointDefRow;
@@ -57,15 +56,6 @@ public final class Assembly {
       Joint<Object> joint = world.createJoint(how);
       if (joint.bodyA() != bodies.get(link.a()) || joint.bodyB() != bodies.get(link.b())) {
         throw def.wrong("joint=" + link.name() + " must hold the two bodies it is given");
-      }
-      if (joint.type() == JointType.PULLEY || joint.type() == JointType.GEAR) {
-        throw def.wrong(
-            "joint="
-                + link.name()
-                + " is a "
-                + joint.type()
-                + ", which depends on where the"
-                + " assembly is; connect it after spawning");
       }
       world.readJoint(joint, definitions, i * JointDefRow.INTS);
     }
@@ -158,8 +148,8 @@ public final class Assembly {
   }
 
   /**
-   * Returns the definitions of all joints, {@link JointDefRow#INTS} ints each: the live array,
-   * which must not be changed.
+   * Returns the definitions of all joints in the assembly's frame, {@link JointDefRow#INTS} ints
+   * each: the live array, which must not be changed.
    */
   public int[] definitions() {
     return definitions;

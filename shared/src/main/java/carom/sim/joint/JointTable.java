@@ -2,9 +2,11 @@ package carom.sim.joint;
 
 import carom.physics.Body;
 import carom.physics.Joint;
+import carom.physics.JointType;
 import carom.physics.World;
 import carom.physics.archive.Archive;
 import carom.physics.math.StateHash;
+import carom.physics.math.Transform;
 import carom.physics.rows.JointDefRow;
 import carom.physics.rows.JointRow;
 import carom.sim.level.Level;
@@ -63,6 +65,8 @@ public final class JointTable<T> {
     }
   }
 
+  private static final Transform HERE = new Transform();
+
   private final World<T> world;
   private final boolean isAuthority;
 
@@ -71,6 +75,9 @@ public final class JointTable<T> {
 
   private long version;
   private long lastVersion;
+
+  /** The definition of a joint that is placed or moved. */
+  private final int[] placed = new int[JointDefRow.INTS];
 
   // What the next joint is, if it was announced.
   private boolean announced;
@@ -155,6 +162,73 @@ public final class JointTable<T> {
     } finally {
       announced = false;
     }
+  }
+
+  /**
+   * Creates a joint of an assembly that is spawned.
+   *
+   * @param pose of the assembly's frame
+   * @param root the id of the assembly's root
+   * @param number which joint of it
+   * @param a a body, where it is spawned
+   * @param b another body, where it is spawned
+   * @param definition what it is made with in the assembly's frame
+   * @param at where that begins
+   */
+  public Joint<T> place(
+      Transform pose, int root, int number, Body<T> a, Body<T> b, int[] definition, int at) {
+    System.arraycopy(definition, at, placed, 0, JointDefRow.INTS);
+    moveBases(a, b, HERE, pose);
+    return create(0, root, number, a, b, placed, 0);
+  }
+
+  /**
+   * Makes the gears and pulleys of an assembly anew after it was moved rigidly. What they refer to
+   * moves along: of a gear the rotations from which it counts, of a pulley the points over which
+   * its ropes run. Does nothing on a client, which takes the server's new joints over.
+   */
+  public void assemblyMoved(int root, Transform before, Transform after) {
+    for (int i = 0; isAuthority && i < limit(); i++) {
+      Joint<T> joint = world.joint(i);
+      if (joint != null && root(i) == root && isPlaced(joint.type())) {
+        Body<T> a = joint.bodyA();
+        Body<T> b = joint.bodyB();
+        int number = number(i);
+        world.readJoint(joint, placed, 0);
+        moveBases(a, b, before, after);
+        world.destroyJoint(joint);
+        create(0, root, number, a, b, placed, 0);
+      }
+    }
+  }
+
+  /** Returns whether joints of a type refer to more than the frames of their bodies. */
+  private static boolean isPlaced(JointType type) {
+    return type == JointType.GEAR || type == JointType.PULLEY;
+  }
+
+  private void moveBases(Body<T> a, Body<T> b, Transform before, Transform after) {
+    int type = placed[JointDefRow.TYPE];
+    if (type == JointType.GEAR.ordinal()) {
+      setNumbers(JointDefRow.BASE_AX, a.cos(), a.sin());
+      setNumbers(JointDefRow.BASE_BX, b.cos(), b.sin());
+    } else if (type == JointType.PULLEY.ordinal()) {
+      moveBase(JointDefRow.BASE_AX, before, after);
+      moveBase(JointDefRow.BASE_BX, before, after);
+    }
+  }
+
+  private void moveBase(int field, Transform before, Transform after) {
+    float x = Float.intBitsToFloat(placed[field]) - before.x;
+    float y = Float.intBitsToFloat(placed[field + 1]) - before.y;
+    float c = after.cos * before.cos + after.sin * before.sin;
+    float s = after.sin * before.cos - after.cos * before.sin;
+    setNumbers(field, after.x + c * x - s * y, after.y + s * x + c * y);
+  }
+
+  private void setNumbers(int field, float x, float y) {
+    placed[field] = Float.floatToRawIntBits(x);
+    placed[field + 1] = Float.floatToRawIntBits(y);
   }
 
   /**

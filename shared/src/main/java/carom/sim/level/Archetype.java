@@ -8,7 +8,10 @@ import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import carom.sim.OneWay;
+import carom.sim.field.Field;
 import carom.sim.field.Ratio;
+import carom.sim.field.Schema;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -111,6 +114,21 @@ public final class Archetype {
   /** Returns the entity field that says how strong {@link #area} is, or null if it always is. */
   public Ratio areaPower() {
     return def.areaPower;
+  }
+
+  /**
+   * Returns the entity fields that don't begin as declared, each with its start.
+   *
+   * @param schema the game's fields
+   * @throws IllegalArgumentException if the level starts a field that the game doesn't declare, or
+   *     with a value that it can't hold
+   */
+  public List<Field<?>> starts(Schema schema) {
+    List<Field<?>> all = new ArrayList<>(def.starts);
+    for (LevelField field : def.levelFields) {
+      all.add(field.of(schema));
+    }
+    return all;
   }
 
   /** Returns how its entities are drawn. */

@@ -5,6 +5,7 @@ import carom.physics.Material;
 import carom.physics.geometry.Shape;
 import carom.sim.OneWay;
 import carom.sim.event.Audience;
+import carom.sim.field.Field;
 import carom.sim.field.Ratio;
 import carom.sim.field.Scope;
 import java.util.ArrayList;
@@ -38,6 +39,8 @@ public final class ArchetypeDef {
   Appearance appearance = Appearance.DEFAULT;
   Area area;
   Ratio areaPower;
+  final List<Field<?>> starts = new ArrayList<>();
+  final List<LevelField> levelFields = new ArrayList<>();
 
   /**
    * Creates a dynamic archetype without shapes. The name is for people and for {@link
@@ -64,6 +67,8 @@ public final class ArchetypeDef {
     appearance = d.appearance;
     area = d.area;
     areaPower = d.areaPower;
+    starts.addAll(d.starts);
+    levelFields.addAll(d.levelFields);
   }
 
   /** Sets whether the bodies are static, kinematic or dynamic; dynamic by default. */
@@ -166,6 +171,17 @@ public final class ArchetypeDef {
     }
     area = value;
     areaPower = power;
+    return this;
+  }
+
+  /**
+   * Sets with what fields of the entities begin, where that isn't as declared: {@code
+   * starts(HEALTH.startsAt(500))}. All values of a field with several begin so.
+   *
+   * @param fields of entities; declared but for their start
+   */
+  public ArchetypeDef starts(Field<?>... fields) {
+    starts.addAll(List.of(fields));
     return this;
   }
 

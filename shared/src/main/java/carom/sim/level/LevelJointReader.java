@@ -1,5 +1,6 @@
 package carom.sim.level;
 
+import carom.json.Json;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Joint;

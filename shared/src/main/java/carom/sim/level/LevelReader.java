@@ -1,5 +1,7 @@
 package carom.sim.level;
 
+import carom.json.Json;
+import carom.json.JsonException;
 import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.effects.Attractor;
@@ -12,6 +14,7 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
+import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -75,19 +78,9 @@ final class LevelReader {
           "tag",
           "repeat");
   static final List<String> BODY =
-      List.of(
-          "name",
-          "at",
-          "angle",
-          "shape",
-          "material",
-          "color",
-          "outline",
-          "look",
-          "oneWay",
-          "sensor",
-          "tag",
-          "repeat",
+      with(
+          STATIC,
+          "fields",
           "type",
           "linearDamping",
           "angularDamping",
@@ -96,18 +89,14 @@ final class LevelReader {
           "motion",
           "spin",
           "area");
-  static final List<String> WATER =
-      List.of(
-          "type", "name", "tag", "color", "min", "max", "density", "drag", "angularDrag", "flow");
-  static final List<String> WIND =
-      List.of("type", "name", "tag", "color", "min", "max", "velocity", "rate");
-  static final List<String> GRAVITY =
-      List.of("type", "name", "tag", "color", "min", "max", "gravity");
-  static final List<String> DRAG =
-      List.of("type", "name", "tag", "color", "min", "max", "drag", "angularDrag");
+  private static final List<String> AREA = List.of("type", "name", "tag", "color");
+  private static final List<String> BOX_AREA = with(AREA, "min", "max");
+  static final List<String> WATER = with(BOX_AREA, "density", "drag", "angularDrag", "flow");
+  static final List<String> WIND = with(BOX_AREA, "velocity", "rate");
+  static final List<String> GRAVITY = with(BOX_AREA, "gravity");
+  static final List<String> DRAG = with(BOX_AREA, "drag", "angularDrag");
   static final List<String> ATTRACTOR =
-      List.of(
-          "type", "name", "tag", "color", "at", "range", "strength", "swirl", "falloff", "core");
+      with(AREA, "at", "range", "strength", "swirl", "falloff", "core");
   static final List<String> AREAS = List.of("water", "wind", "gravity", "drag", "attractor");
   static final List<String> FALLOFFS = List.of("constant", "linear", "inverseSquare");
   static final List<String> CIRCLE = List.of("type", "radius", "at");
@@ -149,7 +138,7 @@ final class LevelReader {
 
   LevelReader(String file, byte[] bytes) throws LevelException {
     this.file = file;
-    readRoot(Json.parse(file, bytes));
+    readRoot(parse(file, bytes));
   }
 
   private void readRoot(Json root) throws LevelException {
@@ -363,7 +352,7 @@ final class LevelReader {
     knownFields(node, known);
     boolean isStatic = known == STATIC;
     Json bodyName = node.fields.get("name");
-    ArchetypeDef def = new ArchetypeDef(bodyName == null ? node.path : text(bodyName));
+    ArchetypeDef def = new ArchetypeDef(bodyName == null ? node.path() : text(bodyName));
     float[] at = vector(required(node, "at"), MAX_COORDINATE);
     float angle = number(node, "angle", 0, -360, 360) * RAD_PER_DEGREE;
     Material material = material(node.fields.get("material"));
@@ -397,6 +386,7 @@ final class LevelReader {
     def.angularDamping(number(node, "angularDamping", 0, 0, 100));
     def.gravityScale(number(node, "gravityScale", 1, -10, 10));
     def.fixedRotation(bool(node, "fixedRotation", false));
+    readFields(node.fields.get("fields"), def);
     Json area = node.fields.get("area");
     def.area(area == null ? null : area(area));
     def.spin(number(node, "spin", 0, -1080, 1080) * RAD_PER_DEGREE);
@@ -423,6 +413,25 @@ final class LevelReader {
     }
     if (motion != null && node.fields.containsKey("repeat")) {
       throw wrong(motion, " belongs to one body only; remove \"repeat\"");
+    }
+  }
+
+  private void readFields(Json node, ArchetypeDef def) throws LevelException {
+    if (node == null) {
+      return;
+    }
+    require(node, Json.Kind.OBJECT);
+    for (Map.Entry<String, Json> field : node.fields.entrySet()) {
+      Json value = field.getValue();
+      Object start =
+          switch (value.kind) {
+            case NUMBER -> value.number;
+            case BOOLEAN -> value.truth;
+            case STRING -> value.text;
+            default -> throw wrong(value, " must be a number, true or false, or a text");
+          };
+      String where = file + ":" + value.line + ":" + value.column + ": " + value.path();
+      def.levelFields.add(new LevelField(where, field.getKey(), start));
     }
   }
 
@@ -686,7 +695,7 @@ final class LevelReader {
     require(parent, Json.Kind.OBJECT);
     Json node = parent.fields.get(field);
     if (node == null) {
-      String path = parent.path.isEmpty() ? field : parent.path + "." + field;
+      String path = parent.path().isEmpty() ? field : parent.path() + "." + field;
       throw new LevelException(file, parent.line, parent.column, path, " is missing");
     }
     return node;
@@ -696,7 +705,7 @@ final class LevelReader {
     if (node.kind != kind) {
       throw wrong(
           node,
-          (node.path.isEmpty() ? "the file holds " : "=")
+          (node.path().isEmpty() ? "the file holds " : "=")
               + node.shown()
               + ", must be "
               + kind.words);
@@ -711,12 +720,26 @@ final class LevelReader {
   }
 
   LevelException wrong(Json node, String problem) {
-    return new LevelException(file, node.line, node.column, node.path, problem);
+    return new LevelException(file, node.line, node.column, node.path(), problem);
   }
 
   /** Returns a number as people write it: 0.05, but 2000 rather than 2000.0. */
   private static String plain(float value) {
     return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
+  }
+
+  private static Json parse(String file, byte[] bytes) throws LevelException {
+    try {
+      return Json.parse(bytes);
+    } catch (JsonException e) {
+      throw new LevelException(file, e.line(), e.column(), e.path(), e.getMessage());
+    }
+  }
+
+  private static List<String> with(List<String> base, String... more) {
+    List<String> all = new ArrayList<>(base);
+    all.addAll(List.of(more));
+    return List.copyOf(all);
   }
 
   private static List<String> looks() {

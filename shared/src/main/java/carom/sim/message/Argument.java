@@ -1,5 +1,6 @@
 package carom.sim.message;
 
+import carom.text.Texts;
 import java.util.List;
 
 /**

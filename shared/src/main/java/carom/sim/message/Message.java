@@ -1,5 +1,7 @@
 package carom.sim.message;
 
+import carom.text.Texts;
+
 /**
  * A message of a {@link MessageKind} with a value for each argument, made by {@link
  * MessageKind#of}. It never changes; any thread may read it.

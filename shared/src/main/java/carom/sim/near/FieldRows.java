@@ -20,16 +20,14 @@ final class FieldRows {
   /** The first chunk of the words of a player; those of an entity come before. */
   private static final int OF_PLAYER = Scope.ENTITY.mostWords() / FieldRow.WORD_INTS;
 
-  /** The words of a scope: what they are at the start, and who knows them. */
+  /** The words of a scope that players are told: how many, and which all near know. */
   @SuppressWarnings("ArrayRecordComponent") // never compared
-  private record Words(int[] start, boolean[] shared) {
+  private record Words(int count, boolean[] shared) {
     static Words of(Schema schema, Scope scope) {
       int told = schema.toldWords(scope);
-      Words words = new Words(new int[told], new boolean[told]);
+      Words words = new Words(told, new boolean[told]);
       for (int i = 0; i < told; i++) {
-        Field<?> field = schema.field(scope, i);
-        Audience audience = field.audience();
-        words.start[i] = field.start();
+        Audience audience = schema.field(scope, i).audience();
         words.shared[i] = audience == Audience.NEAR || audience == Audience.ALL;
       }
       return words;
@@ -78,12 +76,12 @@ final class FieldRows {
       return; // as at the start
     }
     boolean all = knowsAll(owner);
-    for (int from = 0; from < words.start.length; from += FieldRow.WORD_INTS) {
+    for (int from = 0; from < words.count; from += FieldRow.WORD_INTS) {
       int any = 0;
       for (int i = 0; i < FieldRow.WORD_INTS; i++) {
         int word = from + i;
-        boolean known = word < words.start.length && (all || words.shared[word]);
-        int difference = known ? values.word(word) - words.start[word] : 0;
+        boolean known = word < words.count && (all || words.shared[word]);
+        int difference = known ? values.word(word) - values.start(word) : 0;
         row[FieldRow.WORDS + i] = difference;
         any |= difference;
       }
@@ -101,9 +99,9 @@ final class FieldRows {
   /** Makes all words of another player that the viewer knows what they are at the start. */
   void reset(Schema of, Player player) {
     use(of);
-    for (int word = 0; player.id() != viewer && word < ofPlayer.start.length; word++) {
+    for (int word = 0; player.id() != viewer && word < ofPlayer.count; word++) {
       if (viewer < 0 || ofPlayer.shared[word]) {
-        player.fieldValues().mirror(word, ofPlayer.start[word]);
+        player.fieldValues().mirror(word, player.fieldValues().start(word));
       }
     }
   }
@@ -127,8 +125,8 @@ final class FieldRows {
     Words words = isOfPlayer ? ofPlayer : ofEntity;
     FieldValues values = isOfPlayer ? owner.fieldValues() : entity.fieldValues();
     int first = (isOfPlayer ? chunk - OF_PLAYER : chunk) * FieldRow.WORD_INTS;
-    for (int i = 0; i < FieldRow.WORD_INTS && first + i < words.start.length; i++) {
-      int value = words.start[first + i] + from[at + FieldRow.WORDS + i];
+    for (int i = 0; i < FieldRow.WORD_INTS && first + i < words.count; i++) {
+      int value = values.start(first + i) + from[at + FieldRow.WORDS + i];
       Field<?> field = of.field(scope, first + i);
       if (value >= field.min() && value <= field.max()) {
         values.mirror(first + i, value);

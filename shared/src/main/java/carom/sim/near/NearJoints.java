@@ -3,7 +3,6 @@ package carom.sim.near;
 import carom.physics.Body;
 import carom.physics.Joint;
 import carom.physics.rows.ExactRows;
-import carom.physics.rows.JointDefRow;
 import carom.physics.rows.JointRow;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
@@ -18,22 +17,6 @@ import carom.sim.joint.JointTable;
  * (exclusive or). They are zero unless the game changed them, so they cost next to nothing to send.
  */
 final class NearJoints {
-  /** By int of {@link JointRow#SETTINGS}: where the definition has it. */
-  private static final int[] DEFINED = {
-    JointDefRow.FLAGS,
-    JointDefRow.MOTOR_SPEED,
-    JointDefRow.MOTOR_MAX,
-    JointDefRow.LOWER,
-    JointDefRow.UPPER,
-    JointDefRow.HERTZ,
-    JointDefRow.DAMPING,
-    JointDefRow.REST,
-    JointDefRow.ANCHOR_AX,
-    JointDefRow.ANCHOR_AY,
-    JointDefRow.REF_COS,
-    JointDefRow.REF_SIN
-  };
-
   private final int[] definition = new int[JointDefinitions.INTS];
 
   NearJoints() {}
@@ -51,8 +34,8 @@ final class NearJoints {
   private static void toggle(JointTable<Entity> table, ExactRows rows, int row) {
     int[] ints = rows.joints().ints();
     int at = rows.joints().at(row) + JointRow.SETTINGS;
-    for (int i = 0; i < DEFINED.length; i++) {
-      ints[at + i] ^= table.definition(rows.jointSlot(row), DEFINED[i]);
+    for (int i = 0; i < JointRow.SETTING_INTS; i++) {
+      ints[at + i] ^= table.definition(rows.jointSlot(row), JointRow.definedBy(i));
     }
   }
 

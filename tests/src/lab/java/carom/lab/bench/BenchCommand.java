@@ -4,7 +4,7 @@ import carom.lab.measure.BenchJob;
 import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.options.BadFlag;
-import carom.sim.level.Suggestion;
+import carom.text.Suggestion;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.lang.module.ModuleFinder;

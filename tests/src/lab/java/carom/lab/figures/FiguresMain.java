@@ -2,7 +2,7 @@ package carom.lab.figures;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
-import carom.sim.level.Suggestion;
+import carom.text.Suggestion;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.json.Json;
 import carom.sim.SchemaChecker;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -273,9 +274,7 @@ class LevelTest {
         tests.add(
             DynamicTest.dynamicTest(
                 c.name,
-                () ->
-                    assertNotEquals(
-                        "", schema.check(Json.parse("t.json", c.json.getBytes(UTF_8))))));
+                () -> assertNotEquals("", schema.check(Json.parse(c.json.getBytes(UTF_8))))));
       }
     }
     return tests;
@@ -286,9 +285,9 @@ class LevelTest {
     SchemaChecker schema = SchemaChecker.levels();
     for (String name : List.of("arena", "commons", "lagoon", "platformer")) {
       Level level = Level.builtIn(name);
-      assertEquals("", schema.check(Json.parse(name, level.source())));
+      assertEquals("", schema.check(Json.parse(level.source())));
     }
-    assertEquals("", schema.check(Json.parse("t", (HEAD + "\"zones\": []}").getBytes(UTF_8))));
+    assertEquals("", schema.check(Json.parse((HEAD + "\"zones\": []}").getBytes(UTF_8))));
   }
 
   @Test
@@ -306,7 +305,7 @@ class LevelTest {
     assertEquals("Chain(points=3, loop=true)", shape(level, 0));
     assertEquals("Segment(0.0 0.0, 2.0 0.0)", shape(level, 1));
     assertEquals("Capsule(0.0 0.0, 0.0 1.0, radius=0.3)", shape(level, 2));
-    assertEquals("", SchemaChecker.levels().check(Json.parse("t", good)));
+    assertEquals("", SchemaChecker.levels().check(Json.parse(good)));
     byte[] bad = (HEAD + "\"bodies\": [" + lines + "]}").getBytes(UTF_8);
     String message =
         assertThrows(LevelException.class, () -> Level.parse("t.json", bad)).getMessage();
@@ -360,7 +359,7 @@ class LevelTest {
   }
 
   @Test
-  void refusesAFileBeyondOneMebibyte() {
+  void refusesAFileBeyondTheLimit() {
     LevelException e =
         assertThrows(
             LevelException.class, () -> Level.parse("t.json", new byte[Level.MAX_BYTES + 1]));
@@ -431,6 +430,18 @@ class LevelTest {
     assertArrayEquals(level.source(), again.source());
     assertEquals(level.contentHash(), again.contentHash());
     assertNotEquals(level.contentHash(), Level.builtIn("platformer").contentHash());
+  }
+
+  @Test
+  void aFileOfTooManyValuesIsRefusedBeforeItFillsTheMemory() {
+    for (String value : new String[] {"[],", "{},", "0,"}) {
+      byte[] bytes = ("[" + value.repeat(Json.MAX_NODES) + "0]").getBytes(UTF_8);
+      assertTrue(bytes.length < Level.MAX_BYTES);
+      LevelException e = assertThrows(LevelException.class, () -> Level.parse("t.json", bytes));
+      assertTrue(e.getMessage().contains("the file has more than 500000 values"), e.getMessage());
+    }
+    byte[] deep = "[".repeat(Json.MAX_DEPTH + 1).getBytes(UTF_8);
+    assertThrows(LevelException.class, () -> Level.parse("t.json", deep));
   }
 
   @Test

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.sim.message.MessageKind.Direction;
+import carom.text.Texts;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Random;

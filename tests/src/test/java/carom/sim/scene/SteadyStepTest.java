@@ -13,7 +13,12 @@ class SteadyStepTest {
   private static final int WINDOW = 20;
 
   /** Arrays that double, and vector kernels until they are compiled, end well before. */
-  private static final int MOST_WINDOWS = 150;
+  private static final int MOST_WINDOWS = 600;
+
+  /** From this window on each waits a little, as a busy machine may compile nothing meanwhile. */
+  private static final int PATIENT = 50;
+
+  private static final long WAIT_MS = 10;
 
   static Stream<Scene> scenes() {
     return Stream.of(
@@ -30,11 +35,14 @@ class SteadyStepTest {
 
   @ParameterizedTest
   @MethodSource("scenes")
-  void allocatesNothing(Scene scene) {
+  void allocatesNothing(Scene scene) throws InterruptedException {
     var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     SceneRun run = scene.start();
     long bytes = Long.MAX_VALUE;
     for (int window = 0; window < MOST_WINDOWS && bytes != 0; window++) {
+      if (window > PATIENT) {
+        Thread.sleep(WAIT_MS);
+      }
       long before = threads.getCurrentThreadAllocatedBytes();
       for (int i = 0; i < WINDOW; i++) {
         run.step();

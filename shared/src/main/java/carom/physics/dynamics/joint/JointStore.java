@@ -224,6 +224,9 @@ public final class JointStore {
   private final Stamp cold = new Stamp();
   private int version;
 
+  /** By slot: how often settings were changed; no part of the state. */
+  private int[] changes = {};
+
   /** Hash of what is cold, as it was at {@link #hashed}. */
   private long coldHash = hashCold();
 
@@ -327,6 +330,20 @@ public final class JointStore {
   public void coldChanged() {
     cold.change();
     version++;
+  }
+
+  /** Notes that a setting of a joint was changed. */
+  public void settingChanged(int slot) {
+    if (slot >= changes.length) {
+      changes = Arrays.copyOf(changes, type.length);
+    }
+    changes[slot]++;
+    coldChanged();
+  }
+
+  /** Returns how often settings of a slot's joints were changed. */
+  public int changes(int slot) {
+    return slot < changes.length ? changes[slot] : 0;
   }
 
   /**

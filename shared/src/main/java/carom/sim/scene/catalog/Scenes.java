@@ -1,7 +1,7 @@
 package carom.sim.scene.catalog;
 
-import carom.sim.level.Suggestion;
 import carom.sim.scene.Scene;
+import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeMap;

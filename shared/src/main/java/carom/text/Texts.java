@@ -1,7 +1,7 @@
-package carom.sim.message;
+package carom.text;
 
 /** Rule for texts of players, which appear on other players' screens. */
-final class Texts {
+public final class Texts {
   /** Most accents and other marks on one character; more would spill over other lines. */
   private static final int MAX_MARKS = 3;
 
@@ -12,7 +12,7 @@ final class Texts {
    * control and format characters, line ends, lone surrogates, heaps of accents. Line ends and tabs
    * become spaces.
    */
-  static String clean(String text) {
+  public static String clean(String text) {
     StringBuilder clean = null; // made only for texts that aren't clean
     int marks = 0;
     for (int i = 0, next; i < text.length(); i = next) {

@@ -1,4 +1,4 @@
-package carom.sim.level;
+package carom.text;
 
 import java.util.Collection;
 

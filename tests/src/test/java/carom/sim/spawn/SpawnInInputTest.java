@@ -1,0 +1,346 @@
+package carom.sim.spawn;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.physics.BodyDef;
+import carom.physics.Material;
+import carom.physics.archive.ArchiveReader;
+import carom.physics.archive.ArchiveWriter;
+import carom.physics.geometry.Circle;
+import carom.sim.Entity;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.SimState;
+import carom.sim.Simulation;
+import carom.sim.event.Audience;
+import carom.sim.field.Count;
+import carom.sim.field.EntityRef;
+import carom.sim.field.Field;
+import carom.sim.field.Scope;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** {@link Simulation#spawn} and {@link Simulation#despawn} in {@link Game#input}. */
+final class SpawnInInputTest {
+  private static final Count POWER = Field.count("power", 0, 100).of(Scope.ENTITY);
+  private static final EntityRef LAST = Field.entity("last").to(Audience.OWNER);
+
+  /** ACTION fires as many rockets as {@link #shots}; SECOND despawns all of the player's. */
+  private static final class Rules implements Game {
+    Archetype man;
+    Archetype rocket;
+    int shots = 1;
+    boolean foreign;
+    boolean plain;
+
+    @Override
+    public String name() {
+      return "test";
+    }
+
+    @Override
+    public String defaultLevel() {
+      return "test";
+    }
+
+    @Override
+    public List<Field<?>> fields() {
+      return List.of(POWER, LAST);
+    }
+
+    @Override
+    public void setUp(Simulation s) {
+      man = s.archetypes().add(disc("man", 0.5f));
+      rocket = s.archetypes().add(disc("rocket", 0.2f));
+    }
+
+    private static ArchetypeDef disc(String name, float radius) {
+      return new ArchetypeDef(name).shape(new Circle(radius), new Material(1, 0.2f, 0));
+    }
+
+    @Override
+    public void join(Simulation s, Player p) {
+      s.spawn(man, 4 * p.id(), 0, 0, p);
+    }
+
+    @Override
+    public void input(Simulation s, Player p, Input in) {
+      for (int i = 0; in.held(Input.ACTION) && i < shots; i++) {
+        Player owner = foreign ? null : p;
+        if (plain) {
+          s.spawn(rocket, new BodyDef());
+        }
+        Entity fired = s.spawn(rocket, p.body().body().x(), 1 + i, 0, owner);
+        fired.body().setVelocity(0, 20);
+        fired.set(POWER, 40);
+        p.set(LAST, fired);
+      }
+      if (in.held(Input.SECOND)) {
+        for (int i = p.spawnedCount() - 1; i >= 0; i--) {
+          s.despawn(p.spawned(i));
+        }
+      }
+    }
+  }
+
+  private final Rules rules = new Rules();
+
+  private Simulation simulation(Role role) {
+    String json =
+        "{\"name\": \"test\", \"game\": \"test\", \"gravity\": [0, 0], \"bounds\": {\"min\": [-99,"
+            + " -99], \"max\": [99, 99]}}";
+    try {
+      Level level = Level.parse("test.json", json.getBytes(StandardCharsets.UTF_8));
+      return new Simulation(rules, level, 1, 60, role);
+    } catch (carom.sim.level.LevelException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** Returns a client's simulation in which Ann has a body, as on the server. */
+  private Simulation client(OwnSpawns own) {
+    Simulation s = simulation(Role.PREDICTION);
+    s.joinAs(0, "Ann");
+    s.spawnAs(0, 0, rules.man, 0, 0, 0, 0);
+    s.ownSpawns(own);
+    return s;
+  }
+
+  private static OwnSpawns told(int key) {
+    return new OwnSpawns() {
+      @Override
+      public boolean foresees(int playerId) {
+        return playerId == 0;
+      }
+
+      @Override
+      public int key(int origin) {
+        return key;
+      }
+    };
+  }
+
+  @Test
+  void anEntityOfTheInputMovesInItsTickAndIsFoundAgain() {
+    Simulation s = simulation(Role.AUTHORITY);
+    Player ann = s.join("Ann");
+    ann.input().hold(Input.ACTION, true);
+    s.step();
+    ann.input().hold(Input.ACTION, false);
+    Entity rocket = ann.spawned(0);
+    assertEquals(1, ann.spawnedCount());
+    assertEquals(1 + 20 / 60f, rocket.body().y(), 1e-4f);
+    assertEquals(Origin.of(1, 0), rocket.origin());
+    assertEquals(40, rocket.get(POWER));
+    assertSame(rocket, ann.get(LAST));
+    assertFalse(rocket.isProvisional());
+    ann.input().hold(Input.SECOND, true);
+    s.step();
+    assertEquals(0, ann.spawnedCount());
+    assertNull(ann.get(LAST));
+    assertEquals(1, s.entityCount());
+  }
+
+  @Test
+  void aClientHasTheSameEntityAtOnceUnderItsOrigin() {
+    Simulation server = simulation(Role.AUTHORITY);
+    Simulation client = client(told(OwnSpawns.UNKNOWN));
+    Player ann = server.join("Ann");
+    Player mirrored = client.player(0);
+    rules.shots = 3;
+    for (int tick = 0; tick < 5; tick++) {
+      ann.input().hold(Input.ACTION, tick == 1);
+      mirrored.input().set(ann.input());
+      server.step();
+      client.step();
+    }
+    assertEquals(3, client.provisionalCount());
+    assertEquals(1, client.entityCount());
+    for (int i = 0; i < 3; i++) {
+      Entity mine = client.provisional(i);
+      Entity real = ann.spawned(i);
+      assertTrue(mine.isProvisional());
+      assertEquals(real.origin(), mine.id());
+      assertSame(mine, client.entity(mine.id()));
+      assertEquals(real.body().x(), mine.body().x());
+      assertEquals(real.body().y(), mine.body().y());
+      assertEquals(40, mine.get(POWER));
+    }
+    assertSame(client.provisional(2), mirrored.get(LAST));
+  }
+
+  @Test
+  void aTickThatIsComputedAgainSpawnsTheSameEntityAgain() {
+    Simulation s = client(told(OwnSpawns.UNKNOWN));
+    final SimState before = s.save(null);
+    s.player(0).input().hold(Input.ACTION, true);
+    s.step();
+    int id = s.provisional(0).id();
+    final long hash = s.stateHash();
+    final SimState after = s.save(null);
+    s.restore(before);
+    assertEquals(0, s.provisionalCount());
+    assertNull(s.entity(id));
+    s.player(0).input().hold(Input.ACTION, true);
+    s.step();
+    assertEquals(hash, s.stateHash());
+    assertEquals(id, s.provisional(0).id());
+    s.player(0).input().hold(Input.ACTION, false);
+    s.player(0).input().hold(Input.SECOND, true);
+    s.step();
+    assertEquals(0, s.provisionalCount());
+    s.restore(after);
+    assertEquals(hash, s.stateHash());
+    assertSame(s.entity(id), s.player(0).spawned(0));
+  }
+
+  @Test
+  void whatTheServerHasToldIsSpawnedUnderItsOwnId() {
+    Simulation s = client(told(7 | 3 << 16));
+    s.player(0).input().hold(Input.ACTION, true);
+    s.step();
+    assertEquals(0, s.provisionalCount());
+    assertEquals(3, s.entity(7).generation());
+    assertEquals(Origin.of(1, 0), s.entity(7).origin());
+    assertSame(s.entity(7), s.player(0).spawned(0));
+  }
+
+  @Test
+  void theServersEntityTakesThePlaceOfTheProvisionalOne() {
+    Simulation s = client(told(OwnSpawns.UNKNOWN));
+    s.player(0).input().hold(Input.ACTION, true);
+    s.step();
+    int origin = s.provisional(0).id();
+    Entity real = s.spawnAs(7, 3, rules.rocket, 0, 2, 0, 0);
+    s.identify(real, origin);
+    assertEquals(0, s.provisionalCount());
+    assertEquals(1, s.player(0).spawnedCount());
+    assertSame(real, s.player(0).spawned(0));
+    assertSame(real, s.player(0).get(LAST), "a field that meant the provisional one");
+  }
+
+  @Test
+  void whatTheInputOfOthersSpawnsLivesUntilTheEndOfTheCall() {
+    Simulation s = client(told(OwnSpawns.UNKNOWN));
+    s.joinAs(1, "Ben");
+    s.spawnAs(1, 0, rules.man, 4, 0, 0, 1);
+    s.player(1).input().hold(Input.ACTION, true);
+    s.step();
+    assertEquals(0, s.provisionalCount());
+    assertEquals(0, s.player(1).spawnedCount());
+  }
+
+  @Test
+  void aClientDespawnsInItsInputOnlyWhatIsItsPlayers() {
+    Simulation s = client(told(OwnSpawns.UNKNOWN));
+    s.player(0).input().hold(Input.ACTION, true);
+    s.step();
+    s.player(0).input().hold(Input.ACTION, false);
+    s.player(0).input().hold(Input.SECOND, true);
+    s.step();
+    assertEquals(0, s.provisionalCount());
+    assertEquals(1, s.entityCount(), "the own body");
+  }
+
+  @Test
+  void aPlayerHasTheNewestOnesOnBothSides() {
+    Simulation server = simulation(Role.AUTHORITY);
+    Simulation client = client(told(OwnSpawns.UNKNOWN));
+    rules.shots = 20;
+    Player ann = server.join("Ann");
+    Player mirrored = client.player(0);
+    for (int tick = 0; tick < 2; tick++) {
+      ann.input().hold(Input.ACTION, true);
+      mirrored.input().hold(Input.ACTION, true);
+      server.step();
+      client.step();
+    }
+    assertEquals(Origin.MOST_PER_PLAYER, ann.spawnedCount());
+    assertEquals(Origin.MOST_PER_PLAYER, client.provisionalCount());
+    assertEquals(41, server.entityCount(), "the server keeps all");
+    for (int i = 0; i < Origin.MOST_PER_PLAYER; i++) {
+      assertEquals(ann.spawned(i).origin(), mirrored.spawned(i).id());
+    }
+  }
+
+  @Test
+  void aSavedStateHasTheOrigins() {
+    Simulation s = simulation(Role.AUTHORITY);
+    Player ann = s.join("Ann");
+    ann.input().hold(Input.ACTION, true);
+    s.step();
+    s.step();
+    ArchiveWriter archive = new ArchiveWriter();
+    s.save(null).write(archive);
+    Simulation other = simulation(Role.AUTHORITY);
+    other.restore(other.read(new ArchiveReader(archive.toBytes())));
+    assertEquals(s.stateHash(), other.stateHash());
+    assertEquals(2, other.player(0).spawnedCount());
+    s.step();
+    other.player(0).input().set(ann.input());
+    other.step();
+    assertEquals(s.stateHash(), other.stateHash());
+  }
+
+  @Test
+  void theOriginIsPartOfTheState() {
+    Simulation s = simulation(Role.AUTHORITY);
+    Player ann = s.join("Ann");
+    ann.input().hold(Input.ACTION, true);
+    s.step();
+    SimState saved = s.save(null);
+    final long hash = s.stateHash();
+    ann.input().hold(Input.ACTION, false);
+    ann.input().hold(Input.SECOND, true);
+    s.step();
+    assertNotEquals(hash, s.stateHash());
+    s.restore(saved);
+    assertEquals(hash, s.stateHash());
+    assertEquals(1, s.player(0).spawnedCount());
+  }
+
+  @Test
+  void whatAnInputMayNotSpawnIsRefusedWithAdvice() {
+    for (Role role : Role.values()) {
+      Simulation s = role == Role.AUTHORITY ? simulation(role) : client(told(-1));
+      Player ann = role == Role.AUTHORITY ? s.join("Ann") : s.player(0);
+      ann.input().hold(Input.ACTION, true);
+      rules.foreign = true;
+      String message = assertThrows(IllegalArgumentException.class, s::step).getMessage();
+      assertTrue(message.contains("owner=null") && message.contains("beforeStep"), message);
+      rules.foreign = false;
+      rules.plain = true;
+      message = assertThrows(IllegalStateException.class, s::step).getMessage();
+      assertTrue(message.contains("spawn(archetype, x, y, angle, player)"), message);
+      rules.plain = false;
+      rules.shots = Origin.MOST_PER_CALL + 1;
+      message = assertThrows(IllegalStateException.class, s::step).getMessage();
+      assertTrue(message.contains("spawns=64"), message);
+      rules.shots = 1;
+      s.step();
+    }
+  }
+
+  @Test
+  void originsAreInTheOrderOfTicksWhenTheTickWraps() {
+    int last = (1 << 24) - 1;
+    assertTrue(Origin.isEarlier(Origin.of(last, 5), Origin.of(last + 1, 0)));
+    assertFalse(Origin.isEarlier(Origin.of(last + 1, 0), Origin.of(last, 5)));
+    assertTrue(Origin.isEarlier(Origin.of(9, 0), Origin.of(9, 1)));
+    assertEquals(3, Origin.ticksBetween(Origin.of(last, 0), Origin.of(last + 3, 9)));
+    assertEquals(-3, Origin.ticksBetween(Origin.of(last + 3, 9), Origin.of(last, 0)));
+    assertTrue(Origin.isProvisional(Origin.of(0, 0)) && Origin.of(last, 63) == Origin.LAST);
+  }
+}
