@@ -1,6 +1,6 @@
 package carom.server.command;
 
-import carom.sim.level.Suggestion;
+import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;

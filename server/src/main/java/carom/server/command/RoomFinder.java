@@ -3,7 +3,7 @@ package carom.server.command;
 import carom.net.protocol.PlayerName;
 import carom.server.room.PlayerInfo;
 import carom.server.room.Room;
-import carom.sim.level.Suggestion;
+import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -2,7 +2,7 @@ package carom.server.command;
 
 import carom.server.config.Setting;
 import carom.server.config.Settings;
-import carom.sim.level.Suggestion;
+import carom.text.Suggestion;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
