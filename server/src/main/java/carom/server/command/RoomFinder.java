@@ -1,8 +1,8 @@
 package carom.server.command;
 
 import carom.net.protocol.PlayerName;
-import carom.server.room.PlayerInfo;
 import carom.server.room.Room;
+import carom.server.session.PlayerInfo;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;

@@ -3,6 +3,7 @@ package carom.server.room;
 import carom.net.protocol.SessionState;
 import carom.server.match.MatchInfo;
 import carom.server.recording.RecordingFile;
+import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
 import carom.sim.NextMatch;
 import carom.sim.Simulation;

@@ -1,6 +1,5 @@
-package carom.server.room;
+package carom.server.session;
 
-import carom.server.session.Session;
 import java.util.Locale;
 
 /**
@@ -15,7 +14,7 @@ import java.util.Locale;
  */
 public record PlayerInfo(int id, String name, String remote, String state, int team, int score) {
   /** Describes a session. The room's thread. */
-  static PlayerInfo of(Session session) {
+  public static PlayerInfo of(Session session) {
     boolean watches = session.player().isSpectator();
     return new PlayerInfo(
         session.seat().id(),
