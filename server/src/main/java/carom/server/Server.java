@@ -3,6 +3,7 @@ package carom.server;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
+import carom.server.access.EntryRule;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
@@ -225,6 +226,15 @@ public final class Server implements AutoCloseable {
     }
     recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
     lobby.allowSpectators(List.copyOf(recordings), delaySeconds);
+  }
+
+  /**
+   * Sets who may come in, from now on; without it everybody may. Any thread.
+   *
+   * @param rule asked once for each player and spectator
+   */
+  public void admit(EntryRule rule) {
+    lobby.admit(rule);
   }
 
   /**

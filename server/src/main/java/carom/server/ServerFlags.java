@@ -58,7 +58,8 @@ final class ServerFlags {
       paramLabel = "FOLDER",
       defaultValue = "data",
       description =
-          "Folder of the server's own files: carom.conf, levels, recordings, logs"
+          "Folder of the server's own files: carom.conf, bans.txt, allow.txt, levels, recordings,"
+              + " logs"
               + " (${DEFAULT-VALUE}).")
   private Path data;
 
@@ -238,6 +239,18 @@ final class ServerFlags {
       defaultValue = "60",
       description = "Seconds between status lines in the log, 0 = none (${DEFAULT-VALUE}).")
   private int statusIntervalS;
+
+  @Option(
+      names = "--allow-list",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "false",
+      description =
+          "Let only players in that allow.txt of the data folder names; the command 'allow' adds"
+              + " to it.")
+  boolean allowList;
 
   @Option(
       names = "--console",

@@ -2,6 +2,8 @@ package carom.server;
 
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
+import carom.server.access.AccessCommands;
+import carom.server.access.AccessLists;
 import carom.server.command.CommandInspector;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
@@ -22,6 +24,7 @@ import ch.qos.logback.classic.LoggerContext;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.time.InstantSource;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
@@ -72,6 +75,7 @@ public final class ServerMain implements Callable<Integer> {
   @Mixin private final ServerFlags flags = new ServerFlags();
 
   private SettingsLayers layers;
+  private AccessLists access;
 
   /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -186,13 +190,24 @@ public final class ServerMain implements Callable<Integer> {
     ServerConfig config = flags.config(choice.gameName());
     Logger log = LoggerFactory.getLogger(ServerMain.class);
     openData(logging, log);
+    access = openAccess();
     ServerStart start = new ServerStart(flags, choice, config, log);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
     start.warmUp();
     root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
     logStart(log, config, choice.rooms(config));
-    return start.open();
+    Server server = start.open();
+    server.admit(access);
+    return server;
+  }
+
+  private AccessLists openAccess() throws StartFailure {
+    try {
+      return new AccessLists(flags.dataFolder(), flags.allowList, InstantSource.system());
+    } catch (IOException e) {
+      throw new StartFailure(e.getMessage(), e);
+    }
   }
 
   /**
@@ -277,6 +292,7 @@ public final class ServerMain implements Callable<Integer> {
   private CommandRegistry commands(Server server) {
     CommandRegistry commands = new CommandRegistry();
     RoomCommands.add(commands, server.rooms(), flags.dataFolder());
+    AccessCommands.add(commands, access, server.rooms());
     ServerCommands.add(
         commands, server::status, settings(), ServerMain::replay, ServerMain::stopSoon);
     return commands;

@@ -30,7 +30,7 @@ public record CommandWords(List<String> all, String room) {
   }
 
   /** Returns the words of a line; in quotes, also empty ones and those with spaces. */
-  static List<String> split(String line) {
+  public static List<String> split(String line) {
     List<String> words = new ArrayList<>();
     StringBuilder word = new StringBuilder();
     boolean begun = false;
