@@ -1,6 +1,7 @@
 package carom.server;
 
 import carom.net.protocol.GoodbyeReason;
+import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.access.EntryRule;
@@ -452,6 +453,11 @@ public final class Server implements AutoCloseable {
   /** Returns the port for datagrams, as the transport opened it. */
   public int udpPort() {
     return transport.udpPort();
+  }
+
+  /** Returns what the transport counts. Any thread. */
+  public List<NetworkCounter> networkCounters() {
+    return transport.networkCounters();
   }
 
   /** Returns all settings. */

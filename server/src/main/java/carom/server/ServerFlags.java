@@ -253,6 +253,32 @@ final class ServerFlags {
   boolean allowList;
 
   @Option(
+      names = "--web",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "true",
+      description =
+          "Answer /healthz, /readyz and /metrics (Prometheus) over HTTP; --no-web doesn't.")
+  boolean web;
+
+  @Option(
+      names = "--web-port",
+      paramLabel = "N",
+      defaultValue = "8090",
+      description = "Port for HTTP, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
+  int webPort;
+
+  @Option(
+      names = "--web-bind",
+      paramLabel = "ADDRESS",
+      defaultValue = "127.0.0.1",
+      description =
+          "Address of this machine for HTTP; whoever reaches it can read it (${DEFAULT-VALUE}).")
+  private String webBind;
+
+  @Option(
       names = "--console",
       paramLabel = "true|false",
       arity = "0..1",
@@ -334,6 +360,7 @@ final class ServerFlags {
   void check() {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
+    requireRange("--web-port", webPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
     requireRange("--log-keep", logKeep, MAX_LOGS);
     if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
@@ -451,10 +478,19 @@ final class ServerFlags {
 
   /** Returns the address to listen on, or null for all. */
   InetAddress bindAddress() {
+    return bind == null ? null : address("--bind", bind);
+  }
+
+  /** Returns the address for HTTP. */
+  InetAddress webAddress() {
+    return address("--web-bind", webBind);
+  }
+
+  private InetAddress address(String flag, String text) {
     try {
-      return bind == null ? null : InetAddress.getByName(bind);
+      return InetAddress.getByName(text);
     } catch (UnknownHostException e) {
-      throw bad("--bind=" + bind + " is no address; give one such as 127.0.0.1 or ::1");
+      throw bad(flag + "=" + text + " is no address; give one such as 127.0.0.1 or ::1");
     }
   }
 

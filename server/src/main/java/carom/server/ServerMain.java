@@ -18,6 +18,7 @@ import carom.server.console.Console;
 import carom.server.console.LogFiles;
 import carom.server.console.ReadyLine;
 import carom.server.metrics.Counter;
+import carom.server.web.WebServer;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
 import ch.qos.logback.classic.LoggerContext;
@@ -202,6 +203,30 @@ public final class ServerMain implements Callable<Integer> {
     return server;
   }
 
+  /**
+   * Opens the port for HTTP, or returns null if the operator doesn't want one. A server whose usual
+   * port is busy, perhaps by another server, runs without it.
+   */
+  private WebServer openWeb(Server server, Logger log) throws StartFailure {
+    if (!flags.web) {
+      return null;
+    }
+    try {
+      WebServer web =
+          new WebServer(
+              flags.webAddress(), flags.webPort, server.rooms(), server.networkCounters());
+      log.info("web: {}", web.url());
+      return web;
+    } catch (IOException e) {
+      if (settings().find("web-port").orElseThrow().isSet()) {
+        server.close();
+        throw new StartFailure(e.getMessage(), e);
+      }
+      log.warn("no /healthz and /metrics: {}", e.getMessage());
+      return null;
+    }
+  }
+
   private AccessLists openAccess() throws StartFailure {
     try {
       return new AccessLists(flags.dataFolder(), flags.allowList, InstantSource.system());
@@ -253,16 +278,23 @@ public final class ServerMain implements Callable<Integer> {
     }
   }
 
-  private int run(Server server, LoggerContext logging) throws InterruptedException {
+  private int run(Server server, LoggerContext logging) throws InterruptedException, StartFailure {
     Logger log = LoggerFactory.getLogger(ServerMain.class);
+    WebServer web = openWeb(server, log);
     CompletableFuture<Console> console = new CompletableFuture<>();
     Thread hook =
         new Thread(
             () -> {
               log.info("stop: asked to");
+              if (web != null) {
+                web.stopping();
+              }
               server.close();
               server.status().forEach(line -> log.info("stopped: {}", line));
               logging.stop(); // writes the lines that are still queued
+              if (web != null) {
+                web.close();
+              }
               if (console.isDone()) {
                 console.join().close();
               }

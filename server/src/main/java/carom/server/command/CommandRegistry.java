@@ -70,7 +70,8 @@ public final class CommandRegistry {
     try {
       return answer(true, command.action().run(words.behindFirst()));
     } catch (CommandException e) {
-      return answer(false, e.getMessage() + "; usage: " + command.synopsis());
+      String usage = e.isOfWords() ? "; usage: " + command.synopsis() : "";
+      return answer(false, e.getMessage() + usage);
     } catch (RuntimeException e) {
       LOG.error("the command {} failed", name, e);
       return answer(false, name + " failed because of a bug, see the log: " + e);

@@ -79,7 +79,7 @@ public record CommandWords(List<String> all, String room) {
    */
   public String word(int place, String what) throws CommandException {
     if (!has(place)) {
-      throw new CommandException(what + " is missing");
+      throw CommandException.ofWords(what + " is missing");
     }
     return all.get(place);
   }
@@ -96,7 +96,7 @@ public record CommandWords(List<String> all, String room) {
    */
   public void requireAtMost(int count) throws CommandException {
     if (all.size() > count) {
-      throw new CommandException("\"" + all.get(count) + "\" is one word too many");
+      throw CommandException.ofWords("\"" + all.get(count) + "\" is one word too many");
     }
   }
 }
