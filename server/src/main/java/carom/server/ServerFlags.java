@@ -27,6 +27,8 @@ import picocli.CommandLine.TypeConversionException;
 /**
  * The flags of {@code carom-server}. Picocli fills them in, {@link #check} refuses flags that don't
  * fit together, and {@link #config} turns the rest into the server's settings.
+ *
+ * <p><b>Length.</b> One option after the other, each with its text for people.
  */
 final class ServerFlags {
   private static final int MAX_PORT = 65_535;

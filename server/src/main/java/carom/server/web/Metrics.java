@@ -43,6 +43,9 @@ final class Metrics {
     1_000_000_000
   };
 
+  /** Kept here, because the registry doesn't keep what it reads. */
+  private final List<NetworkCounter> network;
+
   private final PrometheusMeterRegistry registry =
       new PrometheusMeterRegistry(PrometheusConfig.DEFAULT);
 
@@ -53,10 +56,11 @@ final class Metrics {
    * @param network what the transport counts
    */
   Metrics(List<Room> rooms, List<NetworkCounter> network) {
+    this.network = List.copyOf(network);
     for (Room room : rooms) {
       add(room);
     }
-    for (NetworkCounter counter : network) {
+    for (NetworkCounter counter : this.network) {
       FunctionCounter.builder(
               PREFIX + "network." + counter.name(), counter, c -> c.value().getAsLong())
           .description(counter.help())

@@ -10,6 +10,7 @@ import carom.net.transport.Impairment;
 import carom.server.config.DataFolder;
 import carom.server.config.Setting;
 import carom.server.config.Settings;
+import carom.server.jmx.CommandInspector;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.lang.management.ManagementFactory;

@@ -1,5 +1,6 @@
-package carom.server.command;
+package carom.server.jmx;
 
+import carom.server.command.CommandRegistry;
 import java.lang.management.ManagementFactory;
 import javax.management.JMException;
 import javax.management.MBeanServer;

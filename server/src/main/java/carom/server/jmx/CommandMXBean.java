@@ -1,4 +1,4 @@
-package carom.server.command;
+package carom.server.jmx;
 
 /**
  * The commands of a server, for any JMX tool, under the name {@code carom:type=Server}. Public,
