@@ -32,6 +32,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicReference;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
@@ -281,23 +282,25 @@ public final class ServerMain implements Callable<Integer> {
 
   private int run(Server server, LoggerContext logging) throws InterruptedException, StartFailure {
     Logger log = LoggerFactory.getLogger(ServerMain.class);
-    WebServer web = openWeb(server, log);
-    CompletableFuture<Console> console = new CompletableFuture<>();
+    AtomicReference<Console> console = new AtomicReference<>();
+    AtomicReference<WebServer> web = new AtomicReference<>();
     Thread hook =
         new Thread(
             () -> {
               log.info("stop: asked to");
-              if (web != null) {
-                web.stopping();
+              WebServer answers = web.get();
+              if (answers != null) {
+                answers.stopping();
               }
               server.close();
               server.status().forEach(line -> log.info("stopped: {}", line));
               logging.stop(); // writes the lines that are still queued
-              if (web != null) {
-                web.close();
+              if (answers != null) {
+                answers.close();
               }
-              if (console.isDone()) {
-                console.join().close();
+              Console prompt = console.get();
+              if (prompt != null) {
+                prompt.close();
               }
             },
             "carom-stop");
@@ -312,9 +315,10 @@ public final class ServerMain implements Callable<Integer> {
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
     if (flags.console) {
-      console.complete(
-          Console.start(commands, flags.dataFolder().root().resolve("console.history")));
+      console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
     }
+    // Players needn't wait for it: its libraries load for as long as all the rest.
+    web.set(openWeb(server, log));
     server.awaitStop();
     if (server.hasFailed()) {
       log.error("the server ended because of the errors above");
