@@ -12,11 +12,13 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /** The commands that are about a room: who plays, what is played, and what is recorded. */
 public final class RoomCommands {
   private static final String STOP = "stop";
   private static final String MATCH = "match";
+  private static final Pattern FILE_NAME = Pattern.compile("[-\\w]{1,64}");
 
   private final RoomFinder finder;
   private final List<Room> rooms;
@@ -74,6 +76,16 @@ public final class RoomCommands {
             "Begins to record, to the data folder or a file or folder; or ends that.",
             all::record,
             place -> place == 0 ? List.of(STOP) : List.of()));
+    registry.add(
+        new Command(
+            "save",
+            "[@ROOM] [NAME]",
+            "Saves the match to the data folder, under the room's name or another.",
+            all::save,
+            Command.NONE));
+    registry.add(
+        new Command(
+            "load", "[@ROOM] [NAME]", "Goes on with a saved match.", all::load, Command.NONE));
     registry.add(
         new Command(
             "why",
@@ -190,6 +202,26 @@ public final class RoomCommands {
     } catch (IOException e) {
       throw new CommandException(e.getMessage());
     }
+  }
+
+  private String save(CommandWords words) throws CommandException {
+    Room room = finder.one(words);
+    return room.operator().save(savedFile(room, words));
+  }
+
+  private String load(CommandWords words) throws CommandException {
+    Room room = finder.one(words);
+    return room.operator().load(savedFile(room, words));
+  }
+
+  private Path savedFile(Room room, CommandWords words) throws CommandException {
+    words.requireAtMost(1);
+    String name = words.has(0) ? words.word(0, "NAME") : room.name();
+    if (!FILE_NAME.matcher(name).matches()) {
+      throw new CommandException(
+          "NAME=" + name + " has other characters than letters, digits, - _");
+    }
+    return data.saved(name);
   }
 
   private String why(CommandWords words) throws CommandException {

@@ -32,6 +32,11 @@ public record DataFolder(Path root) {
     return root.resolve("levels");
   }
 
+  /** Returns the file of a saved match. */
+  public Path saved(String name) {
+    return root.resolve("saves").resolve(name + ".carom-save");
+  }
+
   /** Returns the names of the levels in the folder, sorted. */
   public List<String> levelNames() {
     if (!Files.isDirectory(levels())) {

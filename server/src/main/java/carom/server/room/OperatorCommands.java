@@ -2,6 +2,7 @@ package carom.server.room;
 
 import carom.net.protocol.SessionState;
 import carom.server.match.MatchInfo;
+import carom.server.match.SavedMatch;
 import carom.server.recording.RecordingFile;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
@@ -9,6 +10,7 @@ import carom.sim.NextMatch;
 import carom.sim.Simulation;
 import carom.sim.field.FieldHolder;
 import carom.sim.message.BuiltInKinds;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -161,6 +163,10 @@ public final class OperatorCommands {
     } catch (MatchLoader.Unplayable e) {
       return "not changed: " + e.getMessage();
     }
+    return play(next, wanted);
+  }
+
+  private String play(Match next, NextMatch wanted) {
     return ask(
         () -> {
           if (closed.getAsBoolean()) {
@@ -170,6 +176,45 @@ public final class OperatorCommands {
           MatchInfo match = next.info();
           return "playing game=" + match.game() + " level=" + match.level().level().name();
         });
+  }
+
+  /**
+   * Writes the match to a file. The room's thread copies the state, and the calling thread writes.
+   *
+   * @return the file and the tick, or why there is none
+   */
+  public String save(Path file) {
+    try {
+      SavedMatch saved =
+          await(
+              () ->
+                  room.simulation().game().keepsMore()
+                      ? null
+                      : SavedMatch.of(room.match().info(), room.simulation()));
+      if (saved == null) {
+        return "not saved: the game keeps more than its state";
+      }
+      saved.write(file);
+      return "saved room=" + number + " to " + file;
+    } catch (NoAnswer e) {
+      return "not saved: " + e.getMessage();
+    } catch (IOException e) {
+      return "not saved: " + file + " can't be written: " + e;
+    }
+  }
+
+  /**
+   * Goes on with a saved match. Players of the same id and name go on as they were; others join it
+   * anew, and saved players who aren't here leave it.
+   *
+   * @return what the room plays now, or why the match goes on
+   */
+  public String load(Path file) {
+    try {
+      return play(changes.load(SavedMatch.read(file)), new NextMatch("", "", false, false));
+    } catch (IOException | MatchLoader.Unplayable e) {
+      return "not loaded: " + e.getMessage();
+    }
   }
 
   /** Returns the players in the order of their ids; empty if the room doesn't answer. */

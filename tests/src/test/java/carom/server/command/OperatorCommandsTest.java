@@ -2,6 +2,8 @@ package carom.server.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.bots.Bot;
@@ -123,6 +125,34 @@ final class OperatorCommandsTest {
     assertTrue(ok("game platformer").contains("playing game=platformer"));
     assertTrue(ok("level nowhere").startsWith("not changed: "));
     assertTrue(ok("rooms").contains("platformer"));
+  }
+
+  @Test
+  void savesAMatchAndGoesOnWithItWithThePlayersWhoAreHere() throws Exception {
+    stepper.run(1);
+    assertTrue(ok("save evening").startsWith("saved room=1 to " + folder.resolve("saves")));
+    int saved = stepper.room().simulation().tick();
+    float x = stepper.room().simulation().player(0).body().body().x();
+    ok("kick \"Bob B\"");
+    stepper.run(3);
+    assertTrue(ok("load evening").contains("playing game=arena level=Corner Pocket"));
+    int loaded = stepper.room().simulation().tick();
+    assertTrue(loaded >= saved - 30 && loaded < saved + 60, saved + " then " + loaded);
+    assertNotNull(stepper.room().simulation().player(0).body(), "Ann has her body");
+    assertNull(stepper.room().simulation().player(1), "Bob is gone");
+    assertTrue(Math.abs(stepper.room().simulation().player(0).body().body().x() - x) < 20);
+    stepper.run(1);
+    assertTrue(ok("list").contains("playing"), ok("list"));
+    long compared = ann.compared();
+    stepper.run(2);
+    assertTrue(ann.compared() > compared, "she plays and predicts on");
+    assertTrue(ok("load nothing").startsWith("not loaded: there is no file "));
+    assertTrue(fails("load ../x").contains("other characters"));
+    Path file = folder.resolve("saves/evening.carom-save");
+    byte[] bytes = Files.readAllBytes(file);
+    bytes[bytes.length / 2] ^= 1;
+    Files.write(file, bytes);
+    assertTrue(ok("load evening").contains("torn or damaged"));
   }
 
   @Test
