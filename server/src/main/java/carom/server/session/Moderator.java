@@ -2,26 +2,14 @@ package carom.server.session;
 
 import carom.sim.Player;
 import carom.sim.Simulation;
-import carom.sim.message.BuiltInKinds;
 import carom.sim.message.PlayerRole;
-import carom.text.Texts;
 
 /**
- * What an operator does to the people in a room: speaks to all, mutes one, makes one a spectator.
- * Each method answers in one line. The room's thread.
+ * What an operator does to a player in a room: mutes it, makes it a spectator. Each method answers
+ * in one line. The room's thread.
  */
 public final class Moderator {
   private Moderator() {}
-
-  /** Says a line to everybody in the room, as chat of the server. */
-  public static String say(Simulation s, String text) {
-    String line = text == null ? "" : Texts.clean(text).strip();
-    if (line.isEmpty() || line.length() > BuiltInKinds.MAX_CHAT) {
-      return "text has length=" + line.length() + ", allowed are 1.." + BuiltInKinds.MAX_CHAT;
-    }
-    s.send(BuiltInKinds.SAID.of(BuiltInKinds.SERVER, false, line)).toAll();
-    return "said \"" + line + "\"";
-  }
 
   /**
    * Drops chat and emotes of a player for the rest of its stay, or ends that.
