@@ -226,7 +226,8 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
-        "carom.sim.joint");
+        "carom.sim.joint",
+        "carom.sim.spawn");
     allow(
         "carom.net.field",
         "carom.net.protocol",
