@@ -247,6 +247,7 @@ final class ArchitectureTest {
     allow("carom.game", "carom.physics..", "carom.sim..", "carom.text");
     game("arena");
     game("platformer");
+    game("rockets");
     allow("carom.net.codec", "carom.physics.simd");
     allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
     allow(
