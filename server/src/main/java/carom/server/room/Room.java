@@ -23,6 +23,7 @@ import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.Entity;
+import carom.sim.MatchClock;
 import carom.sim.Simulation;
 import java.io.IOException;
 import java.util.concurrent.Executor;
@@ -92,6 +93,7 @@ public final class Room {
   private final BiConsumer<Session, Broadcast> sendTo;
   private int failedTicks;
   private volatile int tick;
+  private volatile String phase;
   private volatile boolean failed;
   private volatile boolean closed;
 
@@ -132,7 +134,7 @@ public final class Room {
     roster = new RosterNews(seats.count(), config.rosterIntervalMs());
     departures = new Departures(context, sessions, roster, announcer, partings);
     changes =
-        new MatchChange(context, loader, loads, settings.levels(), sessions, recording, roster);
+        new MatchChange(context, loader, loads, settings, sessions, recording, roster, announcer);
     arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
     moves = new RoomMoves(context, this, directory, sessions, departures);
     warnings = new LoadWarnings(label, counters, config.tickRateHz());
@@ -144,6 +146,7 @@ public final class Room {
     sendNotice = announcer::notice;
     sendTo = sessions::sendTo;
     context.match().capture().capture();
+    phase = presentPhase();
   }
 
   private static Match firstMatch(MatchLoader loader) {
@@ -289,6 +292,7 @@ public final class Room {
       changes.tickEnds(nowNs);
     }
     tick = context.simulation().tick();
+    phase = presentPhase();
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
     if (tookNs > loop.periodNs()) {
@@ -299,6 +303,12 @@ public final class Room {
       String game = simulation.game().name();
       fail("game " + game + " failed in each of the last " + rate + " ticks");
     }
+  }
+
+  /** Returns the phase of the match for people, empty if the game has no clock. */
+  private String presentPhase() {
+    Simulation simulation = context.simulation();
+    return simulation.game().clock() == null ? "" : MatchClock.phase(simulation).text();
   }
 
   private int pollAll(long nowNs) {
@@ -415,7 +425,7 @@ public final class Room {
         name(),
         match.game(),
         match.level().level().name(),
-        "",
+        phase,
         seats().takenCount(),
         seats().count(),
         (int) counters.get(Counter.SPECTATORS),
