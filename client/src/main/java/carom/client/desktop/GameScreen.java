@@ -3,8 +3,10 @@ package carom.client.desktop;
 import carom.client.GameClient;
 import carom.client.InputSource;
 import carom.client.desktop.game.GamePicture;
+import carom.client.desktop.hud.Curtain;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.NetGraph;
+import carom.client.desktop.hud.RoomPanel;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.sound.EventSounds;
@@ -35,6 +37,8 @@ final class GameScreen extends ScreenAdapter {
 
   private final GamePicture picture;
   private final NetGraph netGraph;
+  private final Curtain curtain;
+  private final RoomPanel rooms;
   private final Controls controls = new Controls();
   private final Exit exit;
   private GameClient client;
@@ -45,6 +49,10 @@ final class GameScreen extends ScreenAdapter {
     this.exit = exit;
     picture = new GamePicture(canvas, fonts, sounds);
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
+    curtain = new Curtain(picture.hud(), canvas);
+    rooms =
+        new RoomPanel(
+            picture.hud(), fonts, () -> client.listRooms(), name -> client.changeRoom(name));
   }
 
   /** Returns the devices as a source of input. */
@@ -73,6 +81,9 @@ final class GameScreen extends ScreenAdapter {
   }
 
   private void sample(ClientView view, Input out) {
+    if (rooms.isOpen()) {
+      return; // the keys choose a room
+    }
     Drawn own = view.own();
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
   }
@@ -83,7 +94,12 @@ final class GameScreen extends ScreenAdapter {
         new InputAdapter() {
           @Override
           public boolean keyDown(int key) {
+            if (rooms.isOpen()) {
+              rooms.key(key);
+              return true;
+            }
             switch (key) {
+              case Keys.F2 -> rooms.toggle();
               case Keys.F3 -> showNetGraph = !showNetGraph;
               case Keys.ESCAPE -> exit.leave("");
               default -> {
@@ -115,14 +131,18 @@ final class GameScreen extends ScreenAdapter {
       OrthographicCamera shown = picture.camera().gdx();
       client.look(shown.position.x, shown.position.y, shown.viewportWidth, shown.viewportHeight);
     }
+    boolean changes = curtain.draw(view, deltaSeconds);
     if (view.phase() != ConnectionPhase.PLAYING) {
-      hud.phase(view);
+      if (!changes) {
+        hud.phase(view);
+      }
     } else {
       hud.hints(view, secondsPlayed, showNetGraph ? NetGraph.RIGHT : 0);
       if (view.own() == null && picture.camera().hasFollowed() && secondsPlayed > 1) {
         hud.bodiless();
       }
     }
+    rooms.draw(view, deltaSeconds);
     if (showNetGraph) {
       netGraph.draw(view.stats(), nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
     }

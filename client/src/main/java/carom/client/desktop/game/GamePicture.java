@@ -1,5 +1,6 @@
 package carom.client.desktop.game;
 
+import carom.client.desktop.hud.ClockPanel;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.DebugPainter;
@@ -31,6 +32,7 @@ public final class GamePicture implements Disposable {
   private final WorldPainter world;
   private final DebugPainter debug;
   private final Hud hud;
+  private final ClockPanel clock;
   private boolean showDebug;
   private double seconds;
 
@@ -40,6 +42,7 @@ public final class GamePicture implements Disposable {
     world = new WorldPainter(canvas);
     debug = new DebugPainter(canvas);
     hud = new Hud(canvas, fonts);
+    clock = new ClockPanel(hud, fonts);
   }
 
   /** Returns the camera, which follows the own player. */
@@ -132,6 +135,7 @@ public final class GamePicture implements Disposable {
     flashes.label(hud, camera);
     hud.end();
     hud.scores(view, allScores);
+    clock.draw(view);
     hud.notices(view, nowNs);
     hud.drawAnswer(deltaSeconds);
   }

@@ -38,7 +38,7 @@ public final class Hud implements Disposable {
   private static final float ANSWER_SECONDS = 1.5f;
   private static final String KEYS =
       "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move"
-          + "     Tab: scores     M: sound     F3: net graph     Esc: leave";
+          + "     Tab: scores     M: sound     F2: rooms     F3: net graph     Esc: leave";
 
   private final Canvas canvas;
   private final SpriteBatch batch = new SpriteBatch();
@@ -75,6 +75,11 @@ public final class Hud implements Disposable {
   /** Returns the window's height, px. */
   public int height() {
     return height;
+  }
+
+  /** Returns the window's width, px. */
+  int windowWidth() {
+    return width;
   }
 
   /** Returns the projection from pixels, origin bottom left, to clip space. */
@@ -304,6 +309,11 @@ public final class Hud implements Disposable {
   /** Draws a dark, translucent panel with a thin edge. */
   public void panel(float x, float y, float w, float h) {
     panel(x, y, w, h, Theme.PANEL);
+  }
+
+  /** Draws a panel that hides what is behind it. */
+  void dialog(float x, float y, float w, float h) {
+    panel(x, y, w, h, Theme.DIALOG);
   }
 
   private void panel(float x, float y, float w, float h, Color ground) {
