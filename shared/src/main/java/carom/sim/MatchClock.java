@@ -7,8 +7,8 @@ import carom.sim.field.Field;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.Flag;
 import carom.sim.field.Scope;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 
 /**
  * The phases of a match: it waits for players, counts down, is played for some time, and shows its
@@ -230,10 +230,11 @@ public final class MatchClock {
 
   /** Returns the fields of a game and, if it has one, of its clock. */
   static List<Field<?>> fieldsOf(Game game) {
-    if (game.clock() == null) {
-      return game.fields();
+    List<Field<?>> fields = new ArrayList<>(game.fields());
+    if (game.clock() != null) {
+      fields.addAll(FIELDS);
     }
-    return Stream.concat(game.fields().stream(), FIELDS.stream()).toList();
+    return fields;
   }
 
   /** Begins a match without warm-up; when the game has been set up, in both roles. */
