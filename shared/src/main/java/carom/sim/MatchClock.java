@@ -12,8 +12,8 @@ import java.util.List;
 
 /**
  * The phases of a match: it waits for players, counts down, is played for some time, and shows its
- * result before the next match begins. A game returns one from {@link Game#clock}; the simulation
- * drives it.
+ * result before the next match begins, if anybody is there to play it. A game returns one from
+ * {@link Game#clock}; the simulation drives it.
  *
  * <pre>
  *              enough players,              time over,
@@ -263,7 +263,7 @@ public final class MatchClock {
       s.set(TOLD, phase.ordinal());
       s.game().phase(s, phase);
     }
-    if (phase == MatchPhase.OVER && s.get(UNTIL_NEXT) == 0) {
+    if (phase == MatchPhase.OVER && s.get(UNTIL_NEXT) == 0 && s.playerCount() > 0) {
       s.playNext(next);
     }
   }
