@@ -229,6 +229,7 @@ final class ArchitectureTest {
         "carom.sim.joint");
     allow(
         "carom.net.field",
+        "carom.sim.message",
         "carom.net.protocol",
         "carom.net.snapshot.table",
         "carom.sim.event",
@@ -284,6 +285,7 @@ final class ArchitectureTest {
     allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
     allow(
         "carom.net.kryo",
+        "carom.text",
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.frame",

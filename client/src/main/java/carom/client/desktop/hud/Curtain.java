@@ -85,7 +85,8 @@ public final class Curtain {
     canvas.end();
     hud.begin();
     boolean named = view.level() != null && !loads;
-    text(named ? view.level().name() : view.message(), height / 2 + (named ? 52 : 26), named, share);
+    text(
+        named ? view.level().name() : view.message(), height / 2 + (named ? 52 : 26), named, share);
     if (named) {
       text(view.game() + "     room " + view.room(), height / 2 - 34, false, 0.7f * share);
     }
