@@ -6,6 +6,8 @@ import carom.physics.WorldDef;
 import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.Input;
+import carom.sim.MatchClock;
+import carom.sim.MatchPhase;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
@@ -211,6 +213,20 @@ public final class GuardedGame implements Game {
       game.forces(s, e);
     } catch (RuntimeException | AssertionError | StackOverflowError failure) {
       watch.failed("forces of " + e, s, failure);
+    }
+  }
+
+  @Override
+  public MatchClock clock() {
+    return game.clock();
+  }
+
+  @Override
+  public void phase(Simulation s, MatchPhase now) {
+    try {
+      game.phase(s, now);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("phase " + now.text(), s, e);
     }
   }
 

@@ -68,7 +68,7 @@ public record RecordingHeader(
     try {
       Level parsed = Level.parse(levelName, level);
       GuardedGame rules = new GuardedGame(Games.create(game), (callback, s, failure) -> {});
-      String difference = Schema.of(rules.fields()).difference(fields);
+      String difference = Simulation.schemaOf(rules).difference(fields);
       if (difference != null) {
         throw new RecordingException(
             "game " + game + " has other fields than the recording: " + difference);

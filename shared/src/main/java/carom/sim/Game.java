@@ -103,6 +103,21 @@ public interface Game {
   }
 
   /**
+   * Returns the phases of a match: warm-up, countdown, play, result. Without a clock a match lasts
+   * until the game calls {@link Simulation#matchOver} or {@link Simulation#playNext}. The same at
+   * every call.
+   */
+  default MatchClock clock() {
+    return null;
+  }
+
+  /**
+   * Handles the beginning of a phase of the {@link #clock}, but for the warm-up; {@link
+   * Role#AUTHORITY} only, before {@link #beforeStep}.
+   */
+  default void phase(Simulation s, MatchPhase now) {}
+
+  /**
    * Handles a player who has joined, or a spectator who begins to play. It may give the player a
    * body.
    */

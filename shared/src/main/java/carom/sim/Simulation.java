@@ -156,6 +156,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   private final Queries<Entity> past;
 
+  /** The phases of the match, or null if the game has none. */
+  private final MatchClock clock;
+
   /**
    * Builds the level and sets the game up. The simulation is then at tick 0.
    *
@@ -185,7 +188,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
             level.areas(),
             (carrier, power) -> carrier.user().get(power),
             role == Role.AUTHORITY);
-    Schema schema = Schema.of(game.fields());
+    Schema schema = schemaOf(game);
     joints = new JointTable<>(world, role == Role.AUTHORITY);
     entities =
         new EntityTable(world, players, areas, assemblies, joints, tickRate, schema, this::tick);
@@ -216,6 +219,10 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       pools.add(def);
     }
     game.setUp(this);
+    clock = game.clock();
+    if (clock != null) {
+      clock.setUp(this);
+    }
     PoolGround.begin(pools, game, level, archetypes, tickRate);
     archetypes.close();
     requireDeclaredFields();
@@ -227,6 +234,11 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (history != null) {
       history.capture(tick);
     }
+  }
+
+  /** Returns the schema of a game: its fields and those of its {@linkplain Game#clock clock}. */
+  public static Schema schemaOf(Game game) {
+    return Schema.of(MatchClock.fieldsOf(game));
   }
 
   /**
@@ -1167,6 +1179,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       received.forEach(handleMessage);
       received.clear();
       during("beforeStep");
+      if (clock != null) {
+        clock.beforeStep(this);
+      }
       game.beforeStep(this);
       interference.endRulesBeforeStep(tick);
     } else if (rulings != null) {

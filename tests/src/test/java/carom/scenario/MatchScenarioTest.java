@@ -7,12 +7,19 @@ import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.match.LoadedLevel;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
+import carom.sim.Game;
+import carom.sim.MatchClock;
+import carom.sim.MatchPhase;
 import carom.sim.NextMatch;
+import carom.sim.Simulation;
+import carom.sim.level.LevelException;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.lang.reflect.Proxy;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -80,6 +87,138 @@ class MatchScenarioTest {
       assertEquals("platformer", client.view().game());
       assertEquals(0, client.stats().reconnects());
     }
+  }
+
+  @Test
+  void aMatchThatIsOverIsFollowedByTheNextLevelByItself() {
+    RoomConfig room = new RoomConfig("cup", "", List.of("arena", "commons"), 8, 1, Map.of());
+    try (Stepper stepper = Stepper.ofRooms(ServerConfig.defaults(), MatchLibrary.INSTALLED, room)) {
+      SimulatedClient ann = stepper.join("Ann", BAD, Scripts.wander(1));
+      SimulatedClient bob = stepper.join("Bob", BAD, Scripts.wander(2));
+      assertEquals(MatchPhase.PLAYING, MatchClock.phase(ann.view().match()));
+      Simulation match = stepper.room().simulation();
+      match.game().clock().finish(match);
+      stepper.runUntil(
+          "sees the result", () -> MatchClock.phase(ann.view().match()) == MatchPhase.OVER, 2);
+      stepper.runUntil(
+          "is told the result",
+          () ->
+              bob.view().notices().stream()
+                  .anyMatch(notice -> notice.text().equals("A draw, 0 : 0!")),
+          2);
+      int[] sooner = {0};
+      stepper.runUntil(
+          "plays the next level",
+          () -> {
+            boolean playing = ann.view().phase() == ConnectionPhase.PLAYING;
+            sooner[0] += playing && ann.view().level().name().equals("Corner Pocket") ? 1 : 0;
+            return playing && ann.view().level().name().equals("Commons");
+          },
+          10);
+      assertTrue(sooner[0] > 4 * 60, "the result shows for seconds");
+      assertEquals(1, stepper.count(Counter.MATCHES));
+      assertEquals(MatchPhase.PLAYING, MatchClock.phase(stepper.room().simulation()));
+    }
+  }
+
+  @Test
+  void anotherGameBeginsWithScoresThatAreKeptAndTeamsThatAreNot() {
+    try (Stepper stepper = Stepper.of("arena")) {
+      SimulatedClient ann = stepper.join("Ann", BAD, Scripts.wander(1));
+      Simulation arena = stepper.room().simulation();
+      arena.player(0).score(7);
+      assertEquals(1, arena.player(0).team());
+      arena.playNext(NextMatch.game("platformer").keepingScores());
+      stepper.runUntil(
+          "plays the other game",
+          () ->
+              ann.view().phase() == ConnectionPhase.PLAYING
+                  && ann.view().game().equals("platformer")
+                  && ann.view().own() != null,
+          5);
+      assertEquals(7, stepper.room().simulation().player(0).score());
+      assertEquals(0, stepper.room().simulation().player(0).team());
+      stepper.runUntil(
+          "is told",
+          () -> ann.view().players().size() == 1 && ann.view().players().get(0).score() == 7,
+          2);
+    }
+  }
+
+  @Test
+  void aLinkThatIsLostDuringTheChangeIsResumedInTheNextMatch() {
+    try (Stepper stepper = Stepper.of("arena")) {
+      SimulatedClient ann = stepper.join("Ann", BAD, Scripts.wander(1));
+      SimulatedClient bob = stepper.join("Bob", BAD, Scripts.wander(2));
+      stepper.run(1);
+      stepper.room().simulation().playNext(NextMatch.level("commons"));
+      stepper.runUntil("the match changes", () -> stepper.count(Counter.MATCHES) == 1, 2);
+      ann.cut(); // it has not even heard the Welcome
+      stepper.runUntil("Bob loads", () -> bob.view().phase() == ConnectionPhase.LOADING, 2);
+      bob.cut(); // in the middle of the level
+      for (SimulatedClient client : stepper.clients()) {
+        stepper.runUntil(
+            client.name() + " is back in the next match",
+            () ->
+                client.view().phase() == ConnectionPhase.PLAYING
+                    && client.view().level().name().equals("Commons")
+                    && client.view().own() != null,
+            10);
+      }
+      long compared = stepper.compared();
+      stepper.run(1);
+      assertTrue(stepper.compared() > compared + 50, stepper.describe());
+      assertEquals(2, stepper.room().simulation().playerCount());
+    }
+  }
+
+  @Test
+  void aSetUpThatThrowsLeavesTheRoomWithTheMatchItHasAndThePlayersAreTold() {
+    MatchLibrary broken =
+        new MatchLibrary() {
+          @Override
+          public Game game(String name) {
+            Game game = INSTALLED.game(name);
+            return name.equals("platformer") ? throwingInSetUp(game) : game;
+          }
+
+          @Override
+          public LoadedLevel level(String name) throws LevelException {
+            return INSTALLED.level(name);
+          }
+        };
+    RoomConfig room = new RoomConfig("cup", "", List.of("arena", "platformer"), 8, 1, Map.of());
+    try (Stepper stepper = Stepper.ofRooms(ServerConfig.defaults(), broken, room)) {
+      SimulatedClient ann = stepper.join("Ann", Impairment.NONE, Scripts.wander(1));
+      int tick = stepper.room().tick();
+      stepper.room().simulation().matchOver();
+      stepper.runUntil(
+          "is told",
+          () ->
+              ann.view().notices().stream()
+                  .anyMatch(notice -> notice.text().startsWith("The next match can't be played.")),
+          2);
+      stepper.run(1);
+      assertTrue(stepper.room().tick() > tick + 50, stepper.describe());
+      assertEquals(0, stepper.count(Counter.MATCHES));
+      assertEquals("arena", ann.view().game());
+      assertEquals(ConnectionPhase.PLAYING, ann.view().phase());
+      String answer = stepper.room().operator().change("platformer", "");
+      assertTrue(answer.contains("not changed: the set-up failed"), answer);
+    }
+  }
+
+  private static Game throwingInSetUp(Game game) {
+    return (Game)
+        Proxy.newProxyInstance(
+            Game.class.getClassLoader(),
+            new Class<?>[] {Game.class},
+            (self, method, arguments) -> {
+              if (method.getName().equals("setUp")) {
+                throw new IllegalStateException("on purpose");
+              }
+              return method.invoke(game, arguments);
+            });
   }
 
   @Test

@@ -124,6 +124,7 @@ class RoomScenarioTest {
                 "room3", "platformer", "Windmill Gap", "", 1, 4, 0, Map.of("skill", "any")),
             list.get(3));
         assertEquals(0, list.get(4).players());
+        assertEquals("playing", list.get(4).phase());
       }
       stepper.run(1);
       assertEquals(0, stepper.count(Counter.SESSIONS_EXPELLED));

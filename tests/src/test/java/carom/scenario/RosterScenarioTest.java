@@ -12,7 +12,9 @@ import carom.client.message.MessageListener;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
 import carom.sim.Input;
+import carom.sim.NextMatch;
 import carom.sim.Player;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
@@ -227,6 +229,28 @@ class RosterScenarioTest {
       assertTrue(ann.stats().reconnects() > 0);
       assertTrue(row(ann, bob).spectator());
       assertNotNull(ann.view().watched());
+    }
+  }
+
+  @Test
+  void aSpectatorWatchesTheNextMatchToo() {
+    try (Stepper stepper = duel()) {
+      SimulatedClient ann = stepper.join("Ann", BAD, InputSource.IDLE);
+      SimulatedClient bob = stepper.join("Bob", BAD, Scripts.wander(2));
+      ann.game().role(PlayerRole.SPECTATOR);
+      stepper.run(1);
+      stepper.room().simulation().playNext(NextMatch.level("arena"));
+      stepper.runUntil("the arena begins", () -> stepper.count(Counter.MATCHES) == 1, 5);
+      stepper.run(3);
+      assertEquals("arena", ann.view().game());
+      assertTrue(participant(stepper, ann).isSpectator());
+      assertTrue(row(ann, bob).spectator());
+      assertNull(ann.view().own());
+      assertEquals(bob.view().playerId(), ann.view().watchedPlayer());
+      assertNotNull(ann.view().watched());
+      ann.game().role(PlayerRole.PLAYER);
+      stepper.run(1);
+      assertNotNull(ann.view().own());
     }
   }
 

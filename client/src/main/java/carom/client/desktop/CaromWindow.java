@@ -8,6 +8,8 @@ import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.scene.SceneScreen;
 import carom.client.desktop.sound.AudioDevice;
 import carom.client.desktop.sound.EventSounds;
+import carom.client.link.RoomBrowser;
+import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;
 import carom.net.transport.ClientTransport;
 import com.badlogic.gdx.ApplicationAdapter;
@@ -93,9 +95,21 @@ final class CaromWindow extends ApplicationAdapter {
     ConnectScreen ask =
         new ConnectScreen(
             fonts,
-            (host, tcpPort, udpPort, name) -> {
-              config = config.withServer(host, tcpPort, udpPort).withName(name);
-              Gdx.app.postRunnable(this::play);
+            new ConnectScreen.Target() {
+              @Override
+              public void connect(ServerAddress server, String name, String room) {
+                config =
+                    config
+                        .withServer(server.host(), server.tcpPort(), server.udpPort())
+                        .withName(name)
+                        .withRoom(room.isEmpty() ? options.config().room() : room);
+                Gdx.app.postRunnable(CaromWindow.this::play);
+              }
+
+              @Override
+              public RoomBrowser browse(ServerAddress server) {
+                return new RoomBrowser(server, transport);
+              }
             },
             config.host(),
             config.tcpPort(),

@@ -2,6 +2,9 @@ package carom.client.desktop;
 
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
+import carom.client.link.RoomBrowser;
+import carom.client.link.ServerAddress;
+import carom.net.protocol.ServerMessage.RoomEntry;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input;
 import com.badlogic.gdx.ScreenAdapter;
@@ -26,12 +29,26 @@ import com.badlogic.gdx.utils.Disposable;
 import com.badlogic.gdx.utils.ScreenUtils;
 import com.badlogic.gdx.utils.viewport.ScreenViewport;
 
-/** Asks where to play and as whom, and shows why the last attempt failed. Render thread only. */
+/**
+ * Asks where to play and as whom, shows the rooms of the server to choose from, and why the last
+ * attempt failed. Render thread only.
+ */
 final class ConnectScreen extends ScreenAdapter {
   /** Receives what the player entered, whose form is checked. */
   interface Target {
-    void connect(String host, int tcpPort, int udpPort, String name);
+    /**
+     * Plays on a server.
+     *
+     * @param room name of the room; empty for any
+     */
+    void connect(ServerAddress server, String name, String room);
+
+    /** Asks a server for its rooms. */
+    RoomBrowser browse(ServerAddress server);
   }
+
+  /** Number of rooms for which there is room. */
+  private static final int MAX_ROOMS = 6;
 
   private static final int MAX_NAME_LENGTH = 16;
   private static final float FIELD_WIDTH = 320;
@@ -47,6 +64,9 @@ final class ConnectScreen extends ScreenAdapter {
   private final TextField tcpPort;
   private final TextField udpPort;
   private final Label message;
+  private final Table rooms = new Table();
+  private TextButton.TextButtonStyle plain;
+  private RoomBrowser browser;
 
   ConnectScreen(Fonts fonts, Target target, String host, int tcpPort, int udpPort, String name) {
     this.fonts = fonts;
@@ -79,7 +99,20 @@ final class ConnectScreen extends ScreenAdapter {
         new ChangeListener() {
           @Override
           public void changed(ChangeEvent event, Actor actor) {
-            submit();
+            submit("");
+          }
+        });
+    plain = new TextButton.TextButtonStyle();
+    plain.font = fonts.text;
+    plain.fontColor = Theme.TEXT;
+    plain.up = panel(Theme.rgb(0x1b2534), Theme.PANEL_LINE);
+    plain.over = panel(Theme.rgb(0x26354b), Theme.ACCENT);
+    TextButton show = new TextButton("Show rooms", plain);
+    show.addListener(
+        new ChangeListener() {
+          @Override
+          public void changed(ChangeEvent event, Actor actor) {
+            browse();
           }
         });
 
@@ -98,6 +131,8 @@ final class ConnectScreen extends ScreenAdapter {
     form.add(new Label("TCP port", muted)).left();
     form.add(ports).width(FIELD_WIDTH).row();
     form.add(join).colspan(2).height(52).fillX().padTop(10).row();
+    form.add(show).colspan(2).height(FIELD_HEIGHT).fillX().row();
+    form.add(rooms).colspan(2).fillX().row();
     form.add(message).colspan(2).width(FIELD_WIDTH + 90).minHeight(44);
 
     Table root = new Table();
@@ -107,7 +142,7 @@ final class ConnectScreen extends ScreenAdapter {
     root.add(form).row();
     root.add(
             new Label(
-                "Enter joins    Tab next field    Esc quits",
+                "Enter joins    Tab next field    F2 rooms    Esc quits",
                 new Label.LabelStyle(fonts.small, Theme.MUTED)))
         .padTop(18);
     stage.addActor(root);
@@ -116,7 +151,9 @@ final class ConnectScreen extends ScreenAdapter {
           @Override
           public boolean keyDown(InputEvent event, int key) {
             if (key == Input.Keys.ENTER || key == Input.Keys.NUMPAD_ENTER) {
-              submit();
+              submit("");
+            } else if (key == Input.Keys.F2) {
+              browse();
             } else if (key == Input.Keys.ESCAPE) {
               Gdx.app.exit();
             }
@@ -125,22 +162,67 @@ final class ConnectScreen extends ScreenAdapter {
         });
   }
 
-  private void submit() {
+  /** Joins a room, or any if its name is empty. */
+  private void submit(String room) {
     String player = name.getText().strip();
+    ServerAddress server = server();
+    if (player.isEmpty()) {
+      message("Enter a name of 1 to " + MAX_NAME_LENGTH + " letters.");
+    } else if (server != null) {
+      message("");
+      target.connect(server, player, room);
+    }
+  }
+
+  /** Asks the server for its rooms; they show when they arrive. */
+  private void browse() {
+    ServerAddress server = server();
+    if (server != null && browser == null) {
+      message("Asking " + server + " ...");
+      browser = target.browse(server);
+    }
+  }
+
+  private void showRooms() {
+    rooms.clearChildren();
+    for (RoomEntry room : browser.rooms().subList(0, Math.min(MAX_ROOMS, browser.rooms().size()))) {
+      String text =
+          "%s     %s, %s     %d/%d     %s"
+              .formatted(
+                  room.name(),
+                  room.game(),
+                  room.level(),
+                  room.players(),
+                  room.places(),
+                  room.phase());
+      TextButton button = new TextButton(text.stripTrailing(), plain);
+      button.addListener(
+          new ChangeListener() {
+            @Override
+            public void changed(ChangeEvent event, Actor actor) {
+              submit(room.name());
+            }
+          });
+      rooms.add(button).height(34).growX().padTop(4).row();
+    }
+    int more = browser.rooms().size() - MAX_ROOMS;
+    message(more > 0 ? more + " more; carom-client --list shows all" : browser.problem());
+  }
+
+  /** Returns the server that the player entered, or null after saying what is wrong with it. */
+  private ServerAddress server() {
     String server = host.getText().strip();
     int tcp = port(tcpPort.getText());
     int udp = port(udpPort.getText());
-    if (player.isEmpty()) {
-      message("Enter a name of 1 to " + MAX_NAME_LENGTH + " letters.");
-    } else if (server.isEmpty()) {
+    if (server.isEmpty()) {
       message("Enter the server's name or address, for instance localhost.");
     } else if (tcp == 0 || udp == 0) {
       message(
           "A port is a number from 1 to 65535. The usual ones are 54555 (TCP) and 54777 (UDP).");
     } else {
-      message("");
-      target.connect(server, tcp, udp, player);
+      return new ServerAddress(server, tcp, udp);
     }
+    return null;
   }
 
   /** Returns the port that a text names, or 0. */
@@ -196,6 +278,13 @@ final class ConnectScreen extends ScreenAdapter {
   @Override
   public void render(float deltaSeconds) {
     ScreenUtils.clear(Theme.BACKDROP);
+    if (browser != null) {
+      browser.update(System.nanoTime());
+      if (browser.isDone()) {
+        showRooms();
+        browser = null;
+      }
+    }
     stage.act(deltaSeconds);
     stage.draw();
   }
@@ -207,6 +296,9 @@ final class ConnectScreen extends ScreenAdapter {
 
   @Override
   public void dispose() {
+    if (browser != null) {
+      browser.close();
+    }
     stage.dispose();
     owned.forEach(Disposable::dispose);
   }

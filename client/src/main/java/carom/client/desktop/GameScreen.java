@@ -4,8 +4,10 @@ import carom.client.GameClient;
 import carom.client.InputSource;
 import carom.client.desktop.chat.Conversation;
 import carom.client.desktop.game.GamePicture;
+import carom.client.desktop.hud.Curtain;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.NetGraph;
+import carom.client.desktop.hud.RoomPanel;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.sound.EventSounds;
@@ -38,6 +40,8 @@ final class GameScreen extends ScreenAdapter {
 
   private final GamePicture picture;
   private final NetGraph netGraph;
+  private final Curtain curtain;
+  private final RoomPanel rooms;
   private final Controls controls = new Controls();
   private final Exit exit;
   private final Fonts fonts;
@@ -51,6 +55,10 @@ final class GameScreen extends ScreenAdapter {
     this.fonts = fonts;
     picture = new GamePicture(canvas, fonts, sounds);
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
+    curtain = new Curtain(picture.hud(), canvas);
+    rooms =
+        new RoomPanel(
+            picture.hud(), fonts, () -> client.listRooms(), name -> client.changeRoom(name));
   }
 
   /** Returns the devices as a source of input. */
@@ -80,8 +88,8 @@ final class GameScreen extends ScreenAdapter {
   }
 
   private void sample(ClientView view, Input out) {
-    if (conversation.isWriting()) {
-      return; // keys are letters now
+    if (rooms.isOpen() || conversation.isWriting()) {
+      return; // keys choose a room, or are letters
     }
     Drawn own = view.own();
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
@@ -99,10 +107,15 @@ final class GameScreen extends ScreenAdapter {
 
           @Override
           public boolean keyDown(int key) {
+            if (rooms.isOpen()) {
+              rooms.key(key);
+              return true;
+            }
             if (conversation.isWriting()) {
               return conversation.key(key, isDown(Keys.SHIFT_LEFT, Keys.SHIFT_RIGHT));
             }
             switch (key) {
+              case Keys.F2 -> rooms.toggle();
               case Keys.F3 -> showNetGraph = !showNetGraph;
               case Keys.ESCAPE -> exit.leave("");
               default -> {
@@ -174,8 +187,11 @@ final class GameScreen extends ScreenAdapter {
       OrthographicCamera shown = picture.camera().gdx();
       client.look(shown.position.x, shown.position.y, shown.viewportWidth, shown.viewportHeight);
     }
+    boolean changes = curtain.draw(view, deltaSeconds);
     if (view.phase() != ConnectionPhase.PLAYING) {
-      hud.phase(view);
+      if (!changes) {
+        hud.phase(view);
+      }
     } else {
       hud.hints(view, secondsPlayed, showNetGraph ? NetGraph.RIGHT : 0);
       if (view.own() == null && secondsPlayed > 1) {
@@ -183,6 +199,7 @@ final class GameScreen extends ScreenAdapter {
       }
       conversation.draw(view, hud, picture.camera(), nowNs);
     }
+    rooms.draw(view, deltaSeconds);
     if (showNetGraph) {
       netGraph.draw(view.stats(), nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
     }

@@ -7,14 +7,22 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
 
 /**
- * Downloads a level in pieces, and keeps it: after a reconnect, a level that is already here isn't
- * loaded again, and a broken download goes on where it stopped. One connection's; one thread.
+ * Downloads levels in pieces, and keeps the last ones: a level that is already here isn't loaded
+ * again after a reconnect or when a room comes round to it, and a broken download goes on where it
+ * stopped. One connection's; one thread.
  */
 final class LevelDownload {
   /** Pieces that are requested and not yet received; several at once hide the round trip. */
   private static final int PIECES_IN_FLIGHT = 16;
+
+  /** Levels that are kept, and their bytes together; the present one is kept whatever its size. */
+  private static final int MAX_KEPT = 16;
+
+  private static final int MAX_KEPT_BYTES = 16 << 20;
 
   /** How the download stands after a piece. */
   enum Progress {
@@ -34,7 +42,10 @@ final class LevelDownload {
   private int received;
   private int requested;
   private Level level;
-  private long levelHash;
+
+  /** The levels that are kept, by their hash, the one that was used last at the end. */
+  private final LinkedHashMap<Long, Level> kept = new LinkedHashMap<>(16, 0.75f, true);
+
   private String problem = "";
 
   /**
@@ -44,10 +55,10 @@ final class LevelDownload {
    */
   boolean begin(ServerMessage.Welcome newWelcome) {
     welcome = newWelcome;
-    if (level != null && levelHash == welcome.levelHash()) {
+    level = kept.get(welcome.levelHash());
+    if (level != null) {
       return true;
     }
-    level = null;
     boolean continues =
         packed != null
             && packedHash == welcome.levelHash()
@@ -108,12 +119,22 @@ final class LevelDownload {
     } catch (LevelException e) {
       return fail(Progress.UNREADABLE, "The server's level can't be used: " + e.getMessage());
     }
-    levelHash = level.contentHash();
-    if (levelHash != welcome.levelHash()) {
+    if (level.contentHash() != welcome.levelHash()) {
       level = null;
       return fail(Progress.DAMAGED, "The level was damaged on its way. Try again.");
     }
+    kept.put(welcome.levelHash(), level);
+    forgetOldest();
     return Progress.DONE;
+  }
+
+  private void forgetOldest() {
+    long bytes = kept.values().stream().mapToLong(each -> each.source().length).sum();
+    Iterator<Level> oldest = kept.values().iterator();
+    while (kept.size() > 1 && (kept.size() > MAX_KEPT || bytes > MAX_KEPT_BYTES)) {
+      bytes -= oldest.next().source().length;
+      oldest.remove();
+    }
   }
 
   private Progress fail(Progress progress, String why) {

@@ -2,6 +2,7 @@ package carom.server.room;
 
 import carom.net.protocol.Limits;
 import carom.net.protocol.SessionState;
+import carom.server.config.RoomConfig;
 import carom.server.match.LevelUpload;
 import carom.server.match.MatchInfo;
 import carom.server.match.SavedMatch;
@@ -11,7 +12,6 @@ import carom.server.session.Session;
 import carom.sim.NextMatch;
 import carom.sim.Player;
 import carom.sim.Simulation;
-import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicReference;
 import org.slf4j.Logger;
@@ -42,10 +42,11 @@ final class MatchChange {
   private final RoomContext room;
   private final MatchLoader loader;
   private final Executor executor;
-  private final List<String> rotation;
+  private final RoomConfig settings;
   private final RoomSessions sessions;
   private final RoomRecording recording;
   private final RosterNews roster;
+  private final Announcer announcer;
 
   /** What the other thread brings back; null while it loads. */
   private final AtomicReference<Loaded> loaded = new AtomicReference<>();
@@ -62,20 +63,22 @@ final class MatchChange {
    * Creates an object that has nothing to change.
    *
    * @param executor loads matches for the game, on a thread that no tick waits for
-   * @param rotation names of the levels that follow each other; the room plays the first
+   * @param settings with the levels that follow each other; the room plays the first
    */
   MatchChange(
       RoomContext room,
       MatchLoader loader,
       Executor executor,
-      List<String> rotation,
+      RoomConfig settings,
       RoomSessions sessions,
       RoomRecording recording,
-      RosterNews roster) {
+      RosterNews roster,
+      Announcer announcer) {
+    this.announcer = announcer;
     this.room = room;
     this.loader = loader;
     this.executor = executor;
-    this.rotation = rotation;
+    this.settings = settings;
     this.sessions = sessions;
     this.recording = recording;
     this.roster = roster;
@@ -97,24 +100,31 @@ final class MatchChange {
     } else {
       failed = outcome.wanted();
       failedNs = nowNs;
+      announcer.notice("The next match can't be played. This one goes on.");
     }
   }
 
   private void request(NextMatch wanted, long nowNs) {
-    if (wanted.isOfRotation() && rotation.size() < 2
-        || wanted.equals(failed) && nowNs - failedNs < RETRY_NS) {
+    if (wanted.equals(failed) && nowNs - failedNs < RETRY_NS) {
       return;
     }
     failed = null;
-    NextMatch named = wanted;
-    if (wanted.isOfRotation()) {
-      inRotation = (inRotation + 1) % rotation.size();
-      named =
-          new NextMatch("", rotation.get(inRotation), wanted.keepsTeams(), wanted.keepsScores());
-    }
+    NextMatch named = wanted.isOfRotation() ? nextOfRotation(wanted) : wanted;
     loading = true;
     NextMatch toLoad = named;
     executor.execute(() -> loaded.set(tryToLoad(toLoad, wanted)));
+  }
+
+  /** Returns the next level of the rotation; the same one again if there is no other. */
+  private NextMatch nextOfRotation(NextMatch wanted) {
+    String game = settings.game();
+    String level = "";
+    if (!settings.levels().isEmpty()) {
+      inRotation = (inRotation + 1) % settings.levels().size();
+      game = "";
+      level = settings.levels().get(inRotation);
+    }
+    return new NextMatch(game, level, wanted.keepsTeams(), wanted.keepsScores());
   }
 
   private Loaded tryToLoad(NextMatch named, NextMatch wanted) {

@@ -24,6 +24,7 @@ import carom.server.session.RosterNews;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.Entity;
+import carom.sim.MatchClock;
 import carom.sim.Simulation;
 import java.io.IOException;
 import java.util.concurrent.Executor;
@@ -93,6 +94,7 @@ public final class Room {
   private final BiConsumer<Session, Broadcast> sendTo;
   private int failedTicks;
   private volatile int tick;
+  private volatile String phase;
   private volatile boolean failed;
   private volatile boolean closed;
 
@@ -133,7 +135,7 @@ public final class Room {
     roster = new RosterNews(seats.count(), config.rosterIntervalMs());
     departures = new Departures(context, sessions, roster, announcer, partings);
     changes =
-        new MatchChange(context, loader, loads, settings.levels(), sessions, recording, roster);
+        new MatchChange(context, loader, loads, settings, sessions, recording, roster, announcer);
     arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
     moves = new RoomMoves(context, this, directory, sessions, departures);
     warnings = new LoadWarnings(label, counters, config.tickRateHz());
@@ -145,6 +147,7 @@ public final class Room {
     sendNotice = announcer::notice;
     sendTo = sessions::sendTo;
     context.match().capture().capture();
+    phase = presentPhase();
   }
 
   private static Match firstMatch(MatchLoader loader) {
@@ -290,6 +293,7 @@ public final class Room {
       changes.tickEnds(nowNs);
     }
     tick = context.simulation().tick();
+    phase = presentPhase();
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
     if (tookNs > loop.periodNs()) {
@@ -300,6 +304,12 @@ public final class Room {
       String game = simulation.game().name();
       fail("game " + game + " failed in each of the last " + rate + " ticks");
     }
+  }
+
+  /** Returns the phase of the match for people, empty if the game has no clock. */
+  private String presentPhase() {
+    Simulation simulation = context.simulation();
+    return simulation.game().clock() == null ? "" : MatchClock.phase(simulation).text();
   }
 
   private int pollAll(long nowNs) {
@@ -416,7 +426,7 @@ public final class Room {
         name(),
         match.game(),
         match.level().level().name(),
-        "",
+        phase,
         seats().takenCount(),
         seats().count(),
         (int) counters.get(Counter.SPECTATORS),

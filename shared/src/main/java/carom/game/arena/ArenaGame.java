@@ -18,12 +18,13 @@ import carom.physics.math.Trig;
 import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.Input;
+import carom.sim.MatchClock;
+import carom.sim.MatchPhase;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
-import carom.sim.field.Choice;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
 import carom.sim.field.EntityRef;
@@ -43,8 +44,8 @@ import java.util.List;
  * Input#SECOND} it gives a jolt along its aim: the first ball, disc or crate within {@value
  * #JOLT_RANGE} m is pushed away, as judged by what the player saw. A ball in the other team's goal
  * counts for the team and for the player who touched it last. The first team with {@value
- * #GOALS_TO_WIN} goals wins, then a new match begins. There is one ball for every {@value
- * #PLAYERS_PER_BALL} players.
+ * #GOALS_TO_WIN} goals wins, or the one that leads after {@value #MATCH_SECONDS} s; then the room's
+ * next match begins. There is one ball for every {@value #PLAYERS_PER_BALL} players.
  *
  * <p>A level needs zones {@code goal} and {@code home} for the teams 1 and 2 (the goal's team
  * defends it), and spawns {@code ball}. Zones {@code lamps} for both teams get a lamp for each goal
@@ -56,6 +57,9 @@ import java.util.List;
 public final class ArenaGame implements Game {
   /** Number of goals that win a match. */
   public static final int GOALS_TO_WIN = 5;
+
+  /** Longest match, seconds. */
+  public static final float MATCH_SECONDS = 300;
 
   /** Number of players per ball. */
   public static final int PLAYERS_PER_BALL = 12;
@@ -102,11 +106,8 @@ public final class ArenaGame implements Game {
 
   private static final int MAX_SPARKS = 16;
 
-  /** What the match is at. */
-  private enum Phase {
-    PLAY,
-    PAUSE
-  }
+  private static final MatchClock CLOCK =
+      MatchClock.playing(MATCH_SECONDS).over(INTERMISSION_SECONDS);
 
   // Of a player. Input writes them, so that clients predict dashes and jolts.
   private static final Countdown DASH = Field.countdown("dash"); // while it lasts
@@ -119,8 +120,6 @@ public final class ArenaGame implements Game {
   private static final Flag JOLT_HELD = Field.flag("joltHeld");
 
   // Of the match. Goals have the team as index.
-  private static final Choice<Phase> PHASE = Field.choice("phase", Phase.class).of(MATCH).to(ALL);
-  private static final Countdown PAUSE = Field.countdown("pause").of(MATCH).to(ALL);
   private static final Count GOALS =
       Field.count("goals", 0, GOALS_TO_WIN).of(MATCH).to(ALL).times(TEAMS + 1);
   private static final EntityRef BALL = Field.entity("ball").of(MATCH).to(ALL).times(MAX_BALLS);
@@ -190,8 +189,6 @@ public final class ArenaGame implements Game {
         JOLTS,
         JOLT_WAIT,
         JOLT_HELD,
-        PHASE,
-        PAUSE,
         GOALS,
         BALL,
         BALL_WAIT,
@@ -372,10 +369,7 @@ public final class ArenaGame implements Game {
 
   @Override
   public void beforeStep(Simulation s) {
-    if (s.get(PHASE) == Phase.PAUSE) {
-      if (s.get(PAUSE) == 0) {
-        newMatch(s);
-      }
+    if (!MatchClock.isPlaying(s)) {
       return;
     }
     int wanted = Math.min(MAX_BALLS, 1 + s.playerCount() / PLAYERS_PER_BALL);
@@ -470,7 +464,7 @@ public final class ArenaGame implements Game {
       float scale = BALL_MAX_SPEED / (float) Math.sqrt(speed2);
       body.setVelocity(body.velocityX() * scale, body.velocityY() * scale);
     }
-    for (int g = 0; g < goals.size(); g++) {
+    for (int g = 0; g < goals.size() && MatchClock.isPlaying(s); g++) {
       if (goals.get(g).contains(body.x(), body.y())) {
         score(s, i, e, goals.get(g).team());
         return;
@@ -528,16 +522,31 @@ public final class ArenaGame implements Game {
     removeBall(s, i, e);
     setLamps(s);
     if (s.get(GOALS, team) == GOALS_TO_WIN) {
-      s.notice(TEAM_NAMES[team] + " wins " + standing + "!");
-      s.set(PHASE, Phase.PAUSE);
-      s.set(PAUSE, s.ticks(INTERMISSION_SECONDS));
-      for (int other = 0; other < MAX_BALLS; other++) {
-        if (s.get(BALL, other) != null) {
-          removeBall(s, other, s.get(BALL, other));
-        }
-      }
+      CLOCK.finish(s, team);
     } else {
       balance(s);
+    }
+  }
+
+  @Override
+  public MatchClock clock() {
+    return CLOCK;
+  }
+
+  @Override
+  public void phase(Simulation s, MatchPhase now) {
+    if (now == MatchPhase.OVER) {
+      int red = s.get(GOALS, 1);
+      int blue = s.get(GOALS, 2);
+      int winner = red == blue ? 0 : red > blue ? 1 : 2;
+      CLOCK.decide(s, null, winner);
+      s.notice(
+          (winner == 0 ? "A draw, " : TEAM_NAMES[winner] + " wins ") + red + " : " + blue + "!");
+      for (int i = 0; i < MAX_BALLS; i++) {
+        if (s.get(BALL, i) != null) {
+          removeBall(s, i, s.get(BALL, i));
+        }
+      }
     }
   }
 
@@ -551,25 +560,6 @@ public final class ArenaGame implements Game {
   private static void removeBall(Simulation s, int i, Entity e) {
     s.despawn(e);
     s.set(BALL_WAIT, i, s.ticks(KICK_OFF_SECONDS));
-  }
-
-  private void newMatch(Simulation s) {
-    s.set(PHASE, Phase.PLAY);
-    s.set(GOALS, 1, 0);
-    s.set(GOALS, 2, 0);
-    setLamps(s);
-    for (int id = 0; id < s.level().bodies().size(); id++) {
-      sendHome(s, id);
-    }
-    balance(s);
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
-      if (p != null) {
-        p.score(0);
-        giveBody(s, p);
-      }
-    }
-    s.notice("New match: first to " + GOALS_TO_WIN + " goals");
   }
 
   /**

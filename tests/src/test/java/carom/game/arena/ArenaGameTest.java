@@ -9,6 +9,9 @@ import carom.game.GamesTest;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Input;
+import carom.sim.MatchClock;
+import carom.sim.MatchPhase;
+import carom.sim.NextMatch;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
@@ -136,23 +139,39 @@ class ArenaGameTest {
   }
 
   @Test
-  void fiveGoalsWinAndANewMatchBegins() {
-    Player p = s.join("ann");
+  void fiveGoalsWinAndTheNextMatchIsAskedFor() {
+    s.join("ann");
     for (int goal = 0; goal < ArenaGame.GOALS_TO_WIN; goal++) {
       assertEquals(goal, count("lamp.Red"));
       run(130);
       put(ball(), 18.8f, 0);
       run(1);
     }
+    run(1);
     assertEquals(ArenaGame.GOALS_TO_WIN, count("lamp.Red"));
     assertTrue(notices.contains("Red wins 5 : 0!"), notices.toString());
+    assertEquals(MatchPhase.OVER, MatchClock.phase(s));
+    assertEquals(1, MatchClock.winningTeam(s));
     run(200);
     assertNull(ball());
-    run(300);
-    assertNotNull(ball());
-    assertEquals(0, count("lamp.Red"));
-    assertEquals(0, p.score());
-    assertNotNull(p.body());
+    assertNull(s.takeNextMatch());
+    run(200);
+    assertEquals(NextMatch.OF_ROTATION, s.takeNextMatch());
+  }
+
+  @Test
+  void aMatchOfFiveMinutesEndsWithItsStanding() {
+    s.join("ann");
+    run(130);
+    put(ball(), -18.8f, 0);
+    run(MatchClock.ticksLeft(s) - 1);
+    assertEquals(MatchPhase.PLAYING, MatchClock.phase(s));
+    assertEquals(1, MatchClock.ticksLeft(s));
+    assertEquals(ArenaGame.MATCH_SECONDS * 60, s.tick(), 1);
+    run(2);
+    assertEquals(MatchPhase.OVER, MatchClock.phase(s));
+    assertTrue(notices.contains("Blue wins 0 : 1!"), notices.toString());
+    assertEquals(2, MatchClock.winningTeam(s));
   }
 
   @Test

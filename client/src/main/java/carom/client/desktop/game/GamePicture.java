@@ -1,5 +1,6 @@
 package carom.client.desktop.game;
 
+import carom.client.desktop.hud.ClockPanel;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.paint.Canvas;
@@ -32,6 +33,7 @@ public final class GamePicture implements Disposable {
   private final WorldPainter world;
   private final DebugPainter debug;
   private final Hud hud;
+  private final ClockPanel clock;
   private final ScoreBoard scores;
   private boolean showDebug;
   private double seconds;
@@ -42,6 +44,7 @@ public final class GamePicture implements Disposable {
     world = new WorldPainter(canvas);
     debug = new DebugPainter(canvas);
     hud = new Hud(canvas, fonts);
+    clock = new ClockPanel(hud, fonts);
     scores = new ScoreBoard(hud, fonts);
   }
 
@@ -144,6 +147,7 @@ public final class GamePicture implements Disposable {
     } else {
       hud.scores(view);
     }
+    clock.draw(view);
     hud.notices(view, nowNs);
     hud.drawAnswer(deltaSeconds);
   }

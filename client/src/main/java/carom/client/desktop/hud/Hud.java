@@ -36,9 +36,9 @@ public final class Hud implements Disposable {
   private static final float HINT_SECONDS = 12;
   private static final float ANSWER_SECONDS = 1.5f;
   private static final String KEYS =
-      "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move"
-          + "     Tab: players     Enter: chat     1-8: emotes     M: sound     F3: net graph"
-          + "     Esc: leave";
+      "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move  "
+          + "   Tab: players     Enter: chat     1-8: emotes     M: sound     F2: rooms     F3: net"
+          + " graph     Esc: leave";
 
   private final Canvas canvas;
   private final SpriteBatch batch = new SpriteBatch();
@@ -75,6 +75,11 @@ public final class Hud implements Disposable {
   /** Returns the window's height, px. */
   public int height() {
     return height;
+  }
+
+  /** Returns the window's width, px. */
+  int windowWidth() {
+    return width;
   }
 
   /** Returns the projection from pixels, origin bottom left, to clip space. */
