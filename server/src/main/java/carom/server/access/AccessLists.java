@@ -54,7 +54,8 @@ public final class AccessLists implements EntryRule {
 
   /** Reads the files that have changed again, and returns whether one has. */
   boolean reloadIfChanged() {
-    return bans.reloadIfChanged() | allowed.reloadIfChanged();
+    boolean bansChanged = bans.reloadIfChanged();
+    return allowed.reloadIfChanged() || bansChanged;
   }
 
   @Override

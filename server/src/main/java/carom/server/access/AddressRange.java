@@ -6,13 +6,8 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
-/**
- * An address, or the network of addresses that begin with the same bits. Immutable.
- *
- * @param first 4 or 16 bytes, zero behind the prefix
- * @param prefix number of bits that addresses of the range share
- */
-record AddressRange(byte[] first, int prefix) {
+/** An address, or the network of addresses that begin with the same bits. Immutable. */
+final class AddressRange {
   /** What looks like an address; a name would be looked up in the network. */
   private static final Pattern LITERAL =
       Pattern.compile("\\d{1,3}(\\.\\d{1,3}){3}|[0-9a-fA-F:.]*:[0-9a-fA-F:.]*");
@@ -20,8 +15,15 @@ record AddressRange(byte[] first, int prefix) {
   /** Prefix of the network that one household has. */
   private static final int IPV6_HOUSEHOLD = 64;
 
-  AddressRange {
-    first = first.clone();
+  /** The address, 4 or 16 bytes, zero behind the prefix. */
+  private final byte[] first;
+
+  /** Number of bits that addresses of the range share. */
+  private final int prefix;
+
+  private AddressRange(byte[] address, int prefix) {
+    this.first = address.clone();
+    this.prefix = prefix;
     for (int bit = prefix; bit < first.length * Byte.SIZE; bit++) {
       first[bit / Byte.SIZE] &= (byte) ~(0x80 >>> bit % Byte.SIZE);
     }

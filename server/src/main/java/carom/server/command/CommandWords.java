@@ -35,7 +35,8 @@ public record CommandWords(List<String> all, String room) {
     StringBuilder word = new StringBuilder();
     boolean begun = false;
     boolean quoted = false;
-    for (char c : line.toCharArray()) {
+    for (int i = 0; i < line.length(); i++) {
+      char c = line.charAt(i);
       if (c == '"') {
         quoted = !quoted;
         begun = true;

@@ -22,15 +22,39 @@ import java.util.zip.CRC32;
 /**
  * A match between two ticks, as a file holds it: the game's name, the whole level, and the state of
  * the simulation. It can be loaded by a build with the same physics. Immutable.
- *
- * @param game name of the game
- * @param level the level
- * @param seed seed of the match's random numbers
- * @param state what {@link carom.sim.SimState#write} wrote; the live array, never changed
  */
-public record SavedMatch(String game, LoadedLevel level, long seed, byte[] state) {
+public final class SavedMatch {
   private static final long MAGIC = 0x4341524f4d534156L; // "CAROMSAV"
   private static final int FORMAT = 1;
+
+  private final String game;
+  private final LoadedLevel level;
+  private final long seed;
+
+  /** What {@link carom.sim.SimState#write} wrote; never changed. */
+  private final byte[] state;
+
+  private SavedMatch(String game, LoadedLevel level, long seed, byte[] state) {
+    this.game = game;
+    this.level = level;
+    this.seed = seed;
+    this.state = state;
+  }
+
+  /** Returns the name of the game. */
+  public String game() {
+    return game;
+  }
+
+  /** Returns the level. */
+  public LoadedLevel level() {
+    return level;
+  }
+
+  /** Returns the seed of the match's random numbers. */
+  public long seed() {
+    return seed;
+  }
 
   /** Copies the state of a match. The room's thread. */
   public static SavedMatch of(MatchInfo match, Simulation simulation) {

@@ -1,5 +1,7 @@
 package carom.server.metrics;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLongArray;
 import org.HdrHistogram.Histogram;
@@ -69,10 +71,8 @@ public final class Counters {
   public synchronized TickHistogram histogram(long... limitsNs) {
     interval = tickTimes.getIntervalHistogram(interval);
     total.add(interval);
-    long[] atMost = new long[limitsNs.length];
-    for (int i = 0; i < limitsNs.length; i++) {
-      atMost[i] = total.getCountBetweenValues(0, limitsNs[i]);
-    }
+    List<Long> atMost =
+        Arrays.stream(limitsNs).mapToObj(limit -> total.getCountBetweenValues(0, limit)).toList();
     return new TickHistogram(
         atMost, total.getTotalCount(), total.getMean() * total.getTotalCount());
   }
@@ -84,7 +84,7 @@ public final class Counters {
    * @param count number of ticks
    * @param sumNs time that all took, ns
    */
-  public record TickHistogram(long[] atMost, long count, double sumNs) {}
+  public record TickHistogram(List<Long> atMost, long count, double sumNs) {}
 
   /**
    * The distribution of tick times.

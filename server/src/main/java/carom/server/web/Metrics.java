@@ -109,8 +109,8 @@ final class Metrics {
       ClassicHistogramBuckets.Builder buckets = ClassicHistogramBuckets.builder();
       long below = 0;
       for (int i = 0; i < TICK_LIMITS_NS.length; i++) {
-        buckets.bucket(TICK_LIMITS_NS[i] / NS_PER_S, times.atMost()[i] - below);
-        below = times.atMost()[i];
+        buckets.bucket(TICK_LIMITS_NS[i] / NS_PER_S, times.atMost().get(i) - below);
+        below = times.atMost().get(i);
       }
       buckets.bucket(Double.POSITIVE_INFINITY, times.count() - below);
       all.dataPoint(
