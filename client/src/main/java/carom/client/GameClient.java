@@ -217,6 +217,11 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
+    public void pools(ServerMessage.PoolChunk chunk) {
+      game.pools(chunk);
+    }
+
+    @Override
     public String heard(ServerMessage.Heard message) {
       return messages.heard(message);
     }

@@ -217,7 +217,7 @@ final class GameChoice {
   private static List<String> builtInLevels() {
     return Stream.concat(
             Games.names().stream().map(name -> Games.create(name).defaultLevel()),
-            Stream.of("commons", "lagoon"))
+            Stream.of("commons", "lagoon", "sluice"))
         .toList();
   }
 
