@@ -245,8 +245,11 @@ final class JoinedGame {
     sender.add(tick, packed, view.view().tick());
     view.tick(tick);
     sender.sendIfDue(tick, renderClock.started() ? tick - renderClock.tick() : 0, nowNs);
-    pools.advance(tick, nowNs);
+    boolean known = pools.advance(tick, nowNs);
     if (prediction != null) {
+      if (!known) {
+        divergence.guessed(tick);
+      }
       prediction.step(tick, packed);
     }
   }

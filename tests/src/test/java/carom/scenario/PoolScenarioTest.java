@@ -3,12 +3,15 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.ClientConfig;
+import carom.client.PredictionMode;
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
 import carom.sim.pool.Pools;
+import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.HashMap;
@@ -62,7 +65,8 @@ class PoolScenarioTest {
   @Test
   void twoClientsHaveTheServersParticlesAndForeseeWhatTheyDoToBodies() throws Exception {
     try (Stepper stepper = sluice()) {
-      SimulatedClient p = stepper.join("p", FAR, new Bot(1));
+      ClientConfig all = ClientConfig.of("p").withPrediction(PredictionMode.ALL);
+      SimulatedClient p = stepper.add(all, FAR, Scripts.wander(Stepper.SEED));
       SimulatedClient q = stepper.add("q", FAR, new Bot(2));
       stepper.run(4);
       final long awake = p.stats().awakeBodies();
@@ -81,7 +85,6 @@ class PoolScenarioTest {
               different,
               p.view().tick() - p.view().pools().tick(),
               (p.stats().bytesIn() - bytes) * 8 / 30e3);
-      System.out.println("DBG " + about);
       assertTrue(compared > 3_000, about);
       assertEquals(0, different, about);
       assertTrue(right >= 98, about);

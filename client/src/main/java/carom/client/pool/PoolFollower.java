@@ -30,6 +30,7 @@ public final class PoolFollower {
   private final TableInbox tables;
   private final Connection connection;
   private final int[] row = new int[OrderLog.WORDS];
+  private int lastTick;
   private byte[] state;
   private int received;
   private int requested;
@@ -68,12 +69,15 @@ public final class PoolFollower {
    * Moves the pools on, and asks for a state when they need one.
    *
    * @param tick the tick that is predicted next
+   * @return whether the particles of this tick are known, and those of all ticks before it were
    */
-  public void advance(int tick, long nowNs) {
+  public boolean advance(int tick, long nowNs) {
     if (pools.count() == 0) {
-      return;
+      return true;
     }
+    boolean wentBack = pools.tick() < lastTick;
     pools.follow(tick, MOST_STEPS);
+    lastTick = pools.tick();
     if (pools.needsState(tick) && (!asked || nowNs - askedNs > PATIENCE_NS)) {
       asked = true;
       askedNs = nowNs;
@@ -82,6 +86,7 @@ public final class PoolFollower {
       requested = Limits.MAX_LEVEL_CHUNK_BYTES;
       connection.send(new ClientMessage.PoolRequest(0));
     }
+    return pools.tick() == tick && !wentBack;
   }
 
   /** Takes in a piece of a state. Pieces that don't fit are passed over. */

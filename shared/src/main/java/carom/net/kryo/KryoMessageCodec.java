@@ -44,6 +44,8 @@ import java.util.Map;
  * reflection, and so that each length is checked before anything is allocated. Numbers are Kryo's:
  * little-endian, with lengths as variable-length integers. A string is a length in bytes followed
  * by UTF-8.
+ *
+ * <p><b>Length.</b> The class holds the layouts of all messages from the server, side by side.
  */
 public final class KryoMessageCodec implements MessageCodec {
   private static final int FIRST_SERVER_BYTE = 0x40;
