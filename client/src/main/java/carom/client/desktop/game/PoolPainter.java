@@ -15,9 +15,9 @@ import com.badlogic.gdx.graphics.OrthographicCamera;
  */
 final class PoolPainter {
   /** Size of a particle's rim and of the particle, in spacings. */
-  private static final float RIM = 1.7f;
+  private static final float RIM = 1.9f;
 
-  private static final float SIZE = 1.35f;
+  private static final float SIZE = 1.6f;
 
   /** Size in pixels below which a square does for a disc. */
   private static final float SMALL_PX = 5;
