@@ -6,32 +6,41 @@ import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Broadcast;
 import carom.server.session.Session;
+import carom.sim.Player;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.BiConsumer;
 
 /**
- * Tells clients the roster: the players and their scores. A client that knows the roster is told
- * the changes, and a client on a new link all of it. So a crowd that comes in costs each client a
- * line for each newcomer, not the whole list each time.
+ * Tells clients the roster: players and spectators with name, team, role, readiness, score, whether
+ * they are alive, and ping. A client that knows the roster is told the changes, and a client on a
+ * new link all of it. So a crowd that comes in costs each client a line for each newcomer, not the
+ * whole list each time. Pings are looked at rarely and told in coarse steps.
  *
  * <p>The room's thread. Allocates only when something has changed.
  */
 final class RosterNews {
   private static final long NS_PER_MS = 1_000_000;
-  private static final String NOBODY = "";
+  private static final long PING_NS = 2_000 * NS_PER_MS;
+
+  /** A ping is told again when it differs by so many milliseconds and by a quarter. */
+  private static final int PING_STEP_MS = 10;
 
   /**
    * Limit of sends per tick: a write to a socket takes about 10 us, and 500 of them half a tick.
    */
   private static final int MAX_SENDS_PER_TICK = 64;
 
-  private final String[] names;
-  private final int[] scores;
+  /** What the clients know of each seat; null for nobody. */
+  private final RosterEntry[] told;
+
+  private final int[] pings;
   private final long intervalNs;
   private boolean old;
   private long begunNs;
+  private long pingedNs;
 
   // The round that is going on: the messages, null between rounds, and the next seat to serve.
   private List<Broadcast> changes;
@@ -45,13 +54,12 @@ final class RosterNews {
    * @param intervalMs shortest time between the beginnings of two rounds, ms
    */
   RosterNews(int seats, int intervalMs) {
-    names = new String[seats];
-    Arrays.fill(names, NOBODY);
-    scores = new int[seats];
+    told = new RosterEntry[seats];
+    pings = new int[seats];
     intervalNs = intervalMs * NS_PER_MS;
   }
 
-  /** Notes that a player came, came back, or went. */
+  /** Notes that a participant came, came back, or went. */
   void changed() {
     old = true;
   }
@@ -64,8 +72,14 @@ final class RosterNews {
    */
   void send(Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
     if (changes == null) {
-      markOldIfScoresChanged(bySeat);
-      if (!old || nowNs - begunNs < intervalNs) {
+      if (nowNs - begunNs < intervalNs) {
+        return;
+      }
+      measurePings(bySeat, nowNs);
+      for (int id = 0; id < bySeat.length && !old; id++) {
+        old = !isTold(id, bySeat[id]);
+      }
+      if (!old) {
         return;
       }
       old = false;
@@ -87,10 +101,35 @@ final class RosterNews {
     }
   }
 
-  private void markOldIfScoresChanged(Session[] bySeat) {
-    for (int id = 0; id < bySeat.length && !old; id++) {
-      old = bySeat[id] != null && scores[id] != bySeat[id].player().score();
+  private void measurePings(Session[] bySeat, long nowNs) {
+    if (nowNs - pingedNs < PING_NS) {
+      return;
     }
+    pingedNs = nowNs;
+    for (int id = 0; id < bySeat.length; id++) {
+      boolean linked = bySeat[id] != null && bySeat[id].state() == SessionState.PLAYING;
+      int ping = linked ? bySeat[id].replication().roundTripMs() : 0;
+      int difference = Math.abs(ping - pings[id]);
+      if (ping == 0 || difference >= PING_STEP_MS && difference >= pings[id] / 4) {
+        pings[id] = Math.min(RosterEntry.MAX_PING_MS, ping);
+      }
+    }
+  }
+
+  /** Returns whether clients know how it stands with a seat. */
+  private boolean isTold(int id, Session session) {
+    RosterEntry entry = told[id];
+    if (session == null || entry == null) {
+      return session == null && entry == null;
+    }
+    Player p = session.player();
+    return entry.score() == p.score()
+        && entry.team() == p.team()
+        && entry.spectator() == p.isSpectator()
+        && entry.ready() == p.isReady()
+        && entry.alive() == p.isAlive()
+        && entry.pingMs() == pings[id]
+        && entry.name().equals(session.seat().name());
   }
 
   /**
@@ -102,33 +141,34 @@ final class RosterNews {
       return changes;
     }
     if (wholeRoster == null) {
-      wholeRoster = wholeRoster();
+      wholeRoster = messages(Arrays.stream(told).filter(Objects::nonNull).toList());
     }
     return wholeRoster;
   }
 
   private List<Broadcast> changes(Session[] bySeat) {
     List<RosterEntry> entries = new ArrayList<>();
-    for (int id = 0; id < names.length; id++) {
-      String name = bySeat[id] == null ? NOBODY : bySeat[id].seat().name();
-      int score = bySeat[id] == null ? 0 : bySeat[id].player().score();
-      if (score != scores[id] || !name.equals(names[id])) {
-        names[id] = name;
-        scores[id] = score;
-        entries.add(new RosterEntry(id, name, score));
+    for (int id = 0; id < told.length; id++) {
+      Session session = bySeat[id];
+      if (!isTold(id, session)) {
+        told[id] = session == null ? null : entry(session, pings[id]);
+        entries.add(session == null ? RosterEntry.gone(id) : told[id]);
       }
     }
     return messages(entries);
   }
 
-  private List<Broadcast> wholeRoster() {
-    List<RosterEntry> entries = new ArrayList<>();
-    for (int id = 0; id < names.length; id++) {
-      if (!names[id].equals(NOBODY)) {
-        entries.add(new RosterEntry(id, names[id], scores[id]));
-      }
-    }
-    return messages(entries);
+  private static RosterEntry entry(Session session, int pingMs) {
+    Player p = session.player();
+    return new RosterEntry(
+        p.id(),
+        session.seat().name(),
+        p.team(),
+        p.score(),
+        p.isSpectator(),
+        p.isReady(),
+        p.isAlive(),
+        pingMs);
   }
 
   private static List<Broadcast> messages(List<RosterEntry> entries) {
