@@ -6,9 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.ClientConfig;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.ServerMessage;
 import carom.net.transport.Impairment;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.sim.NextMatch;
 import carom.sim.level.Level;
 import carom.sim.pool.Pools;
 import carom.testkit.Scripts;
@@ -124,6 +130,75 @@ class PoolScenarioTest {
       assertEquals(0, different);
       int late = p.view().tick() - p.view().pools().tick();
       assertTrue(late < 3, "late=" + late);
+    }
+  }
+
+  @Test
+  void theNextMatchHasParticlesOfItsOwn() throws Exception {
+    try (Stepper stepper = sluice()) {
+      SimulatedClient p = stepper.join("p", FAR, new Bot(1));
+      stepper.run(3);
+      stepper.room().simulation().playNext(NextMatch.level("lagoon"));
+      stepper.run(4);
+      assertEquals(0, p.view().pools().count());
+      stepper.room().simulation().playNext(NextMatch.level("sluice"));
+      stepper.run(5);
+      assertEquals(2, p.view().pools().count());
+      watch(stepper, 3, List.of(p));
+      assertTrue(compared > 150, "compared=" + compared);
+      assertEquals(0, different);
+    }
+  }
+
+  /** A peer that asks for states without end. */
+  private static final class Greedy implements LinkHandler {
+    ServerMessage.Welcome welcome;
+    int chunks;
+    boolean closed;
+
+    @Override
+    public void message(Link from, Object message) {
+      welcome = message instanceof ServerMessage.Welcome w ? w : welcome;
+      closed |= message instanceof ServerMessage.Goodbye;
+      chunks += message instanceof ServerMessage.PoolChunk ? 1 : 0;
+    }
+
+    @Override
+    public void datagram(Link from, byte[] bytes, int length) {}
+
+    @Override
+    public void closed(Link from, String reason) {
+      closed = true;
+    }
+  }
+
+  @Test
+  void whoAsksForStatesWithoutEndGetsOneASecondAndWhoAsksBeyondIsExpelled() throws Exception {
+    try (Stepper stepper = sluice()) {
+      stepper.expectExpulsions();
+      Greedy greedy = new Greedy();
+      Link link = stepper.transport().connect("localhost", 0, 0);
+      link.send(new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), "evil", 0));
+      for (int i = 0; i < 60; i++) {
+        stepper.step();
+        link.poll(greedy, 1_000);
+      }
+      long digest = greedy.welcome.fieldsDigest();
+      link.send(new ClientMessage.Ready(greedy.welcome.datagramKey(), digest));
+      for (int i = 0; i < 120; i++) {
+        stepper.step();
+        link.send(new ClientMessage.PoolRequest(0));
+        link.send(new ClientMessage.PoolRequest(4096));
+        link.poll(greedy, 1_000);
+      }
+      assertTrue(greedy.chunks >= 2 && greedy.chunks <= 6, "chunks=" + greedy.chunks);
+      assertTrue(!greedy.closed);
+      link.send(new ClientMessage.PoolRequest(260_000));
+      for (int i = 0; i < 60; i++) {
+        stepper.step();
+        link.poll(greedy, 1_000);
+      }
+      assertTrue(greedy.closed);
     }
   }
 }
