@@ -1,11 +1,10 @@
-package carom.server.room;
+package carom.server.session;
 
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Broadcast;
-import carom.server.session.Session;
 import carom.sim.Player;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -21,7 +20,7 @@ import java.util.function.BiConsumer;
  *
  * <p>The room's thread. Allocates only when something has changed.
  */
-final class RosterNews {
+public final class RosterNews {
   private static final long NS_PER_MS = 1_000_000;
   private static final long PING_NS = 2_000 * NS_PER_MS;
 
@@ -53,14 +52,14 @@ final class RosterNews {
    * @param seats number of seats of the room
    * @param intervalMs shortest time between the beginnings of two rounds, ms
    */
-  RosterNews(int seats, int intervalMs) {
+  public RosterNews(int seats, int intervalMs) {
     told = new RosterEntry[seats];
     pings = new int[seats];
     intervalNs = intervalMs * NS_PER_MS;
   }
 
   /** Notes that a participant came, came back, or went. */
-  void changed() {
+  public void changed() {
     old = true;
   }
 
@@ -70,7 +69,7 @@ final class RosterNews {
    * @param bySeat the sessions by player id, null where there is none
    * @param send takes a session that plays and a message for it
    */
-  void send(Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
+  public void send(Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
     if (changes == null) {
       if (nowNs - begunNs < intervalNs) {
         return;
