@@ -25,9 +25,17 @@ final class DivergenceReporter {
 
   private long reportedNs;
 
+  /** Predictions up to this tick lacked something that the server had. */
+  private int guessedTick = -1;
+
   DivergenceReporter(Prediction prediction, Connection connection) {
     this.prediction = prediction;
     this.connection = connection;
+  }
+
+  /** Takes note that predictions up to a tick lack something that the server has. */
+  void guessed(int tick) {
+    guessedTick = tick;
   }
 
   /**
@@ -37,6 +45,10 @@ final class DivergenceReporter {
    * @param wasAlone whether the own body was alone before the reconciliation
    */
   void check(int tick, boolean wasAlone, long nowNs) {
+    if (tick <= guessedTick) {
+      exactTick = -1;
+      return;
+    }
     checkOwn(tick, wasAlone && prediction.isAlone(), nowNs);
     checkNear(tick, nowNs);
   }

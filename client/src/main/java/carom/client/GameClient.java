@@ -220,6 +220,11 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
+    public void pools(ServerMessage.PoolChunk chunk) {
+      game.pools(chunk);
+    }
+
+    @Override
     public void heard(ServerMessage.Heard message) {
       messages.heard(message);
     }

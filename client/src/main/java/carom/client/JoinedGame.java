@@ -7,6 +7,7 @@ import carom.client.events.RepeatedEventFilter;
 import carom.client.field.OwnWords;
 import carom.client.field.RemoteFields;
 import carom.client.link.Connection;
+import carom.client.pool.PoolFollower;
 import carom.client.prediction.Prediction;
 import carom.client.stats.NetStatsRecorder;
 import carom.client.view.ViewComposer;
@@ -60,6 +61,7 @@ final class JoinedGame {
   private final InputSender sender;
   private final DivergenceReporter divergence;
   private final ViewComposer composer;
+  private final PoolFollower pools;
   private final Input input = new Input();
   private final int tickRate;
   private final int playerId;
@@ -133,6 +135,8 @@ final class JoinedGame {
         welcome.playerId(),
         tickRate,
         prediction == null ? null : simulation);
+    pools = new PoolFollower(simulation.pools(), fields.inbox(), connection);
+    view.pools(simulation.pools());
     composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
   }
 
@@ -165,6 +169,7 @@ final class JoinedGame {
       prediction.receive(decoder.own(), tick);
     }
     events.receive(decoder.events());
+    pools.receive();
     sender.heard(view.view().tick(), decoder.hasNews());
     if (inbox.isNewest()) {
       steerClocks(tick, arrivedNs, nowNs, roundTripNs);
@@ -187,6 +192,11 @@ final class JoinedGame {
       firstSnapshotNs = nowNs;
     }
     clock.heard(tick, nowNs);
+  }
+
+  /** Takes in a piece of the state of the level's pools. */
+  void pools(ServerMessage.PoolChunk chunk) {
+    pools.add(chunk);
   }
 
   // ---- time
@@ -234,7 +244,11 @@ final class JoinedGame {
     sender.add(tick, packed, view.view().tick());
     view.tick(tick);
     sender.sendIfDue(tick, renderClock.started() ? tick - renderClock.tick() : 0, nowNs);
+    boolean known = pools.advance(tick, nowNs);
     if (prediction != null) {
+      if (!known) {
+        divergence.guessed(tick);
+      }
       prediction.step(tick, packed);
     }
   }

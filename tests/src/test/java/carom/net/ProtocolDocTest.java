@@ -146,6 +146,7 @@ class ProtocolDocTest {
                 1,
                 new MessageKinds()
                     .encode(BuiltInKinds.SAY.of(false, "hi"), Direction.FROM_CLIENT))));
+    golden.put("pool-request", ClientMessageCodec.encode(new ClientMessage.PoolRequest(4096)));
     golden.put("heard", ClientMessageCodec.encode(new ClientMessage.Heard(7)));
     serverMessages(golden);
     inputs(golden);
@@ -233,6 +234,9 @@ class ProtocolDocTest {
                     new ServerMessage.RoomEntry(
                         "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
+    golden.put(
+        "pool-chunk",
+        codec.encode(new ServerMessage.PoolChunk(50_000, 4096, new byte[] {0x43, 0x41})));
     golden.put("watching", codec.encode(new ServerMessage.Watching(10)));
     golden.put(
         "recording-chunk",

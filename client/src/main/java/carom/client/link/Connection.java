@@ -59,6 +59,9 @@ public final class Connection implements LinkHandler {
     /** The server has said which messages of the game it has heard. */
     void heard(ServerMessage.Heard message);
 
+    /** A piece of the state of the level's pools has arrived. */
+    void pools(ServerMessage.PoolChunk chunk);
+
     /** Playing is over, for now or for good. */
     void stopped();
   }
@@ -249,6 +252,8 @@ public final class Connection implements LinkHandler {
       listener.notice(notice.text());
     } else if (received instanceof ServerMessage.GameMessage m && stage == Stage.PLAYING) {
       listener.message(m);
+    } else if (received instanceof ServerMessage.PoolChunk chunk && stage == Stage.PLAYING) {
+      listener.pools(chunk);
     } else if (received instanceof ServerMessage.Heard heard && stage == Stage.PLAYING) {
       listener.heard(heard);
     } else {

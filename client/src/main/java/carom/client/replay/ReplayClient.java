@@ -97,6 +97,7 @@ public final class ReplayClient implements AutoCloseable {
     marks.reset(FIRST_GAP_SECONDS * s.tickRate());
     view.game(s.game().name(), s.level(), -1, s.tickRate(), s);
     view.fields(new RecordedFields(s));
+    view.pools(s.pools());
     mark();
     show();
   }

@@ -13,6 +13,7 @@ import carom.sim.Simulation;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
+import carom.sim.pool.Pools;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -130,6 +131,7 @@ public final class ClientView {
   double progress;
   String game = "";
   Level level;
+  Pools pools;
   int playerId = -1;
   int tickRate = 60;
   int tick;
@@ -245,6 +247,11 @@ public final class ClientView {
   /** Returns the level with its statics, bounds and colours, or null before it is loaded. */
   public Level level() {
     return level;
+  }
+
+  /** Returns the level's water and sand, for reading only; null before the level is loaded. */
+  public Pools pools() {
+    return pools;
   }
 
   /** Returns the player's own id, or -1 before it is known. */

@@ -11,6 +11,7 @@ import carom.sim.Input;
 import carom.sim.Simulation;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
+import carom.sim.pool.Pools;
 import java.util.List;
 
 /**
@@ -54,6 +55,11 @@ public final class ViewWriter {
     view.playerId = playerId;
     view.tickRate = tickRate;
     view.predictedWorld = predicted;
+  }
+
+  /** Sets the water and sand that is shown, or null. */
+  public void pools(Pools pools) {
+    view.pools = pools;
   }
 
   /** Sets the room, and the number of its match. */

@@ -46,7 +46,7 @@ public interface MatchLibrary {
   static List<String> builtInLevels() {
     return Stream.concat(
             Games.names().stream().map(name -> Games.create(name).defaultLevel()),
-            Stream.of("commons", "lagoon"))
+            Stream.of("commons", "lagoon", "sluice"))
         .distinct()
         .toList();
   }

@@ -1,6 +1,7 @@
 package carom.server.replication;
 
 import carom.net.codec.Quantizer;
+import carom.net.field.FieldTables;
 import carom.net.protocol.Limits;
 import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
@@ -44,6 +45,7 @@ public final class FrameCapture {
   private final InterestIndex index;
   private final FieldCapture fields;
   private final JointCapture joints;
+  private final PoolCapture pools;
   private final Tables tables;
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
@@ -77,6 +79,7 @@ public final class FrameCapture {
     fields = new FieldCapture(simulation);
     joints = new JointCapture(simulation);
     tables = fields.with(joints.table());
+    pools = new PoolCapture(simulation, tables.get(FieldTables.POOLS));
   }
 
   /** Returns the deltas that the room's sessions share. */
@@ -104,6 +107,7 @@ public final class FrameCapture {
     ring.end();
     fields.capture();
     joints.capture();
+    pools.capture();
     simulation.drainEvents(takeEvent);
     return frame;
   }
@@ -238,6 +242,11 @@ public final class FrameCapture {
   /** Returns the team if the audience of an entity is {@link Audience#TEAM}. */
   static int team(FrameState frame, int slot) {
     return teamOf(frame.audience(slot));
+  }
+
+  /** Returns what clients are told of pools. */
+  PoolCapture pools() {
+    return pools;
   }
 
   /** Returns the fields of the newest frame. */

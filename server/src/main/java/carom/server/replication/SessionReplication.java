@@ -3,6 +3,8 @@ package carom.server.replication;
 import carom.net.codec.Sequence;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
+import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.transport.Link;
@@ -17,6 +19,7 @@ import carom.server.prediction.PredictionAudit;
 import carom.server.prediction.PredictionAudit.Finding;
 import carom.sim.Entity;
 import carom.sim.Player;
+import java.util.Arrays;
 import java.util.function.Predicate;
 
 /**
@@ -29,6 +32,9 @@ import java.util.function.Predicate;
  * <p>The room's thread. The steady state allocates nothing.
  */
 public final class SessionReplication {
+  /** Ticks before tick 0, longer than any wait. */
+  private static final int NEVER_TICKS = 1 << 20;
+
   private final Player player;
   private final ServerConfig config;
   private final FrameCapture frames;
@@ -50,6 +56,14 @@ public final class SessionReplication {
 
   /** The newest tick at which the client says that it had another state, or -1. */
   private int disagreedTick = -1;
+
+  /** The state of the pools that the client is loading; null before the first request. */
+  private byte[] poolState;
+
+  private int poolStateTick = -NEVER_TICKS;
+
+  /** Offset up to which pieces of the state were sent. */
+  private int poolSent;
 
   private int preparedTick;
   private boolean touched;
@@ -91,11 +105,39 @@ public final class SessionReplication {
       sender.takeOver(before);
     }
     predictedSet = null;
+    poolState = null;
+    poolStateTick = -NEVER_TICKS;
     if (audit != null) {
       audit.clear();
     }
     wanted = InputDatagram.NEAR_NONE;
     disagreedTick = -1;
+  }
+
+  /**
+   * Sends a piece of the state of the pools, each once, and at most a state in a second.
+   *
+   * @return false if there is no such piece
+   */
+  public boolean answer(ClientMessage.PoolRequest request, Link link) {
+    int offset = request.offset();
+    int tick = frames.index().simulation().tick();
+    if (offset == 0 && tick - poolStateTick >= config.tickRateHz()) {
+      poolState = frames.pools().state();
+      poolStateTick = tick;
+      poolSent = 0;
+    }
+    if (poolState == null || offset >= poolState.length) {
+      return false;
+    }
+    if (offset < poolSent) {
+      return true; // once is enough, so that a client can't make the server send without end
+    }
+    poolSent = offset + 1;
+    int end = Math.min(poolState.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
+    byte[] piece = Arrays.copyOfRange(poolState, offset, end);
+    link.send(new ServerMessage.PoolChunk(poolState.length, offset, piece));
+    return true;
   }
 
   /** Ends the replication; the session is over. */

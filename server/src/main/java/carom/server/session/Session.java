@@ -254,6 +254,9 @@ public final class Session implements LinkHandler {
       judge(report);
     } else if (message instanceof ClientMessage.Heard heard) {
       messages.heard(heard);
+    } else if (message instanceof ClientMessage.PoolRequest request
+        && replication.answer(request, link)) {
+      return;
     } else if (message instanceof ClientMessage.GameMessage m && messages.receive(m)) {
       return;
     } else if (!(message instanceof ClientMessage.Ready)) {
@@ -277,6 +280,7 @@ public final class Session implements LinkHandler {
     } else if (!(message instanceof ClientMessage.Look)
         && !(message instanceof ClientMessage.Diverged)
         && !(message instanceof ClientMessage.Heard)
+        && !(message instanceof ClientMessage.PoolRequest)
         && !(message instanceof ClientMessage.GameMessage)) {
       expelFor(message);
     }

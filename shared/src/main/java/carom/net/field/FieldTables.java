@@ -9,9 +9,10 @@ import carom.sim.field.Scope;
 import java.util.List;
 
 /**
- * The tables of a game, in the order that server and client share: of joints, and of the fields of
- * other players, of entities, and of the match. Words that stay on the server are in none of them.
- * The own player's words are in the own section instead. Immutable; any thread.
+ * The tables of a game, in the order that server and client share: of joints, of the fields of
+ * other players, of entities, and of the match, and of what acts on pools. Words that stay on the
+ * server are in none of them. The own player's words are in the own section instead. Immutable; any
+ * thread.
  */
 public final class FieldTables {
   /** Place of the table of players. */
@@ -22,6 +23,9 @@ public final class FieldTables {
 
   /** Place of the table of the match. Prediction depends on it, so it is urgent. */
   public static final int MATCH = ENTITIES + 1;
+
+  /** Place of the table of what acts on pools; see {@link PoolTable}. */
+  public static final int POOLS = MATCH + 1;
 
   private static final int GENERATION_BITS = 8;
   private static final int NEAR = 1;
@@ -45,7 +49,8 @@ public final class FieldTables {
             JointWords.LAYOUT,
             layout(schema, Scope.PLAYER, players, 0, false),
             layout(schema, Scope.ENTITY, entities, GENERATION_BITS, false),
-            layout(schema, Scope.MATCH, 1, 0, true));
+            layout(schema, Scope.MATCH, 1, 0, true),
+            PoolTable.LAYOUT);
   }
 
   private static TableLayout layout(

@@ -11,6 +11,7 @@ import carom.net.protocol.ServerMessage.Goodbye;
 import carom.net.protocol.ServerMessage.Heard;
 import carom.net.protocol.ServerMessage.LevelChunk;
 import carom.net.protocol.ServerMessage.Notice;
+import carom.net.protocol.ServerMessage.PoolChunk;
 import carom.net.protocol.ServerMessage.RecordingChunk;
 import carom.net.protocol.ServerMessage.Refused;
 import carom.net.protocol.ServerMessage.RoomEntry;
@@ -79,6 +80,7 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(GameMessage.class, new GameMessageSerializer(), id++);
     kryo.register(Heard.class, new HeardSerializer(), id++);
     kryo.register(RoomList.class, new RoomListSerializer(), id++);
+    kryo.register(PoolChunk.class, new PoolChunkSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -399,6 +401,25 @@ public final class KryoMessageCodec implements MessageCodec {
         throw new IllegalArgumentException("offset=" + offset + " is negative");
       }
       return offset;
+    }
+  }
+
+  private static final class PoolChunkSerializer extends MessageSerializer<PoolChunk> {
+    @Override
+    void write(Output out, PoolChunk m) {
+      out.writeVarInt(inRange("size", m.size(), 1, Limits.MAX_POOL_STATE_BYTES), true);
+      out.writeVarInt(inRange("offset", m.offset(), 0, m.size() - 1), true);
+      out.writeVarInt(inRange("bytes", m.bytes().length, 1, Limits.MAX_LEVEL_CHUNK_BYTES), true);
+      out.writeBytes(m.bytes());
+    }
+
+    @Override
+    PoolChunk read(Input in) {
+      int size = inRange("size", in.readVarInt(true), 1, Limits.MAX_POOL_STATE_BYTES);
+      int offset = inRange("offset", in.readVarInt(true), 0, size - 1);
+      int most = Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, size - offset);
+      return new PoolChunk(
+          size, offset, readBytes(in, inRange("bytes", in.readVarInt(true), 1, most)));
     }
   }
 

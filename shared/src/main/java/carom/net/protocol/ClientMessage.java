@@ -178,6 +178,14 @@ public sealed interface ClientMessage {
   }
 
   /**
+   * Asks for the piece of the state of the level's pools at an offset. Offset 0 asks for a new
+   * state, to which the later pieces belong.
+   *
+   * @param offset 0..{@link Limits#MAX_POOL_STATE_BYTES} - 1
+   */
+  record PoolRequest(int offset) implements ClientMessage {}
+
+  /**
    * Answers {@link ServerMessage.Heard} on each new link: says which of the server's messages of
    * the game the client has heard.
    *

@@ -31,6 +31,7 @@ public final class ClientMessageCodec {
   private static final byte HEARD = 11;
   private static final byte LIST_ROOMS = 12;
   private static final byte CHANGE_ROOM = 13;
+  private static final byte POOL_REQUEST = 14;
   private static final int HELLO_FIXED_BYTES = 4 + 8 + 8;
 
   private ClientMessageCodec() {}
@@ -95,6 +96,15 @@ public final class ClientMessageCodec {
                 + Limits.MAX_GAME_MESSAGE_BYTES);
       }
       buffer.put(GAME_MESSAGE).putInt(m.number()).put(m.bytes());
+    } else if (message instanceof ClientMessage.PoolRequest request) {
+      if (!isPoolOffset(request.offset())) {
+        throw new IllegalArgumentException(
+            "PoolRequest.offset="
+                + request.offset()
+                + " is outside 0.."
+                + (Limits.MAX_POOL_STATE_BYTES - 1));
+      }
+      buffer.put(POOL_REQUEST).putInt(request.offset());
     } else if (message instanceof ClientMessage.Heard heard) {
       buffer.put(HEARD).putInt(heard.number());
     } else if (message instanceof ClientMessage.ListRooms list) {
@@ -167,6 +177,7 @@ public final class ClientMessageCodec {
       case RECORDING_REQUEST -> decodeRecordingRequest(buffer);
       case GAME_MESSAGE -> decodeGameMessage(buffer);
       case HEARD -> decodeHeard(buffer);
+      case POOL_REQUEST -> decodePoolRequest(buffer);
       case LIST_ROOMS -> decodeListRooms(buffer);
       case CHANGE_ROOM -> decodeChangeRoom(buffer);
       default -> null;
@@ -304,6 +315,18 @@ public final class ClientMessageCodec {
     byte[] bytes = new byte[length];
     buffer.get(bytes);
     return number >= 1 ? new ClientMessage.GameMessage(number, bytes) : null;
+  }
+
+  private static ClientMessage decodePoolRequest(ByteBuffer buffer) {
+    if (buffer.remaining() != Integer.BYTES) {
+      return null;
+    }
+    int offset = buffer.getInt();
+    return isPoolOffset(offset) ? new ClientMessage.PoolRequest(offset) : null;
+  }
+
+  private static boolean isPoolOffset(int offset) {
+    return offset >= 0 && offset < Limits.MAX_POOL_STATE_BYTES;
   }
 
   private static ClientMessage decodeHeard(ByteBuffer buffer) {

@@ -41,6 +41,9 @@ public final class Limits {
   /** Largest level file in bytes, packed or not. It holds some 40,000 bodies with a line each. */
   public static final int MAX_LEVEL_BYTES = 4 * 1_024 * 1_024;
 
+  /** Largest state of a level's pools, in bytes. */
+  public static final int MAX_POOL_STATE_BYTES = 256 * 1_024;
+
   /** Largest number of players in a room; ids are 0..1,023. */
   public static final int MAX_PLAYERS = 1_024;
 

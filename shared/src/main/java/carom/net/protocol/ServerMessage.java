@@ -266,6 +266,35 @@ public sealed interface ServerMessage {
   }
 
   /**
+   * Carries a piece of the state of the level's pools in answer to a {@link
+   * ClientMessage.PoolRequest}.
+   *
+   * @param size of the whole state in bytes, 1..{@link Limits#MAX_POOL_STATE_BYTES}
+   * @param offset offset of the first byte in the state
+   * @param bytes 1..{@link Limits#MAX_LEVEL_CHUNK_BYTES}, owned by the message
+   */
+  @SuppressWarnings("ArrayRecordComponent") // see LevelChunk
+  record PoolChunk(int size, int offset, byte[] bytes) implements ServerMessage {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof PoolChunk chunk
+          && chunk.size == size
+          && chunk.offset == offset
+          && Arrays.equals(chunk.bytes, bytes);
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * (31 * size + offset) + Arrays.hashCode(bytes);
+    }
+
+    @Override
+    public String toString() {
+      return "PoolChunk[size=" + size + ", offset=" + offset + ", bytes=" + bytes.length + "]";
+    }
+  }
+
+  /**
    * Begins the messages of the game on a new link: says which of the client's the server has heard.
    * The client answers with {@link ClientMessage.Heard}.
    *

@@ -130,7 +130,7 @@ public final class OrderLog {
   }
 
   /** Returns the number of a row's period. */
-  static int period(int[] row) {
+  public static int period(int[] row) {
     return row[NUMBER];
   }
 

@@ -217,6 +217,12 @@ public final class Pools {
     Arrays.fill(wishes, 0);
   }
 
+  /** Returns the row that the last tick of the server closed, or null. */
+  public int[] closedRow() {
+    boolean closes = !pools.isEmpty() && tick % ticksPerPeriod == 0;
+    return closes ? log.row(tick / ticksPerPeriod + OrderLog.AHEAD) : null;
+  }
+
   /** Returns whether nothing happens until a period, so that its row needn't be told. */
   private boolean isQuiet(int period) {
     if (!areStill() || forces.areStirring() || OrderLog.orders(wishes) > 0 || wishedOpen != open) {

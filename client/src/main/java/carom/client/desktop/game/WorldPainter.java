@@ -58,6 +58,7 @@ final class WorldPainter {
   private final ShapePainter shapes;
   private final JointPainter joints;
   private final AreaPainter areas;
+  private final PoolPainter pools;
   private final Impacts impacts = new Impacts();
   private final float[] streak = new float[6];
   private final Color fill = new Color();
@@ -71,6 +72,7 @@ final class WorldPainter {
     shapes = new ShapePainter(canvas);
     joints = new JointPainter(canvas);
     areas = new AreaPainter(canvas);
+    pools = new PoolPainter(canvas);
   }
 
   /**
@@ -99,6 +101,9 @@ final class WorldPainter {
       Drawn drawn = view.entity(i);
       pose(drawn, SHADOW_X_M, SHADOW_Y_M);
       shadow(drawn.archetype(), drawn.alpha());
+    }
+    if (view.pools() != null) {
+      pools.draw(view.pools(), camera, pixelsPerMetre);
     }
     for (Scenery s : scenery) {
       shapes.pose(s.x, s.y, s.cos, s.sin);
