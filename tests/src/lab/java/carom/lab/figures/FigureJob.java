@@ -35,6 +35,7 @@ interface FigureJob {
     jobs.put("alone", PredictionFigures::alone);
     jobs.put("push", PredictionFigures::push);
     jobs.put("forces", ForceFigures::measure);
+    jobs.put("machines", MachineFigures::measure);
     jobs.put("feel", FeelFigures::measure);
     jobs.put("rollback", RollbackFigures::measure);
     jobs.put("encode", EncodeFigures::measure);
