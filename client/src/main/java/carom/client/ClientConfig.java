@@ -1,5 +1,7 @@
 package carom.client;
 
+import carom.net.protocol.Limits;
+import carom.net.protocol.RoomName;
 import carom.values.Records;
 
 /**
@@ -19,6 +21,9 @@ import carom.values.Records;
  * @param ticksPerInputDatagram how many ticks of input a datagram carries, 1..8; 2 halves the
  *     number of datagrams and adds a tick of lag
  * @param reconnect whether the client reconnects by itself when the link is lost
+ * @param room name of the room in which to play; empty for any
+ * @param game name of the game to play if the room is any; empty for any. It is a wish: the server
+ *     may have no place in such a room
  */
 public record ClientConfig(
     String host,
@@ -30,7 +35,9 @@ public record ClientConfig(
     int maxReplayMs,
     boolean syncTest,
     int ticksPerInputDatagram,
-    boolean reconnect) {
+    boolean reconnect,
+    String room,
+    String game) {
   /** TCP port a server uses unless told otherwise. */
   public static final int DEFAULT_TCP_PORT = 54_555;
 
@@ -48,6 +55,11 @@ public record ClientConfig(
     require("maxRollbackTicks", maxRollbackTicks, 1, 120);
     require("maxReplayMs", maxReplayMs, 1, 1_000);
     require("ticksPerInputDatagram", ticksPerInputDatagram, 1, 8);
+    String problem = room.isEmpty() ? null : RoomName.problem(room);
+    if (problem != null) {
+      throw new IllegalArgumentException(problem);
+    }
+    require("game.length", game.length(), 0, Limits.MAX_GAME_NAME_BYTES);
   }
 
   /** Returns the defaults for a player of this name on this machine's server. */
@@ -62,7 +74,9 @@ public record ClientConfig(
         /* maxReplayMs= */ 8,
         /* syncTest= */ false,
         /* ticksPerInputDatagram= */ 1,
-        /* reconnect= */ true);
+        /* reconnect= */ true,
+        /* room= */ "",
+        /* game= */ "");
   }
 
   /** Returns a copy for this server. */
@@ -98,6 +112,16 @@ public record ClientConfig(
   /** Returns a copy that reconnects by itself, or not. */
   public ClientConfig withReconnect(boolean reconnect) {
     return Records.with(this, "reconnect", reconnect);
+  }
+
+  /** Returns a copy that plays in this room; empty for any. */
+  public ClientConfig withRoom(String room) {
+    return Records.with(this, "room", room);
+  }
+
+  /** Returns a copy that wishes to play this game; empty for any. */
+  public ClientConfig withGame(String game) {
+    return Records.with(this, "game", game);
   }
 
   private static void require(String name, double value, double min, double max) {

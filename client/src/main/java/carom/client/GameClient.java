@@ -4,6 +4,7 @@ import carom.client.events.EventListener;
 import carom.client.events.RepeatedEventFilter;
 import carom.client.link.Connection;
 import carom.client.link.ConnectionPhase;
+import carom.client.link.RoomListing;
 import carom.client.link.ServerAddress;
 import carom.client.message.MessageExchange;
 import carom.client.message.MessageListener;
@@ -13,7 +14,11 @@ import carom.client.view.ClientView;
 import carom.client.view.ViewWriter;
 import carom.game.Games;
 import carom.net.field.FieldAgreement;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.RoomName;
 import carom.net.protocol.ServerMessage;
+import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
 import carom.sim.Event;
@@ -24,6 +29,8 @@ import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
+import carom.sim.message.PlayerRole;
+import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
@@ -60,7 +67,9 @@ public final class GameClient implements AutoCloseable {
   private final ViewWriter view = new ViewWriter(stats.stats());
   private final Connection connection;
   private final MessageExchange messages;
+  private final RoomListing rooms = new RoomListing();
   private final InterestReporter interest = new InterestReporter();
+  private final WatchedPlayer watched = new WatchedPlayer();
   private final RepeatedEventFilter repeats = new RepeatedEventFilter();
   private final EventListener countingListener =
       new EventListener() {
@@ -116,6 +125,8 @@ public final class GameClient implements AutoCloseable {
         new Connection(
             new ServerAddress(config.host(), config.tcpPort(), config.udpPort()),
             config.name(),
+            config.room(),
+            config.game(),
             config.reconnect(),
             transport,
             new ConnectionListener(),
@@ -140,6 +151,9 @@ public final class GameClient implements AutoCloseable {
     if (game != null) {
       game.advance(nowNs, seconds, connection.isPlaying());
       if (game.hasStarted() && connection.isPlaying()) {
+        watched.update(view.view(), nowNs);
+        interest.follow(watched.id());
+        view.watched(watched.id());
         interest.sendIfDue(connection, nowNs);
       }
     }
@@ -190,6 +204,14 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
+    public void rooms(ServerMessage.RoomList part) {
+      List<RoomEntry> all = rooms.add(part);
+      if (all != null) {
+        view.rooms(all);
+      }
+    }
+
+    @Override
     public void notice(String text) {
       view.notice(text, nowNs);
     }
@@ -214,6 +236,7 @@ public final class GameClient implements AutoCloseable {
 
   private void join(ServerMessage.Welcome welcome, Level level, Simulation simulation) {
     interest.reset();
+    watched.reset();
     messages.begin(welcome, simulation.messageKinds());
     game =
         new JoinedGame(
@@ -292,6 +315,60 @@ public final class GameClient implements AutoCloseable {
     return send(BuiltInKinds.EMOTE.of(emote));
   }
 
+  /** Says whether the player is ready, see {@link #send}. */
+  public boolean ready(boolean ready) {
+    return send(BuiltInKinds.READY.of(ready));
+  }
+
+  /**
+   * Asks for a team, see {@link #send}. If the game refuses, the server says why, as a line of
+   * chat.
+   *
+   * @param team 1..255, one of {@link carom.sim.Game#teams}
+   */
+  public boolean team(int team) {
+    return send(BuiltInKinds.TEAM.of(team));
+  }
+
+  /** Asks to play or to watch, see {@link #send}. If the game refuses, the server says why. */
+  public boolean role(PlayerRole role) {
+    return send(BuiltInKinds.ROLE.of(role));
+  }
+
+  /**
+   * Follows another player, while the own one watches or is out; the client chooses the first by
+   * itself. {@link ClientView#watchedPlayer} tells whom.
+   *
+   * @param step 1 for the next by id, -1 for the one before
+   */
+  public void watchNext(int step) {
+    watched.next(view.view(), step, nowNs);
+  }
+
+  /**
+   * Asks the server for its rooms; {@link ClientView#rooms} then lists them. Does nothing while
+   * nothing is played.
+   */
+  public void listRooms() {
+    connection.send(new ClientMessage.ListRooms(Protocol.VERSION));
+  }
+
+  /**
+   * Asks to go on in another room, with the same name and over the same link. If there is no such
+   * room, or no place in it, a {@linkplain ClientView#notices notice} says so and the player stays.
+   * Does nothing while nothing is played.
+   *
+   * @param room name of the room
+   * @throws IllegalArgumentException when no room can have this name
+   */
+  public void changeRoom(String room) {
+    String problem = RoomName.problem(room);
+    if (problem != null) {
+      throw new IllegalArgumentException(problem);
+    }
+    connection.send(new ClientMessage.ChangeRoom(room));
+  }
+
   /** Returns what the player sees; the same object for ever. */
   public ClientView view() {
     return view.view();
@@ -299,8 +376,8 @@ public final class GameClient implements AutoCloseable {
 
   /**
    * Tells the server which part of the level is shown, so that it sends that part first. The server
-   * bounds the size, and follows the own body by itself. A client that never calls this gets as
-   * much as the server allows.
+   * bounds the size, and follows the own body by itself, or that of the watched player. A client
+   * that never calls this gets as much as the server allows.
    *
    * @param x middle of the picture while there is no own body, metres
    * @param y middle of the picture while there is no own body, metres
@@ -308,7 +385,7 @@ public final class GameClient implements AutoCloseable {
    * @param height of the picture, metres
    */
   public void look(float x, float y, float width, float height) {
-    boolean follows = view().own() != null;
+    boolean follows = view().own() != null || view().watchedPlayer() >= 0;
     interest.show(follows ? 0 : x, follows ? 0 : y, width, height);
   }
 

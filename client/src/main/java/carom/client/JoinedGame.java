@@ -119,7 +119,7 @@ final class JoinedGame {
     events =
         new EventReceiver(
             simulation, welcome.playerId(), prediction != null, repeats, stats, listener);
-    repeats.beginLink(welcome.match(), welcome.tick());
+    repeats.beginLink(welcome.room(), welcome.match(), welcome.tick());
     sender =
         new InputSender(
             config, welcome.datagramKey(), tickRate, decoder, prediction, stats, connection);
@@ -127,6 +127,7 @@ final class JoinedGame {
     view.fields(fields);
     view.roster(List.of());
     view.tick(welcome.tick());
+    view.room(welcome.room(), welcome.match());
     view.game(
         welcome.game(),
         level,

@@ -1,8 +1,10 @@
 package carom.server;
 
 import carom.net.protocol.GoodbyeReason;
+import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
+import carom.server.access.EntryRule;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
@@ -14,6 +16,7 @@ import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
+import carom.server.room.RoomDirectory;
 import carom.server.session.Seats;
 import carom.sim.Game;
 import carom.sim.level.Level;
@@ -24,8 +27,6 @@ import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -73,7 +74,7 @@ public final class Server implements AutoCloseable {
   private final StatusLine status;
   private final List<ShownRecordings> recordings = new ArrayList<>();
   private final List<RotatingRecording> rotations = new ArrayList<>();
-  private ExecutorService loader;
+  private final LoaderThread loader = new LoaderThread();
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
@@ -132,17 +133,19 @@ public final class Server implements AutoCloseable {
     this.helpers =
         config.threads() == 1 ? null : new WorkerThreads(config.threads(), System::nanoTime);
     SecureRandom random = new SecureRandom();
+    RoomDirectory directory = new RoomDirectory();
     List<Room> built = new ArrayList<>();
     for (RoomConfig each : roomConfigs) {
       Seats seats = new Seats(each.places(), random::nextLong);
       boolean alone = roomConfigs.size() == 1;
       int number = built.size() + 1;
-      Room room = new Room(config, number, alone, each, library, this::load, clock, seats);
+      Room room = new Room(config, number, alone, each, library, loader, clock, seats, directory);
       room.helpedBy(helpers);
       built.add(room);
     }
     this.rooms = List.copyOf(built);
-    this.lobby = new Lobby(config, transport, rooms);
+    directory.open(rooms);
+    this.lobby = new Lobby(config, transport, rooms, directory);
     this.status = new StatusLine(rooms, clock.getAsLong());
   }
 
@@ -203,28 +206,6 @@ public final class Server implements AutoCloseable {
     return RecordingFile.fileFor(target, room.match().game(), number);
   }
 
-  /** Runs what builds a match: beside the rooms' threads, or at once if the caller drives us. */
-  private void load(Runnable task) {
-    if (started) {
-      loader().execute(task);
-    } else {
-      task.run();
-    }
-  }
-
-  private synchronized ExecutorService loader() {
-    if (loader == null) {
-      loader =
-          Executors.newSingleThreadExecutor(
-              task -> {
-                Thread thread = new Thread(task, "carom-loader");
-                thread.setDaemon(true);
-                return thread;
-              });
-    }
-    return loader;
-  }
-
   /**
    * Lets spectators watch every room with a delay. Call it before the first {@link #tick} or {@link
    * #start}, and after {@link #record} if that is called. Without {@link #record}, recordings go to
@@ -246,6 +227,15 @@ public final class Server implements AutoCloseable {
     }
     recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
     lobby.allowSpectators(List.copyOf(recordings), delaySeconds);
+  }
+
+  /**
+   * Sets who may come in, from now on; without it everybody may. Any thread.
+   *
+   * @param rule asked once for each player and spectator
+   */
+  public void admit(EntryRule rule) {
+    lobby.admit(rule);
   }
 
   /**
@@ -302,6 +292,7 @@ public final class Server implements AutoCloseable {
       throw new IllegalStateException(closed ? "the server is closed" : "already started");
     }
     started = true;
+    loader.start();
     workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
     long nowNs = clock.getAsLong();
     for (Room room : rooms) {
@@ -435,9 +426,7 @@ public final class Server implements AutoCloseable {
       lobby.closeLinks();
       rooms.forEach(Room::closeLinks);
     }
-    if (loader != null) {
-      loader.shutdownNow();
-    }
+    loader.close();
     if (helpers != null) {
       helpers.close();
     }
@@ -464,6 +453,11 @@ public final class Server implements AutoCloseable {
   /** Returns the port for datagrams, as the transport opened it. */
   public int udpPort() {
     return transport.udpPort();
+  }
+
+  /** Returns what the transport counts. Any thread. */
+  public List<NetworkCounter> networkCounters() {
+    return transport.networkCounters();
   }
 
   /** Returns all settings. */

@@ -48,7 +48,7 @@ public final class World<T> {
    * differently. States as bytes, recordings and connections of another version are refused; {@code
    * carom.net.protocol.Protocol} has the same number.
    */
-  public static final int PHYSICS_VERSION = 5;
+  public static final int PHYSICS_VERSION = 6;
 
   private static final JointType[] JOINT_TYPES = JointType.values();
 

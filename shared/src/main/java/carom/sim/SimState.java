@@ -11,6 +11,7 @@ import carom.sim.history.PoseHistory;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
+import carom.sim.pool.PoolsState;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
 
@@ -46,6 +47,9 @@ public final class SimState {
   final JointTable.Saved joints = new JointTable.Saved();
   byte[] generations = {};
   PoseHistory<Entity> history;
+
+  /** The state of water and sand; null if there is none, and on PREDICTION. */
+  PoolsState pools;
 
   /** Body slot of each entity, by entity id; used while the state is read or written. */
   private int[] slots = {};
@@ -137,6 +141,9 @@ public final class SimState {
    */
   public void write(ArchiveWriter archive) {
     pass(archive);
+    if (pools != null) {
+      pools.write(archive);
+    }
     world.write(archive);
   }
 
@@ -144,6 +151,9 @@ public final class SimState {
   static SimState read(Simulation owner, ArchiveReader archive) {
     SimState s = new SimState(owner);
     s.pass(archive);
+    if (owner.pools().count() > 0) {
+      s.pools = owner.pools().read(archive);
+    }
     s.world = owner.world().read(archive, s::user);
     for (int id = 0; id < s.entityCapacity; id++) {
       if (s.entities[id] != null) {

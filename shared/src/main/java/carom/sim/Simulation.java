@@ -11,6 +11,7 @@ import carom.physics.Queries;
 import carom.physics.QueryFilter;
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
+import carom.physics.math.Aabb;
 import carom.sim.area.AreaForces;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
@@ -37,6 +38,8 @@ import carom.sim.message.MessageKind;
 import carom.sim.message.MessageKinds;
 import carom.sim.message.PlayerRole;
 import carom.sim.message.WaitingMessages;
+import carom.sim.pool.PoolDef;
+import carom.sim.pool.Pools;
 import carom.sim.random.SimRandom;
 import carom.sim.ruling.Findings;
 import carom.sim.spawn.Origin;
@@ -118,6 +121,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private final ArrayDeque<Delivery> sent = new ArrayDeque<>();
   private long droppedMessages;
   private final AreaForces<Entity> areas;
+  private final Pools pools;
+  private final Aabb moving = new Aabb();
   private final QueryFilter<Entity> geometry = (body, shape) -> body.user().isLevel();
   private final Consumer<Body<Entity>> forces = this::applyForces;
 
@@ -205,7 +210,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (role == Role.AUTHORITY) {
       connectLevel();
     }
+    pools = new Pools(tickRate, role == Role.AUTHORITY);
+    for (PoolDef def : level.pools()) {
+      pools.add(def);
+    }
     game.setUp(this);
+    PoolGround.begin(pools, game, level, archetypes, tickRate);
     archetypes.close();
     requireDeclaredFields();
     eventKinds.close();
@@ -1227,9 +1237,17 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return values == match ? "the match" : "a player or entity that is gone";
   }
 
-  /** Lets areas and the game's forces act on each awake body. */
+  /** Lets areas, pools and the game's forces act on each awake body. */
   private void applyForces() {
     areas.begin();
+    if (role == Role.AUTHORITY) {
+      pools.step(tick);
+    }
+    for (int i = 0; i < pools.count(); i++) {
+      if (pools.readMoving(i, tick, moving)) {
+        areas.wake(moving);
+      }
+    }
     forceCheck.beginTick(role == Role.AUTHORITY ? tick : 1);
     calls.inForces(true);
     fields.beginForces();
@@ -1241,11 +1259,18 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       fields.end();
       calls.inForces(false);
     }
+    if (role == Role.AUTHORITY) {
+      pools.close();
+    }
   }
 
   private void applyForces(Body<Entity> body) {
     Entity entity = body.user();
-    areas.act(body, entity.archetype(), tickSeconds);
+    Archetype kind = entity.archetype();
+    areas.act(body, kind, tickSeconds);
+    if (!kind.sensor()) {
+      pools.act(world, body, tick, kind.index(), kind.shapes(), kind.reach());
+    }
     forceCheck.begin(body);
     game.forces(this, entity);
     forceCheck.end(body, tick);
@@ -1254,6 +1279,14 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   /** Returns the areas of the level and those that entities carry. For reading only. */
   public AreaForces<Entity> areas() {
     return areas;
+  }
+
+  /**
+   * Returns the water and sand of the level, and what the game adds in {@link Game#setUp}. On
+   * {@link Role#PREDICTION} the client moves them on.
+   */
+  public Pools pools() {
+    return pools;
   }
 
   /** Returns the log of what the game did to bodies; filled on {@link Role#AUTHORITY} only. */
@@ -1278,6 +1311,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public long stateHash() {
     long h = SimRandom.mix(world.stateHash(), tick);
     h = SimRandom.mix(h, random.state());
+    h = pools.count() == 0 ? h : SimRandom.mix(h, pools.stateHash());
     return joints.hash(entities.hash(players.hash(match.hash(h))));
   }
 
@@ -1297,6 +1331,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     players.save(s);
     entities.save(s);
     joints.save(s.joints);
+    if (role == Role.AUTHORITY && pools.count() > 0) {
+      s.pools = pools.save(s.pools);
+    }
     s.saveHistory(history);
     return s;
   }
@@ -1318,6 +1355,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     players.restore(s);
     entities.restore(s);
     joints.restore(s.joints);
+    if (s.pools != null) {
+      pools.restore(s.pools);
+    }
     if (history != null) {
       s.history.copyTo(history);
     }

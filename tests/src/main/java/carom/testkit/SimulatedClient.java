@@ -15,6 +15,8 @@ import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.ImpairedLink;
 import carom.net.transport.Impairment;
 import carom.net.transport.Link;
+import carom.server.room.Room;
+import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
@@ -74,7 +76,7 @@ public final class SimulatedClient {
 
   // ---- driven by the stepper
 
-  void update(long nowNs, FrameRing truth) {
+  void update(long nowNs, List<Room> rooms) {
     if (frozen || dead) {
       return;
     }
@@ -83,7 +85,19 @@ public final class SimulatedClient {
       impair(impairment);
     }
     client.update(nowNs);
-    check(truth);
+    check(rooms == null ? null : truth(rooms));
+  }
+
+  /**
+   * Returns the frames of the match that the client plays, or null while the room plays another.
+   */
+  private FrameRing truth(List<Room> rooms) {
+    for (Room room : rooms) {
+      if (room.name().equals(client.view().room())) {
+        return room.match().number() == client.view().matchNumber() ? room.frames() : null;
+      }
+    }
+    return null;
   }
 
   private void check(FrameRing truth) {

@@ -133,6 +133,11 @@ public final class Stepper implements AutoCloseable {
     return server.rooms().get(0);
   }
 
+  /** Returns a room of the server by its name. */
+  public Room room(String name) {
+    return server.rooms().stream().filter(room -> room.name().equals(name)).findFirst().get();
+  }
+
   /** Returns the value of a counter of the server. */
   public long count(Counter counter) {
     return server.count(counter);
@@ -279,7 +284,7 @@ public final class Stepper implements AutoCloseable {
   /** Advances the clients to the present time. */
   public void stepClients() {
     for (int i = 0; i < clients.size(); i++) {
-      clients.get(i).update(nowNs, server == null ? null : room().frames());
+      clients.get(i).update(nowNs, server == null ? null : server.rooms());
     }
   }
 

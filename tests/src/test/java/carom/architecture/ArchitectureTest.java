@@ -182,12 +182,14 @@ final class ArchitectureTest {
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
+    allow("carom.sim.pool", "carom.physics..");
     allow("carom.sim.message", "carom.text");
     allow(
         "carom.sim.level",
         "carom.physics..",
         "carom.sim.field",
         "carom.sim.event",
+        "carom.sim.pool",
         "carom.json",
         "carom.text");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
@@ -214,6 +216,7 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.area",
         "carom.sim.joint",
+        "carom.sim.pool",
         "carom.sim.ruling",
         "carom.sim.spawn");
     allow(
@@ -229,7 +232,8 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.snapshot.table",
         "carom.sim.event",
-        "carom.sim.field");
+        "carom.sim.field",
+        "carom.sim.pool");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",
@@ -338,6 +342,7 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.field",
         "carom.sim.message",
+        "carom.sim.pool",
         "carom.sim.random");
   }
 

@@ -16,9 +16,13 @@ class ClientConfigTest {
             .withRollback(3, 4)
             .withSyncTest(true)
             .withTicksPerInputDatagram(5)
-            .withReconnect(false);
+            .withReconnect(false)
+            .withRoom("cup")
+            .withGame("arena");
     assertEquals(
-        new ClientConfig("host", 1, 2, "b", PredictionMode.NONE, 3, 4, true, 5, false), other);
+        new ClientConfig(
+            "host", 1, 2, "b", PredictionMode.NONE, 3, 4, true, 5, false, "cup", "arena"),
+        other);
   }
 
   @Test
@@ -28,6 +32,11 @@ class ClientConfigTest {
     refused("udpPort=-1.0 is outside 0.0..65535.0", () -> config.withServer("", 1, -1));
     refused("maxRollbackTicks=0.0 is outside 1.0..120.0", () -> config.withRollback(0, 1));
     refused("maxReplayMs=0.0 is outside 1.0..1000.0", () -> config.withRollback(1, 0));
+    refused(
+        "name=a b must be 1..32 letters, digits, dots, dashes and underlines, and begin with a"
+            + " letter or a digit",
+        () -> config.withRoom("a b"));
+    refused("game.length=65.0 is outside 0.0..64.0", () -> config.withGame("g".repeat(65)));
     refused(
         "ticksPerInputDatagram=9.0 is outside 1.0..8.0", () -> config.withTicksPerInputDatagram(9));
   }

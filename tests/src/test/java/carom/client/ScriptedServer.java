@@ -92,6 +92,7 @@ final class ScriptedServer {
               KEY,
               guests.indexOf(this),
               60,
+              "1",
               1,
               simulation.tick(),
               1,

@@ -107,9 +107,12 @@ class ProtocolDocTest {
 
   private static Map<String, byte[]> goldenOfTheCode() {
     Map<String, byte[]> golden = new TreeMap<>();
+    golden.put("list-rooms", ClientMessageCodec.encode(new ClientMessage.ListRooms(9)));
+    golden.put("change-room", ClientMessageCodec.encode(new ClientMessage.ChangeRoom("cup")));
     golden.put(
         "hello",
-        ClientMessageCodec.encode(new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0)));
+        ClientMessageCodec.encode(
+            new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0, "cup", "")));
     golden.put(
         "level-request",
         ClientMessageCodec.encode(new ClientMessage.LevelRequest(0x11223344, 4096)));
@@ -131,7 +134,7 @@ class ProtocolDocTest {
         ClientMessageCodec.encode(
             new ClientMessage.Diverged(
                 1000, 998, true, List.of(65_538, 1, 2, 3, 4, 5, 6, 7), List.of())));
-    golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
+    golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9, 7)));
     golden.put(
         "watch", ClientMessageCodec.encode(new ClientMessage.Watch(2, 0x0102030405060708L, 2)));
     golden.put(
@@ -200,6 +203,7 @@ class ProtocolDocTest {
                 0x11223344,
                 3,
                 60,
+                "cup",
                 1,
                 1000,
                 42,
@@ -218,8 +222,16 @@ class ProtocolDocTest {
         codec.encode(
             new ServerMessage.Roster(
                 List.of(
-                    new ServerMessage.RosterEntry(0, "Zoë", -3),
-                    new ServerMessage.RosterEntry(1000, "x", 300)))));
+                    new ServerMessage.RosterEntry(0, "Zoë", 2, -3, false, true, true, 85),
+                    ServerMessage.RosterEntry.gone(1000)))));
+    golden.put(
+        "room-list",
+        codec.encode(
+            new ServerMessage.RoomList(
+                0,
+                List.of(
+                    new ServerMessage.RoomEntry(
+                        "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put("watching", codec.encode(new ServerMessage.Watching(10)));
     golden.put(

@@ -45,7 +45,7 @@ class MatchScenarioTest {
                                     .name()
                                     .equals(stepper.room().match().level().level().name())),
             5);
-        stepper.run(3);
+        stepper.run(1);
         assertTrue(stepper.compared() > compared + 200, stepper.describe());
       }
       assertEquals(2, stepper.count(Counter.MATCHES));
@@ -64,7 +64,6 @@ class MatchScenarioTest {
     try (Stepper stepper = Stepper.ofRooms(ServerConfig.defaults(), MatchLibrary.INSTALLED, room)) {
       stepper.join("Ann", BAD, Scripts.wander(1));
       SimulatedClient client = stepper.clients().get(0);
-      stepper.run(3);
       for (String level : List.of("Windmill Gap", "Commons", "Corner Pocket", "Windmill Gap")) {
         stepper.room().simulation().matchOver();
         stepper.runUntil(
@@ -75,7 +74,7 @@ class MatchScenarioTest {
                     && client.view().level().name().equals(level),
             5);
         long compared = stepper.compared();
-        stepper.run(3);
+        stepper.run(1);
         assertTrue(stepper.compared() > compared + 20, stepper.describe());
       }
       assertEquals("platformer", client.view().game());

@@ -5,6 +5,7 @@ import carom.client.GameClient;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.client.link.ConnectionPhase;
+import carom.client.link.RoomBrowser;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.SpectatorThread;
 import carom.client.stats.NetStats;
@@ -117,6 +118,11 @@ public final class ClientMain implements Callable<Integer> {
               + " no number is given).")
   private int watch;
 
+  @Option(
+      names = "--list",
+      description = "Print the rooms of the server instead of playing, one a line.")
+  private boolean list;
+
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
   private ClientMain() {}
@@ -167,6 +173,9 @@ public final class ClientMain implements Callable<Integer> {
     }
     network.startLogging();
     ClientConfig config = network.config(name).withPrediction(prediction).withSyncTest(syncTest);
+    if (list) {
+      return listRooms();
+    }
     if (watch > 0) {
       return watch(config);
     }
@@ -202,6 +211,25 @@ public final class ClientMain implements Callable<Integer> {
     }
     System.err.println("This build has no window; start with --headless.");
     return 1;
+  }
+
+  /** Prints the server's rooms; returns 1 if it doesn't tell them. */
+  private int listRooms() {
+    try (ClientTransport transport = network.impair(new KryoClientTransport());
+        RoomBrowser browser = new RoomBrowser(network.address(), transport)) {
+      while (!browser.isDone()) {
+        browser.update(System.nanoTime());
+        if (!sleepUntil(System.nanoTime() + FRAME_NS)) {
+          return 1;
+        }
+      }
+      if (!browser.problem().isEmpty()) {
+        System.err.println("carom-client: " + browser.problem());
+        return 1;
+      }
+      System.out.println(RoomTable.of(browser.rooms()));
+      return 0;
+    }
   }
 
   private int watch(ClientConfig config) {

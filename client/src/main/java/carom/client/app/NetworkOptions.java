@@ -1,7 +1,10 @@
 package carom.client.app;
 
 import carom.client.ClientConfig;
+import carom.client.link.ServerAddress;
 import carom.net.kryo.KryoMessageCodec;
+import carom.net.protocol.Limits;
+import carom.net.protocol.RoomName;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
@@ -52,6 +55,22 @@ public final class NetworkOptions {
   int udpPort = ClientConfig.DEFAULT_UDP_PORT;
 
   @Option(
+      names = "--room",
+      paramLabel = "NAME",
+      description =
+          "Play in this room of the server; carom-client --list shows them (the fullest with a"
+              + " place).",
+      defaultValue = "")
+  String room = "";
+
+  @Option(
+      names = "--game",
+      paramLabel = "NAME",
+      description = "Without --room: prefer the rooms that play this game (any).",
+      defaultValue = "")
+  String game = "";
+
+  @Option(
       names = "--log-level",
       paramLabel = "LEVEL",
       description = "How much is logged: error, warn, info or debug (${DEFAULT-VALUE}).",
@@ -65,7 +84,7 @@ public final class NetworkOptions {
 
   /** Returns a config for this server and a player of this name. */
   public ClientConfig config(String name) {
-    return ClientConfig.of(name).withServer(host, tcpPort, udpPort);
+    return ClientConfig.of(name).withServer(host, tcpPort, udpPort).withRoom(room).withGame(game);
   }
 
   /** Returns what is wrong with the flags (flag, value, range), or null if nothing is. */
@@ -76,7 +95,18 @@ public final class NetworkOptions {
     if (udpPort < 1 || udpPort > 65_535) {
       return "--udp-port=" + udpPort + " is outside 1..65535";
     }
+    if (!room.isEmpty() && RoomName.problem(room) != null) {
+      return "--room: " + RoomName.problem(room);
+    }
+    if (game.length() > Limits.MAX_GAME_NAME_BYTES) {
+      return "--game=" + game + " is longer than " + Limits.MAX_GAME_NAME_BYTES;
+    }
     return conditions.problem();
+  }
+
+  /** Returns the server's address. */
+  public ServerAddress address() {
+    return new ServerAddress(host, tcpPort, udpPort);
   }
 
   /**

@@ -7,6 +7,7 @@ package carom.client.events;
  * no allocation.
  */
 public final class RepeatedEventFilter {
+  private String room = "";
   private int match;
   private int tick = -1;
 
@@ -22,11 +23,13 @@ public final class RepeatedEventFilter {
   /**
    * Notes that a link begins.
    *
+   * @param serverRoom name of the room
    * @param serverMatch number of the room's match, in which ticks begin at 0
    * @param serverTick the server's tick; below the last event's tick, it is another server
    */
-  public void beginLink(int serverMatch, int serverTick) {
-    if (serverMatch != match || serverTick < tick) {
+  public void beginLink(String serverRoom, int serverMatch, int serverTick) {
+    if (!serverRoom.equals(room) || serverMatch != match || serverTick < tick) {
+      room = serverRoom;
       match = serverMatch;
       tick = -1;
       count = 0;

@@ -33,6 +33,7 @@ public final class MessageExchange {
   private MessageKinds kinds;
   private MessageRates rates;
   private long session;
+  private String room = "";
   private int match;
   private long nowNs;
 
@@ -56,10 +57,13 @@ public final class MessageExchange {
    */
   public void begin(ServerMessage.Welcome welcome, MessageKinds gameKinds) {
     List<Message> unsent = List.of();
-    if (welcome.sessionSecret() != session || welcome.match() != match) {
+    if (welcome.sessionSecret() != session
+        || !welcome.room().equals(room)
+        || welcome.match() != match) {
       int waiting = stream.waiting();
       unsent = List.copyOf(offered).subList(offered.size() - waiting, offered.size());
       session = welcome.sessionSecret();
+      room = welcome.room();
       match = welcome.match();
       stream = new MessageStream();
       offered.clear();

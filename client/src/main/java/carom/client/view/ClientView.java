@@ -5,10 +5,12 @@ import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
+import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Input;
 import carom.sim.Simulation;
+import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import java.util.ArrayList;
@@ -116,6 +118,9 @@ public final class ClientView {
   private int jointCount;
   private int own = -1;
 
+  String room = "";
+  int matchNumber;
+  List<RoomEntry> rooms = List.of();
   ConnectionPhase phase = ConnectionPhase.IDLE;
   String message = "";
   double progress;
@@ -125,6 +130,7 @@ public final class ClientView {
   int tickRate = 60;
   int tick;
   double renderTick;
+  int watchedPlayer = -1;
   Simulation predictedWorld;
   ShownFields fields;
   final Input input = new Input();
@@ -308,19 +314,77 @@ public final class ClientView {
     return own < 0 ? null : pool.get(own);
   }
 
-  /** Returns the players with their scores, ascending by id. Do not change the list. */
+  /**
+   * Returns the body of the {@linkplain #watchedPlayer watched player}, or null if nobody is
+   * watched or the body isn't visible. Cost: one pass over the visible entities.
+   */
+  public Drawn watched() {
+    compose();
+    Drawn found = null;
+    for (int i = 0; i < count && watchedPlayer >= 0; i++) {
+      Drawn drawn = pool.get(i);
+      boolean isPlayer = drawn.ownerId == watchedPlayer && isLookedAt(drawn);
+      if (isPlayer || (found == null && drawn.ownerId == watchedPlayer)) {
+        found = drawn;
+        if (isPlayer) {
+          break;
+        }
+      }
+    }
+    return found;
+  }
+
+  private static boolean isLookedAt(Drawn drawn) {
+    return drawn.archetype.appearance().look() == Appearance.Look.PLAYER;
+  }
+
+  /**
+   * Returns the player whom the picture follows because the own player watches or is out, or -1.
+   */
+  public int watchedPlayer() {
+    return watchedPlayer;
+  }
+
+  /**
+   * Returns players and spectators with their scores and how they stand, ascending by id. Do not
+   * change the list.
+   */
   public List<RosterEntry> players() {
     return players;
   }
 
-  /** Returns a player's name, or an empty string if no player has this id. */
-  public String playerName(int playerId) {
+  /** Returns what the roster says of a player or spectator, or null if nobody has this id. */
+  public RosterEntry participant(int id) {
     for (int i = 0; i < players.size(); i++) {
-      if (players.get(i).playerId() == playerId) {
-        return players.get(i).name();
+      if (players.get(i).playerId() == id) {
+        return players.get(i);
       }
     }
-    return "";
+    return null;
+  }
+
+  /** Returns a player's name, or an empty string if no player has this id. */
+  public String playerName(int playerId) {
+    RosterEntry entry = participant(playerId);
+    return entry == null ? "" : entry.name();
+  }
+
+  /** Returns the name of the room, or an empty string before a game was joined. */
+  public String room() {
+    return room;
+  }
+
+  /** Returns the number of the room's match, from 1 on; 0 before a game was joined. */
+  public int matchNumber() {
+    return matchNumber;
+  }
+
+  /**
+   * Returns the server's rooms, as it told when the client last asked ({@code
+   * GameClient.listRooms}); empty before. Never modified.
+   */
+  public List<RoomEntry> rooms() {
+    return rooms;
   }
 
   /** Returns the last few lines from the server, oldest first. Do not change the list. */

@@ -4,6 +4,7 @@ import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
+import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Input;
@@ -55,6 +56,17 @@ public final class ViewWriter {
     view.predictedWorld = predicted;
   }
 
+  /** Sets the room, and the number of its match. */
+  public void room(String name, int match) {
+    view.room = name;
+    view.matchNumber = match;
+  }
+
+  /** Sets the server's rooms. */
+  public void rooms(List<RoomEntry> rooms) {
+    view.rooms = rooms;
+  }
+
   /** Sets the tick that is predicted. */
   public void tick(int tick) {
     view.tick = tick;
@@ -73,6 +85,11 @@ public final class ViewWriter {
   /** Sets where the game's fields are read. */
   public void fields(ShownFields fields) {
     view.fields = fields;
+  }
+
+  /** Sets the player whom the picture follows, or -1. */
+  public void watched(int playerId) {
+    view.watchedPlayer = playerId;
   }
 
   /** Changes the list of players. */

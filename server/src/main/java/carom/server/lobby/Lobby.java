@@ -11,12 +11,14 @@ import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
+import carom.server.access.EntryRule;
 import carom.server.config.ServerConfig;
 import carom.server.match.LevelUpload;
 import carom.server.match.MatchInfo;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Admission;
 import carom.server.room.Room;
+import carom.server.room.RoomDirectory;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import java.util.ArrayList;
@@ -29,10 +31,10 @@ import org.slf4j.LoggerFactory;
  * room and sends the level. Each phase has a deadline, so a half-open connection or a client that
  * stalls holds its slot only for seconds.
  *
- * <p>A player who returns with a session's secret goes to the room that holds the session. Any
- * other player goes to the fullest room that still has a seat, because players want company; among
- * equals, to the first. If no room has a seat, the lobby refuses the newcomer. Rooms that have
- * failed count as full.
+ * <p>A player who returns with a session's secret goes to the room that holds the session. A player
+ * who names a room goes there. Any other player goes to the fullest room that still has a seat,
+ * because players want company: one that plays the wished game, if there is one; among equals, the
+ * first. If there is no seat, the lobby refuses the newcomer. Rooms that have failed count as full.
  *
  * <p>One thread calls {@link #doWork}. It need not be a room's thread.
  *
@@ -58,15 +60,20 @@ public final class Lobby {
 
   private static final int MAX_ACCEPT = 32;
 
+  /** Number of times that a visitor may ask for the list of rooms. */
+  private static final int MAX_LISTS = 8;
+
   private final ServerConfig config;
   private final ServerTransport transport;
   private final RoomChooser chooser;
+  private final RoomDirectory directory;
   private final int places;
   private final int maxVisitors;
   private final List<Visitor> visitors = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final AdmissionRate rate;
   private final Spectators spectators;
+  private volatile EntryRule entryRule = EntryRule.OPEN;
   private long nowNs;
 
   /**
@@ -75,8 +82,11 @@ public final class Lobby {
    * @param config settings of the server
    * @param transport accepts links
    * @param rooms at least one
+   * @param directory the same rooms, for visitors who look for one
    */
-  public Lobby(ServerConfig config, ServerTransport transport, List<Room> rooms) {
+  public Lobby(
+      ServerConfig config, ServerTransport transport, List<Room> rooms, RoomDirectory directory) {
+    this.directory = directory;
     this.config = config;
     this.transport = transport;
     this.chooser = new RoomChooser(rooms);
@@ -161,6 +171,11 @@ public final class Lobby {
     spectators.closeLinks();
   }
 
+  /** Sets who may come in, for players and spectators; any thread. */
+  public void admit(EntryRule rule) {
+    entryRule = rule;
+  }
+
   /**
    * Lets spectators in from now on.
    *
@@ -200,13 +215,18 @@ public final class Lobby {
    * Returns the visitor that must give up its seat when seats are short, or null. It is the oldest
    * visitor of the address that holds the most seats while loading, at least two. The newcomer's
    * address is exempt.
+   *
+   * @param wished the room whose seats are short, or null for all
    */
-  private Visitor oldestOfBusiestAddress(String newcomer) {
+  private Visitor oldestOfBusiestAddress(String newcomer, Room wished) {
     Visitor oldest = null;
     int most = 1;
     for (int i = 0; i < visitors.size(); i++) {
       Visitor v = visitors.get(i);
-      if (!v.done && v.state == SessionState.LOADING && !v.address.equals(newcomer)) {
+      if (!v.done
+          && v.state == SessionState.LOADING
+          && (wished == null || v.room == wished)
+          && !v.address.equals(newcomer)) {
         int held = countLoading(v.address);
         if (held > most) { // the list is in order of arrival
           most = held;
@@ -227,6 +247,7 @@ public final class Lobby {
     private int datagramKey;
     private final String address;
     private ClientMessage.Hello waiting;
+    private int lists;
     private long waitsUntilNs;
     private long askAgainNs;
     private MatchInfo match;
@@ -258,6 +279,8 @@ public final class Lobby {
         hello(hello);
       } else if (state == SessionState.CONNECTED && message instanceof ClientMessage.Watch watch) {
         watch(watch);
+      } else if (message instanceof ClientMessage.ListRooms list) {
+        list(list);
       } else if (state == SessionState.LOADING
           && message instanceof ClientMessage.LevelRequest request) {
         String problem = upload.answer(request, link);
@@ -294,7 +317,8 @@ public final class Lobby {
     }
 
     private void watch(ClientMessage.Watch watch) {
-      if (!requireThisBuild(watch.protocolVersion(), watch.physicsDigest())) {
+      if (!requireThisBuild(watch.protocolVersion(), watch.physicsDigest())
+          || !requireEntry(null)) {
         return;
       }
       String problem = spectators.add(link, watch.room(), nowNs);
@@ -304,13 +328,33 @@ public final class Lobby {
       done = true;
     }
 
-    /** Refuses a client of another build, and returns whether the client may go on. */
-    private boolean requireThisBuild(int protocolVersion, long physicsDigest) {
+    private void list(ClientMessage.ListRooms list) {
+      if (!requireProtocol(list.protocolVersion())) {
+        return;
+      }
+      lists++;
+      if (lists > MAX_LISTS) {
+        refuse(RefusalReason.BAD_REQUEST, "The list of rooms was requested again and again.");
+        return;
+      }
+      directory.list(nowNs).forEach(link::send);
+    }
+
+    /** Refuses a client of another protocol, and returns whether the client may go on. */
+    private boolean requireProtocol(int protocolVersion) {
       if (protocolVersion != Protocol.VERSION) {
         refuse(
             RefusalReason.PROTOCOL_VERSION,
             "This server speaks protocol %d, your game %d."
                 .formatted(Protocol.VERSION, protocolVersion));
+        return false;
+      }
+      return true;
+    }
+
+    /** Refuses a client of another build, and returns whether the client may go on. */
+    private boolean requireThisBuild(int protocolVersion, long physicsDigest) {
+      if (!requireProtocol(protocolVersion)) {
         return false;
       }
       if (physicsDigest != Protocol.physicsDigest()) {
@@ -322,6 +366,15 @@ public final class Lobby {
       return true;
     }
 
+    /** Refuses a client that the operator doesn't let in, and returns whether it may go on. */
+    private boolean requireEntry(String name) {
+      EntryRule.Refusal refusal = entryRule.refusal(name, link.remote());
+      if (refusal != null) {
+        refuse(refusal.reason(), refusal.text());
+      }
+      return refusal == null;
+    }
+
     private void hello(ClientMessage.Hello hello) {
       if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
         return;
@@ -330,6 +383,9 @@ public final class Lobby {
       String problem = PlayerName.problem(name);
       if (problem != null) {
         refuse(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
+        return;
+      }
+      if (!requireEntry(name)) {
         return;
       }
       waiting = hello;
@@ -350,36 +406,48 @@ public final class Lobby {
         end("left while waiting");
         return;
       }
+      Room expecting = chooser.expecting(waiting.resumeSecret());
+      Room wished = waiting.room().isEmpty() ? null : directory.find(waiting.room());
+      if (expecting == null && wished == null && !waiting.room().isEmpty()) {
+        refuse(RefusalReason.ROOM_UNKNOWN, directory.describe());
+        return;
+      }
       boolean allowed = rate.allows(address, nowNs);
       boolean full = false;
-      if (allowed) {
-        Room expecting = chooser.expecting(waiting.resumeSecret());
-        if (expecting != null) {
-          room = expecting;
-          seat = room.seats().claim(waiting.resumeSecret(), nowNs);
-        } else {
-          full = !takeSeat(waiting.name().strip()) && chooser.seatsLeft() == 0 && !askForSeat();
-        }
+      if (allowed && expecting != null) {
+        room = expecting;
+        seat = room.seats().claim(waiting.resumeSecret(), nowNs);
+      } else if (allowed) {
+        full = !takeSeat(wished) && chooser.seatsLeft(wished) == 0 && !askForSeat(wished);
       }
+      boolean late = nowNs - waitsUntilNs >= 0;
       if (seat != null) {
         rate.count(address, nowNs);
         waiting = null;
         welcome();
-      } else if (full || (allowed && chooser.seatsLeft() == 0 && nowNs - waitsUntilNs >= 0)) {
-        String text = places == 1 ? "The only place is taken." : "All %d places are taken.";
-        refuse(RefusalReason.SERVER_FULL, text.formatted(places));
-      } else if (nowNs - waitsUntilNs >= 0) {
+      } else if (full || (allowed && chooser.seatsLeft(wished) == 0 && late)) {
+        refuseFull(wished);
+      } else if (late) {
         refuse(RefusalReason.TOO_MANY_CONNECTIONS, "");
       }
     }
 
-    /** Takes a seat in the fullest room that has one, and returns whether it got one. */
-    private boolean takeSeat(String name) {
-      Room fullest = chooser.fullestWithSeat();
-      if (fullest != null
-          && countLoading(address) < Math.max(MIN_LOADING, chooser.seatsLeft() / 2)) {
-        room = fullest;
-        seat = room.seats().take(name);
+    private void refuseFull(Room wished) {
+      int count = wished == null ? places : wished.seats().count();
+      String text =
+          (count == 1 ? "The only place is taken." : "All %d places are taken.").formatted(count);
+      refuse(
+          wished == null ? RefusalReason.SERVER_FULL : RefusalReason.ROOM_FULL,
+          wished == null ? text : text + " " + directory.describe());
+    }
+
+    /** Takes a seat in the wished room, or the fullest that has one; returns whether it got one. */
+    private boolean takeSeat(Room wished) {
+      Room chosen = wished == null ? chooser.fullestWithSeat(waiting.game()) : wished;
+      if (chosen != null
+          && countLoading(address) < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
+        room = chosen;
+        seat = room.seats().take(waiting.name().strip());
       }
       return seat != null;
     }
@@ -388,12 +456,12 @@ public final class Lobby {
      * Asks a room, or else the busiest other address, to give up a seat that nobody plays in.
      * Returns false if every seat is played in.
      */
-    private boolean askForSeat() {
+    private boolean askForSeat(Room wished) {
       if (nowNs - askAgainNs < 0) {
         return true; // the seat asked for is soon free, unless another visitor takes it first
       }
-      boolean asked = chooser.askToGiveWay();
-      Visitor crowding = asked ? null : oldestOfBusiestAddress(address);
+      boolean asked = chooser.askToGiveWay(wished);
+      Visitor crowding = asked ? null : oldestOfBusiestAddress(address, wished);
       if (crowding != null) {
         asked = true;
         crowding.refuse(RefusalReason.TOO_SLOW, "Others wait for the place.");

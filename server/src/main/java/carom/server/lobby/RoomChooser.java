@@ -21,22 +21,43 @@ final class RoomChooser {
     return null;
   }
 
-  /** Returns the fullest room that still has a seat, the first among equals, or null. */
-  Room fullestWithSeat() {
+  /**
+   * Returns the fullest room that still has a seat and plays a game, the first among equals; or of
+   * all games, if none of that game has a seat; or null.
+   *
+   * @param game name of the game; empty for any
+   */
+  Room fullestWithSeat(String game) {
     Room fullest = null;
+    Room fullestOfGame = null;
     int most = -1;
+    int mostOfGame = -1;
     for (Room room : rooms) {
       int taken = room.seats().takenCount();
-      if (taken > most && taken < room.seats().count() && !room.hasFailed()) {
+      if (taken >= room.seats().count() || room.hasFailed()) {
+        continue;
+      }
+      if (taken > most) {
         most = taken;
         fullest = room;
       }
+      if (taken > mostOfGame && room.match().game().equals(game)) {
+        mostOfGame = taken;
+        fullestOfGame = room;
+      }
     }
-    return fullest;
+    return fullestOfGame == null ? fullest : fullestOfGame;
   }
 
-  /** Returns the seats of all open rooms that are neither taken nor promised. */
-  int seatsLeft() {
+  /**
+   * Returns the seats that are neither taken nor promised.
+   *
+   * @param wished the one room that matters, or null for all open rooms
+   */
+  int seatsLeft(Room wished) {
+    if (wished != null) {
+      return wished.seats().count() - wished.seats().takenCount();
+    }
     int left = 0;
     for (Room room : rooms) {
       left += room.hasFailed() ? 0 : room.seats().count() - room.seats().takenCount();
@@ -44,8 +65,15 @@ final class RoomChooser {
     return left;
   }
 
-  /** Asks the rooms in turn to give up a seat that nobody plays in. Returns whether one will. */
-  boolean askToGiveWay() {
+  /**
+   * Asks a room to give up a seat that nobody plays in. Returns whether one will.
+   *
+   * @param wished the room, or null for all in turn
+   */
+  boolean askToGiveWay(Room wished) {
+    if (wished != null) {
+      return wished.giveWay();
+    }
     for (Room room : rooms) {
       if (!room.hasFailed() && room.giveWay()) {
         return true;

@@ -6,6 +6,7 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
+import carom.server.metrics.Counter;
 import carom.server.recording.DelayedRecording;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
@@ -100,9 +101,15 @@ final class Spectators implements LinkHandler {
     Room watched = rooms.get(room - 1);
     DelayedRecording recording = recordings.get(room - 1).present(watched.age());
     spectators.add(new Spectator(link, watched, recording, timeNs));
+    count(watched);
     link.send(new ServerMessage.Watching(delaySeconds));
     LOG.info("spectator joined room {}: {}, {} in all", room, link.remote(), spectators.size());
     return null;
+  }
+
+  private void count(Room room) {
+    room.counters()
+        .set(Counter.SPECTATORS, spectators.stream().filter(s -> s.room == room).count());
   }
 
   /** Answers requests and drops silent spectators. Returns the amount of work done. */
@@ -118,6 +125,7 @@ final class Spectators implements LinkHandler {
       }
       if (end != null) {
         spectators.remove(i);
+        count(speaking.room);
         partings.add(speaking.link, end, nowNs + PARTING_MS * NS_PER_MS);
         LOG.info("spectator gone: {}, {}", speaking.link.remote(), end);
       }

@@ -7,13 +7,15 @@ import carom.sim.field.Schema;
 /**
  * What a client must know of a room's match to play it. Immutable; any thread.
  *
+ * @param room name of the room
  * @param number counts the room's matches from 1 on
  * @param game name of the game
  * @param level the level with its download
  * @param seed seed of the match's random numbers
  * @param schema declarations of the game's fields
  */
-public record MatchInfo(int number, String game, LoadedLevel level, long seed, Schema schema) {
+public record MatchInfo(
+    String room, int number, String game, LoadedLevel level, long seed, Schema schema) {
   /**
    * Returns the message that lets a player load and join the match.
    *
@@ -29,6 +31,7 @@ public record MatchInfo(int number, String game, LoadedLevel level, long seed, S
         datagramKey,
         playerId,
         tickRateHz,
+        room,
         number,
         tick,
         seed,

@@ -4,11 +4,15 @@ import carom.net.transport.Link;
 import carom.server.session.Seats;
 
 /**
- * A player whose level is loaded, on the way from the lobby to the room.
+ * A player on the way to a room: from the lobby, with the level loaded, or from another room.
  *
- * @param seat claimed by the lobby; the room turns the claim into possession
- * @param link the lobby doesn't touch it any more
+ * @param seat claimed for the player; the room turns the claim into possession
+ * @param link nobody else touches it any more
  * @param datagramKey the key of this link's Welcome
- * @param match number of the match that it has loaded; perhaps the room plays the next already
+ * @param match number of the match that it has loaded; perhaps the room plays the next already.
+ *     {@link #NO_MATCH} for none
  */
-public record Admission(Seats.Seat seat, Link link, int datagramKey, int match) {}
+public record Admission(Seats.Seat seat, Link link, int datagramKey, int match) {
+  /** Stands for the match of a player who has loaded none of the room's. */
+  public static final int NO_MATCH = 0;
+}

@@ -5,6 +5,7 @@ import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.server.metrics.Counter;
 import carom.server.session.PartingLinks;
+import carom.server.session.RosterNews;
 import carom.server.session.Session;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.slf4j.Logger;
@@ -165,6 +166,30 @@ final class Departures {
         room.seats().count());
     announce(session, notice);
     sessions.updateGauges();
+  }
+
+  /**
+   * Ends the session of a player who goes to another room, and whose seat is free already.
+   *
+   * @param name name of the other room
+   * @return the link, now the caller's
+   */
+  Link moveOut(Session session, String name) {
+    sessions.remove(session);
+    Link link = session.end();
+    room.simulation().leave(session.player());
+    roster.changed();
+    LOG.info(
+        "{}move: {}, player {}, goes to room {}, {} of {} players",
+        room.label(),
+        session.seat().name(),
+        session.seat().id(),
+        name,
+        sessions.count(),
+        room.seats().count());
+    announce(session, " went to room " + name);
+    sessions.updateGauges();
+    return link;
   }
 
   /** Removes the session that was being served when an exception of ours was thrown. */

@@ -2,6 +2,7 @@ package carom.server.room;
 
 import carom.game.GuardedGame;
 import carom.server.config.ServerConfig;
+import carom.server.match.GameFailures;
 import carom.server.match.LoadedLevel;
 import carom.server.match.MatchInfo;
 import carom.server.metrics.Counters;
@@ -33,11 +34,13 @@ final class Match {
   /**
    * Builds the level and sets up the game.
    *
+   * @param room name of the room
    * @param rules an instance of this match's own
    * @param label begins each log line
    * @throws IllegalArgumentException when the game can't be played in the level
    */
   Match(
+      String room,
       int number,
       Game rules,
       LoadedLevel level,
@@ -50,7 +53,7 @@ final class Match {
     failures = new GameFailures(rules.name(), counters, label);
     GuardedGame game = new GuardedGame(rules, failures);
     simulation = new Simulation(game, level.level(), seed, config.tickRateHz(), Role.AUTHORITY);
-    info = new MatchInfo(number, rules.name(), level, seed, simulation.schema());
+    info = new MatchInfo(room, number, rules.name(), level, seed, simulation.schema());
     capture = new FrameCapture(simulation);
     ownCapture = new OwnCapture(simulation);
   }

@@ -2,6 +2,7 @@ package carom.server.room;
 
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.transport.Broadcast;
@@ -16,8 +17,10 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
+import carom.server.schedule.LoadWarnings;
 import carom.server.schedule.TickLoop;
 import carom.server.session.PartingLinks;
+import carom.server.session.RosterNews;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.Entity;
@@ -41,6 +44,7 @@ import org.slf4j.LoggerFactory;
  * <pre>
  *   Arrivals            players from the lobby get a session
  *   Departures          sessions end, or begin their grace period
+ *   RoomMoves           players see the other rooms, and go there
  *   Session             one input per player
  *   Simulation.step
  *   FrameCapture        the frame state, quantised once for all sessions
@@ -81,6 +85,7 @@ public final class Room {
   private final Departures departures;
   private final MatchChange changes;
   private final Arrivals arrivals;
+  private final RoomMoves moves;
   private final LoadWarnings warnings;
   private final SnapshotRound snapshots;
   private final OperatorCommands operator;
@@ -102,6 +107,7 @@ public final class Room {
    * @param loads runs what builds further matches, on a thread that no tick waits for
    * @param clock nanoseconds, to measure how long ticks take
    * @param seats this room's seats, shared with the lobby
+   * @param directory the server's rooms
    * @throws IllegalArgumentException when the first match can't be played; the message says why
    */
   public Room(
@@ -112,7 +118,8 @@ public final class Room {
       MatchLibrary library,
       Executor loads,
       LongSupplier clock,
-      Seats seats) {
+      Seats seats,
+      RoomDirectory directory) {
     this.number = number;
     this.settings = settings;
     this.clock = clock;
@@ -128,6 +135,7 @@ public final class Room {
     changes =
         new MatchChange(context, loader, loads, settings.levels(), sessions, recording, roster);
     arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
+    moves = new RoomMoves(context, this, directory, sessions, departures);
     warnings = new LoadWarnings(label, counters, config.tickRateHz());
     snapshots = new SnapshotRound(context, clock, sessions, departures, warnings);
     operator =
@@ -255,6 +263,7 @@ public final class Room {
     long beginNs = clock.getAsLong();
     arrivals.admit(beginNs, nowNs);
     departures.serve(nowNs);
+    moves.serve(nowNs);
     Match match = context.match();
     Simulation simulation = match.simulation();
     int next = simulation.tick() + 1;
@@ -398,6 +407,20 @@ public final class Room {
   /** Returns what clients must know to play the present match; from any thread. */
   public MatchInfo match() {
     return context.match().info();
+  }
+
+  /** Returns what a list of rooms says about this one; from any thread. */
+  ServerMessage.RoomEntry entry() {
+    MatchInfo match = match();
+    return new ServerMessage.RoomEntry(
+        name(),
+        match.game(),
+        match.level().level().name(),
+        "",
+        seats().takenCount(),
+        seats().count(),
+        (int) counters.get(Counter.SPECTATORS),
+        settings.metadata());
   }
 
   /** Returns the number of ticks that the room has run, of all matches; from any thread. */

@@ -1,6 +1,6 @@
 /**
- * One world with its players: the order of work in a tick, and the arrival and
- * departure of sessions.
+ * One world with its players: the order of work in a tick, and the arrival and departure of
+ * sessions.
  *
  * <p>Allowed imports: {@code carom.sim}, {@code carom.physics}, {@code carom.net.protocol}, {@code
  * carom.net.transport}, {@code carom.net.snapshot..}, the other packages of {@code carom.server}

@@ -43,9 +43,18 @@ public final class Seats {
    * @return the seat, or null when all are taken
    */
   public synchronized Seat take(String wantedName) {
+    return take(wantedName, freshSecret());
+  }
+
+  /**
+   * Takes a seat as {@link #take(String)} does, for a player who has a session in another room.
+   *
+   * @param secret the session's
+   */
+  public synchronized Seat take(String wantedName, long secret) {
     for (int id = 0; id < taken.length; id++) {
       if (taken[id] == null) {
-        Seat seat = new Seat(id, freeName(wantedName), freshSecret());
+        Seat seat = new Seat(id, wantedName, freeName(wantedName), secret);
         seat.claims = 1;
         foldedNames.add(PlayerName.folded(seat.name));
         taken[id] = seat;
@@ -113,6 +122,19 @@ public final class Seats {
     freeIfUnused(seat);
   }
 
+  /**
+   * Frees the seat of a player who goes to another room, unless a link claims it.
+   *
+   * @return whether it is free
+   */
+  public synchronized boolean release(Seat seat) {
+    if (seat.claims > 0) {
+      return false;
+    }
+    vacate(seat);
+    return true;
+  }
+
   /** Returns whether a link is on its way to this seat. */
   public synchronized boolean isClaimed(Seat seat) {
     return seat.claims > 0;
@@ -168,6 +190,7 @@ public final class Seats {
   /** One place in a room. */
   public static final class Seat {
     private final int id;
+    private final String wantedName;
     private final String name;
     private final long secret;
     private int claims; // guarded by the seats' lock, like occupied
@@ -175,8 +198,9 @@ public final class Seats {
     private boolean resumed;
     private long resumedNs;
 
-    Seat(int id, String name, long secret) {
+    Seat(int id, String wantedName, String name, long secret) {
       this.id = id;
+      this.wantedName = wantedName;
       this.name = name;
       this.secret = secret;
     }
@@ -184,6 +208,11 @@ public final class Seats {
     /** Returns the player's id, 0..1,023. */
     public int id() {
       return id;
+    }
+
+    /** Returns the name that the player asked for. */
+    public String wantedName() {
+      return wantedName;
     }
 
     /** Returns the player's name, unique in the room. */

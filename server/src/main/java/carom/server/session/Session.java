@@ -83,6 +83,10 @@ public final class Session implements LinkHandler {
   private long fieldsDigest;
   private boolean loaded;
   private int loadingTicks;
+  private int playedTicks;
+  private boolean asksForRooms;
+  private int roomsToldTicks = Short.MAX_VALUE; // long ago
+  private String wishedRoom;
   private boolean linkLost;
   private String linkLostReason = "";
   private Departure departure = Departure.NONE;
@@ -139,6 +143,7 @@ public final class Session implements LinkHandler {
     datagramKey = key;
     upload = null;
     loaded = false;
+    playedTicks = 0;
     replication.begin(key);
     messages.attach(link, key);
     inputs.reset(tick);
@@ -237,6 +242,10 @@ public final class Session implements LinkHandler {
     silentTicks = 0;
     if (message instanceof ClientMessage.Leave) {
       departure = Departure.LEAVE;
+    } else if (message instanceof ClientMessage.ListRooms) {
+      asksForRooms = true;
+    } else if (message instanceof ClientMessage.ChangeRoom change) {
+      wishedRoom = change.room();
     } else if (state == SessionState.LOADING) {
       loading(message);
     } else if (message instanceof ClientMessage.Look look) {
@@ -360,6 +369,8 @@ public final class Session implements LinkHandler {
 
   /** Sets the player's input for a tick, which must be the one after the last consumed. */
   public void consumeInput(int tick) {
+    roomsToldTicks++;
+    playedTicks++;
     if (state != SessionState.PLAYING) {
       player.input().clear();
       player.viewDelay(0);
@@ -526,6 +537,36 @@ public final class Session implements LinkHandler {
   /** Returns what tells the client about the room. */
   public SessionReplication replication() {
     return replication;
+  }
+
+  /**
+   * Takes the client's request for the list of rooms, if there is one. Requests in between are one.
+   *
+   * @param ticks number of ticks that must have passed after the last one
+   * @return whether there is one
+   */
+  public boolean takeRoomsRequest(int ticks) {
+    boolean takes = asksForRooms && roomsToldTicks >= ticks;
+    if (takes) {
+      asksForRooms = false;
+      roomsToldTicks = 0;
+    }
+    return takes;
+  }
+
+  /** Returns the name of the room that the player wants to go to, or null. */
+  public String wishedRoom() {
+    return wishedRoom;
+  }
+
+  /** Forgets the room that the player wanted to go to. */
+  public void forgetWishedRoom() {
+    wishedRoom = null;
+  }
+
+  /** Returns the number of ticks for which the session plays; meaningful while it does. */
+  public int playedTicks() {
+    return playedTicks;
   }
 
   /** Returns the input buffer, for inspection. */

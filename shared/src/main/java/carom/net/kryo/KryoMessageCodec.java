@@ -13,6 +13,8 @@ import carom.net.protocol.ServerMessage.LevelChunk;
 import carom.net.protocol.ServerMessage.Notice;
 import carom.net.protocol.ServerMessage.RecordingChunk;
 import carom.net.protocol.ServerMessage.Refused;
+import carom.net.protocol.ServerMessage.RoomEntry;
+import carom.net.protocol.ServerMessage.RoomList;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.protocol.ServerMessage.Watching;
@@ -26,7 +28,10 @@ import com.esotericsoftware.kryo.io.KryoBufferUnderflowException;
 import com.esotericsoftware.kryo.io.Output;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Codec of the protocol's messages: Kryo for those from the server, the fixed layout of {@link
@@ -38,6 +43,9 @@ import java.util.List;
  * reflection, and so that each length is checked before anything is allocated. Numbers are Kryo's:
  * little-endian, with lengths as variable-length integers. A string is a length in bytes followed
  * by UTF-8.
+ *
+ * <p><b>Length.</b> The class is the wire format of all messages from the server, and nothing else:
+ * a few lines for each, in the order of their first bytes.
  */
 public final class KryoMessageCodec implements MessageCodec {
   private static final int FIRST_SERVER_BYTE = 0x40;
@@ -69,6 +77,7 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(RecordingChunk.class, new RecordingChunkSerializer(), id++);
     kryo.register(GameMessage.class, new GameMessageSerializer(), id++);
     kryo.register(Heard.class, new HeardSerializer(), id++);
+    kryo.register(RoomList.class, new RoomListSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -194,6 +203,7 @@ public final class KryoMessageCodec implements MessageCodec {
       out.writeInt(m.datagramKey());
       out.writeVarInt(playerId(m.playerId()), true);
       out.writeByte(inRange("tickRate", m.tickRate(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE));
+      writeText(out, "room", m.room(), Limits.MAX_ROOM_NAME_BYTES);
       out.writeVarInt(inRange("match", m.match(), 1, Integer.MAX_VALUE), true);
       out.writeInt(m.tick());
       out.writeLong(m.seed());
@@ -216,6 +226,7 @@ public final class KryoMessageCodec implements MessageCodec {
           in.readInt(),
           playerId(in.readVarInt(true)),
           inRange("tickRate", in.readByteUnsigned(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE),
+          readText(in, "room", Limits.MAX_ROOM_NAME_BYTES),
           inRange("match", in.readVarInt(true), 1, Integer.MAX_VALUE),
           in.readInt(),
           in.readLong(),
@@ -270,7 +281,10 @@ public final class KryoMessageCodec implements MessageCodec {
   }
 
   private static final class RosterSerializer extends MessageSerializer<Roster> {
-    private static final int MIN_ENTRY_BYTES = 1 + 1 + 1;
+    private static final int MIN_ENTRY_BYTES = 1 + 1;
+    private static final int SPECTATOR = 1;
+    private static final int READY = 1 << 1;
+    private static final int ALIVE = 1 << 2;
 
     @Override
     void write(Output out, Roster m) {
@@ -278,8 +292,20 @@ public final class KryoMessageCodec implements MessageCodec {
       for (RosterEntry entry : m.entries()) {
         out.writeVarInt(playerId(entry.playerId()), true);
         writeText(out, "name", entry.name(), Limits.MAX_NAME_BYTES);
-        out.writeVarInt(entry.score(), false);
+        if (!entry.hasGone()) {
+          writeStanding(out, entry);
+        }
       }
+    }
+
+    private static void writeStanding(Output out, RosterEntry entry) {
+      int spectator = entry.spectator() ? SPECTATOR : 0;
+      int ready = entry.ready() ? READY : 0;
+      int alive = entry.alive() ? ALIVE : 0;
+      out.writeByte(spectator | ready | alive);
+      out.writeVarInt(entry.team(), false);
+      out.writeVarInt(entry.score(), false);
+      out.writeVarInt(inRange("ping", entry.pingMs(), 0, RosterEntry.MAX_PING_MS), true);
     }
 
     @Override
@@ -289,13 +315,27 @@ public final class KryoMessageCodec implements MessageCodec {
       int count = inRange("entries", in.readVarInt(true), 0, most);
       List<RosterEntry> entries = new ArrayList<>(count);
       for (int i = 0; i < count; i++) {
-        entries.add(
-            new RosterEntry(
-                playerId(in.readVarInt(true)),
-                readText(in, "name", Limits.MAX_NAME_BYTES),
-                in.readVarInt(false)));
+        entries.add(readEntry(in));
       }
       return new Roster(List.copyOf(entries));
+    }
+
+    private static RosterEntry readEntry(Input in) {
+      int id = playerId(in.readVarInt(true));
+      String name = readText(in, "name", Limits.MAX_NAME_BYTES);
+      if (name.isEmpty()) {
+        return RosterEntry.gone(id);
+      }
+      int standing = inRange("standing", in.readByteUnsigned(), 0, SPECTATOR | READY | ALIVE);
+      return new RosterEntry(
+          id,
+          name,
+          in.readVarInt(false),
+          in.readVarInt(false),
+          (standing & SPECTATOR) != 0,
+          (standing & READY) != 0,
+          (standing & ALIVE) != 0,
+          inRange("ping", in.readVarInt(true), 0, RosterEntry.MAX_PING_MS));
     }
   }
 
@@ -387,6 +427,63 @@ public final class KryoMessageCodec implements MessageCodec {
     @Override
     Heard read(Input in) {
       return new Heard(inRange("number", in.readVarInt(true), 0, Integer.MAX_VALUE), in.readLong());
+    }
+  }
+
+  private static final class RoomListSerializer extends MessageSerializer<RoomList> {
+    private static final int MAX_ROOMS = 0xffff;
+    private static final int MAX_COUNT = 0xffff;
+
+    @Override
+    void write(Output out, RoomList m) {
+      out.writeVarInt(inRange("left", m.left(), 0, MAX_ROOMS), true);
+      out.writeVarInt(inRange("rooms", m.rooms().size(), 0, Limits.MAX_LISTED_ROOMS), true);
+      for (RoomEntry room : m.rooms()) {
+        writeText(out, "name", room.name(), Limits.MAX_ROOM_NAME_BYTES);
+        writeText(out, "game", room.game(), Limits.MAX_GAME_NAME_BYTES);
+        writeText(out, "level", room.level(), Limits.MAX_LEVEL_NAME_BYTES);
+        writeText(out, "phase", room.phase(), Limits.MAX_PHASE_BYTES);
+        out.writeVarInt(inRange("players", room.players(), 0, Limits.MAX_PLAYERS), true);
+        out.writeVarInt(inRange("places", room.places(), 0, Limits.MAX_PLAYERS), true);
+        out.writeVarInt(inRange("spectators", room.spectators(), 0, MAX_COUNT), true);
+        Map<String, String> metadata = room.metadata();
+        out.writeVarInt(inRange("metadata", metadata.size(), 0, Limits.MAX_ROOM_METADATA), true);
+        metadata.forEach(
+            (key, value) -> {
+              writeText(out, "key", key, Limits.MAX_METADATA_KEY_BYTES);
+              writeText(out, "value", value, Limits.MAX_METADATA_VALUE_BYTES);
+            });
+      }
+    }
+
+    @Override
+    RoomList read(Input in) {
+      int left = inRange("left", in.readVarInt(true), 0, MAX_ROOMS);
+      int count = inRange("rooms", in.readVarInt(true), 0, Limits.MAX_LISTED_ROOMS);
+      List<RoomEntry> rooms = new ArrayList<>(count);
+      for (int i = 0; i < count; i++) {
+        rooms.add(
+            new RoomEntry(
+                readText(in, "name", Limits.MAX_ROOM_NAME_BYTES),
+                readText(in, "game", Limits.MAX_GAME_NAME_BYTES),
+                readText(in, "level", Limits.MAX_LEVEL_NAME_BYTES),
+                readText(in, "phase", Limits.MAX_PHASE_BYTES),
+                inRange("players", in.readVarInt(true), 0, Limits.MAX_PLAYERS),
+                inRange("places", in.readVarInt(true), 0, Limits.MAX_PLAYERS),
+                inRange("spectators", in.readVarInt(true), 0, MAX_COUNT),
+                metadata(in)));
+      }
+      return new RoomList(left, rooms);
+    }
+
+    private static Map<String, String> metadata(Input in) {
+      int count = inRange("metadata", in.readVarInt(true), 0, Limits.MAX_ROOM_METADATA);
+      Map<String, String> metadata = new LinkedHashMap<>();
+      for (int i = 0; i < count; i++) {
+        String key = readText(in, "key", Limits.MAX_METADATA_KEY_BYTES);
+        metadata.put(key, readText(in, "value", Limits.MAX_METADATA_VALUE_BYTES));
+      }
+      return Collections.unmodifiableMap(metadata);
     }
   }
 

@@ -17,9 +17,40 @@ public sealed interface ClientMessage {
    * @param physicsDigest {@link Protocol#physicsDigest()} of the client
    * @param name the player's name, see {@link PlayerName}
    * @param resumeSecret secret of an earlier session's {@link ServerMessage.Welcome}, or 0
+   * @param room name of the room in which the player wants to play; empty for any
+   * @param game name of the game that the player wants to play if the room is any; empty for any.
+   *     It is a wish: if no room that plays it has a place, the server chooses another
    */
-  record Hello(int protocolVersion, long physicsDigest, String name, long resumeSecret)
-      implements ClientMessage {}
+  record Hello(
+      int protocolVersion,
+      long physicsDigest,
+      String name,
+      long resumeSecret,
+      String room,
+      String game)
+      implements ClientMessage {
+    /** Creates a message of a player who plays in any room. */
+    public Hello(int protocolVersion, long physicsDigest, String name, long resumeSecret) {
+      this(protocolVersion, physicsDigest, name, resumeSecret, "", "");
+    }
+  }
+
+  /**
+   * Asks which rooms there are, before {@link Hello} or while playing. {@link
+   * ServerMessage.RoomList} answers.
+   *
+   * @param protocolVersion {@link Protocol#VERSION} of the client
+   */
+  record ListRooms(int protocolVersion) implements ClientMessage {}
+
+  /**
+   * Asks to go on in another room, over the same link and in the same session. A {@link
+   * ServerMessage.Welcome} answers, or a {@link ServerMessage.Notice} that says why the player
+   * stays.
+   *
+   * @param room name of the room, 1..{@link Limits#MAX_ROOM_NAME_BYTES} bytes
+   */
+  record ChangeRoom(String room) implements ClientMessage {}
 
   /**
    * Asks for the piece of the packed level at an offset. A client keeps several requests in flight,
@@ -49,8 +80,14 @@ public sealed interface ClientMessage {
    * @param y centre of the view while the player has no body, metres
    * @param halfWidth half the width of the view, metres
    * @param halfHeight half the height of the view, metres
+   * @param follows the player whose body is the centre of the view while the own player has no
+   *     body, 0..1,023, or {@link #NOBODY}
    */
-  record Look(float x, float y, float halfWidth, float halfHeight) implements ClientMessage {}
+  record Look(float x, float y, float halfWidth, float halfHeight, int follows)
+      implements ClientMessage {
+    /** The place x, y is the centre of the view. */
+    public static final int NOBODY = -1;
+  }
 
   /**
    * Reports a misprediction that the client can't explain. Either it predicted its own body alone,

@@ -5,7 +5,6 @@ import static carom.net.protocol.ClientMessage.Diverged.MAX_BODIES;
 import static carom.net.protocol.ClientMessage.Diverged.MAX_WORDS;
 
 import java.nio.ByteBuffer;
-import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -30,7 +29,9 @@ public final class ClientMessageCodec {
   private static final byte DIVERGED_NEAR = 9;
   private static final byte GAME_MESSAGE = 10;
   private static final byte HEARD = 11;
-  private static final int HELLO_FIXED_BYTES = 1 + 4 + 8 + 8 + 1;
+  private static final byte LIST_ROOMS = 12;
+  private static final byte CHANGE_ROOM = 13;
+  private static final int HELLO_FIXED_BYTES = 4 + 8 + 8;
 
   private ClientMessageCodec() {}
 
@@ -46,17 +47,13 @@ public final class ClientMessageCodec {
   public static int encode(ClientMessage message, byte[] out, int offset) {
     ByteBuffer buffer = ByteBuffer.wrap(out, offset, out.length - offset);
     if (message instanceof ClientMessage.Hello hello) {
-      byte[] name = hello.name().getBytes(StandardCharsets.UTF_8);
-      if (name.length > Limits.MAX_NAME_BYTES) {
-        throw new IllegalArgumentException(
-            "Hello.name has bytes=" + name.length + ", limit=" + Limits.MAX_NAME_BYTES);
-      }
       buffer.put(HELLO);
       buffer.putInt(hello.protocolVersion());
       buffer.putLong(hello.physicsDigest());
       buffer.putLong(hello.resumeSecret());
-      buffer.put((byte) name.length);
-      buffer.put(name);
+      putText("Hello.name", hello.name(), Limits.MAX_NAME_BYTES, buffer);
+      putText("Hello.room", hello.room(), Limits.MAX_ROOM_NAME_BYTES, buffer);
+      putText("Hello.game", hello.game(), Limits.MAX_GAME_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.LevelRequest request) {
       if (!validOffset(request.offset())) {
         throw new IllegalArgumentException(
@@ -74,6 +71,7 @@ public final class ClientMessageCodec {
       buffer.putFloat(look.y());
       buffer.putFloat(look.halfWidth());
       buffer.putFloat(look.halfHeight());
+      buffer.putShort((short) look.follows());
     } else if (message instanceof ClientMessage.Diverged diverged) {
       encodeDiverged(diverged, buffer);
     } else if (message instanceof ClientMessage.Watch watch) {
@@ -99,12 +97,41 @@ public final class ClientMessageCodec {
       buffer.put(GAME_MESSAGE).putInt(m.number()).put(m.bytes());
     } else if (message instanceof ClientMessage.Heard heard) {
       buffer.put(HEARD).putInt(heard.number());
+    } else if (message instanceof ClientMessage.ListRooms list) {
+      buffer.put(LIST_ROOMS).putInt(list.protocolVersion());
+    } else if (message instanceof ClientMessage.ChangeRoom change) {
+      buffer.put(CHANGE_ROOM);
+      putText("ChangeRoom.room", change.room(), Limits.MAX_ROOM_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.Ready ready) {
       buffer.put(READY).putInt(ready.datagramKey()).putLong(ready.fieldsDigest());
     } else {
       buffer.put(LEAVE);
     }
     return buffer.position() - offset;
+  }
+
+  private static void putText(String what, String text, int maxBytes, ByteBuffer buffer) {
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    if (bytes.length > maxBytes) {
+      throw new IllegalArgumentException(
+          what + " has bytes=" + bytes.length + ", limit=" + maxBytes);
+    }
+    buffer.put((byte) bytes.length).put(bytes);
+  }
+
+  /** Reads a text, or returns null if it is too long or no UTF-8. */
+  private static String text(ByteBuffer buffer, int maxBytes) {
+    int length = buffer.hasRemaining() ? buffer.get() & 0xff : Integer.MAX_VALUE;
+    if (length > maxBytes || length > buffer.remaining()) {
+      return null;
+    }
+    ByteBuffer bytes = buffer.slice(buffer.position(), length);
+    buffer.position(buffer.position() + length);
+    try {
+      return StandardCharsets.UTF_8.newDecoder().decode(bytes).toString();
+    } catch (CharacterCodingException e) {
+      return null;
+    }
   }
 
   /**
@@ -117,9 +144,9 @@ public final class ClientMessageCodec {
   }
 
   /**
-   * Reads a message. The content never makes it throw. It allocates at most the message and a name
-   * of {@link Limits#MAX_NAME_BYTES}. It checks only that a name is UTF-8 within that length;
-   * {@link PlayerName} checks the rest.
+   * Reads a message. The content never makes it throw. It allocates at most the message and its
+   * texts. It checks only that a text is UTF-8 within its length; {@link PlayerName} and {@link
+   * RoomName} check the rest.
    *
    * @return the message, or null when the bytes are not exactly one message within the limits
    */
@@ -140,6 +167,8 @@ public final class ClientMessageCodec {
       case RECORDING_REQUEST -> decodeRecordingRequest(buffer);
       case GAME_MESSAGE -> decodeGameMessage(buffer);
       case HEARD -> decodeHeard(buffer);
+      case LIST_ROOMS -> decodeListRooms(buffer);
+      case CHANGE_ROOM -> decodeChangeRoom(buffer);
       default -> null;
     };
   }
@@ -160,24 +189,26 @@ public final class ClientMessageCodec {
   }
 
   /**
-   * Reads a view. It accepts finite numbers with sizes that aren't negative; the server judges
-   * their meaning.
+   * Reads a view. It accepts finite numbers with sizes that aren't negative, and a player or
+   * nobody; the server judges their meaning.
    */
   private static ClientMessage decodeLook(ByteBuffer buffer) {
-    if (buffer.remaining() != 4 * Float.BYTES) {
+    if (buffer.remaining() != 4 * Float.BYTES + Short.BYTES) {
       return null;
     }
     float x = buffer.getFloat();
     float y = buffer.getFloat();
     float halfWidth = buffer.getFloat();
     float halfHeight = buffer.getFloat();
+    int follows = buffer.getShort();
     boolean numbers =
         Float.isFinite(x)
             && Float.isFinite(y)
             && Float.isFinite(halfWidth)
             && Float.isFinite(halfHeight);
-    return numbers && halfWidth >= 0 && halfHeight >= 0
-        ? new ClientMessage.Look(x, y, halfWidth, halfHeight)
+    boolean player = follows >= ClientMessage.Look.NOBODY && follows < Limits.MAX_PLAYERS;
+    return numbers && halfWidth >= 0 && halfHeight >= 0 && player
+        ? new ClientMessage.Look(x, y, halfWidth, halfHeight, follows)
         : null;
   }
 
@@ -283,23 +314,32 @@ public final class ClientMessageCodec {
     return number >= 0 ? new ClientMessage.Heard(number) : null;
   }
 
+  private static ClientMessage decodeListRooms(ByteBuffer buffer) {
+    return buffer.remaining() == Integer.BYTES
+        ? new ClientMessage.ListRooms(buffer.getInt())
+        : null;
+  }
+
+  private static ClientMessage decodeChangeRoom(ByteBuffer buffer) {
+    String room = text(buffer, Limits.MAX_ROOM_NAME_BYTES);
+    return room == null || room.isEmpty() || buffer.hasRemaining()
+        ? null
+        : new ClientMessage.ChangeRoom(room);
+  }
+
   private static ClientMessage decodeHello(ByteBuffer buffer) {
-    if (buffer.remaining() < HELLO_FIXED_BYTES - 1) {
+    if (buffer.remaining() < HELLO_FIXED_BYTES) {
       return null;
     }
     int version = buffer.getInt();
     long digest = buffer.getLong();
     long secret = buffer.getLong();
-    int nameBytes = buffer.get() & 0xff;
-    if (nameBytes > Limits.MAX_NAME_BYTES || nameBytes != buffer.remaining()) {
-      return null;
-    }
-    try {
-      CharBuffer name = StandardCharsets.UTF_8.newDecoder().decode(buffer);
-      return new ClientMessage.Hello(version, digest, name.toString(), secret);
-    } catch (CharacterCodingException e) {
-      return null;
-    }
+    String name = text(buffer, Limits.MAX_NAME_BYTES);
+    String room = text(buffer, Limits.MAX_ROOM_NAME_BYTES);
+    String game = text(buffer, Limits.MAX_GAME_NAME_BYTES);
+    return name == null || room == null || game == null || buffer.hasRemaining()
+        ? null
+        : new ClientMessage.Hello(version, digest, name, secret, room, game);
   }
 
   private static boolean validOffset(int offset) {

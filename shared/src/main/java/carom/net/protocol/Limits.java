@@ -80,6 +80,12 @@ public final class Limits {
   /** Longest name of a room. */
   public static final int MAX_ROOM_NAME_BYTES = 32;
 
+  /** Largest number of rooms in one {@link ServerMessage.RoomList}. */
+  public static final int MAX_LISTED_ROOMS = 16;
+
+  /** Longest phase of a match in UTF-8 bytes, as lists of rooms show it. */
+  public static final int MAX_PHASE_BYTES = 16;
+
   /** Most entries of a room's metadata. */
   public static final int MAX_ROOM_METADATA = 8;
 

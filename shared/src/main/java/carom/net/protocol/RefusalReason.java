@@ -24,7 +24,15 @@ public enum RefusalReason {
   /** The handshake took too long. */
   TOO_SLOW("Joining took too long. Check your connection and try again.", true),
   /** The client's game has other fields. */
-  GAME_VERSION("The server plays another version of this game. Use the same build.", false);
+  GAME_VERSION("The server plays another version of this game. Use the same build.", false),
+  /** The client asked for a room that the server doesn't have. */
+  ROOM_UNKNOWN("The server has no such room. Choose another one.", false),
+  /** The room that the client asked for has no free place. */
+  ROOM_FULL("The room is full. Choose another one or try again in a moment.", true),
+  /** The operator has banned the player's name or address. */
+  BANNED("You are banned from this server.", false),
+  /** Only players of the operator's list may play. */
+  NOT_ALLOWED("This server is only for invited players.", false);
 
   private final String playerText;
   private final boolean retryUseful;

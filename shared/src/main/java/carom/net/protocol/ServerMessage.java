@@ -2,6 +2,7 @@ package carom.net.protocol;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 
 /**
  * A message from the server to a client, sent reliably and in order. It is plain data with sizes
@@ -11,13 +12,14 @@ public sealed interface ServerMessage {
 
   /**
    * Admits a client and gives it what it needs to load the level and to predict. A client that
-   * plays receives another one when its room goes on with another level or game: it keeps its
-   * secret and id, and has to load again.
+   * plays receives another one when its room goes on with another level or game, or when it changes
+   * the room: it keeps its secret, and has to load again.
    *
    * @param sessionSecret proves the client's identity when it resumes the session; never 0
    * @param datagramKey first 32 bits of each input datagram, and the key of the snapshots' checksum
    * @param playerId 0..1,023
    * @param tickRate ticks per second, {@link Limits#MIN_TICK_RATE}..{@link Limits#MAX_TICK_RATE}
+   * @param room name of the room; another than before if the player has changed the room
    * @param match counts the room's matches from 1 on; ticks begin at 0 in each
    * @param tick the server's tick when it sent this
    * @param seed seed of the simulation
@@ -36,6 +38,7 @@ public sealed interface ServerMessage {
       int datagramKey,
       int playerId,
       int tickRate,
+      String room,
       int match,
       int tick,
       long seed,
@@ -125,18 +128,76 @@ public sealed interface ServerMessage {
   }
 
   /**
-   * One player of a {@link Roster}.
+   * One participant of a {@link Roster}: a player or a spectator.
    *
    * @param playerId 0..1,023
-   * @param name see {@link PlayerName}; empty when the player has gone
+   * @param name see {@link PlayerName}; empty when the participant has gone, and the rest has no
+   *     meaning
+   * @param team number with a meaning of the game's own; -1 for spectators
    * @param score the player's score, as the game counts it
+   * @param spectator whether it watches and has no body
+   * @param ready whether the player has said that it is ready
+   * @param alive whether the player has a body
+   * @param pingMs round trip as the server measures it, 0..{@value #MAX_PING_MS} ms, roughly; 0
+   *     while it isn't known or there is no link
    */
-  record RosterEntry(int playerId, String name, int score) {
+  record RosterEntry(
+      int playerId,
+      String name,
+      int team,
+      int score,
+      boolean spectator,
+      boolean ready,
+      boolean alive,
+      int pingMs) {
+    /** Longest round trip that is told. */
+    public static final int MAX_PING_MS = 9_999;
+
+    /** Returns the entry of a participant that has gone. */
+    public static RosterEntry gone(int playerId) {
+      return new RosterEntry(playerId, "", 0, 0, false, false, false, 0);
+    }
+
     /** Returns whether the player has gone and the id is free. */
     public boolean hasGone() {
       return name.isEmpty();
     }
   }
+
+  /**
+   * Lists rooms, in answer to {@link ClientMessage.ListRooms}. A long list takes several messages.
+   *
+   * @param left number of rooms that follow in further messages
+   * @param rooms at most {@link Limits#MAX_LISTED_ROOMS}
+   */
+  record RoomList(int left, List<RoomEntry> rooms) implements ServerMessage {
+    /** Copies the list. */
+    public RoomList {
+      rooms = List.copyOf(rooms);
+    }
+  }
+
+  /**
+   * One room of a {@link RoomList}.
+   *
+   * @param name see {@link RoomName}
+   * @param game name of the game that it plays
+   * @param level name of the level, for people
+   * @param phase what the match is at, for people; empty if the game doesn't say
+   * @param players number of places that are taken
+   * @param places number of places
+   * @param spectators number of spectators
+   * @param metadata what players can choose the room by, see {@link RoomName#metadataProblem}
+   */
+  record RoomEntry(
+      String name,
+      String game,
+      String level,
+      String phase,
+      int players,
+      int places,
+      int spectators,
+      Map<String, String> metadata) {}
 
   /**
    * Shows a line on the player's screen.

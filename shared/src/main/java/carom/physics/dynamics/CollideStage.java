@@ -5,6 +5,7 @@ import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.continuous.ContinuousCollision;
 import carom.physics.dynamics.narrow.NarrowPhase;
+import carom.physics.dynamics.narrow.Seams;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.sleep.Sleeping;
 import carom.physics.settings.Settings;
@@ -23,6 +24,7 @@ final class CollideStage {
   private final BodyStore bodies;
   private final ContactTable contacts;
   private final NarrowPhase narrowPhase;
+  private final Seams seams;
   private final ContinuousCollision continuous;
 
   /** Rows of sleeping bodies whose response was refused in the step before, ascending. */
@@ -49,6 +51,7 @@ final class CollideStage {
     this.contacts = contacts;
     this.continuous = continuous;
     narrowPhase = new NarrowPhase(settings, bodies, parts, contacts, parallel);
+    seams = new Seams(settings, bodies, parts, contacts);
   }
 
   /** Returns the number of rows with contact points in this step, or the last one. */
@@ -81,6 +84,7 @@ final class CollideStage {
       leaveDormant();
     }
     touching += narrowPhase.run();
+    touching -= seams.run(narrowPhase);
     if (sleeping.anyAsleep()) {
       decide();
     }

@@ -177,6 +177,24 @@ public final class Particles {
   }
 
   /**
+   * Removes the particles whose centre is outside a box.
+   *
+   * @param area m, read only
+   * @return the number of particles removed
+   */
+  public int removeOutside(Aabb area) {
+    int kept = 0;
+    for (int i = 0; i < store.count; i++) {
+      if (area.contains(store.x[i], store.y[i])) {
+        store.move(i, kept++);
+      } else {
+        store.release(i);
+      }
+    }
+    return shrink(kept);
+  }
+
+  /**
    * Removes the particles whose centre is in a shape, borders included.
    *
    * @param area the shape

@@ -252,7 +252,8 @@ public final class AreaForces<T> {
     }
   }
 
-  private void wake(Aabb within) {
+  /** Wakes what sleeps within a box. */
+  public void wake(Aabb within) {
     sleeperCount = 0;
     world.queryAabb(within.minX, within.minY, within.maxX, within.maxY, collectSleeper);
     for (int i = 0; i < sleeperCount; i++) {

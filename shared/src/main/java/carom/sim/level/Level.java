@@ -1,6 +1,7 @@
 package carom.sim.level;
 
 import carom.physics.BodyType;
+import carom.sim.pool.PoolDef;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -126,6 +127,7 @@ public final class Level {
   private final List<Zone> zones;
   private final List<Area> areas;
   private final List<LevelJoint> joints;
+  private final List<PoolDef> pools;
 
   Level(LevelReader r, byte[] source) {
     this.source = source;
@@ -142,6 +144,7 @@ public final class Level {
     zones = List.copyOf(r.zones);
     areas = List.copyOf(r.areas);
     joints = List.copyOf(r.joints);
+    pools = List.copyOf(r.pools);
   }
 
   /**
@@ -301,6 +304,11 @@ public final class Level {
   /** Returns the areas in file order, unmodifiable. Those that bodies carry aren't among them. */
   public List<Area> areas() {
     return areas;
+  }
+
+  /** Returns water and sand in file order, unmodifiable. */
+  public List<PoolDef> pools() {
+    return pools;
   }
 
   /**

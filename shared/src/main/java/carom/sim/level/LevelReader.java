@@ -14,6 +14,8 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
+import carom.sim.pool.PoolDef;
+import carom.sim.pool.Pools;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -54,6 +56,7 @@ final class LevelReader {
           "spawns",
           "zones",
           "areas",
+          "pools",
           "statics",
           "bodies",
           "joints");
@@ -98,6 +101,12 @@ final class LevelReader {
   static final List<String> ATTRACTOR =
       with(AREA, "at", "range", "strength", "swirl", "falloff", "core");
   static final List<String> AREAS = List.of("water", "wind", "gravity", "drag", "attractor");
+  static final List<String> POOL =
+      List.of(
+          "type name color min max spacing density drag most lifetime fill drains spouts"
+              .split(" "));
+  static final List<String> SPOUT = List.of("name", "at", "direction", "width", "speed", "open");
+  static final List<String> POOLS = List.of("water", "sand");
   static final List<String> FALLOFFS = List.of("constant", "linear", "inverseSquare");
   static final List<String> CIRCLE = List.of("type", "radius", "at");
   static final List<String> BOX = List.of("type", "width", "height", "at");
@@ -130,6 +139,7 @@ final class LevelReader {
   final List<Level.Spawn> spawns = new ArrayList<>();
   final List<Level.Zone> zones = new ArrayList<>();
   final List<Area> areas = new ArrayList<>();
+  final List<PoolDef> pools = new ArrayList<>();
   final List<LevelJoint> joints = new ArrayList<>();
 
   private final String file;
@@ -163,6 +173,9 @@ final class LevelReader {
     }
     for (Json area : list(root, "areas", MAX_AREAS)) {
       areas.add(area(area));
+    }
+    for (Json pool : list(root, "pools", Pools.MAX_POOLS)) {
+      pools.add(pool(pool));
     }
     for (Json body : list(root, "statics", MAX_STATIC_ITEMS)) {
       readBody(body, STATIC, statics);
@@ -337,6 +350,57 @@ final class LevelReader {
         .falloff(
             Attractor.Falloff.values()[FALLOFFS.indexOf(falloff)],
             number(node, "core", Math.max(0.01f, 0.01f * range), 0.01f, Math.max(0.01f, range)));
+  }
+
+  private PoolDef pool(Json node) throws LevelException {
+    knownFields(node, POOL);
+    required(node, "type");
+    boolean water = word(node, "type", POOLS, "").equals("water");
+    String poolName = text(required(node, "name"));
+    float[] box = box4(node);
+    float spacing = number(node, "spacing", 0.3f, 0.125f, 2);
+    try {
+      PoolDef def = PoolDef.water(poolName, box[0], box[1], box[2], box[3], spacing);
+      def = water ? def : PoolDef.sand(poolName, box[0], box[1], box[2], box[3], spacing);
+      def =
+          def.density(number(node, "density", def.density(), 0.001f, 1000))
+              .drag(number(node, "drag", def.drag(), 0, 1000))
+              .most(integer(node, "most", def.most(), 1, PoolDef.MAX_PARTICLES))
+              .lifetime(
+                  number(node, "lifetime", PoolDef.MAX_LIFETIME, 0.125f, PoolDef.MAX_LIFETIME))
+              .colored(color(node, "color", def.rgb()));
+      for (Json fill : list(node, "fill", PoolDef.MAX_BOXES)) {
+        knownFields(fill, BOUNDS);
+        float[] b = box4(fill);
+        def = def.fill(b[0], b[1], b[2], b[3]);
+      }
+      for (Json drain : list(node, "drains", PoolDef.MAX_BOXES)) {
+        knownFields(drain, BOUNDS);
+        float[] b = box4(drain);
+        def = def.drain(b[0], b[1], b[2], b[3]);
+      }
+      for (Json spout : list(node, "spouts", PoolDef.MAX_SPOUTS)) {
+        def = def.spout(spout(spout));
+      }
+      return def;
+    } catch (IllegalArgumentException e) {
+      throw wrong(node, ": " + e.getMessage());
+    }
+  }
+
+  private PoolDef.Spout spout(Json node) throws LevelException {
+    knownFields(node, SPOUT);
+    float[] at = vector(required(node, "at"), MAX_COORDINATE);
+    float[] direction = vector(required(node, "direction"), 1);
+    return new PoolDef.Spout(
+        text(required(node, "name")),
+        at[0],
+        at[1],
+        direction[0],
+        direction[1],
+        number(node, "width", 0, 0, 100),
+        number(node, "speed", 5, 0, 50),
+        bool(node, "open", true));
   }
 
   /** Returns the corners of an area: min x and y, max x and y. */

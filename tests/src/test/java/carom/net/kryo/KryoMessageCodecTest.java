@@ -15,8 +15,11 @@ import carom.net.protocol.ServerMessage.RosterEntry;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HexFormat;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -26,7 +29,16 @@ final class KryoMessageCodecTest {
   static List<Object> everyMessage() {
     List<RosterEntry> full = new ArrayList<>();
     for (int i = 0; i < Limits.MAX_ROSTER_ENTRIES; i++) {
-      full.add(new RosterEntry(i, "x".repeat(Limits.MAX_NAME_BYTES), Integer.MIN_VALUE + i));
+      full.add(
+          new RosterEntry(
+              i,
+              "x".repeat(Limits.MAX_NAME_BYTES),
+              Integer.MIN_VALUE + i,
+              Integer.MIN_VALUE + i,
+              true,
+              true,
+              true,
+              RosterEntry.MAX_PING_MS));
     }
     byte[] chunk = new byte[Limits.MAX_LEVEL_CHUNK_BYTES];
     Arrays.fill(chunk, (byte) 0xa5);
@@ -36,6 +48,7 @@ final class KryoMessageCodecTest {
             0x01020304,
             255,
             240,
+            "cup",
             9,
             77,
             Long.MIN_VALUE,
@@ -55,13 +68,31 @@ final class KryoMessageCodecTest {
         new ServerMessage.Watching(65_535),
         new ServerMessage.RecordingChunk(Long.MAX_VALUE, chunk),
         new ServerMessage.RecordingChunk(0, new byte[0]),
+        new ServerMessage.RoomList(0, List.of()),
+        new ServerMessage.RoomList(48, Collections.nCopies(Limits.MAX_LISTED_ROOMS, largestRoom())),
         new ClientMessage.Watch(1, -5, 255),
         new ClientMessage.RecordingRequest(Long.MAX_VALUE),
         new ClientMessage.Hello(1, -5, "Ünal", 99),
         new ClientMessage.LevelRequest(7, 1_000),
         new ClientMessage.Ready(7, 5),
         new ClientMessage.Leave(),
-        new ClientMessage.Look(1.5f, -2, 0, 1e30f));
+        new ClientMessage.Look(1.5f, -2, 0, 1e30f, ClientMessage.Look.NOBODY));
+  }
+
+  private static ServerMessage.RoomEntry largestRoom() {
+    Map<String, String> metadata = new LinkedHashMap<>();
+    for (int i = 0; i < Limits.MAX_ROOM_METADATA; i++) {
+      metadata.put("k".repeat(Limits.MAX_METADATA_KEY_BYTES - 1) + i, "v".repeat(48));
+    }
+    return new ServerMessage.RoomEntry(
+        "r".repeat(Limits.MAX_ROOM_NAME_BYTES),
+        "g".repeat(Limits.MAX_GAME_NAME_BYTES),
+        "l".repeat(Limits.MAX_LEVEL_NAME_BYTES),
+        "p".repeat(Limits.MAX_PHASE_BYTES),
+        Limits.MAX_PLAYERS,
+        Limits.MAX_PLAYERS,
+        0xffff,
+        metadata);
   }
 
   @Test
@@ -98,6 +129,7 @@ final class KryoMessageCodecTest {
             + "04030201" // datagramKey
             + "ff01" // playerId
             + "f0" // tickRate
+            + "03637570" // room
             + "09" // match
             + "4d000000" // tick
             + "0000000000000080" // seed
@@ -116,9 +148,11 @@ final class KryoMessageCodecTest {
         "4203026f6b",
         hex.formatHex(codec.encode(new ServerMessage.Refused(RefusalReason.NAME_INVALID, "ok"))));
     assertEquals(
-        "4301050241620d",
+        "43010502416204020dc801",
         hex.formatHex(
-            codec.encode(new ServerMessage.Roster(List.of(new RosterEntry(5, "Ab", -7))))));
+            codec.encode(
+                new ServerMessage.Roster(
+                    List.of(new RosterEntry(5, "Ab", 1, -7, false, false, true, 200))))));
     assertEquals("440148", hex.formatHex(codec.encode(new ServerMessage.Notice("H"))));
     assertEquals(
         "450000", hex.formatHex(codec.encode(new ServerMessage.Goodbye(GoodbyeReason.LEFT, ""))));
@@ -137,10 +171,10 @@ final class KryoMessageCodecTest {
             new ClientMessage.RecordingRequest(-1),
             new ServerMessage.LevelChunk(-1, new byte[1]),
             new ServerMessage.Welcome(
-                1, 1, Limits.MAX_PLAYERS, 60, 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
-            new ServerMessage.Welcome(1, 1, 1, 0, 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+                1, 1, Limits.MAX_PLAYERS, 60, "r", 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+            new ServerMessage.Welcome(1, 1, 1, 0, "r", 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
             new ServerMessage.Welcome(
-                1, 1, 1, 60, 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of("x".repeat(101))),
+                1, 1, 1, 60, "r", 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of("x".repeat(101))),
             "no message");
     for (Object message : wrong) {
       IllegalArgumentException x =

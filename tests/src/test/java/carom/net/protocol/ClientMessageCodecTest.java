@@ -17,6 +17,9 @@ class ClientMessageCodecTest {
       List.of(
           new ClientMessage.Hello(1, 0x0123456789abcdefL, "Zoë", -1),
           new ClientMessage.Hello(Integer.MIN_VALUE, 0, "", 0),
+          new ClientMessage.Hello(1, 2, "x", 3, "cup", "arena"),
+          new ClientMessage.ListRooms(-9),
+          new ClientMessage.ChangeRoom("a-room.with_32_bytes.............".substring(0, 32)),
           new ClientMessage.LevelRequest(7, 0),
           new ClientMessage.LevelRequest(7, Limits.MAX_LEVEL_BYTES - 1),
           new ClientMessage.Ready(7, 5),
@@ -51,6 +54,14 @@ class ClientMessageCodecTest {
     assertThrows(
         IllegalArgumentException.class,
         () -> ClientMessageCodec.encode(new ClientMessage.Hello(1, 2, tooLong, 3)));
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> ClientMessageCodec.encode(new ClientMessage.ChangeRoom(tooLong)));
+    assertNull(ClientMessageCodec.decode(new byte[] {13, 0}, 0, 2), "a room without a name");
+    byte[] longRoom = new byte[35];
+    longRoom[0] = 13;
+    longRoom[1] = 33;
+    assertNull(ClientMessageCodec.decode(longRoom, 0, 35), "the name of a room with 33 bytes");
     for (int offset : new int[] {-1, Limits.MAX_LEVEL_BYTES}) {
       assertThrows(
           IllegalArgumentException.class,
@@ -61,7 +72,7 @@ class ClientMessageCodecTest {
       assertNull(ClientMessageCodec.decode(bytes, 0, 5));
     }
     byte[] hello = ClientMessageCodec.encode(new ClientMessage.Hello(1, 2, "abcd", 3));
-    hello[hello.length - 4] = (byte) 0xff;
+    hello[hello.length - 6] = (byte) 0xff;
     assertNull(ClientMessageCodec.decode(hello, 0, hello.length), "a name that is no UTF-8");
     assertNull(ClientMessageCodec.decode(new byte[] {0}, 0, 1), "unknown tag 0");
     assertNull(ClientMessageCodec.decode(new byte[] {5}, 0, 1), "a look at nothing");

@@ -146,6 +146,15 @@ public final class ContactTable extends ContactColumns {
     flags[row] = (byte) ((flags[row] & ~(FRESH | WAS_TOUCHING)) | touched | DORMANT);
   }
 
+  /** Takes the manifold of this step away again: the parts don't touch. */
+  public void end(int row) {
+    flags[row] &= ~TOUCHING;
+    points[row] = 0;
+    id[2 * row] = 0;
+    id[2 * row + 1] = 0;
+    forget(row);
+  }
+
   /** Clears the impulses that a row starts with, because the contact was not solved. */
   public void forget(int row) {
     int at = row * CONTACT;

@@ -2,6 +2,6 @@
  * The narrow phase: the manifold of every contact, anew in every step.
  *
  * <p>May import {@code dynamics.body}, {@code contact} and {@code parallel}, and {@code collision}.
- * Read first: {@code NarrowPhase}, {@code BoxRows}.
+ * Read first: {@code NarrowPhase}, {@code Seams}.
  */
 package carom.physics.dynamics.narrow;

@@ -1,4 +1,4 @@
-package carom.server.room;
+package carom.server.schedule;
 
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
@@ -10,7 +10,7 @@ import org.slf4j.LoggerFactory;
  * Counts what a room can't do in time, and warns the operator: at once, and then in one line every
  * ten seconds, because a log must last for weeks.
  */
-final class LoadWarnings {
+public final class LoadWarnings {
   private static final Logger LOG = LoggerFactory.getLogger(LoadWarnings.class);
 
   private final String label;
@@ -27,7 +27,7 @@ final class LoadWarnings {
    *
    * @param label begins each log line
    */
-  LoadWarnings(String label, Counters counters, int tickRateHz) {
+  public LoadWarnings(String label, Counters counters, int tickRateHz) {
     this.label = label;
     this.counters = counters;
     this.tickRateHz = tickRateHz;
@@ -39,7 +39,7 @@ final class LoadWarnings {
    * @param ticks dropped in this turn, perhaps 0
    * @param tick the last tick that ran
    */
-  void ticksDropped(int ticks, int tick, long nowNs) {
+  public void ticksDropped(int ticks, int tick, long nowNs) {
     counters.add(Counter.TICKS_DROPPED, ticks);
     untold += ticks;
     if (untold > 0 && dropped.tryBegin(nowNs)) {
@@ -61,7 +61,7 @@ final class LoadWarnings {
    * @param snapshots how many wait
    * @param sessions of how many sessions
    */
-  void snapshotsPostponed(int snapshots, int sessions, int tick, long nowNs) {
+  public void snapshotsPostponed(int snapshots, int sessions, int tick, long nowNs) {
     counters.add(Counter.SNAPSHOTS_POSTPONED, snapshots);
     if (postponed.tryBegin(nowNs)) {
       LOG.warn(

@@ -1,0 +1,82 @@
+package carom.server.room;
+
+import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.Broadcast;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The rooms of a server, by name, and the list that clients are sent. Any thread. A list is built
+ * at most four times a second and shared, because every client may ask.
+ */
+public final class RoomDirectory {
+  /** Number of rooms that {@link #describe} names. */
+  private static final int MAX_DESCRIBED = 8;
+
+  private static final long LIST_AGE_NS = 250_000_000;
+
+  private volatile List<Room> rooms = List.of();
+  private List<Broadcast> list = List.of();
+  private long listedNs;
+
+  /** Creates a directory without rooms. */
+  public RoomDirectory() {}
+
+  /** Adds the rooms, once. */
+  public void open(List<Room> all) {
+    rooms = List.copyOf(all);
+  }
+
+  /** Returns a room that is open, or null if there is none of this name. */
+  public Room find(String name) {
+    for (Room room : rooms) {
+      if (room.name().equals(name) && !room.hasFailed()) {
+        return room;
+      }
+    }
+    return null;
+  }
+
+  /** Returns the messages that list all open rooms. */
+  public synchronized List<Broadcast> list(long nowNs) {
+    if (list.isEmpty() || nowNs - listedNs > LIST_AGE_NS) {
+      list = build();
+      listedNs = nowNs;
+    }
+    return list;
+  }
+
+  private List<Broadcast> build() {
+    List<ServerMessage.RoomEntry> entries = new ArrayList<>();
+    for (Room room : rooms) {
+      if (!room.hasFailed()) {
+        entries.add(room.entry());
+      }
+    }
+    List<Broadcast> messages = new ArrayList<>();
+    int from = 0;
+    do {
+      int to = Math.min(entries.size(), from + Limits.MAX_LISTED_ROOMS);
+      messages.add(
+          new Broadcast(
+              new ServerMessage.RoomList(entries.size() - to, entries.subList(from, to))));
+      from = to;
+    } while (from < entries.size());
+    return List.copyOf(messages);
+  }
+
+  /** Returns names and places of the rooms in a sentence, for a player who can't enter one. */
+  public String describe() {
+    StringBuilder text = new StringBuilder("Rooms: ");
+    int described = 0;
+    for (Room room : rooms) {
+      if (!room.hasFailed() && described++ < MAX_DESCRIBED) {
+        text.append(described == 1 ? "" : ", ").append(room.name()).append(' ');
+        text.append(room.seats().takenCount()).append('/').append(room.seats().count());
+      }
+    }
+    int more = described - MAX_DESCRIBED;
+    return text.append(more > 0 ? " and " + more + " more." : ".").toString();
+  }
+}

@@ -1,0 +1,95 @@
+package carom.server.room;
+
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.SessionState;
+import carom.net.transport.Broadcast;
+import carom.net.transport.Link;
+import carom.server.session.Seats;
+import carom.server.session.Session;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Lets players see the other rooms and go there. A player who changes the room keeps link, secret
+ * and name; the session ends here, and the other room begins one that loads its match. The room's
+ * thread.
+ */
+final class RoomMoves {
+  private static final Logger LOG = LoggerFactory.getLogger(RoomMoves.class);
+
+  /** A client is told the rooms at most so often. */
+  private static final int LISTS_PER_SECOND = 2;
+
+  private final RoomContext room;
+  private final Room self;
+  private final RoomDirectory directory;
+  private final RoomSessions sessions;
+  private final Departures departures;
+
+  /** Creates an object that has nobody to move. */
+  RoomMoves(
+      RoomContext room,
+      Room self,
+      RoomDirectory directory,
+      RoomSessions sessions,
+      Departures departures) {
+    this.room = room;
+    this.self = self;
+    this.directory = directory;
+    this.sessions = sessions;
+    this.departures = departures;
+  }
+
+  /** Answers the sessions that ask for the list of rooms, and moves those that want to go. */
+  void serve(long nowNs) {
+    int rate = room.config().tickRateHz();
+    for (int i = sessions.count() - 1; i >= 0; i--) {
+      Session session = sessions.get(i);
+      if (session.takeRoomsRequest(rate / LISTS_PER_SECOND)) {
+        for (Broadcast message : directory.list(nowNs)) {
+          sessions.sendTo(session, message);
+        }
+      }
+      String wish = session.wishedRoom();
+      if (wish != null
+          && session.state() == SessionState.PLAYING
+          && session.playedTicks() >= rate) {
+        move(session, wish, nowNs);
+      }
+    }
+  }
+
+  private void move(Session session, String name, long nowNs) {
+    Room to = directory.find(name);
+    if (to == null) {
+      stay(session, "There is no such room. " + directory.describe());
+      return;
+    }
+    if (to == self) {
+      stay(session, "You are in room " + name + " already.");
+      return;
+    }
+    Seats.Seat seat = to.seats().take(session.seat().wantedName(), session.seat().secret());
+    if (seat == null) {
+      stay(session, "Room " + name + " is full. " + directory.describe());
+      return;
+    }
+    if (!room.seats().release(session.seat())) {
+      to.seats().unclaim(seat); // the player comes back over another link; the wish waits
+      return;
+    }
+    Link link = departures.moveOut(session, name);
+    if (!to.admit(new Admission(seat, link, 0, Admission.NO_MATCH))) {
+      LOG.warn("{}{} could not enter room {}", room.label(), seat.name(), name);
+      link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
+      departures.part(link, "room takes nobody", nowNs);
+      to.seats().unclaim(seat);
+    }
+  }
+
+  private static void stay(Session session, String why) {
+    session.forgetWishedRoom();
+    session.send(new ServerMessage.Notice(why));
+  }
+}
