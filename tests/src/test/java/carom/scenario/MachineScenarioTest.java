@@ -83,7 +83,8 @@ final class MachineScenarioTest {
       String about = "broken=" + broken + " " + stepper.describe();
       assertTrue(broken > 0, about);
       double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
-      assertTrue(right >= 99, "right=" + right + " " + about);
+      // Less than elsewhere: the test lasts 8 s, of which one difference may cost a round trip.
+      assertTrue(right >= 96, "right=" + right + " " + about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
       JointTable<Entity> predicted = client.view().predictedWorld().joints();
       for (int i = 0; i < predicted.limit(); i++) {
