@@ -33,6 +33,8 @@ final class JointComposer {
   /** Null if nothing is predicted. */
   private final Simulation predicted;
 
+  private final JointCloser closer;
+
   /** By row: one more than the joint's index in the predicted world, or 0. */
   private int[] held = {};
 
@@ -51,12 +53,14 @@ final class JointComposer {
     this.view = view;
     this.tables = tables;
     this.predicted = predicted;
+    closer = new JointCloser(view, tables, predicted);
   }
 
   /** Composes the joints between the entities that the view has. */
   void compose() {
     view.clearJoints();
     findHeld();
+    closer.close(held);
     int limit = tables.room(JointWords.TABLE);
     for (int row = 0; row < limit; row++) {
       if (tables.isPresent(JointWords.TABLE, row)) {

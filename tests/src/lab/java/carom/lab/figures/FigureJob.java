@@ -36,6 +36,7 @@ interface FigureJob {
     jobs.put("push", PredictionFigures::push);
     jobs.put("forces", ForceFigures::measure);
     jobs.put("rocket", RocketFigures::measure);
+    jobs.put("machines", MachineFigures::measure);
     jobs.put("feel", FeelFigures::measure);
     jobs.put("rollback", RollbackFigures::measure);
     jobs.put("encode", EncodeFigures::measure);

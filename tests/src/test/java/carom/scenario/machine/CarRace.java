@@ -1,0 +1,144 @@
+package carom.scenario.machine;
+
+import carom.physics.Body;
+import carom.physics.Joint;
+import carom.physics.JointDef;
+import carom.physics.Material;
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
+import carom.sim.Entity;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Player;
+import carom.sim.Simulation;
+import carom.sim.event.EventKind;
+import carom.sim.field.Count;
+import carom.sim.field.Field;
+import carom.sim.field.Ratio;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.AssemblyDef;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import java.util.List;
+
+/** Cars race over a bridge that breaks under a second one. Nitro is used up and comes back. */
+final class CarRace implements Game {
+  static final Ratio NITRO = Field.ratio("nitro").startsAt(1);
+  static final Count LAPS = Field.count("laps", 0, 99);
+
+  static final String LEVEL =
+      """
+      {"name": "Canyon", "game": "carRace", "gravity": [0, -10],
+       "bounds": {"min": [-60, -20], "max": [60, 20]},
+       "spawns": [{"at": [-30, 1.2]}, {"at": [-36, 1.2]}],
+       "zones": [{"name": "flag", "min": [34, -2], "max": [40, 6]}],
+       "statics": [
+         {"name": "west", "at": [-25, -5], "shape": {"type": "box", "width": 40, "height": 10}},
+         {"name": "east", "at": [25, -5], "shape": {"type": "box", "width": 40, "height": 10}},
+         {"at": [-45.5, 3], "shape": {"type": "box", "width": 1, "height": 20}},
+         {"at": [45.5, 3], "shape": {"type": "box", "width": 1, "height": 20}}],
+       "bodies": [{"name": "plank", "at": [-4.5, -0.15],
+         "shape": {"type": "box", "width": 0.96, "height": 0.3},
+         "repeat": {"columns": 10, "step": [1, 0]}}],
+       "joints": [
+         {"type": "revolute", "a": "west", "b": "plank[0]", "at": [-5, -0.15]},
+         %s
+         {"type": "revolute", "a": "plank[9]", "b": "east", "at": [5, -0.15], "name": "last"}]}
+      """
+          .formatted(planks());
+
+  private static String planks() {
+    StringBuilder joints = new StringBuilder();
+    for (int i = 1; i < 10; i++) {
+      joints.append(
+          """
+          {"type": "revolute", "a": "plank[%d]", "b": "plank[%d]", "at": [%d, -0.15],
+           "breaks": {"force": 900}},
+          """
+              .formatted(i - 1, i, i - 5));
+    }
+    return joints.toString();
+  }
+
+  private Assembly car;
+  private EventKind snap;
+
+  @Override
+  public String name() {
+    return "carRace";
+  }
+
+  @Override
+  public String defaultLevel() {
+    return "canyon";
+  }
+
+  @Override
+  public List<Field<?>> fields() {
+    return List.of(NITRO, LAPS);
+  }
+
+  @Override
+  public void setUp(Simulation s) {
+    Material metal = new Material(1, 0.4f, 0.1f);
+    ArchetypeDef wheel =
+        new ArchetypeDef("wheel").shape(new Circle(0.45f), new Material(1, 1.2f, 0.1f));
+    car =
+        s.assemblies()
+            .add(
+                new AssemblyDef("car")
+                    .body(
+                        "chassis", new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), metal), 0, 0)
+                    .body("rear", wheel, -1, -0.6f)
+                    .body("front", wheel, 1, -0.6f)
+                    .joint("drive", "chassis", "rear", (a, b) -> axle(a, b, -1).motor(0, 40))
+                    .joint("roll", "chassis", "front", (a, b) -> axle(a, b, 1)));
+    snap = s.eventKinds().add("snap", 0xffd166, 1, "snap");
+  }
+
+  private static JointDef<Object> axle(Body<Object> chassis, Body<Object> wheel, float x) {
+    return JointDef.wheel(chassis, wheel, x, -0.6f, 0, 1).limits(-0.3f, 0.3f).spring(4, 0.7f);
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    List<Level.Spawn> spots = s.level().spawns("player");
+    Level.Spawn spot = spots.get(p.id() % spots.size());
+    s.spawn(car, spot.x(), spot.y(), 0, p);
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    boolean boost = in.held(Input.ACTION) && p.get(NITRO) > 0.01f;
+    p.add(NITRO, boost ? -0.01f : 0.002f);
+    Joint<Entity> drive = s.joint(p.body(), "drive");
+    if (drive != null) {
+      drive.setMotor((boost ? -20 : -12) * in.moveX(), 40);
+    }
+  }
+
+  @Override
+  public void broke(Simulation s, Joint<Entity> joint) {
+    s.emit(snap).at(joint.anchorAX(), joint.anchorAY());
+  }
+
+  @Override
+  public void afterStep(Simulation s) {
+    Level.Spawn start = s.level().spawns("player").get(0);
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p == null || p.body() == null) {
+        continue;
+      }
+      float x = p.body().body().x();
+      float y = p.body().body().y();
+      boolean home = s.level().zones("flag").get(0).contains(x, y);
+      if (home) {
+        p.add(LAPS, 1);
+      }
+      if (home || y < -12) {
+        p.body().teleport(start.x(), start.y(), 0);
+      }
+    }
+  }
+}
