@@ -3,6 +3,7 @@ package carom.client.prediction.received;
 import carom.client.interpolation.DecodedHistory;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.StateHistory;
+import carom.client.interpolation.Velocity;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.relay.RelayedInputs;
@@ -28,11 +29,13 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
 
   private final Simulation simulation;
   private final DecodedHistory states = new DecodedHistory();
+  private final Velocity velocity;
   private SnapshotDecoder decoder;
 
   /** Creates the records of a prediction; {@link #readFrom} must follow. */
   public SnapshotRecords(Simulation simulation) {
     this.simulation = simulation;
+    velocity = new Velocity(simulation.tickRate());
   }
 
   /** Sets the decoder to read from. */
@@ -146,7 +149,8 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
   }
 
   /**
-   * Reads the quantised state of an entity after a tick, extrapolated from the last record before.
+   * Reads the quantised pose of an entity after a tick and its derived velocity, extrapolated from
+   * the last record before.
    *
    * @param out receives the state; unchanged when the result is false
    * @return whether a record tells
@@ -164,13 +168,14 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
     StateHistory s = states.of(history);
     int age = Math.max(0, Math.min(MAX_EXTRAPOLATION_TICKS, tick - s.tick(index)));
     float seconds = age * simulation.tickSeconds();
+    velocity.measure(s, index);
     out.set(
-        s.x(index) + s.vx(index) * seconds,
-        s.y(index) + s.vy(index) * seconds,
-        s.angle(index) + s.omega(index) * seconds,
-        s.vx(index),
-        s.vy(index),
-        s.omega(index));
+        s.x(index) + velocity.vx * seconds,
+        s.y(index) + velocity.vy * seconds,
+        s.angle(index) + velocity.omega * seconds,
+        velocity.vx,
+        velocity.vy,
+        velocity.omega);
     return true;
   }
 }
