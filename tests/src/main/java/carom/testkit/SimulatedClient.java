@@ -142,9 +142,7 @@ public final class SimulatedClient {
                     && frame.x(slot) == history.x(i)
                     && frame.y(slot) == history.y(i)
                     && frame.angle(slot) == history.angle(i)
-                    && frame.vx(slot) == history.vx(i)
-                    && frame.vy(slot) == history.vy(i)
-                    && frame.omega(slot) == history.omega(i)));
+                    && frame.still(slot) == history.still(i)));
     if (!equal) {
       throw new AssertionError(
           "%s decoded another state than the server had: slot=%d tick=%d client=%s server=%s %s"

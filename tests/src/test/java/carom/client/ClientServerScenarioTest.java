@@ -108,9 +108,7 @@ final class ClientServerScenarioTest {
         assertEquals(truth.x(slot), h.x(0), what);
         assertEquals(truth.y(slot), h.y(0), what);
         assertEquals(truth.angle(slot), h.angle(0), what);
-        assertEquals(truth.vx(slot), h.vx(0), what);
-        assertEquals(truth.vy(slot), h.vy(0), what);
-        assertEquals(truth.omega(slot), h.omega(0), what);
+        assertEquals(truth.still(slot), h.still(0), what);
         assertEquals(truth.archetype(slot), h.archetype(0), what);
         assertEquals(truth.ownership(slot), h.ownership(0), what);
         compared++;

@@ -285,8 +285,8 @@ class ProtocolDocTest {
     golden.put("snapshot-empty", send(encoder, decoder, feedback, null));
 
     FrameState frame = ring.begin(101);
-    frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, 0, 0, 0);
-    frame.putQuantized(5, 255, 300, 9, 0, 0, 0, 8, -8, 4);
+    frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, true);
+    frame.putQuantized(5, 255, 300, 9, 0, 0, 0, false);
     ring.end();
     feedback.present = true;
     feedback.sequence = 500;
@@ -299,13 +299,13 @@ class ProtocolDocTest {
     feedback.present = false;
     for (int tick = 102; tick <= 104; tick++) {
       frame = ring.begin(tick);
-      frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, 0, 0, 0);
-      frame.putQuantized(5, 255, 300, 9, 25, -31, 8, 8, -12, 4);
+      frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, true);
+      frame.putQuantized(5, 255, 300, 9, 25, -31, 8, false);
       ring.end();
     }
     golden.put("snapshot-delta", send(encoder, decoder, feedback, null));
 
-    ring.begin(105).putQuantized(5, 255, 300, 9, 25, -31, 8, 8, -12, 4);
+    ring.begin(105).putQuantized(5, 255, 300, 9, 25, -31, 8, false);
     ring.end();
     OwnState own = new OwnState(4);
     own.setBody(5, 255, 1.5f, -2, 1, 0, 0, -0f, 0);

@@ -133,7 +133,7 @@ class PictureScenarioTest {
         double ex = drawn.x() - x;
         double ey = drawn.y() - y;
         now.put(id << 8 | drawn.generation(), new double[] {ex, ey});
-        boolean moving = from.vx(id) != 0 || from.vy(id) != 0 || ex != 0 || ey != 0;
+        boolean moving = !from.still(id) || ex != 0 || ey != 0;
         if (moving && drawn.alpha() == 1 && looks < errors.length) {
           errors[looks++] = Math.hypot(ex, ey);
           double[] old = before.get(id << 8 | drawn.generation());

@@ -105,9 +105,7 @@ class BadNetworkTest {
         assertEquals(frame.x(slot), history.x(at), where);
         assertEquals(frame.y(slot), history.y(at), where);
         assertEquals(frame.angle(slot), history.angle(at), where);
-        assertEquals(frame.vx(slot), history.vx(at), where);
-        assertEquals(frame.vy(slot), history.vy(at), where);
-        assertEquals(frame.omega(slot), history.omega(at), where);
+        assertEquals(frame.still(slot), history.still(at), where);
         assertEquals(frame.generation(slot), history.generation(at), where);
         assertEquals(frame.ownership(slot), history.ownership(at), where);
       }

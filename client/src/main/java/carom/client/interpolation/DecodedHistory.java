@@ -57,17 +57,7 @@ public final class DecodedHistory implements StateHistory {
   }
 
   @Override
-  public float vx(int index) {
-    return Quantizer.velocityOf(history.vx(index));
-  }
-
-  @Override
-  public float vy(int index) {
-    return Quantizer.velocityOf(history.vy(index));
-  }
-
-  @Override
-  public float omega(int index) {
-    return Quantizer.omegaOf(history.omega(index));
+  public boolean still(int index) {
+    return history.still(index);
   }
 }

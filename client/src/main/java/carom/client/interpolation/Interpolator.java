@@ -1,11 +1,14 @@
 package carom.client.interpolation;
 
 /**
- * Interpolates a smooth path through the states that arrived.
+ * Interpolates a smooth path through the states that arrived. Velocities are derived from poses.
  *
  * <ul>
  *   <li>Between two states: the cubic Hermite curve through both positions with both velocities. It
- *       is exact for constant velocity and constant acceleration, and has no corners at the states.
+ *       is exact for constant velocity and constant acceleration, and has corners only where
+ *       something hits the body.
+ *   <li>Between the states of neighbouring ticks: the straight line, as bodies move within a tick.
+ *       A curve would show more of the rounding of poses.
  *   <li>Where velocities and positions don't fit, because of a bounce in between: the straight
  *       line. The curve would swing out.
  *   <li>At a teleport, which the server marks, and at a jump that the velocities don't explain: the
@@ -39,6 +42,9 @@ public final class Interpolator {
   private static final float FADE_SECONDS = (EXTRAPOLATION_MS - STRAIGHT_MS) * 1e-3f;
 
   private final float tickSeconds;
+  private final Velocity velocity;
+  private final Velocity before;
+  private final Velocity after;
   private int fromTick = NONE;
   private int toTick = NONE;
 
@@ -49,6 +55,9 @@ public final class Interpolator {
    */
   public Interpolator(int tickRate) {
     tickSeconds = 1f / tickRate;
+    velocity = new Velocity(tickRate);
+    before = new Velocity(tickRate);
+    after = new Velocity(tickRate);
   }
 
   /**
@@ -71,10 +80,7 @@ public final class Interpolator {
     int to = from - 1;
     fromTick = states.tick(from);
     toTick = to < 0 ? NONE : states.tick(to);
-    if (to >= 0
-        && states.alive(to)
-        && states.generation(to) == states.generation(from)
-        && !teleports(states, from, to)) {
+    if (to >= 0 && Velocity.areLinked(states, from, to) && !jumps(states, from, to)) {
       hermite(states, from, to, renderTick, out);
     } else {
       extrapolate(states, from, to < 0 ? renderTick - fromTick : 0, out);
@@ -92,15 +98,23 @@ public final class Interpolator {
     return toTick;
   }
 
-  private boolean teleports(StateHistory states, int from, int to) {
-    if (states.teleports(from) != states.teleports(to)) {
-      return true;
-    }
-    float seconds = (states.tick(to) - states.tick(from)) * tickSeconds;
-    float fastest =
-        Math.max(length(states.vx(from), states.vy(from)), length(states.vx(to), states.vy(to)));
+  /** Returns whether the way between two states is longer than those beside it explain. */
+  private boolean jumps(StateHistory states, int from, int to) {
     float way = length(states.x(to) - states.x(from), states.y(to) - states.y(from));
-    return way > TELEPORT_METRES + TELEPORT_FACTOR * fastest * seconds;
+    if (way <= TELEPORT_METRES) {
+      return false;
+    }
+    boolean early = Velocity.areLinked(states, from + 1, from);
+    boolean late = Velocity.areLinked(states, to, to - 1);
+    float fastest =
+        Math.max(early ? speed(states, from + 1, from) : 0, late ? speed(states, to, to - 1) : 0);
+    float seconds = (states.tick(to) - states.tick(from)) * tickSeconds;
+    return (early || late) && way > TELEPORT_METRES + TELEPORT_FACTOR * fastest * seconds;
+  }
+
+  private float speed(StateHistory states, int older, int newer) {
+    float way = length(states.x(newer) - states.x(older), states.y(newer) - states.y(older));
+    return way / ((states.tick(newer) - states.tick(older)) * tickSeconds);
   }
 
   private void extrapolate(StateHistory states, int index, double ticks, Pose out) {
@@ -108,9 +122,10 @@ public final class Interpolator {
     float faded = Math.max(0, Math.min(FADE_SECONDS, ahead - STRAIGHT_SECONDS));
     float left = 1 - faded / FADE_SECONDS;
     float seconds = Math.min(ahead, STRAIGHT_SECONDS) + faded * (1 + left) / 2;
-    float vx = states.vx(index);
-    float vy = states.vy(index);
-    float omega = states.omega(index);
+    velocity.measure(states, index);
+    float vx = velocity.vx;
+    float vy = velocity.vy;
+    float omega = velocity.omega;
     out.set(
         states.x(index) + vx * seconds,
         states.y(index) + vy * seconds,
@@ -124,42 +139,34 @@ public final class Interpolator {
     int ticks = states.tick(to) - states.tick(from);
     float seconds = ticks * tickSeconds;
     float t = (float) ((renderTick - states.tick(from)) / ticks);
-    float x0 = states.x(from);
-    float y0 = states.y(from);
-    float vx0 = states.vx(from);
-    float vy0 = states.vy(from);
-    float vx1 = states.vx(to);
-    float vy1 = states.vy(to);
-    float dx = states.x(to) - x0;
-    float dy = states.y(to) - y0;
+    before.atEnd(states, from, to, from + 1);
+    after.atEnd(states, to, from, to - 1);
+    velocity.mean(states, from, to);
+    float dx = velocity.vx * seconds;
+    float dy = velocity.vy * seconds;
     // A velocity that differs from the mean one by more than twice its size belongs to another
     // motion. Slow, coarsely quantised bodies get some slack.
-    float slack = 0.05f + 2 * length(dx, dy) / seconds;
-    if (length(vx0 - dx / seconds, vy0 - dy / seconds) > slack
-        || length(vx1 - dx / seconds, vy1 - dy / seconds) > slack) {
-      out.x = x0 + dx * t;
-      out.y = y0 + dy * t;
-      out.vx = dx / seconds;
-      out.vy = dy / seconds;
-    } else {
-      out.x = x0 + curve(t, dx, vx0 * seconds, vx1 * seconds);
-      out.y = y0 + curve(t, dy, vy0 * seconds, vy1 * seconds);
-      out.vx = vx0 + (vx1 - vx0) * t;
-      out.vy = vy0 + (vy1 - vy0) * t;
-    }
-    float omega0 = states.omega(from);
-    float omega1 = states.omega(to);
-    float angle0 = states.angle(from);
-    // Angles are known modulo a turn. Takes the turn nearest to what the spin explains.
-    float spun = (omega0 + omega1) * 0.5f * seconds;
-    float turn = spun + Pose.wrap(states.angle(to) - angle0 - spun);
-    if (Math.abs(omega0 * seconds - turn) > 0.1f + 2 * Math.abs(turn)
-        || Math.abs(omega1 * seconds - turn) > 0.1f + 2 * Math.abs(turn)) {
-      out.angle = angle0 + turn * t;
-    } else {
-      out.angle = angle0 + curve(t, turn, omega0 * seconds, omega1 * seconds);
-    }
-    out.omega = omega0 + (omega1 - omega0) * t;
+    float slack = 0.05f + 2 * length(velocity.vx, velocity.vy);
+    boolean fit =
+        length(before.vx - velocity.vx, before.vy - velocity.vy) <= slack
+            && length(after.vx - velocity.vx, after.vy - velocity.vy) <= slack;
+    out.vx = fit ? before.vx + (after.vx - before.vx) * t : velocity.vx;
+    out.vy = fit ? before.vy + (after.vy - before.vy) * t : velocity.vy;
+    boolean line = !fit || ticks == 1;
+    out.x =
+        states.x(from) + (line ? dx * t : curve(t, dx, before.vx * seconds, after.vx * seconds));
+    out.y =
+        states.y(from) + (line ? dy * t : curve(t, dy, before.vy * seconds, after.vy * seconds));
+    float turn = velocity.omega * seconds;
+    float turnSlack = 0.1f + 2 * Math.abs(turn);
+    boolean turnLine =
+        ticks == 1
+            || Math.abs(before.omega * seconds - turn) > turnSlack
+            || Math.abs(after.omega * seconds - turn) > turnSlack;
+    out.angle =
+        states.angle(from)
+            + (turnLine ? turn * t : curve(t, turn, before.omega * seconds, after.omega * seconds));
+    out.omega = before.omega + (after.omega - before.omega) * t;
   }
 
   /**

@@ -1,8 +1,8 @@
 package carom.client.interpolation;
 
 /**
- * The known states of one entity slot, newest first: index 0 is the newest. Units: metres, radians,
- * metres and radians per second.
+ * The known states of one entity slot, newest first: index 0 is the newest. Units: metres and
+ * radians.
  */
 public interface StateHistory {
   /** Returns the number of known states. */
@@ -29,12 +29,6 @@ public interface StateHistory {
   /** Returns the angle, -pi..pi. */
   float angle(int index);
 
-  /** Returns x of the velocity. */
-  float vx(int index);
-
-  /** Returns y of the velocity. */
-  float vy(int index);
-
-  /** Returns the angular velocity. */
-  float omega(int index);
+  /** Returns whether the entity stood still: it stays there until the next state. */
+  boolean still(int index);
 }

@@ -32,9 +32,12 @@ final class Corrector {
   private static final int DROPPED = Integer.MAX_VALUE;
 
   private static final float POSITION_TOLERANCE = 1.0f / Quantizer.POSITION_STEPS;
-  private static final float VELOCITY_TOLERANCE = 1.0f / Quantizer.VELOCITY_STEPS;
   private static final float ANGLE_TOLERANCE = (float) (2 * Math.PI / Quantizer.ANGLE_STEPS);
-  private static final float OMEGA_TOLERANCE = 1.0f / Quantizer.OMEGA_STEPS;
+
+  /** Largest error, about, of velocities that are derived from rounded poses, m/s and rad/s. */
+  private static final float DERIVED_VELOCITY = 0.1f;
+
+  private static final float DERIVED_OMEGA = 0.3f;
 
   private final Simulation simulation;
   private final SnapshotRecords records;
@@ -375,6 +378,12 @@ final class Corrector {
     Arrays.fill(bodyRow, BodyRow.LOADS, BodyRow.LOADS + BodyRow.LOAD_INTS, 0);
   }
 
+  private void turnTo(int field, float derived, float error) {
+    if (!(Math.abs(get(field) - derived) <= error)) {
+      set(field, derived);
+    }
+  }
+
   /** Returns whether a row is a valid body: a bad number would poison the simulation. */
   private static boolean isBody(Rows rows, int row) {
     float cos = Float.intBitsToFloat(rows.get(row, BodyRow.COS));
@@ -395,19 +404,23 @@ final class Corrector {
     return true;
   }
 
-  /** Returns whether an entity is at {@link #target}, as far as quantised records tell. */
+  /**
+   * Returns whether an entity is at {@link #target}, as far as quantised records tell. Velocities
+   * aren't compared: the received poses say them less exactly than the prediction, and a wrong one
+   * shows in the next pose.
+   */
   private boolean isAtTarget(int key) {
     Entity e = simulation.entity(Neighbourhood.id(key));
     Body<Entity> body = e.body();
     return Math.abs(body.x() - target.x) <= POSITION_TOLERANCE
         && Math.abs(body.y() - target.y) <= POSITION_TOLERANCE
-        && Math.abs(body.velocityX() - target.vx) <= VELOCITY_TOLERANCE
-        && Math.abs(body.velocityY() - target.vy) <= VELOCITY_TOLERANCE
-        && Math.abs(body.angularVelocity() - target.omega) <= OMEGA_TOLERANCE
         && Math.abs(Pose.wrap(body.angle() - target.angle)) <= ANGLE_TOLERANCE;
   }
 
-  /** Moves {@link #bodyRow} to {@link #target}. */
+  /**
+   * Moves {@link #bodyRow} to {@link #target}. A velocity that agrees with the derived one stays,
+   * as it is the more exact one.
+   */
   private void moveBody() {
     float cos = (float) Math.cos(target.angle);
     float sin = (float) Math.sin(target.angle);
@@ -418,9 +431,9 @@ final class Corrector {
     bodyRow[BodyRow.Y] = Float.floatToRawIntBits(target.y + sin * localX + cos * localY);
     bodyRow[BodyRow.COS] = Float.floatToRawIntBits(cos);
     bodyRow[BodyRow.SIN] = Float.floatToRawIntBits(sin);
-    bodyRow[BodyRow.VX] = Float.floatToRawIntBits(target.vx);
-    bodyRow[BodyRow.VY] = Float.floatToRawIntBits(target.vy);
-    bodyRow[BodyRow.OMEGA] = Float.floatToRawIntBits(target.omega);
+    turnTo(BodyRow.VX, target.vx, DERIVED_VELOCITY);
+    turnTo(BodyRow.VY, target.vy, DERIVED_VELOCITY);
+    turnTo(BodyRow.OMEGA, target.omega, DERIVED_OMEGA);
     clearLoads();
   }
 }

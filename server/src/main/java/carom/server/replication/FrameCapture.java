@@ -53,8 +53,8 @@ public final class FrameCapture {
   /** How a block of bodies moves, column by column: small enough to stay in near caches. */
   private final float[][] numbers = new float[World.MOTION][2 * BLOCK];
 
-  /** The same block quantised: x, y, angle, vx, vy, omega. */
-  private final int[][] steps = new int[6][2 * BLOCK];
+  /** The same block quantised: x, y, angle, and whether it stands still. */
+  private final int[][] steps = new int[4][2 * BLOCK];
 
   /** The ids of all entities, as of {@link #roster}. */
   private int[] ids = {};
@@ -97,7 +97,7 @@ public final class FrameCapture {
       identify(frame);
     }
     putAudiences(frame);
-    putMotions(frame);
+    putPoses(frame);
     for (int id = 0, count = simulation.playerCapacity(); id < count; id++) {
       Player player = simulation.player(id);
       if (player != null) {
@@ -161,7 +161,7 @@ public final class FrameCapture {
   }
 
   /** Quantises column by column, in loops that compilers turn into vector instructions. */
-  private void putMotions(FrameState frame) {
+  private void putPoses(FrameState frame) {
     World<Entity> world = simulation.world();
     int blocks = Math.max(1, bodyCount / BLOCK);
     for (int block = 0, from = 0; block < blocks; block++) {
@@ -170,10 +170,8 @@ public final class FrameCapture {
       Quantizer.positions(numbers[0], count, steps[0]);
       Quantizer.positions(numbers[1], count, steps[1]);
       turn(numbers[2], numbers[3], count, steps[2]);
-      Quantizer.velocities(numbers[4], count, steps[3]);
-      Quantizer.velocities(numbers[5], count, steps[4]);
-      Quantizer.omegas(numbers[6], count, steps[5]);
-      frame.putMotions(count, slots, from, steps);
+      Quantizer.stills(numbers[4], numbers[5], numbers[6], count, steps[3]);
+      frame.putPoses(count, slots, from, steps);
       from += count;
     }
   }

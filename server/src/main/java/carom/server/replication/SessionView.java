@@ -6,6 +6,7 @@ import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.broadphase.index.IntVisitor;
 import carom.sim.Entity;
@@ -320,14 +321,17 @@ public final class SessionView implements Interest {
     return Math.max(0, Math.max(dx / halfWidth, dy / halfHeight));
   }
 
+  private static float speed(Body<Entity> body) {
+    return Math.max(Math.abs(body.velocityX()), Math.abs(body.velocityY()));
+  }
+
   @Override
   public float priority(FrameState frame, int slot) {
     float distance = distance(frame, slot);
     float near = 1 / (1 + FAR * distance * distance);
     float size = Math.min(MAX_SIZE_FACTOR, Math.max(1, index.reach(frame, slot) / SIZE));
-    int vx = Math.abs(frame.vx(slot));
-    int vy = Math.abs(frame.vy(slot));
-    float speed = Quantizer.velocityOf(Math.max(vx, vy));
+    Entity entity = index.simulation().entity(slot);
+    float speed = entity == null ? 0 : speed(entity.body());
     float moving = Math.min(MAX_SPEED_FACTOR, 1 + speed / SPEED);
     float priority = near * size * moving;
     if (slot == ownSlot) {

@@ -13,23 +13,14 @@ public final class Quantizer {
   /** Steps per turn of an angle. */
   public static final int ANGLE_STEPS = 1_024;
 
-  /**
-   * Steps per metre per second of a velocity. They are coarse because most of a delta's bits would
-   * go to digits of velocities that no picture shows: positions say where a body is.
-   */
-  public static final int VELOCITY_STEPS = 8;
+  /** Speed below which a body stands still, m/s. */
+  public static final float STILL_SPEED = 1f / 32;
 
-  /** Steps per radian per second of an angular velocity, coarse for the same reason. */
-  public static final int OMEGA_STEPS = 4;
+  /** Angular speed below which a body stands still, rad/s. */
+  public static final float STILL_SPIN = 1f / 16;
 
-  /** Largest magnitude of a quantised position: 65,536 m. */
-  public static final int MAX_POSITION = 1 << 25;
-
-  /** Largest magnitude of a quantised velocity: 2,048 m/s. */
-  public static final int MAX_VELOCITY = 1 << 14;
-
-  /** Largest magnitude of a quantised angular velocity: 1,024 rad/s. */
-  public static final int MAX_OMEGA = 1 << 12;
+  /** Largest magnitude of a quantised position: a step less than 65,536 m. */
+  public static final int MAX_POSITION = (1 << 25) - 1;
 
   /**
    * Shortest column that is quantised by vector kernels, where the JVM has them. A shorter one
@@ -84,24 +75,13 @@ public final class Quantizer {
     return (float) ((wrapped == -ANGLE_STEPS / 2 ? ANGLE_STEPS / 2 : wrapped) / ANGLE_SCALE);
   }
 
-  /** Converts metres per second to steps, clamped to plus or minus {@link #MAX_VELOCITY}. */
-  public static int velocity(float metresPerSecond) {
-    return clamp(metresPerSecond * (double) VELOCITY_STEPS, MAX_VELOCITY);
-  }
-
-  /** Converts steps to metres per second. */
-  public static float velocityOf(int steps) {
-    return steps * (1f / VELOCITY_STEPS);
-  }
-
-  /** Converts radians per second to steps, clamped to plus or minus {@link #MAX_OMEGA}. */
-  public static int omega(float radiansPerSecond) {
-    return clamp(radiansPerSecond * (double) OMEGA_STEPS, MAX_OMEGA);
-  }
-
-  /** Converts steps to radians per second. */
-  public static float omegaOf(int steps) {
-    return steps * (1f / OMEGA_STEPS);
+  /**
+   * Returns whether a body with these velocities, in m/s and rad/s, stands still: so slow that a
+   * picture without newer poses need not go on. Less would make settling heaps tell it again and
+   * again.
+   */
+  public static boolean isStill(float vx, float vy, float omega) {
+    return Math.abs(vx) < STILL_SPEED && Math.abs(vy) < STILL_SPEED && Math.abs(omega) < STILL_SPIN;
   }
 
   /** Wraps an angle difference in steps to the shorter way round, -512..511. */
@@ -114,14 +94,11 @@ public final class Quantizer {
     column(metres, n, POSITION_STEPS, MAX_POSITION, to);
   }
 
-  /** Converts the first n numbers of an array as {@link #velocity} does. */
-  public static void velocities(float[] metresPerSecond, int n, int[] to) {
-    column(metresPerSecond, n, VELOCITY_STEPS, MAX_VELOCITY, to);
-  }
-
-  /** Converts the first n numbers of an array as {@link #omega} does. */
-  public static void omegas(float[] radiansPerSecond, int n, int[] to) {
-    column(radiansPerSecond, n, OMEGA_STEPS, MAX_OMEGA, to);
+  /** Sets the first n numbers to 1 where {@link #isStill} says so, else to 0. */
+  public static void stills(float[] vx, float[] vy, float[] omega, int n, int[] to) {
+    for (int i = 0; i < n; i++) {
+      to[i] = isStill(vx[i], vy[i], omega[i]) ? 1 : 0;
+    }
   }
 
   /**

@@ -4,6 +4,7 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.SlotSet;
 import carom.net.snapshot.frame.SlotTicks;
+import carom.net.snapshot.record.HeldTicks;
 import carom.net.snapshot.record.RecordSizes;
 import java.util.Arrays;
 
@@ -39,6 +40,9 @@ final class ClientKnowledge {
   private final SlotTicks acked = new SlotTicks();
   private final SlotTicks lastSent = new SlotTicks();
 
+  /** What the client holds of the ticks before those in {@link #acked}, too. */
+  private final HeldTicks heldTicks;
+
   /** Tick at which the slot came into sight or left it: acks of older records mean nothing. */
   private int[] sightTick = {};
 
@@ -61,16 +65,18 @@ final class ClientKnowledge {
   /** The frame of the last {@link #baseline} that was {@link BaselineReason#ACKED}, else null. */
   private FrameState held;
 
-  ClientKnowledge(FrameRing ring, Interest interest, RecordSizes sizes) {
+  ClientKnowledge(FrameRing ring, Interest interest, RecordSizes sizes, int bestStride) {
     this.ring = ring;
     this.interest = interest;
     this.sizes = sizes;
+    heldTicks = new HeldTicks(ring, acked, bestStride);
     learnLevel();
   }
 
   /** Forgets all: the client knows nothing but the level. */
   void reset() {
     acked.clear();
+    heldTicks.clear();
     lastSent.clear();
     Arrays.fill(sightTick, 0);
     Arrays.fill(newestSightTick, 0);
@@ -100,6 +106,7 @@ final class ClientKnowledge {
     SlotSet same = ring.asLevel();
     for (int word = same.nextWord(0); word >= 0; word = same.nextWord(word + 1)) {
       acked.raise(word, same.word(word), tick);
+      heldTicks.add(word, same.word(word), tick);
     }
   }
 
@@ -110,6 +117,7 @@ final class ClientKnowledge {
     int grown = Math.max(MIN_LENGTH, Math.max(limit, 2 * sightTick.length)) + 63 & -64;
     acked.ensure(grown);
     lastSent.ensure(grown);
+    heldTicks.ensure(grown);
     sightTick = Arrays.copyOf(sightTick, grown);
     newestSightTick = Arrays.copyOf(newestSightTick, grown >> 6);
     inSight.ensure(grown);
@@ -137,14 +145,17 @@ final class ClientKnowledge {
     long seen = meant & inSight.word(word);
     mayShow.removeWord(word, meant ^ seen);
     if (seen != 0) {
-      acked.raise(word, seen | steady(word, acked.layer(word) & ~seen, tick), tick);
+      long held = seen | steady(word, acked.layer(word), tick);
+      acked.raise(word, held, tick);
+      heldTicks.add(word, held, tick);
     }
     touched = true;
   }
 
   /**
-   * Returns those slots of a layer that were not sent because they had not changed up to a tick:
-   * what the client holds of them is true of that tick, too, and they stay with the others.
+   * Returns those slots of a layer that have not changed up to a tick, so that they need not have
+   * been sent: what the client holds of them is true of that tick and those before, too, and they
+   * stay with the others.
    */
   private long steady(int word, long slots, int tick) {
     if (slots == 0 || acked.layerTick(word) >= tick) {
@@ -153,8 +164,10 @@ final class ClientKnowledge {
     int to = ring.backTo(tick);
     int from = to < 0 ? -1 : ring.backTo(acked.layerTick(word));
     long rest = from < 0 ? 0 : slots & inSight.word(word);
-    for (int back = to; back < from; back++) {
-      rest &= ~ring.back(back).changed().word(word);
+    for (int back = from - 1; back >= to && rest != 0; back--) {
+      FrameState frame = ring.back(back);
+      rest &= ~frame.changed().word(word);
+      heldTicks.add(word, rest, frame.tick());
     }
     return rest;
   }
@@ -359,6 +372,7 @@ final class ClientKnowledge {
       sightTick[slot] = now.tick();
       newestSightTick[slot >> 6] = now.tick();
       acked.set(slot, UNKNOWN);
+      heldTicks.forget(slot);
       if (known) {
         inSight.remove(slot);
       } else {
@@ -383,9 +397,8 @@ final class ClientKnowledge {
 
   /**
    * Decides what a slot's record is coded against: the one place that does. For {@link
-   * BaselineReason#ACKED} the frame is left in {@link #held}: the newest one in which the slot
-   * still is as it was in the acked tick. So a body that begins to move after a long rest is coded
-   * against the end of its rest, and the client learns when it began.
+   * BaselineReason#ACKED} the frame is left in {@link #held}: that of the acked tick, or if it has
+   * left the ring, the newest one in which the slot still is as it was then.
    */
   BaselineReason baseline(FrameState now, int slot) {
     held = null;
@@ -406,19 +419,20 @@ final class ClientKnowledge {
   }
 
   private BaselineReason against(FrameState now, int slot, int ackedTick) {
-    FrameState newestHolding = ring.lastLike(slot, ackedTick);
-    if (newestHolding == null) {
+    FrameState holding = ring.at(ackedTick);
+    holding = holding == null ? ring.lastLike(slot, ackedTick) : holding;
+    if (holding == null) {
       return now.tick() - ackedTick < FrameRing.SIZE
           ? BaselineReason.ROLLED_OUT
           : BaselineReason.TOO_OLD;
     }
-    if (now.tick() - newestHolding.tick() >= FrameRing.SIZE) {
+    if (now.tick() - holding.tick() >= FrameRing.SIZE) {
       return BaselineReason.TOO_OLD;
     }
-    if (!now.sameIdentity(newestHolding, slot)) {
+    if (!now.sameIdentity(holding, slot)) {
       return BaselineReason.IDENTITY;
     }
-    held = newestHolding;
+    held = holding;
     return BaselineReason.ACKED;
   }
 
@@ -437,6 +451,11 @@ final class ClientKnowledge {
       return 0;
     }
     return known & ~ring.changes().renamedSince(backTo(acked.layerTick(word)), word);
+  }
+
+  /** Returns what the client holds of earlier ticks. */
+  HeldTicks heldTicks() {
+    return heldTicks;
   }
 
   /** Returns how many frames ago the {@link #deltas} of a word were acked. */

@@ -1,6 +1,6 @@
 package carom.net.snapshot;
 
-import carom.net.snapshot.frame.Motion;
+import carom.net.snapshot.frame.QuantizedPose;
 
 /**
  * Holds what a client has received of one entity slot: up to {@link #SIZE} states, each exactly the
@@ -22,10 +22,8 @@ public final class EntityHistory {
   private static final int X = 3;
   private static final int Y = 4;
   private static final int ANGLE = 5;
-  private static final int VX = 6;
-  private static final int VY = 7;
-  private static final int OMEGA = 8;
-  private static final int FIELDS = 9;
+  private static final int STILL = 6;
+  private static final int FIELDS = 7;
   private static final int TELEPORT_SHIFT = 24;
 
   // Most entities rest for good: room for a few states, doubled as needed.
@@ -122,19 +120,9 @@ public final class EntityHistory {
     return data[at(index) + ANGLE];
   }
 
-  /** Returns the x of the velocity in steps; {@code Quantizer.velocityOf} gives m/s. */
-  public int vx(int index) {
-    return data[at(index) + VX];
-  }
-
-  /** Returns the y of the velocity in steps. */
-  public int vy(int index) {
-    return data[at(index) + VY];
-  }
-
-  /** Returns the angular velocity in steps; {@code Quantizer.omegaOf} gives rad/s. */
-  public int omega(int index) {
-    return data[at(index) + OMEGA];
+  /** Returns whether the entity stood still: it stays there until a later state says otherwise. */
+  public boolean still(int index) {
+    return data[at(index) + STILL] != 0;
   }
 
   private int at(int index) {
@@ -144,39 +132,32 @@ public final class EntityHistory {
     return ((newest - index) & mask) * FIELDS;
   }
 
-  void motion(int index, Motion out) {
+  void pose(int index, QuantizedPose out) {
     int at = at(index);
-    out.x = data[at + X];
-    out.y = data[at + Y];
-    out.angle = data[at + ANGLE];
-    out.vx = data[at + VX];
-    out.vy = data[at + VY];
-    out.omega = data[at + OMEGA];
+    out.set(data[at + X], data[at + Y], data[at + ANGLE], data[at + STILL] != 0);
   }
 
   /**
    * Adds an entry that repeats an older one at a later tick, unless that tick has one: the state
    * held until then.
    */
-  void hold(int index, int tick, Motion scratch) {
+  void hold(int index, int tick, QuantizedPose scratch) {
     if (tick(index) != tick) {
-      motion(index, scratch);
+      pose(index, scratch);
       add(tick, generation(index), archetype(index), ownership(index), teleports(index), scratch);
     }
   }
 
   /** Adds a state of a living entity. */
-  void add(int tick, int generation, int archetype, int owner, int teleports, Motion motion) {
+  void add(int tick, int generation, int archetype, int owner, int teleports, QuantizedPose pose) {
     int at = open(tick);
     if (at >= 0) {
       data[at + KIND] = teleports << TELEPORT_SHIFT | archetype << 8 | generation;
       data[at + OWNER] = owner;
-      data[at + X] = motion.x;
-      data[at + Y] = motion.y;
-      data[at + ANGLE] = motion.angle;
-      data[at + VX] = motion.vx;
-      data[at + VY] = motion.vy;
-      data[at + OMEGA] = motion.omega;
+      data[at + X] = pose.x;
+      data[at + Y] = pose.y;
+      data[at + ANGLE] = pose.angle;
+      data[at + STILL] = pose.still ? 1 : 0;
     }
   }
 

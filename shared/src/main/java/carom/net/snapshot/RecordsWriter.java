@@ -2,9 +2,10 @@ package carom.net.snapshot;
 
 import carom.net.codec.RangeEncoder;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.frame.Motion;
+import carom.net.snapshot.frame.QuantizedPose;
 import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.record.RecordCodec;
+import carom.net.snapshot.record.SentLog;
 
 /**
  * Writes the records section of a datagram: of what {@link Selection} gives, as much as fits. One
@@ -29,7 +30,7 @@ final class RecordsWriter {
   private final SentLog sent;
   private final RangeEncoder range;
   private final RecordCodec records = new RecordCodec();
-  private final Motion actual = new Motion();
+  private final QuantizedPose actual = new QuantizedPose();
 
   private FrameState frame;
   private int room;
@@ -104,7 +105,7 @@ final class RecordsWriter {
     records.archetype(range, frame.archetype(slot));
     records.owner(range, frame.ownership(slot));
     records.teleports(range, frame.teleports(slot));
-    frame.motion(slot, actual);
+    frame.pose(slot, actual);
     records.absolute(range, actual);
   }
 
@@ -115,20 +116,20 @@ final class RecordsWriter {
             && (left = room - range.bits() - RUN_BITS) > 0
             && selection.nextRun(frame); ) {
       int word = selection.runWord();
-      FrameState held = selection.held();
+      int baseline = selection.baseline();
       long slots = selection.runSlots();
-      if (!writeRun(word, slots, held)) {
-        writeRun(word, deltas.fitting(frame, held, word, slots, left), held);
+      if (!writeRun(word, slots, baseline)) {
+        writeRun(word, deltas.fitting(frame, baseline, word, slots, left), baseline);
       }
     }
   }
 
-  private boolean writeRun(int word, long slots, FrameState held) {
+  private boolean writeRun(int word, long slots, int baseline) {
     if (slots == 0) {
       return false;
     }
     int before = mark();
-    deltas.writeRun(range, records, frame, held, word, slots);
+    deltas.writeRun(range, records, frame, baseline, word, slots);
     int after = range.bits();
     if (!fits(after)) {
       passOver();

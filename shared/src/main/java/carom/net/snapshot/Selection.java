@@ -3,6 +3,7 @@ package carom.net.snapshot;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.SlotSet;
+import carom.net.snapshot.record.Baseline;
 import carom.net.snapshot.record.RecordSizes;
 import java.util.Arrays;
 
@@ -59,12 +60,14 @@ final class Selection {
   private boolean onSpare;
 
   // The word at the cursor: its slots that are chosen and not given yet, by the frame that they are
-  // coded against.
+  // coded against. Of the last such group, those that have as many poses make a run.
   private final FrameState[] groupHeld = new FrameState[FrameRing.SIZE];
   private final long[] groupSlots = new long[FrameRing.SIZE];
   private int groups;
+  private int poses;
+  private int stride;
   private long runSlots;
-  private FrameState held;
+  private int baseline;
 
   Selection(FrameRing ring, Interest interest, RecordSizes sizes, ClientKnowledge client) {
     this.ring = ring;
@@ -136,7 +139,7 @@ final class Selection {
     if (client.isNew(slot)) {
       return priority * NEWS;
     }
-    return (now.vx(slot) | now.vy(slot) | now.omega(slot)) == 0 ? priority * REST : priority;
+    return now.still(slot) ? priority * REST : priority;
   }
 
   /** Chooses by a counting sort over classes of weight: linear. */
@@ -220,7 +223,7 @@ final class Selection {
   }
 
   /**
-   * Goes to the next run: some slots of a word that are all coded against the frame {@link #held}.
+   * Goes to the next run: some slots of a word that all have the {@link #baseline}.
    *
    * @return whether there is one
    */
@@ -233,10 +236,26 @@ final class Selection {
       }
       cursor = word + 1;
       group(now, word, from.word(word));
+      poses = 0;
     }
-    groups--;
-    held = groupHeld[groups];
-    runSlots = groupSlots[groups];
+    int word = runWord();
+    FrameState held = groupHeld[groups - 1];
+    long slots = groupSlots[groups - 1];
+    if (poses == 0) {
+      poses = Baseline.MOST_POSES;
+      stride = client.heldTicks().stride(now, held, word, slots);
+    }
+    do {
+      runSlots =
+          poses == 1 ? slots : client.heldTicks().sharing(now, held, word, slots, poses, stride);
+      baseline = Baseline.of(now.tick() - held.tick(), poses, stride);
+      poses--;
+    } while (runSlots == 0);
+    groupSlots[groups - 1] = slots ^ runSlots;
+    if (slots == runSlots) {
+      groups--;
+      poses = 0;
+    }
     return true;
   }
 
@@ -250,12 +269,12 @@ final class Selection {
     return runSlots;
   }
 
-  /** Returns the frame that the run is coded against. */
-  FrameState held() {
-    return held;
+  /** Returns what the run is coded against. */
+  int baseline() {
+    return baseline;
   }
 
-  /** Sorts slots by the newest frame in which they are as acked. */
+  /** Sorts slots by the frame that they are coded against. */
   private void group(FrameState now, int word, long slots) {
     long rest = slots & client.deltas(now, word);
     for (long alone = slots ^ rest; alone != 0; alone &= alone - 1) {
@@ -264,12 +283,12 @@ final class Selection {
         addToGroup(client.held(), 1L << slot);
       }
     }
-    for (int back = rest == 0 ? 0 : client.deltasBack(word); back > 0 && rest != 0; back--) {
-      long changed = rest & ring.back(back - 1).changed().word(word);
-      if (changed != 0) {
-        addToGroup(ring.back(back), changed);
-        rest ^= changed;
+    if (rest != 0) {
+      int back = client.deltasBack(word);
+      while ((ring.back(back - 1).changed().word(word) & rest) == 0) {
+        back--; // they all rested
       }
+      addToGroup(ring.back(back), rest);
     }
   }
 

@@ -12,12 +12,14 @@ import carom.net.snapshot.exact.OwnInbox;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.frame.Motion;
-import carom.net.snapshot.frame.Predictor;
+import carom.net.snapshot.frame.QuantizedPose;
 import carom.net.snapshot.frame.SlotSet;
+import carom.net.snapshot.record.Baseline;
 import carom.net.snapshot.record.DeltaCodec;
+import carom.net.snapshot.record.Predictor;
 import carom.net.snapshot.record.RecordCodec;
 import carom.net.snapshot.record.SlotCodec;
+import carom.net.snapshot.record.Track;
 import carom.net.snapshot.relay.RelayedInputs;
 import carom.net.snapshot.table.TableInbox;
 import java.util.Arrays;
@@ -27,7 +29,7 @@ import java.util.Arrays;
  * back.
  *
  * <p>Any bytes give a {@link DecodeStatus}, never an exception, and a datagram counts as a whole or
- * not at all. Memory is bounded: at most 2.3 KiB for each slot ever seen. One thread; allocates
+ * not at all. Memory is bounded: at most 1.8 KiB for each slot ever seen. One thread; allocates
  * only while a slot's history grows to that, or when a datagram has more records than any before.
  */
 public final class SnapshotDecoder {
@@ -72,10 +74,11 @@ public final class SnapshotDecoder {
   private int[] archetypes = {};
   private int[] owners = {};
   private int[] teleports = {};
-  private Motion[] motions = {};
-  private final Motion scratch = new Motion();
+  private QuantizedPose[] poses = {};
+  private final QuantizedPose scratch = new QuantizedPose();
+  private final Track track = new Track();
   private int count;
-  private int lastIndex;
+  private final int[] lastIndex = new int[Baseline.MOST_POSES];
   private int[] touchedSlots = {};
   private int touched;
 
@@ -103,7 +106,7 @@ public final class SnapshotDecoder {
     this.tick = tick;
     newestTick = tick;
     predictor = new Predictor(tickRate);
-    deltas = new DeltaCodec(tickRate);
+    deltas = new DeltaCodec();
     named.ensure(capacity);
     growRecords(MIN_RECORDS);
   }
@@ -117,7 +120,7 @@ public final class SnapshotDecoder {
   public void level(FrameState state) {
     for (int slot = 0; slot < state.slotLimit(); slot++) {
       if (state.alive(slot)) {
-        state.motion(slot, scratch);
+        state.pose(slot, scratch);
         historyFor(slot)
             .add(
                 0,
@@ -225,8 +228,8 @@ public final class SnapshotDecoder {
       archetypes[count] = records.archetype(range, 0);
       owners[count] = records.owner(range, 0);
       teleports[count] = records.teleports(range, 0);
-      records.absolute(range, motions[count]);
-      if (!motions[count].inRange()) {
+      records.absolute(range, poses[count]);
+      if (!poses[count].inRange()) {
         return false;
       }
     }
@@ -237,11 +240,11 @@ public final class SnapshotDecoder {
   private DecodeStatus readRun(int datagramTick) {
     RangeDecoder r = range;
     records.run(r, 0, 0, 0, 0, 0);
-    int age = records.age();
+    int baseline = records.baseline();
     r.cut();
     long which = SlotCodec.code(r, records.density(), 0);
     r.cut();
-    if (age == 0 || which == 0) {
+    if (!Baseline.isValid(baseline) || which == 0) {
       return DAMAGED;
     }
     for (long rest = which; rest != 0; rest &= rest - 1) {
@@ -249,16 +252,21 @@ public final class SnapshotDecoder {
       if (!open(RecordCodec.RUN, slot) || r.exhausted()) {
         return DAMAGED;
       }
-      if (!baseline(slot, datagramTick - age)) {
+      if (!baseline(slot, datagramTick, baseline)) {
         return DecodeStatus.NO_BASELINE;
       }
-      ages[count] = age;
-      deltas.profile((slot & 32) == 0 ? records.lowProfile() : records.highProfile());
-      Motion motion = motions[count];
-      int way = deltas.code(r, age, motion, 0, scratch);
+      int profile = (slot & 32) == 0 ? records.lowProfile() : records.highProfile();
+      predictor.study(track, baseline);
+      predictor.predict(track, profile, poses[count]);
+      deltas.profile(profile);
+      int rested = deltas.code(r, track, scratch, 0);
       r.cut();
-      motion.addResidual(predictor, scratch, way, age);
-      if (!motion.inRange()) {
+      ages[count] = Baseline.age(baseline) - rested;
+      if (ages[count] <= 0) {
+        return DAMAGED;
+      }
+      poses[count].addResidual(scratch);
+      if (!poses[count].inRange()) {
         return DAMAGED;
       }
       count++;
@@ -281,22 +289,30 @@ public final class SnapshotDecoder {
   }
 
   /**
-   * Loads the state that the slot had at a tick into the next record; returns false when it isn't
-   * known.
+   * Loads the poses of a baseline into the track, and who it is into the next record; returns false
+   * when one isn't known, or is another entity's.
    */
-  private boolean baseline(int slot, int wantedTick) {
+  private boolean baseline(int slot, int datagramTick, int baseline) {
     EntityHistory history = history(slot);
-    int index = history == null ? -1 : history.indexAt(wantedTick, lastIndex);
-    if (index < 0 || !history.alive(index)) {
-      return false;
+    int tick = datagramTick - Baseline.age(baseline);
+    for (int i = 0; i < Baseline.poses(baseline); i++) {
+      int index = history == null ? -1 : history.indexAt(tick, lastIndex[i]);
+      if (index < 0 || !history.alive(index)) {
+        return false;
+      }
+      lastIndex[i] = index; // mostly that of its neighbours, too
+      history.pose(index, track.pose(i));
+      if (i == 0) {
+        indices[count] = index;
+        generations[count] = history.generation(index);
+        archetypes[count] = history.archetype(index);
+        teleports[count] = history.teleports(index);
+        owners[count] = history.ownership(index);
+      } else if (history.generation(index) != generations[count]) {
+        return false;
+      }
+      tick -= Baseline.stride(baseline);
     }
-    lastIndex = index; // mostly that of its neighbours, too
-    indices[count] = index;
-    history.motion(index, motions[count]);
-    generations[count] = history.generation(index);
-    archetypes[count] = history.archetype(index);
-    teleports[count] = history.teleports(index);
-    owners[count] = history.ownership(index);
     return true;
   }
 
@@ -311,9 +327,9 @@ public final class SnapshotDecoder {
     owners = Arrays.copyOf(owners, length);
     teleports = Arrays.copyOf(teleports, length);
     touchedSlots = Arrays.copyOf(touchedSlots, length);
-    motions = Arrays.copyOf(motions, length);
+    poses = Arrays.copyOf(poses, length);
     for (int i = old; i < length; i++) {
-      motions[i] = new Motion();
+      poses[i] = new QuantizedPose();
     }
   }
 
@@ -357,7 +373,7 @@ public final class SnapshotDecoder {
         int held = datagramTick - ages[i];
         history.hold(history.indexAt(held, indices[i]), held, scratch);
       }
-      history.add(datagramTick, generations[i], archetypes[i], owners[i], teleports[i], motions[i]);
+      history.add(datagramTick, generations[i], archetypes[i], owners[i], teleports[i], poses[i]);
     }
     System.arraycopy(slots, 0, touchedSlots, 0, count);
     touched = count;

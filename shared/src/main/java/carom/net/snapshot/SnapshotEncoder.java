@@ -11,6 +11,7 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.record.RecordSizes;
+import carom.net.snapshot.record.SentLog;
 import carom.net.snapshot.table.RowAudience;
 import carom.net.snapshot.table.TableOutbox;
 import carom.net.snapshot.table.Tables;
@@ -112,7 +113,7 @@ public final class SnapshotEncoder {
     events = new EventOutbox(ring.events(), SentLog.SIZE);
     this.tables = new TableOutbox(tables, audience, SentLog.SIZE);
     RecordSizes sizes = new RecordSizes();
-    client = new ClientKnowledge(ring, interest, sizes);
+    client = new ClientKnowledge(ring, interest, sizes, deltas.bestStride());
     selection = new Selection(ring, interest, sizes, client);
     records = new RecordsWriter(deltas, selection, client, sent, range);
     own = new OwnAcks(ring);

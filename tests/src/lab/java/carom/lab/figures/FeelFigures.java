@@ -161,7 +161,7 @@ final class FeelFigures {
       if (truth == null
           || !truth.alive(look.id)
           || truth.generation(look.id) != look.generation
-          || (truth.vx(look.id) == 0 && truth.vy(look.id) == 0)) {
+          || truth.still(look.id)) {
         continue;
       }
       double error =

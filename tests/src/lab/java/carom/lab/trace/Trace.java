@@ -14,6 +14,18 @@ import java.nio.file.Path;
  */
 public final class Trace {
 
+  /** Steps per metre per second of a velocity. */
+  public static final int VELOCITY_STEPS = 64;
+
+  /** Steps per radian per second of an angular velocity. */
+  public static final int OMEGA_STEPS = 32;
+
+  /** Largest magnitude of a quantised velocity: 2,048 m/s. */
+  public static final int MAX_VELOCITY = 1 << 17;
+
+  /** Largest magnitude of a quantised angular velocity: 1,024 rad/s. */
+  public static final int MAX_OMEGA = 1 << 15;
+
   private static final int HEADER_BYTES = 12;
   private static final int NUMBERS = 6;
   private static final int BODY_BYTES = NUMBERS * Float.BYTES;
@@ -23,9 +35,9 @@ public final class Trace {
     Quantizer.positionOf(Quantizer.MAX_POSITION),
     Quantizer.positionOf(Quantizer.MAX_POSITION),
     1e9,
-    Quantizer.velocityOf(Quantizer.MAX_VELOCITY),
-    Quantizer.velocityOf(Quantizer.MAX_VELOCITY),
-    Quantizer.omegaOf(Quantizer.MAX_OMEGA)
+    (float) MAX_VELOCITY / VELOCITY_STEPS,
+    (float) MAX_VELOCITY / VELOCITY_STEPS,
+    (float) MAX_OMEGA / OMEGA_STEPS
   };
 
   private final int bodies;
@@ -144,7 +156,7 @@ public final class Trace {
   }
 
   /**
-   * Quantises a tick with the steps of {@link Quantizer}.
+   * Quantises a tick with the steps of {@link Quantizer}, and velocities with those above.
    *
    * @param tick 0..ticks - 1
    * @param fields {@link TraceCodec#POSE} or {@link TraceCodec#FULL}
@@ -173,8 +185,8 @@ public final class Trace {
             switch (f) {
               case 0, 1 -> Quantizer.position(value);
               case 2 -> Quantizer.angle(value);
-              case 3, 4 -> Quantizer.velocity(value);
-              default -> Quantizer.omega(value);
+              case 3, 4 -> (int) Math.floor(value * VELOCITY_STEPS + 0.5);
+              default -> (int) Math.floor(value * OMEGA_STEPS + 0.5);
             };
       }
     }

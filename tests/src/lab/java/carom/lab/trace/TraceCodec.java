@@ -148,8 +148,8 @@ public final class TraceCodec {
     this.fields = fields;
     order = fields == FULL ? FULL_ORDER : POSE_ORDER;
     double seconds = (double) lag / rate;
-    velocityWay = seconds * Quantizer.POSITION_STEPS / Quantizer.VELOCITY_STEPS;
-    omegaWay = seconds * Quantizer.ANGLE_STEPS / (Quantizer.OMEGA_STEPS * 2 * Math.PI);
+    velocityWay = seconds * Quantizer.POSITION_STEPS / Trace.VELOCITY_STEPS;
+    omegaWay = seconds * Quantizer.ANGLE_STEPS / (Trace.OMEGA_STEPS * 2 * Math.PI);
     ring = new int[2 * lag + HISTORY + 1][fields][bodies];
     latest = new BodyRecord(bodies, fields, HISTORY);
     records = new BodyRecord[lag + 1];
@@ -268,8 +268,8 @@ public final class TraceCodec {
     return switch (field) {
       case 0, 1 -> Math.abs(value) <= Quantizer.MAX_POSITION;
       case ANGLE -> value >= 0 && value < Quantizer.ANGLE_STEPS;
-      case 3, 4 -> Math.abs(value) <= Quantizer.MAX_VELOCITY;
-      default -> Math.abs(value) <= Quantizer.MAX_OMEGA;
+      case 3, 4 -> Math.abs(value) <= Trace.MAX_VELOCITY;
+      default -> Math.abs(value) <= Trace.MAX_OMEGA;
     };
   }
 

@@ -14,52 +14,58 @@ final class InterpolatorTest {
   private final Known known = new Known();
   private final Pose pose = new Pose();
 
+  /** Adds states from a tick on, a gap apart, of a body that gravity may pull. */
+  private void fly(int ticks, int gap, float vx, float vy, float omega, float gravity) {
+    for (int tick = 0; tick <= ticks; tick += gap) {
+      float t = (float) tick / RATE;
+      known.add(tick, vx * t, vy * t - gravity / 2 * t * t, Pose.wrap(omega * t));
+    }
+  }
+
   @Test
   void constantVelocityIsExact() {
-    known.add(10, 1, 2, 0.1f, 3, -6, 0.6f);
-    known.add(16, 1.3f, 1.4f, 0.16f, 3, -6, 0.6f);
-    for (double tick = 10; tick <= 16; tick += 0.25) {
+    fly(18, 6, 3, -6, 0.6f, 0);
+    for (double tick = 0; tick <= 18; tick += 0.25) {
       assertEquals(0, index0(tick));
-      float t = (float) ((tick - 10) / RATE);
-      assertEquals(1 + 3 * t, pose.x, 1e-5);
-      assertEquals(2 - 6 * t, pose.y, 1e-5);
-      assertEquals(0.1 + 0.6 * t, pose.angle, 1e-5);
+      float t = (float) (tick / RATE);
+      assertEquals(3 * t, pose.x, 1e-5);
+      assertEquals(-6 * t, pose.y, 1e-5);
+      assertEquals(0.6 * t, pose.angle, 1e-5);
+      assertEquals(3, pose.vx, 1e-4);
+      assertEquals(0.6, pose.omega, 1e-4);
     }
   }
 
   @Test
   void constantAccelerationIsExact() {
-    float a = -10;
-    float s = 12f / RATE;
-    known.add(0, 0, 5, 0, 1, 2, 0);
-    known.add(12, s, 5 + 2 * s + a / 2 * s * s, 0, 1, 2 + a * s, 0);
-    for (double tick = 0; tick <= 12; tick += 0.5) {
+    fly(24, 4, 1, 2, 0, 10);
+    for (double tick = 4; tick <= 20; tick += 0.5) {
       interpolator.sample(known, tick, pose);
       float t = (float) (tick / RATE);
-      assertEquals(5 + 2 * t + a / 2 * t * t, pose.y, 1e-4);
-      assertEquals(2 + a * t, pose.vy, 1e-4);
+      assertEquals(2 * t - 5 * t * t, pose.y, 1e-4);
+      assertEquals(2 - 10 * t, pose.vy, 1e-3);
     }
   }
 
   @Test
   void hasNoCornerWhereTwoCurvesMeet() {
-    known.add(0, 0, 0, 0, 2, 0, 0);
-    known.add(6, 0.25f, 0, 0, 3, 0, 0);
-    known.add(12, 0.6f, 0, 0, 4, 0, 0);
-    interpolator.sample(known, 5.99, pose);
+    for (int tick = 0; tick <= 24; tick += 6) {
+      known.add(tick, tick * tick * 0.002f, 0, 0);
+    }
+    interpolator.sample(known, 11.99, pose);
     float before = pose.x;
-    interpolator.sample(known, 6, pose);
+    interpolator.sample(known, 12, pose);
     float at = pose.x;
-    interpolator.sample(known, 6.01, pose);
+    interpolator.sample(known, 12.01, pose);
     float after = pose.x;
     assertEquals((at - before) / 0.01 * RATE, (after - at) / 0.01 * RATE, 0.1);
   }
 
   @Test
   void aBodyAtRestDoesNotSlideBeforeItStarts() {
-    known.add(100, 1, 1, 0, 0, 0, 0);
-    known.add(400, 1, 1, 0, 0, 0, 0); // the end of its rest, as the decoder notes it
-    known.add(401, 1.1f, 1, 0, 6, 0, 0);
+    known.still(100, 1, 1);
+    known.still(400, 1, 1); // the end of its rest, as the decoder notes it
+    known.add(401, 1.1f, 1, 0);
     interpolator.sample(known, 399.5, pose);
     assertEquals(1, pose.x, 0);
     interpolator.sample(known, 400.5, pose);
@@ -67,28 +73,51 @@ final class InterpolatorTest {
   }
 
   @Test
-  void aBounceIsALineAndNotALoop() {
-    known.add(0, 0, 0.1f, 0, 0, -9, 0);
-    known.add(2, 0, 0.1f, 0, 0, 9, 0);
-    for (double tick = 0; tick <= 2; tick += 0.25) {
+  void aBodyThatStandsStillIsNotGuessedAhead() {
+    fly(6, 2, 3, 0, 0, 0);
+    interpolator.sample(known, 9, pose);
+    assertEquals(0.45, pose.x, 1e-4);
+    known.still(8, 0.32f, 0);
+    interpolator.sample(known, 20, pose);
+    assertEquals(0.32f, pose.x, 0);
+    assertEquals(0, pose.vx, 0);
+  }
+
+  @Test
+  void aBounceIsACornerAndNotALoop() {
+    // down at 9 m/s, up again from between ticks 6 and 8
+    for (int tick = 0; tick <= 14; tick += 2) {
+      known.add(tick, 0, Math.abs(tick - 7) * 9f / RATE, 0);
+    }
+    for (double tick = 0; tick <= 14; tick += 0.25) {
       interpolator.sample(known, tick, pose);
-      assertEquals(0.1f, pose.y, 1e-6, "at " + tick);
+      double height = tick >= 6 && tick <= 8 ? 9.0 / RATE : Math.abs(tick - 7) * 9 / RATE;
+      assertEquals(height, pose.y, 1e-5, "at " + tick);
     }
   }
 
   @Test
   void aJumpIsATeleport() {
-    known.add(0, 0, 0, 0, 1, 0, 0);
-    known.add(2, 10, 0, 0, 1, 0, 0);
-    interpolator.sample(known, 1.9, pose);
-    assertEquals(0, pose.x, 0.05);
-    interpolator.sample(known, 2, pose);
+    fly(4, 2, 1, 0, 0, 0);
+    known.add(6, 10, 0, 0);
+    interpolator.sample(known, 5.9, pose);
+    assertEquals(0, pose.x, 0.1);
+    interpolator.sample(known, 6, pose);
     assertEquals(10, pose.x, 1e-6);
   }
 
   @Test
+  void whatSetsOffFastIsNoTeleport() {
+    fly(6, 2, 90, 0, 0, 0); // three metres in two ticks, and nothing before
+    interpolator.sample(known, 1, pose);
+    assertEquals(1.5, pose.x, 1e-4);
+  }
+
+  @Test
   void guessesAheadForALimitedTime() {
-    known.add(0, 0, 0, 0, 6, 0, 0);
+    for (int tick = -12; tick <= 0; tick += 2) {
+      known.add(tick, 6f * tick / RATE, 0, 0);
+    }
     interpolator.sample(known, 3, pose);
     assertEquals(0.3, pose.x, 1e-5);
     assertEquals(Interpolator.NONE, interpolator.toTick());
@@ -101,9 +130,20 @@ final class InterpolatorTest {
   }
 
   @Test
+  void aGuessGoesOnFalling() {
+    fly(12, 2, 2, 0, 0, 10);
+    interpolator.sample(known, 15, pose);
+    assertEquals(0.5, pose.x, 1e-4);
+    double straight = -5 * 0.2 * 0.2 - 10 * 0.2 * 0.05;
+    assertEquals(straight, pose.y, 0.004, "with the speed of the last state");
+  }
+
+  @Test
   void aGuessFadesToRestWithoutAJerk() {
     // Goal: bounded deceleration, down to rest at 250 ms. Method: differences of the guessed way.
-    known.add(0, 0, 0, 0, 6, 0, 3);
+    for (int tick = -12; tick <= 0; tick += 2) {
+      known.add(tick, 6f * tick / RATE, 0, 3f * tick / RATE);
+    }
     double step = 0.25;
     double seconds = step / RATE;
     double oldSpeed = 6;
@@ -124,9 +164,9 @@ final class InterpolatorTest {
 
   @Test
   void aMarkedTeleportIsACutHoweverShort() {
-    known.add(0, 0, 0, 0, 5, 0, 0);
+    known.add(0, 0, 0, 0);
     known.teleports++;
-    known.add(6, 0.5f, 0, 0, 5, 0, 0);
+    known.add(6, 0.5f, 0, 0);
     interpolator.sample(known, 5.9, pose);
     assertEquals(0, pose.x, 0);
     interpolator.sample(known, 6, pose);
@@ -135,23 +175,25 @@ final class InterpolatorTest {
 
   @Test
   void noCurveLeavesItsChordByMuch() {
-    // Goal: no overshoot, whatever the velocities are; falling bodies may bulge. Method: random
-    // pairs of states; the curve stays within a third of the chord around it, and its slack.
+    // Goal: no overshoot, wherever the poses beside are; falling bodies may bulge. Method: random
+    // poses; the curve stays within a third of the chord around it, and its slack.
     SplittableRandom random = new SplittableRandom(7);
     for (int i = 0; i < 2_000; i++) {
-      Known pair = new Known();
+      Known four = new Known();
       int gap = 1 + random.nextInt(12);
       float x = (float) random.nextDouble(-1, 1);
       float y = (float) random.nextDouble(-1, 1);
-      pair.add(0, 0, 0, 0, speed(random), speed(random), 0);
-      pair.add(gap, x, y, 0, speed(random), speed(random), 0);
+      four.add(-1 - random.nextInt(6), speed(random) / 10, speed(random) / 10, 0);
+      four.add(0, 0, 0, 0);
+      four.add(gap, x, y, 0);
+      four.add(gap + 1 + random.nextInt(6), speed(random) / 10, speed(random) / 10, 0);
       double chord = Math.hypot(x, y);
-      for (double tick = 0; tick <= gap; tick += gap / 16.0) {
-        interpolator.sample(pair, tick, pose);
+      for (double tick = 0; tick < gap; tick += gap / 16.0) {
+        interpolator.sample(four, tick, pose);
         double along = Math.max(0, Math.min(1, (pose.x * x + pose.y * y) / (chord * chord)));
         double away = Math.hypot(pose.x - along * x, pose.y - along * y);
         double slack = 0.05 * gap / RATE;
-        assertTrue(away <= chord / 2 + slack, "pair " + i + " tick " + tick + " away=" + away);
+        assertTrue(away <= chord / 2 + slack, "chord " + i + " tick " + tick + " away=" + away);
       }
     }
   }
@@ -162,21 +204,22 @@ final class InterpolatorTest {
 
   @Test
   void turnsTheShortWayUnlessItSpinsFast() {
-    known.add(0, 0, 0, 3.0f, 0, 0, 1);
-    known.add(6, 0, 0, -3.0f, 0, 0, 1);
+    known.add(0, 0, 0, 3.0f);
+    known.add(6, 0, 0, -3.0f);
     interpolator.sample(known, 3, pose);
     assertTrue(Math.abs(Pose.wrap(pose.angle - 3.14f)) < 0.05, "angle=" + pose.angle);
 
     Known fast = new Known(); // 40 rad/s for 0.2 s = 8 rad = one turn and 1.717
-    fast.add(0, 0, 0, 0, 0, 0, 40);
-    fast.add(12, 0, 0, Pose.wrap(8), 0, 0, 40);
+    fast.add(-3, 0, 0, -2);
+    fast.add(0, 0, 0, 0);
+    fast.add(12, 0, 0, Pose.wrap(8)); // some states between were lost
     interpolator.sample(fast, 6, pose);
     assertEquals(4, pose.angle, 1e-3);
   }
 
   @Test
   void isThereFromItsFirstTickToItsLast() {
-    known.add(10, 0, 0, 0, 0, 0, 0);
+    known.add(10, 0, 0, 0);
     known.gone(20);
     assertEquals(-1, interpolator.sample(known, 9.9, pose));
     assertTrue(interpolator.sample(known, 10, pose) >= 0);
@@ -186,9 +229,9 @@ final class InterpolatorTest {
 
   @Test
   void anotherEntityInTheSlotIsNotBlendedWithTheFirst() {
-    known.add(10, 0, 0, 0, 0, 0, 0);
+    known.add(10, 0, 0, 0);
     known.generation++;
-    known.add(12, 0.5f, 0, 0, 0, 0, 0);
+    known.add(12, 0.5f, 0, 0);
     interpolator.sample(known, 11.5, pose);
     assertEquals(0, pose.x, 0);
     assertEquals(0, interpolator.sample(known, 12, pose));
@@ -209,20 +252,22 @@ final class InterpolatorTest {
         float x,
         float y,
         float angle,
-        float vx,
-        float vy,
-        float omega) {}
+        boolean still) {}
 
     private final List<State> newestFirst = new ArrayList<>();
     int generation;
     int teleports;
 
-    void add(int tick, float x, float y, float angle, float vx, float vy, float omega) {
-      newestFirst.add(0, new State(tick, true, generation, teleports, x, y, angle, vx, vy, omega));
+    void add(int tick, float x, float y, float angle) {
+      newestFirst.add(0, new State(tick, true, generation, teleports, x, y, angle, false));
+    }
+
+    void still(int tick, float x, float y) {
+      newestFirst.add(0, new State(tick, true, generation, teleports, x, y, 0, true));
     }
 
     void gone(int tick) {
-      newestFirst.add(0, new State(tick, false, 0, 0, 0, 0, 0, 0, 0, 0));
+      newestFirst.add(0, new State(tick, false, 0, 0, 0, 0, 0, false));
     }
 
     @Override
@@ -266,18 +311,8 @@ final class InterpolatorTest {
     }
 
     @Override
-    public float vx(int index) {
-      return newestFirst.get(index).vx;
-    }
-
-    @Override
-    public float vy(int index) {
-      return newestFirst.get(index).vy;
-    }
-
-    @Override
-    public float omega(int index) {
-      return newestFirst.get(index).omega;
+    public boolean still(int index) {
+      return newestFirst.get(index).still;
     }
   }
 }

@@ -59,8 +59,8 @@ final class TraceCodecTest {
               switch (f) {
                 case 2 -> value & Quantizer.ANGLE_STEPS - 1;
                 case 0, 1 -> clamp(value, Quantizer.MAX_POSITION);
-                case 5 -> clamp(100 * value, Quantizer.MAX_OMEGA);
-                default -> clamp(1_000 * value, Quantizer.MAX_VELOCITY);
+                case 5 -> clamp(100 * value, Trace.MAX_OMEGA);
+                default -> clamp(1_000 * value, Trace.MAX_VELOCITY);
               };
         }
       }
@@ -97,9 +97,9 @@ final class TraceCodecTest {
       Quantizer.MAX_POSITION,
       Quantizer.MAX_POSITION,
       Quantizer.ANGLE_STEPS - 1,
-      Quantizer.MAX_VELOCITY,
-      Quantizer.MAX_VELOCITY,
-      Quantizer.MAX_OMEGA
+      Trace.MAX_VELOCITY,
+      Trace.MAX_VELOCITY,
+      Trace.MAX_OMEGA
     };
     Random random = new Random(SEED);
     int[][] state = new int[6][bodies];
@@ -116,7 +116,7 @@ final class TraceCodecTest {
       assertTrue(decoder.decode(bytes, length, decoded));
       assertArrayEquals(state, decoded);
     }
-    state[3][5] = Quantizer.MAX_VELOCITY + 1;
+    state[3][5] = Trace.MAX_VELOCITY + 1;
     assertThrows(IllegalArgumentException.class, () -> encoder.encode(state, bytes));
   }
 

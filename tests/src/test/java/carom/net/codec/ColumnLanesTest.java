@@ -44,8 +44,8 @@ class ColumnLanesTest {
     int width = lanes.width();
     int[][] units = {
       {Quantizer.POSITION_STEPS, Quantizer.MAX_POSITION},
-      {Quantizer.VELOCITY_STEPS, Quantizer.MAX_VELOCITY},
-      {Quantizer.OMEGA_STEPS, Quantizer.MAX_OMEGA}
+      {8, 1 << 14},
+      {32, 1 << 15}
     };
     float[] from = new float[width];
     int[] expected = new int[width];

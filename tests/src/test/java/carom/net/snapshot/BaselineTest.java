@@ -26,7 +26,7 @@ class BaselineTest {
   private void frame(int generation, int owner, int x) {
     FrameState frame = ring.begin(++tick);
     if (generation >= 0) {
-      frame.putQuantized(3, generation, 7, owner, x, 0, 0, 0, 0, 0);
+      frame.putQuantized(3, generation, 7, owner, x, 0, 0, true);
     }
     ring.end();
   }
@@ -174,7 +174,7 @@ class BaselineTest {
     SnapshotEncoder both = new SnapshotEncoder(many, 1, 60);
     FrameState frame = many.begin(1);
     for (int slot = 0; slot < bodies; slot++) {
-      frame.putQuantized(slot, 1, 7, -1, 1_000 * slot, -slot, slot, slot, 1, 1);
+      frame.putQuantized(slot, 1, 7, -1, 1_000 * slot, -slot, slot, false);
     }
     many.end();
     OwnState own = new OwnState(4);

@@ -208,9 +208,7 @@ final class Channel {
       assertEquals(truth[3], history.x(index), where);
       assertEquals(truth[4], history.y(index), where);
       assertEquals(truth[5], history.angle(index), where);
-      assertEquals(truth[6], history.vx(index), where);
-      assertEquals(truth[7], history.vy(index), where);
-      assertEquals(truth[8], history.omega(index), where);
+      assertEquals((truth[6] | truth[7] | truth[8]) == 0, history.still(index), where);
     }
   }
 

@@ -242,7 +242,7 @@ class InterestTest {
             64,
             f -> {
               for (int slot = 0; slot < 63; slot++) {
-                f.putQuantized(slot, 0, 3, -1, slot * METRE, 0, 0, 0, 0, 0);
+                f.putQuantized(slot, 0, 3, -1, slot * METRE, 0, 0, true);
               }
             });
     scene.ring.level(level);

@@ -18,6 +18,11 @@ final class Scene {
   static final int TICK_RATE = 60;
   static final int FIELDS = 9;
 
+  /** Steps of a velocity per m/s. */
+  private static final int SPEED_STEPS = 8;
+
+  private static final int MAX_SPEED = 1 << 14;
+
   final FrameRing ring;
   final int slots;
   final Dice dice;
@@ -65,7 +70,7 @@ final class Scene {
   }
 
   void push(int slot) {
-    int speed = dice.percent(3) ? Quantizer.MAX_VELOCITY : 10 * Quantizer.VELOCITY_STEPS;
+    int speed = dice.percent(3) ? MAX_SPEED : 10 * SPEED_STEPS;
     bodies[slot][6] = dice.between(-speed, speed);
     bodies[slot][7] = dice.between(-speed, speed);
     bodies[slot][8] = dice.between(-12, 12);
@@ -117,7 +122,11 @@ final class Scene {
     body[4] =
         clamp(body[4] + body[7] * 64 / TICK_RATE + dice.between(-1, 1), Quantizer.MAX_POSITION);
     body[5] = (body[5] + body[8] * 41 / TICK_RATE) & 1023;
-    body[7] = clamp(body[7], Quantizer.MAX_VELOCITY);
+    body[7] = clamp(body[7], MAX_SPEED);
+  }
+
+  private static boolean isStill(int[] body) {
+    return (body[6] | body[7] | body[8]) == 0;
   }
 
   private static int clamp(int value, int max) {
@@ -130,7 +139,7 @@ final class Scene {
     for (int slot = 0; slot < slots; slot++) {
       int[] b = bodies[slot];
       if (b != null) {
-        frame.putQuantized(slot, b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7], b[8]);
+        frame.putQuantized(slot, b[0], b[1], b[2], b[3], b[4], b[5], isStill(b));
         copy[slot] = b.clone();
       }
     }

@@ -12,11 +12,13 @@ import carom.net.codec.RangeEncoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.frame.Motion;
-import carom.net.snapshot.frame.Predictor;
+import carom.net.snapshot.frame.QuantizedPose;
+import carom.net.snapshot.record.Baseline;
 import carom.net.snapshot.record.DeltaCodec;
+import carom.net.snapshot.record.Predictor;
 import carom.net.snapshot.record.RecordCodec;
 import carom.net.snapshot.record.SlotCodec;
+import carom.net.snapshot.record.Track;
 import carom.net.snapshot.table.TableInbox;
 import java.util.Arrays;
 import java.util.EnumSet;
@@ -251,17 +253,20 @@ class SnapshotWireTest {
     RangeEncoder range = new RangeEncoder();
     range.reset(bytes, header, bytes.length - header);
     RecordCodec records = new RecordCodec();
-    DeltaCodec deltas = new DeltaCodec(Scene.TICK_RATE);
+    DeltaCodec deltas = new DeltaCodec();
     deltas.profile(0);
     records.begin();
     for (int kind : kinds) {
       records.kind(range, kind);
       if (kind == RecordCodec.RUN) {
-        records.run(range, 0, age, 0, 0, 0);
+        int baseline = Baseline.of(age, 1, 0);
+        records.run(range, 0, baseline, 0, 0, 0);
         range.cut();
         SlotCodec.code(range, 0, 1 << 3);
         range.cut();
-        deltas.code(range, age, new Motion(), Predictor.GOES_ON, new Motion());
+        Track track = new Track();
+        new Predictor(Scene.TICK_RATE).study(track, baseline);
+        deltas.code(range, track, new QuantizedPose(), 0);
         range.cut();
       } else {
         records.slot(range, 3);
@@ -271,7 +276,7 @@ class SnapshotWireTest {
         records.archetype(range, 1);
         records.owner(range, -1);
         records.teleports(range, 0);
-        records.absolute(range, new Motion());
+        records.absolute(range, new QuantizedPose());
       }
     }
     records.kind(range, RecordCodec.END);
@@ -331,7 +336,7 @@ class SnapshotWireTest {
         IllegalArgumentException.class, () -> frame.put(4, 1, 2, -1, 1, 2, 3, 4, 5, 6), "slot");
     assertThrows(
         IllegalArgumentException.class,
-        () -> frame.putQuantized(1, 1, 2, -1, 0, 0, 1024, 0, 0, 0),
+        () -> frame.putQuantized(1, 1, 2, -1, 0, 0, 1024, true),
         "angle");
     assertThrows(
         IllegalArgumentException.class, () -> frame.put(1, 256, 2, -1, 1, 2, 3, 4, 5, 6), "gen");
@@ -348,7 +353,7 @@ class SnapshotWireTest {
     Dice dice = new Dice(3);
     for (int i = 0; i < 300; i++) {
       tick += 1 + (dice.percent(20) ? dice.below(70) : 0);
-      ring.begin(tick).putQuantized(0, 1, 1, -1, i, 0, 0, 0, 0, 0);
+      ring.begin(tick).putQuantized(0, 1, 1, -1, i, 0, 0, true);
       ring.end();
       assertEquals(i, ring.newest().x(0));
       int found = 0;
@@ -366,14 +371,14 @@ class SnapshotWireTest {
   @Test
   void hashesFollowTheStateAlone() {
     FrameRing ring = new FrameRing(8);
-    ring.begin(1).putQuantized(3, 1, 1, -1, 5, 6, 7, 8, 9, 10);
+    ring.begin(1).putQuantized(3, 1, 1, -1, 5, 6, 7, false);
     ring.end();
     long first = ring.newest().hash();
-    ring.begin(2).putQuantized(3, 1, 1, -1, 5, 6, 7, 8, 9, 10);
+    ring.begin(2).putQuantized(3, 1, 1, -1, 5, 6, 7, false);
     ring.end();
     assertEquals(first, ring.newest().hash());
     assertEquals(1, ring.changedTick(3));
-    ring.begin(3).putQuantized(3, 1, 1, 0, 5, 6, 7, 8, 9, 10);
+    ring.begin(3).putQuantized(3, 1, 1, 0, 5, 6, 7, false);
     ring.end();
     assertTrue(first != ring.newest().hash(), "the owner counts");
     assertEquals(3, ring.changedTick(3));

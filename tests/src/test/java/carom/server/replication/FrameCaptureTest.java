@@ -42,9 +42,9 @@ class FrameCaptureTest {
           assertEquals(Quantizer.position(body.x()), frame.x(id));
           assertEquals(Quantizer.position(body.y()), frame.y(id));
           assertEquals(Quantizer.angle(body.angle()), frame.angle(id));
-          assertEquals(Quantizer.velocity(body.velocityX()), frame.vx(id));
-          assertEquals(Quantizer.velocity(body.velocityY()), frame.vy(id));
-          assertEquals(Quantizer.omega(body.angularVelocity()), frame.omega(id));
+          assertEquals(
+              Quantizer.isStill(body.velocityX(), body.velocityY(), body.angularVelocity()),
+              frame.still(id));
           seen++;
         }
       }

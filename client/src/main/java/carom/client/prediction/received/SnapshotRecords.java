@@ -3,6 +3,7 @@ package carom.client.prediction.received;
 import carom.client.interpolation.DecodedHistory;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.StateHistory;
+import carom.client.interpolation.Velocity;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.frame.Ownership;
@@ -30,6 +31,7 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
   private final Simulation simulation;
   private final DecodedHistory states = new DecodedHistory();
   private final SpawnMatches spawns;
+  private final Velocity velocity;
   private SnapshotDecoder decoder;
 
   /**
@@ -39,6 +41,7 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
    */
   public SnapshotRecords(Simulation simulation, int playerId) {
     this.simulation = simulation;
+    velocity = new Velocity(simulation.tickRate());
     spawns = new SpawnMatches(playerId);
   }
 
@@ -168,7 +171,8 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
   }
 
   /**
-   * Reads the quantised state of an entity after a tick, extrapolated from the last record before.
+   * Reads the quantised pose of an entity after a tick and its derived velocity, extrapolated from
+   * the last record before.
    *
    * @param out receives the state; unchanged when the result is false
    * @return whether a record tells
@@ -186,13 +190,14 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
     StateHistory s = states.of(history);
     int age = Math.max(0, Math.min(MAX_EXTRAPOLATION_TICKS, tick - s.tick(index)));
     float seconds = age * simulation.tickSeconds();
+    velocity.measure(s, index);
     out.set(
-        s.x(index) + s.vx(index) * seconds,
-        s.y(index) + s.vy(index) * seconds,
-        s.angle(index) + s.omega(index) * seconds,
-        s.vx(index),
-        s.vy(index),
-        s.omega(index));
+        s.x(index) + velocity.vx * seconds,
+        s.y(index) + velocity.vy * seconds,
+        s.angle(index) + velocity.omega * seconds,
+        velocity.vx,
+        velocity.vy,
+        velocity.omega);
     return true;
   }
 }

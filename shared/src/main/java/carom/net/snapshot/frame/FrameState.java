@@ -33,7 +33,7 @@ public final class FrameState {
   /** Whether another frame holds {@link #who}, too, so that no entity can be added. */
   private boolean shared;
 
-  private final MotionTable motions = new MotionTable();
+  private final PoseTable poses = new PoseTable();
   private FrameState previous;
 
   /** Number of slots for which there is room. */
@@ -95,7 +95,8 @@ public final class FrameState {
   }
 
   /**
-   * Puts an entity into the frame, quantising its state.
+   * Puts an entity into the frame, quantising its pose. Of its velocities, only whether it stands
+   * still is kept.
    *
    * @param slot entity id, 0..capacity - 1, put at most once per frame
    * @param generation 0..255, differs from that of the slot's previous entity
@@ -120,56 +121,42 @@ public final class FrameState {
       float vy,
       float omega) {
     identify(slot, generation, archetype, owner);
-    motions.put(
+    poses.put(
         slot,
         Quantizer.position(x),
         Quantizer.position(y),
         Quantizer.angle(angle),
-        Quantizer.velocity(vx),
-        Quantizer.velocity(vy),
-        Quantizer.omega(omega));
+        Quantizer.isStill(vx, vy, omega) ? 1 : 0);
   }
 
   /**
    * As {@link #put}, already quantised; values outside the ranges of {@code Quantizer} are refused.
    */
   public void putQuantized(
-      int slot,
-      int generation,
-      int archetype,
-      int owner,
-      int x,
-      int y,
-      int angle,
-      int vx,
-      int vy,
-      int omega) {
+      int slot, int generation, int archetype, int owner, int x, int y, int angle, boolean still) {
     check("x", x, -Quantizer.MAX_POSITION, Quantizer.MAX_POSITION);
     check("y", y, -Quantizer.MAX_POSITION, Quantizer.MAX_POSITION);
     check("angle", angle, 0, Quantizer.ANGLE_STEPS - 1);
-    check("vx", vx, -Quantizer.MAX_VELOCITY, Quantizer.MAX_VELOCITY);
-    check("vy", vy, -Quantizer.MAX_VELOCITY, Quantizer.MAX_VELOCITY);
-    check("omega", omega, -Quantizer.MAX_OMEGA, Quantizer.MAX_OMEGA);
     identify(slot, generation, archetype, owner);
-    motions.put(slot, x, y, angle, vx, vy, omega);
+    poses.put(slot, x, y, angle, still ? 1 : 0);
   }
 
   /**
-   * Puts motions of entities that were {@linkplain #identify identified}; in steps, within the
-   * ranges of {@code Quantizer}, which isn't checked.
+   * Puts poses of entities that were {@linkplain #identify identified}; in steps, within the ranges
+   * of {@code Quantizer}, which isn't checked.
    *
    * @param n how many
-   * @param slot whose the motions are, or -1 for nobody's, from one index on
+   * @param slot whose the poses are, or -1 for nobody's, from one index on
    * @param from that index
-   * @param columns x, y, angle, vx, vy, omega, n of each
+   * @param columns x, y, angle and still (1 or 0), n of each
    */
-  public void putMotions(int n, int[] slot, int from, int[][] columns) {
-    motions.putAll(n, slot, from, columns);
+  public void putPoses(int n, int[] slot, int from, int[][] columns) {
+    poses.putAll(n, slot, from, columns);
   }
 
   /**
-   * Puts the entities of another frame into this one, which has none yet; their motions must follow
-   * by {@link #putMotions}, and all that is told of them but audiences is the same. Nobody else can
+   * Puts the entities of another frame into this one, which has none yet; their poses must follow
+   * by {@link #putPoses}, and all that is told of them but audiences is the same. Nobody else can
    * be put.
    *
    * @param other of the same ring
@@ -199,7 +186,7 @@ public final class FrameState {
   }
 
   /**
-   * Puts an entity into the frame whose motion must follow by {@link #putMotions}.
+   * Puts an entity into the frame whose pose must follow by {@link #putPoses}.
    *
    * @param slot as in {@link #put}, like the others
    */
@@ -253,7 +240,7 @@ public final class FrameState {
       // the same in all frames of a ring that reach as far, so that none grows for its neighbour
       int power = Integer.highestOneBit(Math.max(MIN_LENGTH, length) - 1) << 1;
       room = Math.max(MIN_LENGTH, Math.min(capacity, power));
-      motions.ensure(room);
+      poses.ensure(room);
       changed.ensure(room);
       renamed.ensure(room);
     }
@@ -269,7 +256,7 @@ public final class FrameState {
     renamed.clear();
     findRenamed(known);
     for (int word = 0; word << 6 < limit; word++) {
-      long moved = word << 6 < known ? motions.differing(previous.motions, word, known) : 0;
+      long moved = word << 6 < known ? poses.differing(previous.poses, word, known) : 0;
       long bits = renamed.word(word) | (moved | readdressed(word)) & who.living.word(word);
       if (bits != 0) {
         changed.addWord(word, bits);
@@ -381,32 +368,22 @@ public final class FrameState {
 
   /** Returns the x of the position, steps. */
   public int x(int slot) {
-    return motions.x(slot);
+    return poses.x(slot);
   }
 
   /** Returns the y of the position, steps. */
   public int y(int slot) {
-    return motions.y(slot);
+    return poses.y(slot);
   }
 
   /** Returns the angle, steps, 0..1,023. */
   public int angle(int slot) {
-    return motions.angle(slot);
+    return poses.angle(slot);
   }
 
-  /** Returns the x of the velocity, steps. */
-  public int vx(int slot) {
-    return motions.vx(slot);
-  }
-
-  /** Returns the y of the velocity, steps. */
-  public int vy(int slot) {
-    return motions.vy(slot);
-  }
-
-  /** Returns the angular velocity, steps. */
-  public int omega(int slot) {
-    return motions.omega(slot);
+  /** Returns whether the slot's entity stands still. */
+  public boolean still(int slot) {
+    return poses.still(slot);
   }
 
   /**
@@ -428,8 +405,7 @@ public final class FrameState {
         h = mix(h, slot, who.kind[slot]);
         h = mix(h, who.owner[slot], angle(slot));
         h = mix(h, x(slot), y(slot));
-        h = mix(h, vx(slot), vy(slot));
-        h = mix(h, omega(slot), 0);
+        h = mix(h, still(slot) ? 1 : 0, 0);
       }
     }
     return h;
@@ -461,19 +437,14 @@ public final class FrameState {
         && who.owner[slot] == other.who.owner[slot];
   }
 
-  /** Copies the slot's motion. */
-  public void motion(int slot, Motion out) {
-    out.x = x(slot);
-    out.y = y(slot);
-    out.angle = angle(slot);
-    out.vx = vx(slot);
-    out.vy = vy(slot);
-    out.omega = omega(slot);
+  /** Copies the slot's pose. */
+  public void pose(int slot, QuantizedPose out) {
+    poses.read(slot, out);
   }
 
-  /** Returns whether a slot is alive in both frames, as the same entity in the same motion. */
+  /** Returns whether a slot is alive in both frames, as the same entity in the same pose. */
   boolean sameState(FrameState other, int slot) {
-    return sameIdentity(other, slot) && motions.same(other.motions, slot);
+    return sameIdentity(other, slot) && poses.same(other.poses, slot);
   }
 
   /** Returns the slots that hold an entity. */

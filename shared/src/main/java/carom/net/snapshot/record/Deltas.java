@@ -1,23 +1,23 @@
 package carom.net.snapshot.record;
 
+import carom.net.codec.BitCoder;
 import carom.net.codec.BitCost;
 import carom.net.codec.RangeEncoder;
 import carom.net.codec.SliceList;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.frame.Motion;
-import carom.net.snapshot.frame.Predictor;
+import carom.net.snapshot.frame.QuantizedPose;
 import carom.net.snapshot.frame.SlotSet;
 import java.util.Arrays;
 
 /**
  * Keeps the deltas of a room's newest frame, each worked out once for all sessions: how a body
- * differs from what is predicted out of an older frame, as slices for {@link RangeEncoder#slices}.
+ * differs from what is predicted out of older frames, as slices for {@link RangeEncoder#slices}.
  * Most sessions have acked one of a few ticks, and what changed since then is the same for all that
- * see it: so whole runs of deltas are there already, too. Where room for all of them ends, the rest
- * is worked out each time.
+ * see it and know the same poses before: so whole runs of deltas are there already, too. Where room
+ * for all of them ends, the rest is worked out each time.
  *
- * <p>One thread, no allocation in the steady state. Memory: 280 bytes per slot and up to 8 MiB.
+ * <p>One thread, no allocation in the steady state. Memory: 160 bytes per slot and up to 8 MiB.
  */
 public final class Deltas {
 
@@ -32,13 +32,19 @@ public final class Deltas {
   /** Distance of the changed slots on which all profiles are tried, to find the best. */
   private static final int SAMPLED = 8;
 
+  /** Least saving for which a block takes another profile than the one before, 1/256 bit. */
+  private static final int OTHER_PROFILE = 6 * 256;
+
   /** Share of what was before in what is known of a block's profiles: 1 - 2^-{@value}. */
   private static final int FORGET_SHIFT = 3;
 
   /** Number of words that are looked at to see how dense changes are. */
   private static final int WORDS_SEEN = 32;
 
-  /** Number of parts of runs kept for each age. */
+  /** Number of baselines whose deltas are kept; those of further ones are worked out each time. */
+  private static final int BASELINES = 32;
+
+  /** Number of parts of runs kept for each baseline. */
   private static final int PARTS = 8;
 
   private static final int UNKNOWN = -1;
@@ -49,18 +55,28 @@ public final class Deltas {
 
   private final FrameRing ring;
   private final Predictor predictor;
+  private final int bestStride;
   private final DeltaCodec codec;
   private final SliceList slices = new SliceList();
   private final SliceList runs = new SliceList();
   private final BitCost surprise = new BitCost();
-  private final Motion old = new Motion();
-  private final Motion actual = new Motion();
-  private final Motion residual = new Motion();
+  private final Track track = new Track();
+  private final QuantizedPose predicted = new QuantizedPose();
+  private final QuantizedPose actual = new QuantizedPose();
+  private final QuantizedPose residual = new QuantizedPose();
 
-  /** By age and slot: the delta as a number, 0 when it isn't there. */
+  /** For how many ticks the body of the {@link #track} went on resting. */
+  private int rested;
+
+  /** The baselines that were asked for in this tick: each has a row. */
+  private final int[] baselines = new int[BASELINES];
+
+  private int rows;
+
+  /** By row and slot: the delta as a number, 0 when it isn't there. */
   private int[] known = {};
 
-  // The runs that are there, by age and place: which slots, its first slice, the one behind its
+  // The runs that are there, by row and place: which slots, its first slice, the one behind its
   // last, its density. The first place of a word is its own; the others are for parts of runs, as
   // where a datagram ends, and are shared.
   private long[] runSlots = {};
@@ -69,15 +85,14 @@ public final class Deltas {
   private int[] runTo = {};
   private byte[] runDensity = {};
 
-  /** By age: where the next part goes. */
-  private final int[] nextPart = new int[FrameRing.SIZE];
+  /** By row: where the next part goes. */
+  private final int[] nextPart = new int[BASELINES];
 
   /** By age: the density that most runs have. */
   private final int[] usual = new int[FrameRing.SIZE];
 
   private int slots;
   private int places;
-  private long agesKnown;
   private int kept;
   private int tick = -1;
 
@@ -97,7 +112,13 @@ public final class Deltas {
     this.ring = ring;
     predictor = new Predictor(tickRate);
     predictor.gravity(ring.gravityX(), ring.gravityY());
-    codec = new DeltaCodec(tickRate);
+    codec = new DeltaCodec();
+    bestStride = Baseline.bestStride(tickRate);
+  }
+
+  /** Returns the stride to try first for baselines of several poses, ticks. */
+  public int bestStride() {
+    return bestStride;
   }
 
   /** Returns the frames that the deltas are of. */
@@ -111,97 +132,150 @@ public final class Deltas {
   }
 
   /**
-   * Returns the delta of a slot between two frames.
+   * Returns the delta of a slot.
    *
    * @param now the ring's newest frame
-   * @param held an older one that holds the slot
+   * @param baseline a {@link Baseline} whose frames the ring has, and which hold the slot
    * @return until the next call
    */
-  int of(FrameState now, FrameState held, int slot) {
-    if (now.tick() != tick) {
-      begin(now, held);
+  int of(FrameState now, int baseline, int slot) {
+    int row = row(now, baseline);
+    if (row < 0) {
+      return add(-1, now, baseline, slot);
     }
-    int age = now.tick() - held.tick();
-    int at = age * slots + slot;
+    int at = row * slots + slot;
     int delta = known[at];
-    return delta != 0 ? delta : add(at, age, now, held, slot);
+    return delta != 0 ? delta : add(at, now, baseline, slot);
   }
 
-  private void begin(FrameState now, FrameState held) {
+  /** Returns the row of a baseline, or a negative number when there is none left. */
+  private int row(FrameState now, int baseline) {
+    if (now.tick() != tick) {
+      begin(now, baseline);
+    }
+    for (int row = 0; row < rows; row++) {
+      if (baselines[row] == baseline) {
+        return row;
+      }
+    }
+    if (rows == BASELINES) {
+      return UNKNOWN;
+    }
+    Arrays.fill(known, rows * slots, (rows + 1) * slots, 0);
+    Arrays.fill(runSlots, rows * places, (rows + 1) * places, 0);
+    baselines[rows] = baseline;
+    return rows++;
+  }
+
+  private void begin(FrameState now, int baseline) {
     tick = now.tick();
     slices.clear();
     runs.clear();
     kept = 0;
+    rows = 0;
     if (now.slotLimit() > slots) {
       slots = Math.max(MIN_SLOTS, Math.max(now.slotLimit(), 2 * slots) + 63 & -64);
       int words = slots >> 6;
-      known = new int[FrameRing.SIZE * slots];
+      known = new int[BASELINES * slots];
       places = words + PARTS;
-      runSlots = new long[FrameRing.SIZE * places];
-      runWord = new char[FrameRing.SIZE * places];
-      runFrom = new int[FrameRing.SIZE * places];
-      runTo = new int[FrameRing.SIZE * places];
-      runDensity = new byte[FrameRing.SIZE * places];
+      runSlots = new long[BASELINES * places];
+      runWord = new char[BASELINES * places];
+      runFrom = new int[BASELINES * places];
+      runTo = new int[BASELINES * places];
+      runDensity = new byte[BASELINES * places];
       profiles = Arrays.copyOf(profiles, slots >> BLOCK_BITS);
       costs = Arrays.copyOf(costs, (slots >> BLOCK_BITS) * Profiles.COUNT);
-    } else {
-      for (long ages = agesKnown; ages != 0; ages &= ages - 1) {
-        int age = Long.numberOfTrailingZeros(ages);
-        Arrays.fill(known, age * slots, (age + 1) * slots, 0);
-        Arrays.fill(runSlots, age * places, (age + 1) * places, 0);
-      }
     }
-    agesKnown = 0;
     Arrays.fill(usual, UNKNOWN);
-    tryProfiles(now, held);
+    int stride = Baseline.poses(baseline) > 1 ? Baseline.stride(baseline) : bestStride;
+    int three = Baseline.of(Baseline.age(baseline), Baseline.MOST_POSES, stride);
+    tryProfiles(now, frame(now, three, Baseline.MOST_POSES - 1) == null ? baseline : three);
   }
 
-  private void tryProfiles(FrameState now, FrameState held) {
+  private void tryProfiles(FrameState now, int baseline) {
     SlotSet changed = now.changed();
     int last = -1;
+    int usualProfile = 0;
     for (int slot = changed.next(tick % SAMPLED); slot >= 0; slot = changed.next(slot + SAMPLED)) {
-      if (!now.sameIdentity(held, slot)) {
+      if (!isSame(now, baseline, slot)) {
         continue;
       }
       int block = slot >> BLOCK_BITS;
-      int age = now.tick() - held.tick();
-      int way = work(age, now, held, slot);
       int best = 0;
+      study(now, baseline, slot);
       for (int i = 0; i < Profiles.COUNT; i++) {
         int at = block * Profiles.COUNT + i;
         if (block != last) {
           costs[at] -= costs[at] >> FORGET_SHIFT;
         }
         surprise.reset();
-        codec.profile(i);
-        codec.code(surprise, age, old, way, residual);
+        code(surprise, i);
         costs[at] += surprise.sum();
         best = costs[at] < costs[block * Profiles.COUNT + best] ? i : best;
       }
-      profiles[block] = (byte) best;
+      boolean worth =
+          costs[block * Profiles.COUNT + usualProfile] - costs[block * Profiles.COUNT + best]
+              > OTHER_PROFILE;
+      usualProfile = worth ? best : usualProfile;
+      profiles[block] = (byte) usualProfile;
       last = block;
     }
   }
 
-  private int work(int age, FrameState now, FrameState held, int slot) {
-    held.motion(slot, old);
-    now.motion(slot, actual);
-    int way = predictor.way(old, actual, age);
-    residual.setResidual(predictor, old, actual, way, age);
-    return way;
+  /** Returns whether all frames of a baseline hold the same entity in a slot as the newest one. */
+  private boolean isSame(FrameState now, int baseline, int slot) {
+    for (int i = 0; i < Baseline.poses(baseline); i++) {
+      FrameState held = frame(now, baseline, i);
+      if (held == null || !now.sameIdentity(held, slot)) {
+        return false;
+      }
+    }
+    return true;
   }
 
-  private int add(int at, int age, FrameState now, FrameState held, int slot) {
+  private FrameState frame(FrameState now, int baseline, int pose) {
+    return ring.at(now.tick() - Baseline.age(baseline) - pose * Baseline.stride(baseline));
+  }
+
+  private void study(FrameState now, int baseline, int slot) {
+    for (int i = 0; i < Baseline.poses(baseline); i++) {
+      frame(now, baseline, i).pose(slot, track.pose(i));
+    }
+    rested = track.newest.still ? rested(now, Baseline.age(baseline), slot) : 0;
+    predictor.study(track, baseline);
+    now.pose(slot, actual);
+  }
+
+  /** Returns for how many ticks a slot stayed as it was in the frame of a baseline. */
+  private int rested(FrameState now, int age, int slot) {
+    int back = ring.backTo(now.tick() - age) - 1;
+    while (back > 0 && !ring.back(back).changed().has(slot)) {
+      back--;
+    }
+    return ring.back(back + 1).tick() - now.tick() + age;
+  }
+
+  private void code(BitCoder c, int profile) {
+    predictor.predict(track, profile, predicted);
+    residual.setResidual(predicted, actual);
+    codec.profile(profile);
+    codec.code(c, track, residual, rested);
+  }
+
+  /**
+   * Works a delta out.
+   *
+   * @param at where to keep it, or a negative number for nowhere
+   */
+  private int add(int at, FrameState now, int baseline, int slot) {
     slices.shorten(kept);
-    codec.profile(profile(slot));
-    int way = work(age, now, held, slot);
-    codec.code(slices, age, old, way, residual);
+    study(now, baseline, slot);
+    code(slices, profile(slot));
     slices.cut();
     int delta = kept + 1 << COUNT_BITS | slices.size() - kept;
-    if (slices.size() <= MAX_SLICES) {
+    if (at >= 0 && slices.size() <= MAX_SLICES) {
       kept = slices.size();
       known[at] = delta;
-      agesKnown |= 1L << age;
     }
     return delta;
   }
@@ -217,41 +291,33 @@ public final class Deltas {
 
   /** Writes some of 64 neighbouring slots as one run: what it is, which slots, their deltas. */
   public void writeRun(
-      RangeEncoder range,
-      RecordCodec records,
-      FrameState now,
-      FrameState held,
-      int word,
-      long which) {
-    if (now.tick() != tick) {
-      begin(now, held);
-    }
-    int age = now.tick() - held.tick();
-    int at = placeOf(age, word, which);
-    if (at < 0) {
-      at = addRun(age, now, held, word, which);
+      RangeEncoder range, RecordCodec records, FrameState now, int baseline, int word, long which) {
+    int row = row(now, baseline);
+    int at = row < 0 ? UNKNOWN : placeOf(row, word, which);
+    if (at < 0 && row >= 0) {
+      at = addRun(row, now, word, which);
     }
     int low = profile(word << 6);
     int high = profile((word << 6) + 32);
     records.kind(range, RecordCodec.RUN);
     if (at >= 0) {
-      records.run(range, word, age, low, high, runDensity[at]);
+      records.run(range, word, baseline, low, high, runDensity[at]);
       range.cut();
       range.slices(runs, runFrom[at], runTo[at]);
       return;
     }
-    int density = SlotCodec.density(which, usual(now, age));
-    records.run(range, word, age, low, high, density);
+    int density = SlotCodec.density(which, usual(now, Baseline.age(baseline)));
+    records.run(range, word, baseline, low, high, density);
     range.cut();
     SlotCodec.code(range, density, which);
     for (long rest = which; rest != 0; rest &= rest - 1) {
-      write(range, of(now, held, (word << 6) + Long.numberOfTrailingZeros(rest)));
+      write(range, of(now, baseline, (word << 6) + Long.numberOfTrailingZeros(rest)));
     }
   }
 
   /** Returns where a run is, or a negative number. */
-  private int placeOf(int age, int word, long which) {
-    int first = age * places;
+  private int placeOf(int row, int word, long which) {
+    int first = row * places;
     if (runSlots[first + word] == which) {
       return first + word;
     }
@@ -265,21 +331,22 @@ public final class Deltas {
   }
 
   /** Works a run out and returns where it is; negative when there is no room for it. */
-  private int addRun(int age, FrameState now, FrameState held, int word, long which) {
+  private int addRun(int row, FrameState now, int word, long which) {
+    int baseline = baselines[row];
     if (runs.size() > MAX_SLICES) {
       return UNKNOWN;
     }
-    int at = age * places + word;
+    int at = row * places + word;
     if (runSlots[at] != 0) {
-      at = (age + 1) * places - 1 - nextPart[age];
-      nextPart[age] = (nextPart[age] + 1) % PARTS;
+      at = (row + 1) * places - 1 - nextPart[row];
+      nextPart[row] = (nextPart[row] + 1) % PARTS;
     }
-    int density = SlotCodec.density(which, usual(now, age));
+    int density = SlotCodec.density(which, usual(now, Baseline.age(baseline)));
     runFrom[at] = runs.size();
     SlotCodec.code(runs, density, which);
     runs.cut();
     for (long rest = which; rest != 0; rest &= rest - 1) {
-      int delta = of(now, held, (word << 6) + Long.numberOfTrailingZeros(rest));
+      int delta = of(now, baseline, (word << 6) + Long.numberOfTrailingZeros(rest));
       int from = (delta >>> COUNT_BITS) - 1;
       runs.addAll(slices, from, from + (delta & COUNT));
     }
@@ -287,7 +354,6 @@ public final class Deltas {
     runSlots[at] = which;
     runWord[at] = (char) word;
     runDensity[at] = (byte) density;
-    agesKnown |= 1L << age;
     return at;
   }
 
@@ -318,11 +384,11 @@ public final class Deltas {
    * Returns those of a run's slots, in their order, whose deltas together fit into a number of
    * bits. Long deltas are passed over for shorter ones.
    */
-  public long fitting(FrameState now, FrameState held, int word, long which, int bits) {
+  public long fitting(FrameState now, int baseline, int word, long which, int bits) {
     double left = bits;
     long result = 0;
     for (long rest = which; rest != 0; rest &= rest - 1) {
-      int delta = of(now, held, (word << 6) + Long.numberOfTrailingZeros(rest));
+      int delta = of(now, baseline, (word << 6) + Long.numberOfTrailingZeros(rest));
       int from = (delta >>> COUNT_BITS) - 1;
       double cost = slices.bits(from, from + (delta & COUNT));
       if (cost <= left) {

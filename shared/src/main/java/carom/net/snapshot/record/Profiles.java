@@ -5,6 +5,7 @@ import carom.net.codec.SymbolTable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 
 /**
  * Holds how likely the symbols of a delta are, by head and tree of {@link DeltaCodec}: one set of
@@ -14,7 +15,10 @@ import java.io.UncheckedIOException;
  * the tests; other tables are another protocol.
  *
  * <p>The file {@code profiles.txt} has one line for each profile: how likely each bit of a delta is
- * a 1, by node. A letter is a probability on a scale of log odds.
+ * a 1, by node. A letter is a probability on a scale of log odds. The file {@code shares.txt} has
+ * the shares of {@link Predictor}, a line for each profile: first those of places, then those of
+ * angles; of each class, from the smallest bend on, the share of the last speed and that of the
+ * bend.
  */
 final class Profiles {
 
@@ -38,8 +42,18 @@ final class Profiles {
   static final SymbolTable NUMBERS =
       new SymbolTable(COUNT * DeltaCodec.TREES, DeltaCodec.NUMBER_SYMBOLS);
 
+  /** Largest share, either way. */
+  private static final int MAX_SHARE = 2 * Predictor.WHOLE;
+
+  /** By profile: how long bodies rest on. */
+  static final SymbolTable RESTS = new SymbolTable(COUNT, DeltaCodec.REST_SYMBOLS);
+
+  /** By profile: the shares of its predictions, as they are in the file. */
+  static final short[] SHARES = new short[COUNT * Predictor.SHARES];
+
   static {
     read();
+    shares(new String(bytes("shares.txt"), StandardCharsets.US_ASCII), SHARES);
   }
 
   private Profiles() {}
@@ -49,21 +63,38 @@ final class Profiles {
     for (int i = 0; i < LETTERS; i++) {
       probability[i] = (double) probability((char) (FIRST + i)) / BitCoder.ONE;
     }
-    try (InputStream in = Profiles.class.getResourceAsStream("profiles.txt")) {
-      byte[] text = in.readAllBytes();
-      if (text.length != COUNT * (DeltaCodec.NODES + 1)) {
-        throw new IllegalStateException(
-            "profiles.txt has length=" + text.length + " for nodes=" + DeltaCodec.NODES);
+    byte[] text = bytes("profiles.txt");
+    if (text.length != COUNT * (DeltaCodec.NODES + 1)) {
+      throw new IllegalStateException(
+          "profiles.txt has length=" + text.length + " for nodes=" + DeltaCodec.NODES);
+    }
+    double[] nodes = new double[DeltaCodec.NODES];
+    for (int i = 0; i < COUNT; i++) {
+      for (int node = 0; node < DeltaCodec.NODES; node++) {
+        nodes[node] = probability[text[i * (DeltaCodec.NODES + 1) + node] - FIRST];
       }
-      double[] nodes = new double[DeltaCodec.NODES];
-      for (int i = 0; i < COUNT; i++) {
-        for (int node = 0; node < DeltaCodec.NODES; node++) {
-          nodes[node] = probability[text[i * (DeltaCodec.NODES + 1) + node] - FIRST];
-        }
-        set(i, nodes);
-      }
+      set(i, nodes);
+    }
+  }
+
+  private static byte[] bytes(String name) {
+    try (InputStream in = Profiles.class.getResourceAsStream(name)) {
+      return in.readAllBytes();
     } catch (IOException e) {
-      throw new UncheckedIOException("profiles.txt can't be read", e);
+      throw new UncheckedIOException(name + " can't be read", e);
+    }
+  }
+
+  private static void shares(String text, short[] to) {
+    String[] numbers = text.trim().split("\\s+");
+    if (numbers.length != to.length) {
+      throw new IllegalStateException("shares.txt has numbers=" + numbers.length);
+    }
+    for (int i = 0; i < to.length; i++) {
+      to[i] = Short.parseShort(numbers[i]);
+      if (Math.abs(to[i]) > MAX_SHARE) {
+        throw new IllegalStateException("shares.txt has share=" + to[i] + " above " + MAX_SHARE);
+      }
     }
   }
 
@@ -89,6 +120,13 @@ final class Profiles {
       }
       NUMBERS.set(number * DeltaCodec.TREES + tree, weights);
     }
+    weights = new double[DeltaCodec.REST_SYMBOLS];
+    for (int symbol = 0; symbol < weights.length; symbol++) {
+      product[0] = 1;
+      DeltaCodec.restSteps(symbol, times);
+      weights[symbol] = product[0];
+    }
+    RESTS.set(number, weights);
   }
 
   /** Returns the probability that a letter stands for, in 1/65,536. */

@@ -5,8 +5,8 @@ import carom.net.codec.BitTable;
 import carom.net.codec.Bits;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.frame.Motion;
 import carom.net.snapshot.frame.Ownership;
+import carom.net.snapshot.frame.QuantizedPose;
 
 /**
  * The form of a datagram's records but for what deltas tell, described once: with a {@link
@@ -53,9 +53,9 @@ public final class RecordCodec {
   private static final int END_LATER = END_FIRST + 1;
   private static final int IS_ABSOLUTE = END_LATER + 1;
   private static final int IS_GONE = IS_ABSOLUTE + 1;
-  private static final int SAME_AGE = IS_GONE + 1;
-  private static final int AGE_BEFORE = SAME_AGE + 1;
-  private static final int SAME_PROFILE = AGE_BEFORE + 1;
+  private static final int SAME_BASELINE = IS_GONE + 1;
+  private static final int BASELINE_BEFORE = SAME_BASELINE + 1;
+  private static final int SAME_PROFILE = BASELINE_BEFORE + 1;
   private static final int SAME_DENSITY = SAME_PROFILE + 2;
   private static final int NEXT_WORD = SAME_DENSITY + 1;
   private static final int NEXT_SLOT = NEXT_WORD + 1;
@@ -72,8 +72,8 @@ public final class RecordCodec {
   private final BitTable table = new BitTable(prior());
   private int slot;
   private int word;
-  private int age;
-  private int ageBefore;
+  private int baseline;
+  private int baselineBefore;
   private int lowProfile;
   private int highProfile;
   private int density;
@@ -81,8 +81,8 @@ public final class RecordCodec {
   private boolean isRun;
   private int markedSlot;
   private int markedWord;
-  private int markedAge;
-  private int markedAgeBefore;
+  private int markedBaseline;
+  private int markedBaselineBefore;
   private int markedLowProfile;
   private int markedHighProfile;
   private int markedDensity;
@@ -106,8 +106,8 @@ public final class RecordCodec {
     table.begin();
     slot = -1;
     word = -1;
-    age = 0;
-    ageBefore = 0;
+    baseline = 0;
+    baselineBefore = 0;
     isFirst = true;
     isRun = false;
   }
@@ -117,8 +117,8 @@ public final class RecordCodec {
     table.mark();
     markedSlot = slot;
     markedWord = word;
-    markedAge = age;
-    markedAgeBefore = ageBefore;
+    markedBaseline = baseline;
+    markedBaselineBefore = baselineBefore;
     markedLowProfile = lowProfile;
     markedHighProfile = highProfile;
     markedDensity = density;
@@ -131,8 +131,8 @@ public final class RecordCodec {
     table.rewind();
     slot = markedSlot;
     word = markedWord;
-    age = markedAge;
-    ageBefore = markedAgeBefore;
+    baseline = markedBaseline;
+    baselineBefore = markedBaselineBefore;
     lowProfile = markedLowProfile;
     highProfile = markedHighProfile;
     density = markedDensity;
@@ -166,18 +166,18 @@ public final class RecordCodec {
    * slots.
    *
    * @param word the 64 slots from 64 {@code word} on
-   * @param age ticks
+   * @param baseline see {@link Baseline}
    * @param low profile of the lower 32 slots, see {@link Profiles}
    * @param high profile of the others
    * @param density of {@link SlotCodec}
    */
-  public void run(BitCoder c, int word, int age, int low, int high, int density) {
-    boolean firstRun = this.age == 0;
-    if (firstRun || !flag(c, SAME_AGE, age == this.age)) {
-      int other = ageBefore;
-      ageBefore = this.age;
-      boolean before = other > 0 && flag(c, AGE_BEFORE, age == other);
-      this.age = before ? other : c.plain(age, FrameRing.AGE_BITS);
+  public void run(BitCoder c, int word, int baseline, int low, int high, int density) {
+    boolean firstRun = this.baseline == 0;
+    if (firstRun || !flag(c, SAME_BASELINE, baseline == this.baseline)) {
+      int other = baselineBefore;
+      baselineBefore = this.baseline;
+      boolean before = other > 0 && flag(c, BASELINE_BEFORE, baseline == other);
+      this.baseline = before ? other : baseline(c, baseline);
     }
     boolean same = !firstRun && flag(c, SAME_PROFILE, low == highProfile);
     lowProfile = same ? highProfile : c.plain(low, Profiles.BITS);
@@ -195,9 +195,16 @@ public final class RecordCodec {
     }
   }
 
-  /** Returns the age of the last run, ticks; after hostile bytes it may be 0. */
-  public int age() {
-    return age;
+  private static int baseline(BitCoder c, int baseline) {
+    int age = c.plain(Baseline.age(baseline), FrameRing.AGE_BITS);
+    int poses = c.plain(Baseline.poses(baseline), Baseline.POSES_BITS);
+    int stride = poses > 1 ? c.plain(Baseline.stride(baseline), Baseline.STRIDE_BITS) : 0;
+    return Baseline.of(age, poses, stride);
+  }
+
+  /** Returns the baseline of the last run; after hostile bytes it may not be valid. */
+  public int baseline() {
+    return baseline;
   }
 
   /** Returns the profile of the last run's lower 32 slots. */
@@ -266,15 +273,12 @@ public final class RecordCodec {
     return c.flag(teleports != 0) ? c.plain(teleports, FrameState.TELEPORT_BITS) : 0;
   }
 
-  /** Codes a motion by itself; what is read may be out of range. */
-  public void absolute(BitCoder c, Motion motion) {
-    motion.x = sized(c, motion.x);
-    motion.y = sized(c, motion.y);
-    motion.angle = c.plain(motion.angle, ANGLE_BITS);
-    boolean moving = c.flag((motion.vx | motion.vy | motion.omega) != 0);
-    motion.vx = moving ? sized(c, motion.vx) : 0;
-    motion.vy = moving ? sized(c, motion.vy) : 0;
-    motion.omega = moving ? sized(c, motion.omega) : 0;
+  /** Codes a pose by itself; what is read may be out of range. */
+  public void absolute(BitCoder c, QuantizedPose pose) {
+    pose.x = sized(c, pose.x);
+    pose.y = sized(c, pose.y);
+    pose.angle = c.plain(pose.angle, ANGLE_BITS);
+    pose.still = c.flag(pose.still);
   }
 
   private static int sized(BitCoder c, int value) {

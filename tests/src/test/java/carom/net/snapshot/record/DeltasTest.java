@@ -8,8 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.codec.RangeEncoder;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.frame.Motion;
-import carom.net.snapshot.frame.Predictor;
+import carom.net.snapshot.frame.QuantizedPose;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -29,27 +28,49 @@ final class DeltasTest {
     FrameState frame = ring.begin(++tick);
     for (int slot = 0; slot < slots; slot++) {
       int v = random.nextInt(-16_000, 16_000) >> random.nextInt(16);
-      frame.putQuantized(slot, 1, 1, -1, random.nextInt(100_000), v, v & 1023, v, -v, v >> 3);
+      frame.putQuantized(slot, 1, 1, -1, random.nextInt(100_000), v, v & 1023, v == 0);
     }
     ring.end();
+  }
+
+  /** A baseline of so many ticks and as many poses as there are. */
+  private int baseline(int age) {
+    int stride = 1 + age % 3;
+    for (int poses = 3; poses > 1; poses--) {
+      if (ring.back(age + (poses - 1) * stride) != null) {
+        return Baseline.of(age, poses, stride);
+      }
+    }
+    return Baseline.of(age, 1, 0);
   }
 
   /** The same message, worked out alone. */
   private String alone(int age, int slot, int profile) {
     Predictor predictor = new Predictor(TICK_RATE);
-    Motion old = new Motion();
-    Motion actual = new Motion();
-    Motion residual = new Motion();
-    ring.back(age).motion(slot, old);
-    ring.newest().motion(slot, actual);
-    int way = predictor.way(old, actual, age);
-    residual.setResidual(predictor, old, actual, way, age);
+    Track track = new Track();
+    QuantizedPose actual = new QuantizedPose();
+    QuantizedPose predicted = new QuantizedPose();
+    QuantizedPose residual = new QuantizedPose();
+    int baseline = baseline(age);
+    for (int i = 0; i < Baseline.poses(baseline); i++) {
+      ring.back(age + i * Baseline.stride(baseline)).pose(slot, track.pose(i));
+    }
+    ring.newest().pose(slot, actual);
+    int rested = 0;
+    while (track.newest.still
+        && rested + 1 < age
+        && !ring.back(age - rested - 1).changed().has(slot)) {
+      rested++;
+    }
+    predictor.study(track, baseline);
+    predictor.predict(track, profile, predicted);
+    residual.setResidual(predicted, actual);
     byte[] bytes = new byte[300];
     RangeEncoder range = new RangeEncoder();
     range.reset(bytes, 0, bytes.length);
-    DeltaCodec codec = new DeltaCodec(TICK_RATE);
+    DeltaCodec codec = new DeltaCodec();
     codec.profile(profile);
-    codec.code(range, age, old, way, residual);
+    codec.code(range, track, residual, rested);
     return Arrays.toString(Arrays.copyOf(bytes, range.finish()));
   }
 
@@ -58,7 +79,7 @@ final class DeltasTest {
     byte[] bytes = new byte[300];
     RangeEncoder range = new RangeEncoder();
     range.reset(bytes, 0, bytes.length);
-    deltas.write(range, deltas.of(ring.newest(), ring.back(age), slot));
+    deltas.write(range, deltas.of(ring.newest(), baseline(age), slot));
     return Arrays.toString(Arrays.copyOf(bytes, range.finish()));
   }
 
@@ -75,8 +96,8 @@ final class DeltasTest {
         assertEquals(
             alone(age, slot, shared.profile(slot)), message, "seed " + SEED + " tick " + tick);
         assertEquals(
-            shared.of(ring.newest(), ring.back(age), slot),
-            shared.of(ring.newest(), ring.back(age), slot));
+            shared.of(ring.newest(), baseline(age), slot),
+            shared.of(ring.newest(), baseline(age), slot));
       }
     }
   }
@@ -89,7 +110,7 @@ final class DeltasTest {
     Deltas shared = new Deltas(ring, TICK_RATE);
     for (int age = 1; age <= OLDEST; age++) {
       for (int slot = 0; slot < SLOTS; slot++) {
-        shared.of(ring.newest(), ring.back(age), slot);
+        shared.of(ring.newest(), baseline(age), slot);
       }
     }
     String last = message(shared, OLDEST, SLOTS - 1);
@@ -98,8 +119,8 @@ final class DeltasTest {
     assertEquals(alone(OLDEST, SLOTS - 2, shared.profile(SLOTS - 2)), former);
     assertNotEquals(former, last);
     assertEquals(
-        shared.of(ring.newest(), ring.back(OLDEST), SLOTS - 1) >>> 8,
-        shared.of(ring.newest(), ring.back(OLDEST), SLOTS - 2) >>> 8,
+        shared.of(ring.newest(), baseline(OLDEST), SLOTS - 1) >>> 8,
+        shared.of(ring.newest(), baseline(OLDEST), SLOTS - 2) >>> 8,
         "the room has no end, or this test too few slots");
   }
 
@@ -109,7 +130,7 @@ final class DeltasTest {
     range.reset(bytes, 0, bytes.length);
     RecordCodec records = new RecordCodec();
     records.begin();
-    deltas.writeRun(range, records, ring.newest(), ring.back(age), word, slots);
+    deltas.writeRun(range, records, ring.newest(), baseline(age), word, slots);
     return Arrays.copyOf(bytes, range.finish());
   }
 
@@ -131,13 +152,13 @@ final class DeltasTest {
       assertArrayEquals(first, run(shared, age, word, some), "seed " + SEED);
       Deltas anew = new Deltas(ring, TICK_RATE);
       for (int i = 0; i < 192; i += 32) {
-        anew.of(ring.newest(), ring.back(1), i);
+        anew.of(ring.newest(), baseline(1), i);
       }
       if (shared.profile(word << 6) == anew.profile(word << 6)
           && shared.profile((word << 6) + 32) == anew.profile((word << 6) + 32)) {
         assertArrayEquals(second, run(anew, age, word, others), "seed " + SEED);
       }
-      long fitting = shared.fitting(ring.newest(), ring.back(age), word, some, 600);
+      long fitting = shared.fitting(ring.newest(), baseline(age), word, some, 600);
       assertTrue(fitting != 0 && (fitting & ~some) == 0);
       assertTrue(run(shared, age, word, fitting).length <= 600 / 8 + 20);
     }
@@ -162,11 +183,11 @@ final class DeltasTest {
       for (int slot = 0; slot < 128; slot++) {
         int v = slot < 64 ? 64 : random.nextInt(-300, 300); // the first fly on, the others are hit
         int way = 8 * tick * v / 60;
-        frame.putQuantized(slot, 1, 1, -1, way, -way, v & 1023, v, -v, 0);
+        frame.putQuantized(slot, 1, 1, -1, way, -way, v & 1023, false);
       }
       ring.end();
       if (round > 6) {
-        shared.of(ring.newest(), ring.back(6), 0);
+        shared.of(ring.newest(), baseline(6), 0);
       }
     }
     assertEquals(shared.profile(0), shared.profile(63));

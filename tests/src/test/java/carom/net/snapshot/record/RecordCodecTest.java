@@ -8,8 +8,7 @@ import carom.net.codec.BitCoder;
 import carom.net.codec.Quantizer;
 import carom.net.codec.RangeDecoder;
 import carom.net.codec.RangeEncoder;
-import carom.net.snapshot.frame.Motion;
-import carom.net.snapshot.frame.Predictor;
+import carom.net.snapshot.frame.QuantizedPose;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -22,7 +21,8 @@ final class RecordCodecTest {
   private final RangeDecoder decoder = new RangeDecoder();
   private final RecordCodec writing = new RecordCodec();
   private final RecordCodec reading = new RecordCodec();
-  private final DeltaCodec deltas = new DeltaCodec(60);
+  private final DeltaCodec deltas = new DeltaCodec();
+  private final Predictor predictor = new Predictor(60);
   private final byte[] buffer = new byte[1 << 16];
 
   private static int any(Random random, int max) {
@@ -31,57 +31,53 @@ final class RecordCodecTest {
         * (random.nextInt(9) == 0 ? max : random.nextInt(1 << random.nextInt(25)) % (max + 1));
   }
 
-  private static Motion motion(Random random) {
-    Motion m = new Motion();
-    m.x = any(random, Quantizer.MAX_POSITION);
-    m.y = any(random, Quantizer.MAX_POSITION);
-    m.angle = random.nextInt(Quantizer.ANGLE_STEPS);
-    if (random.nextBoolean()) {
-      m.vx = any(random, Quantizer.MAX_VELOCITY);
-      m.vy = any(random, Quantizer.MAX_VELOCITY);
-      m.omega = any(random, Quantizer.MAX_OMEGA);
-    }
-    return m;
+  private static QuantizedPose pose(Random random) {
+    QuantizedPose p = new QuantizedPose();
+    p.x = any(random, Quantizer.MAX_POSITION);
+    p.y = any(random, Quantizer.MAX_POSITION);
+    p.angle = random.nextInt(Quantizer.ANGLE_STEPS);
+    p.still = random.nextBoolean();
+    return p;
   }
 
   /** One record: numbers that say what it is, and of a run what each of its slots does. */
   private static final class Item {
     final int[] head = new int[8];
     long slots;
-    final Motion[] baselines = new Motion[Long.SIZE];
-    final Motion[] motions = new Motion[Long.SIZE];
-    final int[] ways = new int[Long.SIZE];
+    final Track[] tracks = new Track[Long.SIZE];
+    final QuantizedPose[] residuals = new QuantizedPose[Long.SIZE];
+    final int[] rested = new int[Long.SIZE];
 
     Item() {
-      Arrays.setAll(baselines, i -> new Motion());
-      Arrays.setAll(motions, i -> new Motion());
+      Arrays.setAll(tracks, i -> new Track());
+      Arrays.setAll(residuals, i -> new QuantizedPose());
     }
   }
 
-  // The numbers of a head: kind; word, age, profiles, density; or slot, generation, archetype ...
-  private static Item any(Random random) {
+  // The numbers of a head: kind; word, baseline, profiles, density; or slot, generation, archetype
+  // ...
+  private Item any(Random random) {
     Item item = new Item();
     int[] h = item.head;
     h[0] = random.nextInt(3) > 0 ? RecordCodec.RUN : random.nextInt(4);
     if (h[0] == RecordCodec.RUN) {
       h[1] = random.nextInt(5) == 0 ? random.nextInt(1_024) : random.nextInt(4);
-      h[2] = 1 + (random.nextBoolean() ? random.nextInt(63) : random.nextInt(2));
+      int age = 1 + (random.nextBoolean() ? random.nextInt(63) : random.nextInt(2));
+      int stride = 1 + random.nextInt(Baseline.MAX_STRIDE);
+      h[2] = Baseline.of(age, 1 + random.nextInt(3), random.nextInt(4) > 0 ? 3 : stride);
       h[3] = random.nextInt(Profiles.COUNT);
       h[4] = random.nextBoolean() ? h[3] : random.nextInt(Profiles.COUNT);
       h[5] = random.nextInt(SlotCodec.DENSITIES);
       item.slots = random.nextInt(3) == 0 ? -1 : 1L << random.nextInt(64) | random.nextLong();
       for (int i = 0; i < Long.SIZE; i++) {
-        item.baselines[i] = motion(random);
-        Motion m = motion(random);
-        item.ways[i] = random.nextInt(3);
-        if (random.nextInt(4) == 0) {
-          m.clear();
-        } else if (item.ways[i] == Predictor.STOPS) {
-          m.vx = 0;
-          m.vy = 0;
-          m.omega = 0;
+        for (int pose = 0; pose < Baseline.MOST_POSES; pose++) {
+          item.tracks[i].pose(pose).set(pose(random));
         }
-        item.motions[i] = m;
+        predictor.study(item.tracks[i], h[2]);
+        item.rested[i] = random.nextInt(Baseline.age(h[2]));
+        QuantizedPose predicted = new QuantizedPose();
+        predictor.predict(item.tracks[i], h[3], predicted);
+        item.residuals[i].setResidual(predicted, random.nextInt(4) > 0 ? pose(random) : predicted);
       }
     } else {
       h[1] = random.nextInt(65_535);
@@ -90,7 +86,7 @@ final class RecordCodecTest {
         h[3] = random.nextInt(random.nextBoolean() ? 64 : 65_536);
         h[4] = random.nextInt(257) - 1;
         h[5] = random.nextInt(16);
-        item.motions[0] = motion(random);
+        item.residuals[0] = pose(random);
       }
     }
     return item;
@@ -103,7 +99,7 @@ final class RecordCodecTest {
     if (h[0] == RecordCodec.RUN) {
       codec.run(c, h[1], h[2], h[3], h[4], h[5]);
       h[1] = codec.word();
-      h[2] = codec.age();
+      h[2] = codec.baseline();
       h[3] = codec.lowProfile();
       h[4] = codec.highProfile();
       h[5] = codec.density();
@@ -113,7 +109,7 @@ final class RecordCodecTest {
       for (long rest = item.slots; rest != 0; rest &= rest - 1) {
         int i = Long.numberOfTrailingZeros(rest);
         deltas.profile(h[i < 32 ? 3 : 4]);
-        item.ways[i] = deltas.code(c, h[2], item.baselines[i], item.ways[i], item.motions[i]);
+        item.rested[i] = deltas.code(c, item.tracks[i], item.residuals[i], item.rested[i]);
         cut.run();
       }
     } else if (h[0] != RecordCodec.END) {
@@ -123,13 +119,13 @@ final class RecordCodecTest {
         h[3] = codec.archetype(c, h[3]);
         h[4] = codec.owner(c, h[4]);
         h[5] = codec.teleports(c, h[5]);
-        codec.absolute(c, item.motions[0]);
+        codec.absolute(c, item.residuals[0]);
       }
     }
   }
 
-  private static int[] numbers(Motion m) {
-    return new int[] {m.x, m.y, m.angle, m.vx, m.vy, m.omega};
+  private static int[] numbers(QuantizedPose p) {
+    return new int[] {p.x, p.y, p.angle, p.still ? 1 : 0};
   }
 
   @Test
@@ -159,18 +155,18 @@ final class RecordCodecTest {
       String where = "seed " + SEED + " round " + round;
       for (Item item : items) {
         Item read = new Item();
-        System.arraycopy(item.baselines, 0, read.baselines, 0, Long.SIZE);
+        System.arraycopy(item.tracks, 0, read.tracks, 0, Long.SIZE);
         code(reading, decoder, decoder::cut, read);
         assertArrayEquals(item.head, read.head, where);
         assertEquals(item.slots, read.slots, where);
         for (int i = 0; i < Long.SIZE; i++) {
           if ((item.slots >>> i & 1) != 0) {
-            assertEquals(item.ways[i], read.ways[i], where);
-            assertArrayEquals(numbers(item.motions[i]), numbers(read.motions[i]), where);
+            assertArrayEquals(numbers(item.residuals[i]), numbers(read.residuals[i]), where);
+            assertEquals(item.rested[i], read.rested[i], where);
           }
         }
         if (item.head[0] == RecordCodec.ABSOLUTE) {
-          assertArrayEquals(numbers(item.motions[0]), numbers(read.motions[0]), where);
+          assertArrayEquals(numbers(item.residuals[0]), numbers(read.residuals[0]), where);
         }
       }
       assertEquals(RecordCodec.END, reading.kind(decoder, 0));
@@ -179,29 +175,45 @@ final class RecordCodecTest {
   }
 
   @Test
-  void fallingAndStoppingBodiesAreForeseen() {
-    Predictor predictor = new Predictor(60);
-    predictor.gravity(0, -10);
-    Motion before = new Motion();
-    before.vx = 16;
-    before.omega = 1;
-    Motion after = new Motion();
-    after.vx = 16;
-    after.vy = -8;
-    after.omega = 1;
-    after.x = 103;
-    after.y = -26;
-    after.angle = 4;
-    assertEquals(Predictor.FALLS, predictor.way(before, after, 6), "1 m/s slower after 100 ms");
-    Motion residual = new Motion();
-    residual.setResidual(predictor, before, after, Predictor.FALLS, 6);
-    assertArrayEquals(new int[] {1, 0, 0, 0, 0, 0}, numbers(residual));
-    after.clear();
-    assertEquals(Predictor.STOPS, predictor.way(before, after, 6));
-    residual.setResidual(predictor, before, after, Predictor.STOPS, 6);
-    assertEquals(0, residual.vx | residual.vy | residual.omega);
-    before.addResidual(predictor, residual, Predictor.STOPS, 6);
-    assertArrayEquals(numbers(after), numbers(before));
-    assertEquals(Predictor.GOES_ON, predictor.way(before, after, 6));
+  void fallingBodiesAreForeseen() {
+    Predictor falling = new Predictor(60);
+    falling.gravity(0, -10);
+    Track track = new Track();
+    QuantizedPose predicted = new QuantizedPose();
+    int baseline = Baseline.of(6, 3, 3);
+    for (int i = 0; i < 3; i++) {
+      track.pose(i).set(-15 * i, fallen(-3 * i), 0, false);
+    }
+    falling.study(track, baseline);
+    assertTrue(track.falls);
+    falling.predict(track, 0, predicted);
+    assertEquals(30, predicted.x);
+    assertEquals(fallen(6), predicted.y, 3);
+  }
+
+  /** Steps that a body has fallen after ticks that it began with 1 m/s upwards. */
+  private static int fallen(int ticks) {
+    double t = ticks / 60.0;
+    return Quantizer.position((float) (t - 5 * t * t));
+  }
+
+  @Test
+  void whatIsForeseenIsAPoseWhateverTheTrackIs() {
+    Random random = new Random(SEED);
+    Predictor falling = new Predictor(1);
+    falling.gravity(-1e9f, 1e9f);
+    QuantizedPose predicted = new QuantizedPose();
+    for (int round = 0; round < 20_000; round++) {
+      Track track = new Track();
+      for (int i = 0; i < 3; i++) {
+        track.pose(i).set(pose(random));
+      }
+      int stride = 1 + random.nextInt(Baseline.MAX_STRIDE);
+      int baseline = Baseline.of(1 + random.nextInt(63), 1 + random.nextInt(3), stride);
+      Predictor any = random.nextBoolean() ? falling : predictor;
+      any.study(track, baseline);
+      any.predict(track, random.nextInt(Profiles.COUNT), predicted);
+      assertTrue(predicted.inRange(), "seed " + SEED + " round " + round);
+    }
   }
 }

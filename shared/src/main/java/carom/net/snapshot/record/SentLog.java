@@ -1,4 +1,4 @@
-package carom.net.snapshot;
+package carom.net.snapshot.record;
 
 import carom.net.codec.Sequence;
 import carom.net.snapshot.frame.FrameRing;
@@ -9,10 +9,10 @@ import java.util.Arrays;
  * datagrams stand in one circular log, as sets of 64 neighbours. A datagram whose sets were
  * overwritten counts as lost.
  */
-final class SentLog {
+public final class SentLog {
 
   /** Datagrams remembered. */
-  static final int SIZE = 512;
+  public static final int SIZE = 512;
 
   private static final int MASK = SIZE - 1;
   private static final int MIN_ENTRIES = 1 << 8;
@@ -34,8 +34,11 @@ final class SentLog {
   /** The oldest datagram that is young enough to be acked in time. */
   private long oldest;
 
+  /** Creates an empty log. */
+  public SentLog() {}
+
   /** Begins the next datagram and returns its 16-bit sequence number. */
-  int begin(int tickNow, boolean withOwn, boolean withNews) {
+  public int begin(int tickNow, boolean withOwn, boolean withNews) {
     newest++;
     int at = (int) newest & MASK;
     number[at] = newest;
@@ -53,7 +56,7 @@ final class SentLog {
   }
 
   /** Notes that the datagram begun last holds some of 64 neighbouring slots. */
-  void add(int word, long slots) {
+  public void add(int word, long slots) {
     if (written - start[(int) oldest & MASK] == this.slots.length
         && this.slots.length < MAX_ENTRIES) {
       grow();
@@ -75,16 +78,17 @@ final class SentLog {
   }
 
   /** Notes the size of the datagram begun last. */
-  void end(int length) {
+  public void end(int length) {
     bytes[(int) newest & MASK] = length;
   }
 
-  int sequence() {
+  /** Returns the sequence number of the datagram begun last, 16 bits. */
+  public int sequence() {
     return (int) newest & 0xffff;
   }
 
   /** Forgets all datagrams that are on their way. */
-  void forget() {
+  public void forget() {
     Arrays.fill(open, false);
   }
 
@@ -94,7 +98,7 @@ final class SentLog {
    * @return its place for {@link #tickAt} and the others, or -1 when it was never sent, acked
    *     before, or is forgotten
    */
-  int take(int sequence, int before) {
+  public int take(int sequence, int before) {
     long acked = newest + Sequence.difference(sequence, sequence()) - before;
     if (acked < 0 || acked > newest) {
       return -1;
@@ -107,34 +111,38 @@ final class SentLog {
     return written - start[at] > slots.length ? -1 : at;
   }
 
-  int tickAt(int at) {
+  /** Returns the tick of a datagram. */
+  public int tickAt(int at) {
     return tick[at];
   }
 
-  int bytesAt(int at) {
+  /** Returns the size of a datagram. */
+  public int bytesAt(int at) {
     return bytes[at];
   }
 
-  boolean ownAt(int at) {
+  /** Returns whether a datagram had an own section. */
+  public boolean ownAt(int at) {
     return own[at];
   }
 
-  boolean newsAt(int at) {
+  /** Returns whether a datagram held anything that the client wasn't known to have. */
+  public boolean newsAt(int at) {
     return news[at];
   }
 
   /** Returns how many sets of slots the datagram held. */
-  int countAt(int at) {
+  public int countAt(int at) {
     return count[at];
   }
 
   /** Returns the word of a set of slots. */
-  int wordAt(int at, int index) {
+  public int wordAt(int at, int index) {
     return words[(int) (start[at] + index) & (words.length - 1)];
   }
 
   /** Returns the slots of a set, of its word. */
-  long slotsAt(int at, int index) {
+  public long slotsAt(int at, int index) {
     return slots[(int) (start[at] + index) & (slots.length - 1)];
   }
 }
