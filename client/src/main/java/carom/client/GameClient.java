@@ -29,6 +29,7 @@ import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
+import carom.sim.message.PlayerRole;
 import java.util.List;
 import java.util.function.LongSupplier;
 
@@ -68,6 +69,7 @@ public final class GameClient implements AutoCloseable {
   private final MessageExchange messages;
   private final RoomListing rooms = new RoomListing();
   private final InterestReporter interest = new InterestReporter();
+  private final WatchedPlayer watched = new WatchedPlayer();
   private final RepeatedEventFilter repeats = new RepeatedEventFilter();
   private final EventListener countingListener =
       new EventListener() {
@@ -149,6 +151,9 @@ public final class GameClient implements AutoCloseable {
     if (game != null) {
       game.advance(nowNs, seconds, connection.isPlaying());
       if (game.hasStarted() && connection.isPlaying()) {
+        watched.update(view.view(), nowNs);
+        interest.follow(watched.id());
+        view.watched(watched.id());
         interest.sendIfDue(connection, nowNs);
       }
     }
@@ -231,6 +236,7 @@ public final class GameClient implements AutoCloseable {
 
   private void join(ServerMessage.Welcome welcome, Level level, Simulation simulation) {
     interest.reset();
+    watched.reset();
     messages.begin(welcome, simulation.messageKinds());
     game =
         new JoinedGame(
@@ -309,6 +315,36 @@ public final class GameClient implements AutoCloseable {
     return send(BuiltInKinds.EMOTE.of(emote));
   }
 
+  /** Says whether the player is ready, see {@link #send}. */
+  public boolean ready(boolean ready) {
+    return send(BuiltInKinds.READY.of(ready));
+  }
+
+  /**
+   * Asks for a team, see {@link #send}. If the game refuses, the server says why, as a line of
+   * chat.
+   *
+   * @param team 1..255, one of {@link carom.sim.Game#teams}
+   */
+  public boolean team(int team) {
+    return send(BuiltInKinds.TEAM.of(team));
+  }
+
+  /** Asks to play or to watch, see {@link #send}. If the game refuses, the server says why. */
+  public boolean role(PlayerRole role) {
+    return send(BuiltInKinds.ROLE.of(role));
+  }
+
+  /**
+   * Follows another player, while the own one watches or is out; the client chooses the first by
+   * itself. {@link ClientView#watchedPlayer} tells whom.
+   *
+   * @param step 1 for the next by id, -1 for the one before
+   */
+  public void watchNext(int step) {
+    watched.next(view.view(), step, nowNs);
+  }
+
   /**
    * Asks the server for its rooms; {@link ClientView#rooms} then lists them. Does nothing while
    * nothing is played.
@@ -340,8 +376,8 @@ public final class GameClient implements AutoCloseable {
 
   /**
    * Tells the server which part of the level is shown, so that it sends that part first. The server
-   * bounds the size, and follows the own body by itself. A client that never calls this gets as
-   * much as the server allows.
+   * bounds the size, and follows the own body by itself, or that of the watched player. A client
+   * that never calls this gets as much as the server allows.
    *
    * @param x middle of the picture while there is no own body, metres
    * @param y middle of the picture while there is no own body, metres
@@ -349,7 +385,7 @@ public final class GameClient implements AutoCloseable {
    * @param height of the picture, metres
    */
   public void look(float x, float y, float width, float height) {
-    boolean follows = view().own() != null;
+    boolean follows = view().own() != null || view().watchedPlayer() >= 0;
     interest.show(follows ? 0 : x, follows ? 0 : y, width, height);
   }
 

@@ -13,6 +13,10 @@ final class InterestReporter {
   /** Reported size relative to the shown one, so that nothing appears at the edge of the screen. */
   private static final float MARGIN = 1.2f;
 
+  private float x;
+  private float y;
+  private float halfWidth = Float.MAX_VALUE; // as much as the server allows
+  private float halfHeight = Float.MAX_VALUE;
   private ClientMessage.Look look;
   private ClientMessage.Look sent;
   private long sentNs;
@@ -26,7 +30,26 @@ final class InterestReporter {
    * @param height of the picture, metres
    */
   void show(float x, float y, float width, float height) {
-    look = new ClientMessage.Look(x, y, width / 2 * MARGIN, height / 2 * MARGIN);
+    this.x = x;
+    this.y = y;
+    halfWidth = width / 2 * MARGIN;
+    halfHeight = height / 2 * MARGIN;
+    look = new ClientMessage.Look(x, y, halfWidth, halfHeight, follows());
+  }
+
+  /**
+   * Sets whom the picture follows while there is no own body.
+   *
+   * @param player id, or {@link ClientMessage.Look#NOBODY}
+   */
+  void follow(int player) {
+    if (player != follows()) {
+      look = new ClientMessage.Look(x, y, halfWidth, halfHeight, player);
+    }
+  }
+
+  private int follows() {
+    return look == null ? ClientMessage.Look.NOBODY : look.follows();
   }
 
   /** Forgets what was sent: a new link knows nothing. */

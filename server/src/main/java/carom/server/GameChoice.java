@@ -18,7 +18,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 
 /**
  * Holds what {@code --game}, {@code --level}, {@code --levels}, {@code --room} and {@code --scene}
@@ -87,7 +86,7 @@ final class GameChoice {
   private String nameOfLevel(String flag, String name) {
     boolean isGame =
         !Files.exists(path(flag, name))
-            && !builtInLevels().contains(name)
+            && !MatchLibrary.builtInLevels().contains(name)
             && Games.names().contains(name);
     String levelName = isGame ? Games.create(name).defaultLevel() : name;
     load(flag, levelName);
@@ -121,7 +120,9 @@ final class GameChoice {
 
   /** Returns where the rooms find their games and levels. */
   MatchLibrary library() {
-    return flags.scene == null ? MatchLibrary.INSTALLED : new HandedInMatch(this::newGame, level);
+    return flags.scene == null
+        ? MatchLibrary.in(flags.dataFolder(), MatchLibrary.INSTALLED)
+        : new HandedInMatch(this::newGame, level);
   }
 
   /** Returns the first level of the first room. */
@@ -195,7 +196,7 @@ final class GameChoice {
       if (Files.exists(file)) {
         return Level.load(file);
       }
-      if (builtInLevels().contains(wanted)) {
+      if (MatchLibrary.builtInLevels().contains(wanted)) {
         return Level.builtIn(wanted);
       }
     } catch (LevelException e) {
@@ -203,22 +204,15 @@ final class GameChoice {
     }
     throw flags.bad(
         "%s: there is no file level=%s, and the levels that come with the program are %s"
-            .formatted(flag, wanted, String.join(", ", builtInLevels())));
+            .formatted(flag, wanted, String.join(", ", MatchLibrary.builtInLevels())));
   }
 
   private Path path(String flag, String name) {
     try {
-      return Path.of(name);
+      return Path.of(flags.dataFolder().level(name));
     } catch (InvalidPathException e) {
       throw flags.bad(flag + ": level=" + name + " can't be the name of a file or level");
     }
-  }
-
-  private static List<String> builtInLevels() {
-    return Stream.concat(
-            Games.names().stream().map(name -> Games.create(name).defaultLevel()),
-            Stream.of("commons", "lagoon"))
-        .toList();
   }
 
   private Game chooseGame() {

@@ -1,8 +1,10 @@
 package carom.server;
 
 import carom.net.protocol.GoodbyeReason;
+import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
+import carom.server.access.EntryRule;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
@@ -228,6 +230,15 @@ public final class Server implements AutoCloseable {
   }
 
   /**
+   * Sets who may come in, from now on; without it everybody may. Any thread.
+   *
+   * @param rule asked once for each player and spectator
+   */
+  public void admit(EntryRule rule) {
+    lobby.admit(rule);
+  }
+
+  /**
    * Does one turn of the lobby and then of each room, by hand.
    *
    * @param nowNs monotonic time in nanoseconds, not before the previous turn's
@@ -442,6 +453,11 @@ public final class Server implements AutoCloseable {
   /** Returns the port for datagrams, as the transport opened it. */
   public int udpPort() {
     return transport.udpPort();
+  }
+
+  /** Returns what the transport counts. Any thread. */
+  public List<NetworkCounter> networkCounters() {
+    return transport.networkCounters();
   }
 
   /** Returns all settings. */

@@ -5,6 +5,7 @@ import carom.net.kryo.KryoLimits;
 import carom.net.transport.Impairment;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions;
+import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
 import java.net.InetAddress;
@@ -26,6 +27,8 @@ import picocli.CommandLine.TypeConversionException;
 /**
  * The flags of {@code carom-server}. Picocli fills them in, {@link #check} refuses flags that don't
  * fit together, and {@link #config} turns the rest into the server's settings.
+ *
+ * <p><b>Length.</b> One option after the other, each with its text for people.
  */
 final class ServerFlags {
   private static final int MAX_PORT = 65_535;
@@ -57,9 +60,10 @@ final class ServerFlags {
       paramLabel = "FOLDER",
       defaultValue = "data",
       description =
-          "Folder of the server's own files: carom.conf, levels, recordings, logs"
+          "Folder of the server's own files: carom.conf, bans.txt, allow.txt, levels, recordings,"
+              + " logs"
               + " (${DEFAULT-VALUE}).")
-  Path data;
+  private Path data;
 
   @Option(
       names = "--bind",
@@ -239,6 +243,56 @@ final class ServerFlags {
   private int statusIntervalS;
 
   @Option(
+      names = "--allow-list",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "false",
+      description =
+          "Let only players in that allow.txt of the data folder names; the command 'allow' adds"
+              + " to it.")
+  boolean allowList;
+
+  @Option(
+      names = "--web",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "true",
+      description =
+          "Answer /healthz, /readyz and /metrics (Prometheus) over HTTP; --no-web doesn't.")
+  boolean web;
+
+  @Option(
+      names = "--web-port",
+      paramLabel = "N",
+      defaultValue = "8090",
+      description = "Port for HTTP, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
+  int webPort;
+
+  @Option(
+      names = "--web-bind",
+      paramLabel = "ADDRESS",
+      defaultValue = "127.0.0.1",
+      description =
+          "Address of this machine for HTTP; whoever reaches it can read it (${DEFAULT-VALUE}).")
+  private String webBind;
+
+  @Option(
+      names = "--console",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "true",
+      description =
+          "Read commands from standard input; 'help' shows them. For a server in the background of"
+              + " a terminal: --no-console.")
+  boolean console;
+
+  @Option(
       names = "--log-level",
       paramLabel = "L",
       defaultValue = "info",
@@ -308,6 +362,7 @@ final class ServerFlags {
   void check() {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
+    requireRange("--web-port", webPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
     requireRange("--log-keep", logKeep, MAX_LOGS);
     if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
@@ -418,12 +473,26 @@ final class ServerFlags {
     return KryoLimits.DEFAULT.withConnections(2 * places + 64, places + 32);
   }
 
+  /** Returns the folder of the server's own files. */
+  DataFolder dataFolder() {
+    return new DataFolder(data);
+  }
+
   /** Returns the address to listen on, or null for all. */
   InetAddress bindAddress() {
+    return bind == null ? null : address("--bind", bind);
+  }
+
+  /** Returns the address for HTTP. */
+  InetAddress webAddress() {
+    return address("--web-bind", webBind);
+  }
+
+  private InetAddress address(String flag, String text) {
     try {
-      return bind == null ? null : InetAddress.getByName(bind);
+      return InetAddress.getByName(text);
     } catch (UnknownHostException e) {
-      throw bad("--bind=" + bind + " is no address; give one such as 127.0.0.1 or ::1");
+      throw bad(flag + "=" + text + " is no address; give one such as 127.0.0.1 or ::1");
     }
   }
 

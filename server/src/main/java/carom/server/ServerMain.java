@@ -2,25 +2,37 @@ package carom.server;
 
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
+import carom.server.access.AccessCommands;
+import carom.server.access.AccessLists;
+import carom.server.command.CommandRegistry;
+import carom.server.command.RoomCommands;
+import carom.server.command.ServerCommands;
 import carom.server.config.BadSettingException;
 import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.config.Settings;
 import carom.server.config.SettingsLayers;
+import carom.server.console.Console;
 import carom.server.console.LogFiles;
 import carom.server.console.ReadyLine;
+import carom.server.jmx.CommandInspector;
+import carom.server.jmx.RoomInspector;
 import carom.server.metrics.Counter;
+import carom.server.web.WebServer;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.time.InstantSource;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicReference;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
@@ -35,11 +47,11 @@ import picocli.CommandLine.TypeConversionException;
  *
  * <p>When players can join, the program writes one line for other programs to standard output,
  * {@code ready tcp=54555 udp=54777}, and on a terminal a few hints. The log goes to standard error.
- * The program never reads standard input.
+ * Commands are read from standard input, see {@link Console}; when it ends, the server goes on.
  *
- * <p>Exit codes: 0 after {@code --help} and {@code --version}; 1 when a port is not available or
- * the server failed; 2 for flags or a level file that can't be used; 143 after SIGTERM and 130
- * after Ctrl-C, as is usual in shells.
+ * <p>Exit codes: 0 after {@code --help}, {@code --version} and the command {@code stop}; 1 when a
+ * port is not available or the server failed; 2 for flags or a level file that can't be used; 143
+ * after SIGTERM and 130 after Ctrl-C, as is usual in shells.
  */
 @Command(
     name = "carom-server",
@@ -51,7 +63,8 @@ import picocli.CommandLine.TypeConversionException;
       "",
       "When players can join, standard output says so in one line:",
       "    ready tcp=54555 udp=54777",
-      "The log goes to standard error. Stop with Ctrl-C or SIGTERM; players are told.",
+      "The log goes to standard error. Standard input takes commands; 'help' shows them.",
+      "Stop with 'stop', Ctrl-C or SIGTERM; players are told.",
       "Exit codes: 1 port not available or server failed, 2 bad flag or level file."
     })
 public final class ServerMain implements Callable<Integer> {
@@ -65,6 +78,7 @@ public final class ServerMain implements Callable<Integer> {
   @Mixin private final ServerFlags flags = new ServerFlags();
 
   private SettingsLayers layers;
+  private AccessLists access;
 
   /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -153,10 +167,9 @@ public final class ServerMain implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     LoggerContext logging = loggingSoon.join();
-    Settings settings = layers.settings(spec.commandLine().getParseResult());
     if (flags.printConfig) {
       logging.stop();
-      spec.commandLine().getOut().print(settings.file());
+      spec.commandLine().getOut().print(settings().file());
       spec.commandLine().getOut().flush();
       return 0;
     }
@@ -180,13 +193,48 @@ public final class ServerMain implements Callable<Integer> {
     ServerConfig config = flags.config(choice.gameName());
     Logger log = LoggerFactory.getLogger(ServerMain.class);
     openData(logging, log);
+    access = openAccess();
     ServerStart start = new ServerStart(flags, choice, config, log);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
     start.warmUp();
     root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
     logStart(log, config, choice.rooms(config));
-    return start.open();
+    Server server = start.open();
+    server.admit(access);
+    return server;
+  }
+
+  /**
+   * Opens the port for HTTP, or returns null if the operator doesn't want one. A server whose usual
+   * port is busy, perhaps by another server, runs without it.
+   */
+  private WebServer openWeb(Server server, Logger log) throws StartFailure {
+    if (!flags.web) {
+      return null;
+    }
+    try {
+      WebServer web =
+          new WebServer(
+              flags.webAddress(), flags.webPort, server.rooms(), server.networkCounters());
+      log.info("web: {}", web.url());
+      return web;
+    } catch (IOException e) {
+      if (settings().find("web-port").orElseThrow().isSet()) {
+        server.close();
+        throw new StartFailure(e.getMessage(), e);
+      }
+      log.warn("no /healthz and /metrics: {}", e.getMessage());
+      return null;
+    }
+  }
+
+  private AccessLists openAccess() throws StartFailure {
+    try {
+      return new AccessLists(flags.dataFolder(), flags.allowList, InstantSource.system());
+    } catch (IOException e) {
+      throw new StartFailure(e.getMessage(), e);
+    }
   }
 
   /**
@@ -194,16 +242,12 @@ public final class ServerMain implements Callable<Integer> {
    * not if the operator named one.
    */
   private void openData(LoggerContext logging, Logger log) throws StartFailure {
-    DataFolder data = new DataFolder(flags.data);
+    DataFolder data = flags.dataFolder();
     try {
       data.create();
       LogFiles.begin(logging, data.logs(), flags.logKeep);
     } catch (IOException e) {
-      if (layers
-          .settings(spec.commandLine().getParseResult())
-          .find(SettingsLayers.DATA)
-          .orElseThrow()
-          .isSet()) {
+      if (settings().find(SettingsLayers.DATA).orElseThrow().isSet()) {
         throw new StartFailure(e.getMessage(), e);
       }
       log.warn("nothing is kept in files: {}", e.getMessage());
@@ -236,18 +280,33 @@ public final class ServerMain implements Callable<Integer> {
     }
   }
 
-  private int run(Server server, LoggerContext logging) throws InterruptedException {
+  private int run(Server server, LoggerContext logging) throws InterruptedException, StartFailure {
     Logger log = LoggerFactory.getLogger(ServerMain.class);
+    AtomicReference<Console> console = new AtomicReference<>();
+    AtomicReference<WebServer> web = new AtomicReference<>();
     Thread hook =
         new Thread(
             () -> {
               log.info("stop: asked to");
+              WebServer answers = web.get();
+              if (answers != null) {
+                answers.stopping();
+              }
               server.close();
               server.status().forEach(line -> log.info("stopped: {}", line));
               logging.stop(); // writes the lines that are still queued
+              if (answers != null) {
+                answers.close();
+              }
+              Console prompt = console.get();
+              if (prompt != null) {
+                prompt.close();
+              }
             },
             "carom-stop");
     Runtime.getRuntime().addShutdownHook(hook);
+    CommandRegistry commands = commands(server);
+    CommandInspector.show(commands);
     server.start();
     server.rooms().forEach(RoomInspector::show);
     while (server.count(Counter.TICKS) == 0 && !server.hasFailed()) {
@@ -255,11 +314,41 @@ public final class ServerMain implements Callable<Integer> {
     }
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
+    if (flags.console) {
+      console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
+    }
+    // Players needn't wait for it: its libraries load for as long as all the rest.
+    web.set(openWeb(server, log));
     server.awaitStop();
     if (server.hasFailed()) {
       log.error("the server ended because of the errors above");
     }
     return FAILED; // without a signal, only a failure leads here
+  }
+
+  private CommandRegistry commands(Server server) {
+    CommandRegistry commands = new CommandRegistry();
+    RoomCommands.add(commands, server.rooms(), flags.dataFolder());
+    AccessCommands.add(commands, access, server.rooms());
+    ServerCommands.add(
+        commands, server::status, settings(), ServerMain::replay, ServerMain::stopSoon);
+    return commands;
+  }
+
+  private static String replay(String file) {
+    StringWriter text = new StringWriter();
+    PrintWriter out = new PrintWriter(text);
+    CaromMain.run(out, out, "replay", file);
+    return text.toString().strip();
+  }
+
+  /** Ends the process on a thread of its own, because an exit waits for all that runs. */
+  private static void stopSoon() {
+    new Thread(() -> System.exit(0), "carom-exit").start();
+  }
+
+  private Settings settings() {
+    return layers.settings(spec.commandLine().getParseResult());
   }
 
   private static String version() {

@@ -186,6 +186,16 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public boolean mayFollow(Simulation s, Player watcher, Player player) {
+    try {
+      return game.mayFollow(s, watcher, player);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("mayFollow of player " + watcher.id(), s, e);
+      return false;
+    }
+  }
+
+  @Override
   public boolean emote(Simulation s, Player p, Emote emote) {
     try {
       return game.emote(s, p, emote);

@@ -165,6 +165,14 @@ public interface Game {
     return text;
   }
 
+  /**
+   * Returns whether a participant without a body, a spectator or one who is out, may look at what
+   * is around a player; {@link Role#AUTHORITY} only, called often. The default allows everything.
+   */
+  default boolean mayFollow(Simulation s, Player watcher, Player player) {
+    return true;
+  }
+
   /** Returns whether a player with a body may show an emote now; {@link Role#AUTHORITY} only. */
   default boolean emote(Simulation s, Player p, Emote emote) {
     return true;

@@ -134,7 +134,7 @@ class ProtocolDocTest {
         ClientMessageCodec.encode(
             new ClientMessage.Diverged(
                 1000, 998, true, List.of(65_538, 1, 2, 3, 4, 5, 6, 7), List.of())));
-    golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
+    golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9, 7)));
     golden.put(
         "watch", ClientMessageCodec.encode(new ClientMessage.Watch(2, 0x0102030405060708L, 2)));
     golden.put(
@@ -222,8 +222,8 @@ class ProtocolDocTest {
         codec.encode(
             new ServerMessage.Roster(
                 List.of(
-                    new ServerMessage.RosterEntry(0, "Zoë", -3),
-                    new ServerMessage.RosterEntry(1000, "x", 300)))));
+                    new ServerMessage.RosterEntry(0, "Zoë", 2, -3, false, true, true, 85),
+                    ServerMessage.RosterEntry.gone(1000)))));
     golden.put(
         "room-list",
         codec.encode(

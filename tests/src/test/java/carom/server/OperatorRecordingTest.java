@@ -10,6 +10,7 @@ import carom.net.transport.Impairment;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.config.ServerConfig;
+import carom.server.jmx.RoomInspector;
 import carom.server.recording.RotationLimit;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.catalog.Scenes;

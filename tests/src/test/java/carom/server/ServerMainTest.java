@@ -12,6 +12,7 @@ import carom.net.transport.Link;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -42,6 +43,12 @@ class ServerMainTest {
   }
 
   private Process start(String... args) throws IOException {
+    Process process = startWithInput(args);
+    process.getOutputStream().close(); // closed standard input must not matter
+    return process;
+  }
+
+  private Process startWithInput(String... args) throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
@@ -50,8 +57,8 @@ class ServerMainTest {
     command.addAll(List.of(args));
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().put("CAROM_DATA", folder.resolve("data").toString());
+    builder.environment().put("CAROM_WEB_PORT", "0");
     Process process = builder.redirectError(folder.resolve("err").toFile()).start();
-    process.getOutputStream().close(); // closed standard input must not matter
     started.add(process);
     return process;
   }
@@ -160,6 +167,22 @@ class ServerMainTest {
     assertTrue(fails(2, "--bind", "no such").contains("--bind=no such is no address"), err());
     String noFolder = file.toString();
     assertTrue(fails(1, "--data", noFolder).contains("name another folder with --data"), err());
+  }
+
+  @Test
+  void commandsOnAPipeAreAnsweredAndStopEndsWithExitCode0() throws Exception {
+    Process process = startWithInput("--tcp-port", "0", "--udp-port", "0");
+    BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
+    assertTrue(READY.matcher(String.valueOf(out.readLine())).matches(), err());
+    try (Writer in = process.outputWriter(StandardCharsets.UTF_8)) {
+      in.write("say hello\nstopp\nstop\n");
+    }
+    assertEquals("said to 0 players", out.readLine());
+    assertTrue(out.readLine().contains("did you mean \"stop\"?"));
+    assertEquals("stopping", out.readLine());
+    assertTrue(process.waitFor(10, TimeUnit.SECONDS));
+    assertEquals(0, process.exitValue(), err());
+    assertTrue(err().contains("stopped: 0 of 64 players"), err());
   }
 
   @Test

@@ -180,9 +180,9 @@ public final class ReplayClient implements AutoCloseable {
     if (hasNewRoster(s)) {
       List<RosterEntry> entries = new ArrayList<>();
       for (int id = 0; id < s.playerCapacity(); id++) {
-        Player p = s.player(id);
+        Player p = s.participant(id);
         if (p != null) {
-          entries.add(new RosterEntry(id, p.name(), p.score()));
+          entries.add(entry(p));
         }
       }
       view.roster(entries);
@@ -190,21 +190,33 @@ public final class ReplayClient implements AutoCloseable {
     view.invalidate();
   }
 
+  private static RosterEntry entry(Player p) {
+    return new RosterEntry(
+        p.id(), p.name(), p.team(), p.score(), p.isSpectator(), p.isReady(), p.isAlive(), 0);
+  }
+
   private boolean hasNewRoster(Simulation s) {
     int at = 0;
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      Player p = s.participant(id);
       if (p != null) {
-        if (at == view().players().size()
-            || view().players().get(at).playerId() != id
-            || view().players().get(at).score() != p.score()
-            || !view().players().get(at).name().equals(p.name())) {
+        if (at == view().players().size() || !isShown(view().players().get(at), p)) {
           return true;
         }
         at++;
       }
     }
     return at != view().players().size();
+  }
+
+  private static boolean isShown(RosterEntry entry, Player p) {
+    return entry.playerId() == p.id()
+        && entry.score() == p.score()
+        && entry.team() == p.team()
+        && entry.spectator() == p.isSpectator()
+        && entry.ready() == p.isReady()
+        && entry.alive() == p.isAlive()
+        && entry.name().equals(p.name());
   }
 
   private void compose() {

@@ -87,6 +87,11 @@ public final class ViewWriter {
     view.fields = fields;
   }
 
+  /** Sets the player whom the picture follows, or -1. */
+  public void watched(int playerId) {
+    view.watchedPlayer = playerId;
+  }
+
   /** Changes the list of players. */
   public void roster(Roster changes) {
     view.roster(changes);

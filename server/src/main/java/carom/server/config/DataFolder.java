@@ -3,6 +3,8 @@ package carom.server.config;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The folder in which a server keeps its files. It creates what it writes to, when it writes.
@@ -12,6 +14,8 @@ import java.nio.file.Path;
 public record DataFolder(Path root) {
   /** Name of the file of settings. */
   public static final String CONFIG = "carom.conf";
+
+  private static final String LEVEL = ".json";
 
   /** Returns the folder of the log, which is rotated. */
   public Path logs() {
@@ -26,6 +30,46 @@ public record DataFolder(Path root) {
   /** Returns the folder in which levels are found by their name. */
   public Path levels() {
     return root.resolve("levels");
+  }
+
+  /** Returns the file of a saved match. */
+  public Path saved(String name) {
+    return root.resolve("saves").resolve(name + ".carom-save");
+  }
+
+  /** Returns the names of the levels in the folder, sorted. */
+  public List<String> levelNames() {
+    if (!Files.isDirectory(levels())) {
+      return List.of();
+    }
+    try (Stream<Path> files = Files.list(levels())) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.endsWith(LEVEL))
+          .map(name -> name.substring(0, name.length() - LEVEL.length()))
+          .sorted()
+          .toList();
+    } catch (IOException e) {
+      return List.of();
+    }
+  }
+
+  /** Returns the file of a level of the folder, or the name itself if there is none. */
+  public String level(String name) {
+    return levelNames().contains(name) ? levels().resolve(name + LEVEL).toString() : name;
+  }
+
+  /**
+   * Creates the folder for recordings, and returns it.
+   *
+   * @throws IOException if it can't be created; the message says what to do
+   */
+  public Path newRecordings() throws IOException {
+    try {
+      return Files.createDirectories(recordings());
+    } catch (IOException e) {
+      throw new IOException(recordings() + " can't be created (" + e + "); name a file", e);
+    }
   }
 
   /**

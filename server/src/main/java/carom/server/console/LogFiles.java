@@ -23,7 +23,10 @@ import java.nio.file.Path;
  * dropped.
  */
 public final class LogFiles {
-  private static final String PATTERN = "%d{yyyy-MM-dd HH:mm:ss.SSS} %-5level %msg%n%ex{full}";
+  /** Layout of a line. Control characters, which could come from a client, are left out. */
+  static final String PATTERN =
+      "%d{yyyy-MM-dd HH:mm:ss.SSS} %-5level %replace(%msg){'[\\p{Cc}\\p{Cf}]', '?'}%n%ex{full}";
+
   private static final FileSize SIZE = FileSize.valueOf("10MB");
   private static final int QUEUE_LINES = 2_048;
 

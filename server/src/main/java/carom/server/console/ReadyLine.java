@@ -33,7 +33,8 @@ public final class ReadyLine {
     out.println();
     out.println("  join      ./gradlew play" + playArgs);
     out.println("  add bots  ./gradlew bots -Pn=20" + botArgs);
-    out.println("  stop      Ctrl-C");
+    out.println("  stop      Ctrl-C, or the command stop");
+    out.println("  commands  help");
     out.println();
     out.println("  On another machine, with Carom installed:");
     out.println("  join      carom-client --host " + hostName() + ports);

@@ -1,6 +1,7 @@
 /**
- * What the operator sees of a server: the first lines and the log in files.
+ * What the operator sees of a server: the first lines, the log in files, and the prompt.
  *
- * <p>Allowed imports: logback, the JDK. Read first: {@link carom.server.console.LogFiles}.
+ * <p>Allowed imports: {@code carom.server.command}, logback, JLine, the JDK. Read first: {@link
+ * carom.server.console.Console}, {@link carom.server.console.LogFiles}.
  */
 package carom.server.console;

@@ -11,6 +11,7 @@ import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
+import carom.server.access.EntryRule;
 import carom.server.config.ServerConfig;
 import carom.server.match.LevelUpload;
 import carom.server.match.MatchInfo;
@@ -72,6 +73,7 @@ public final class Lobby {
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final AdmissionRate rate;
   private final Spectators spectators;
+  private volatile EntryRule entryRule = EntryRule.OPEN;
   private long nowNs;
 
   /**
@@ -167,6 +169,11 @@ public final class Lobby {
   public void closeLinks() {
     partings.closeAll();
     spectators.closeLinks();
+  }
+
+  /** Sets who may come in, for players and spectators; any thread. */
+  public void admit(EntryRule rule) {
+    entryRule = rule;
   }
 
   /**
@@ -310,7 +317,8 @@ public final class Lobby {
     }
 
     private void watch(ClientMessage.Watch watch) {
-      if (!requireThisBuild(watch.protocolVersion(), watch.physicsDigest())) {
+      if (!requireThisBuild(watch.protocolVersion(), watch.physicsDigest())
+          || !requireEntry(null)) {
         return;
       }
       String problem = spectators.add(link, watch.room(), nowNs);
@@ -358,6 +366,15 @@ public final class Lobby {
       return true;
     }
 
+    /** Refuses a client that the operator doesn't let in, and returns whether it may go on. */
+    private boolean requireEntry(String name) {
+      EntryRule.Refusal refusal = entryRule.refusal(name, link.remote());
+      if (refusal != null) {
+        refuse(refusal.reason(), refusal.text());
+      }
+      return refusal == null;
+    }
+
     private void hello(ClientMessage.Hello hello) {
       if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
         return;
@@ -366,6 +383,9 @@ public final class Lobby {
       String problem = PlayerName.problem(name);
       if (problem != null) {
         refuse(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
+        return;
+      }
+      if (!requireEntry(name)) {
         return;
       }
       waiting = hello;

@@ -1,12 +1,15 @@
 package carom.server.match;
 
 import carom.game.Games;
+import carom.server.config.DataFolder;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 
 /** Finds games and levels by name, for rooms that begin a match. Any thread may ask. */
 public interface MatchLibrary {
@@ -38,6 +41,34 @@ public interface MatchLibrary {
    * @throws LevelException when there is none, or when it can't be used
    */
   LoadedLevel level(String name) throws LevelException;
+
+  /** Returns the names of the levels that come with the program: those of games, and others. */
+  static List<String> builtInLevels() {
+    return Stream.concat(
+            Games.names().stream().map(name -> Games.create(name).defaultLevel()),
+            Stream.of("commons", "lagoon"))
+        .distinct()
+        .toList();
+  }
+
+  /**
+   * Returns a library that finds levels in the data folder before it asks another.
+   *
+   * @param otherwise finds games, and levels that aren't there
+   */
+  static MatchLibrary in(DataFolder data, MatchLibrary otherwise) {
+    return new MatchLibrary() {
+      @Override
+      public Game game(String name) {
+        return otherwise.game(name);
+      }
+
+      @Override
+      public LoadedLevel level(String name) throws LevelException {
+        return otherwise.level(data.level(name));
+      }
+    };
+  }
 
   private static Level find(String name) throws LevelException {
     try {

@@ -61,6 +61,32 @@ public final class Counters {
   }
 
   /**
+   * Returns how many ticks since the start took at most so long, for each limit. Any thread, one at
+   * a time.
+   *
+   * @param limitsNs limits, ns, rising
+   */
+  public synchronized TickHistogram histogram(long... limitsNs) {
+    interval = tickTimes.getIntervalHistogram(interval);
+    total.add(interval);
+    long[] atMost = new long[limitsNs.length];
+    for (int i = 0; i < limitsNs.length; i++) {
+      atMost[i] = total.getCountBetweenValues(0, limitsNs[i]);
+    }
+    return new TickHistogram(
+        atMost, total.getTotalCount(), total.getMean() * total.getTotalCount());
+  }
+
+  /**
+   * Tick times since the start.
+   *
+   * @param atMost number of ticks that took at most each limit
+   * @param count number of ticks
+   * @param sumNs time that all took, ns
+   */
+  public record TickHistogram(long[] atMost, long count, double sumNs) {}
+
+  /**
    * The distribution of tick times.
    *
    * @param count number of ticks

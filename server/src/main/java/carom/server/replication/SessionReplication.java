@@ -110,7 +110,7 @@ public final class SessionReplication {
 
   /** Takes over what the client says it shows. */
   public void look(ClientMessage.Look look) {
-    sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight());
+    sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight(), look.follows());
   }
 
   /** Takes a client's acks as they are. */
@@ -209,6 +209,11 @@ public final class SessionReplication {
     if (predictedSet != null) {
       predictedSet.sent();
     }
+  }
+
+  /** Returns the round trip to the client and back, ms; 0 while it isn't known. */
+  public int roundTripMs() {
+    return sender == null ? 0 : sender.roundTripMs();
   }
 
   /** Returns whether the client looks at the place of an entity and may know it. */

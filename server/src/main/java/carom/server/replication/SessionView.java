@@ -10,6 +10,7 @@ import carom.physics.BodyContactVisitor;
 import carom.physics.broadphase.index.IntVisitor;
 import carom.sim.Entity;
 import carom.sim.Player;
+import carom.sim.Simulation;
 import carom.sim.event.Audience;
 import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
@@ -80,6 +81,7 @@ public final class SessionView implements Interest {
   private float y;
   private float halfWidth;
   private float halfHeight;
+  private int followed = -1;
   private float spectatorX;
   private float spectatorY;
   private boolean everything;
@@ -131,8 +133,15 @@ public final class SessionView implements Interest {
    * @param centreY where it looks while the player has no body, metres, finite
    * @param wantedHalfWidth half of what it shows, metres, finite
    * @param wantedHalfHeight half of what it shows, metres, finite
+   * @param playerToFollow whose body it looks at while the player has none, or -1
    */
-  void look(float centreX, float centreY, float wantedHalfWidth, float wantedHalfHeight) {
+  void look(
+      float centreX,
+      float centreY,
+      float wantedHalfWidth,
+      float wantedHalfHeight,
+      int playerToFollow) {
+    followed = playerToFollow;
     spectatorX = centreX;
     spectatorY = centreY;
     halfWidth = Math.max(LEAST, Math.min(limit, wantedHalfWidth));
@@ -168,15 +177,24 @@ public final class SessionView implements Interest {
   void follow(FrameState frame) {
     Entity own = player.body();
     ownSlot = own == null ? -1 : own.id();
-    if (own != null) {
-      spectatorX = own.body().x(); // without a body the player goes on looking at where it was
-      spectatorY = own.body().y();
+    Entity middle = own == null ? followedBody() : own;
+    if (middle != null) {
+      spectatorX = middle.body().x(); // without a body the player goes on looking at where it was
+      spectatorY = middle.body().y();
     }
     x = spectatorX;
     y = spectatorY;
     few = automatic && frame.count() <= (few ? FEW : FEW_AGAIN);
     everyone = seesAll();
     everything = smallLevel || few || everyone;
+  }
+
+  /** Returns the body that the client wants to follow, if the game lets it; or null. */
+  private Entity followedBody() {
+    Simulation s = index.simulation();
+    Player other = followed < 0 ? null : s.player(followed);
+    Entity body = other == null ? null : other.body();
+    return body != null && s.game().mayFollow(s, player, other) ? body : null;
   }
 
   @Override

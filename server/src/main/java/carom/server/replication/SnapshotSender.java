@@ -42,6 +42,11 @@ public final class SnapshotSender {
   /** How far exact state may get ahead of the records that wait, or fall behind them. */
   private static final int NEAR_CREDIT_BYTES = 2 * SnapshotEncoder.MAX_DATAGRAM_BYTES;
 
+  /** Weight of the newest round trip in the smoothed one. */
+  private static final float ROUND_TRIP_WEIGHT = 0.1f;
+
+  private static final float MS_PER_S = 1_000;
+
   private final FrameRing frames;
   private final SessionView view;
   private final FieldAudience audience;
@@ -64,6 +69,9 @@ public final class SnapshotSender {
   private int ticksSinceSent;
   private int ticksSinceHeard;
   private boolean due;
+
+  /** Smoothed ticks from sending a snapshot to its acknowledgement; negative before the first. */
+  private float roundTripTicks = -1;
 
   /**
    * Creates the sender for a client that knows nothing but the level.
@@ -125,14 +133,17 @@ public final class SnapshotSender {
   public void receiveAck(int ackSequence, long ackBits) {
     ticksSinceHeard = 0;
     encoder.receiveAck(ackSequence, ackBits);
-    if (encoder.ackDelayTicks() >= 0) {
-      pace.acked(encoder.ackDelayTicks());
+    int delay = encoder.ackDelayTicks();
+    if (delay >= 0) {
+      pace.acked(delay);
+      float smooth = roundTripTicks + ROUND_TRIP_WEIGHT * (delay - roundTripTicks);
+      roundTripTicks = roundTripTicks < 0 ? delay : smooth;
     }
   }
 
   /** Takes over what the client says it shows; see {@link SessionView#look}. */
-  public void look(float x, float y, float halfWidth, float halfHeight) {
-    view.look(x, y, halfWidth, halfHeight);
+  public void look(float x, float y, float halfWidth, float halfHeight, int follows) {
+    view.look(x, y, halfWidth, halfHeight, follows);
   }
 
   /** Returns whether the game lets the player know of an entity; of the own body it always does. */
@@ -262,6 +273,11 @@ public final class SnapshotSender {
         encoder.waiting() == 0
             ? NEAR_CREDIT_BYTES
             : Math.max(-NEAR_CREDIT_BYTES, Math.min(NEAR_CREDIT_BYTES, credit));
+  }
+
+  /** Returns the round trip to the client and back, ms, or 0 before the first acknowledgement. */
+  public int roundTripMs() {
+    return Math.round(Math.max(0, roundTripTicks) * MS_PER_S / tickRateHz);
   }
 
   /** Returns the estimated capacity of the client's line, bytes per second, headers included. */

@@ -5,6 +5,7 @@ import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.server.metrics.Counter;
 import carom.server.session.PartingLinks;
+import carom.server.session.RosterNews;
 import carom.server.session.Session;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.slf4j.Logger;

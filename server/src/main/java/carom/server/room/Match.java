@@ -2,6 +2,7 @@ package carom.server.room;
 
 import carom.game.GuardedGame;
 import carom.server.config.ServerConfig;
+import carom.server.match.GameFailures;
 import carom.server.match.LoadedLevel;
 import carom.server.match.MatchInfo;
 import carom.server.metrics.Counters;

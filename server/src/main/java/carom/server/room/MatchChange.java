@@ -1,9 +1,12 @@
 package carom.server.room;
 
+import carom.net.protocol.Limits;
 import carom.net.protocol.SessionState;
 import carom.server.match.LevelUpload;
 import carom.server.match.MatchInfo;
+import carom.server.match.SavedMatch;
 import carom.server.metrics.Counter;
+import carom.server.session.RosterNews;
 import carom.server.session.Session;
 import carom.sim.NextMatch;
 import carom.sim.Player;
@@ -143,7 +146,17 @@ final class MatchChange {
   }
 
   /**
-   * Goes on with a match that was built.
+   * Builds a match in a saved state, on the calling thread.
+   *
+   * @throws MatchLoader.Unplayable when it can't be played
+   */
+  Match load(SavedMatch saved) throws MatchLoader.Unplayable {
+    return loader.load(saved);
+  }
+
+  /**
+   * Goes on with a match that was built. In a saved state, players of the same id and name go on as
+   * they were, and those who aren't here leave.
    *
    * @param wanted says what players bring with them
    */
@@ -151,19 +164,24 @@ final class MatchChange {
     Simulation simulation = next.simulation();
     boolean brings =
         (wanted.keepsTeams() || wanted.keepsScores()) && !simulation.game().keepsMore();
+    boolean begun = simulation.tick() > 0;
     recording.endMatch();
     room.play(next);
-    if (!brings) {
+    if (!brings && !begun) {
       recording.beginMatch(); // from tick 0 without players, which needs no whole state
     }
-    for (int id = 0; id < room.seats().count(); id++) {
+    for (int id = 0; id < Limits.MAX_PLAYERS; id++) {
       Session session = sessions.onSeat(id);
+      Player saved = simulation.participant(id);
+      if (saved != null && (session == null || !saved.name().equals(session.player().name()))) {
+        simulation.leave(saved);
+      }
       if (session != null) {
         Player player = enter(simulation, session.player(), wanted, brings);
         session.enter(player, next.replicationTo(player), next.messagesOf(player));
       }
     }
-    if (brings) {
+    if (brings || begun) {
       recording.beginMatch();
     }
     next.capture().capture();
@@ -185,6 +203,10 @@ final class MatchChange {
 
   /** Lets a participant into the next match; spectators go on watching. */
   private static Player enter(Simulation next, Player before, NextMatch wanted, boolean brings) {
+    Player saved = next.participant(before.id());
+    if (saved != null) {
+      return saved;
+    }
     if (before.isSpectator()) {
       return next.joinAsSpectator(before.id(), before.name());
     }

@@ -4,6 +4,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.LoadedLevel;
 import carom.server.match.MatchLibrary;
+import carom.server.match.SavedMatch;
 import carom.server.metrics.Counters;
 import carom.sim.Game;
 import carom.sim.NextMatch;
@@ -73,13 +74,36 @@ final class MatchLoader {
             "game=%s doesn't fit level=%s, which is made for game=%s"
                 .formatted(game.name(), levelName, madeFor));
       }
-      int number = built.incrementAndGet();
-      long seed = room.seed() + (long) SEED_STEP * (number - 1);
-      return new Match(room.name(), number, game, level, seed, config, label, counters);
-    } catch (LevelException | IllegalArgumentException e) {
+      return match(game, level, 0);
+    } catch (LevelException e) {
+      throw new Unplayable(e.getMessage(), null); // which says all
+    } catch (IllegalArgumentException e) {
       throw new Unplayable(e.getMessage(), e);
     } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       throw new Unplayable("the set-up failed: " + e, e);
     }
+  }
+
+  /**
+   * Builds a match in a saved state.
+   *
+   * @throws Unplayable when the game isn't there, or the state doesn't fit it
+   */
+  Match load(SavedMatch saved) throws Unplayable {
+    try {
+      Match match = match(library.game(saved.game()), saved.level(), saved.seed());
+      saved.restore(match.simulation());
+      return match;
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
+      throw new Unplayable(e.getMessage(), e);
+    }
+  }
+
+  /** Builds a match; a seed of 0 is the next one. */
+  private Match match(Game game, LoadedLevel level, long seed) {
+    int number = built.incrementAndGet();
+    long next = room.seed() + (long) SEED_STEP * (number - 1);
+    long chosen = seed == 0 ? next : seed;
+    return new Match(room.name(), number, game, level, chosen, config, label, counters);
   }
 }

@@ -2,12 +2,19 @@ package carom.server.room;
 
 import carom.net.protocol.SessionState;
 import carom.server.match.MatchInfo;
+import carom.server.match.SavedMatch;
 import carom.server.recording.RecordingFile;
+import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
 import carom.sim.NextMatch;
 import carom.sim.Simulation;
 import carom.sim.field.FieldHolder;
+import carom.sim.message.BuiltInKinds;
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -39,8 +46,7 @@ public final class OperatorCommands {
   private final MatchChange changes;
   private final LongSupplier clock;
   private final BooleanSupplier closed;
-  private final ArrayBlockingQueue<FutureTask<String>> waiting =
-      new ArrayBlockingQueue<>(MAX_WAITING);
+  private final ArrayBlockingQueue<FutureTask<?>> waiting = new ArrayBlockingQueue<>(MAX_WAITING);
 
   /**
    * Creates an empty queue of commands.
@@ -69,7 +75,7 @@ public final class OperatorCommands {
 
   /** Carries out the commands that wait; on the room's thread. */
   void serve() {
-    for (FutureTask<String> command; (command = waiting.poll()) != null; ) {
+    for (FutureTask<?> command; (command = waiting.poll()) != null; ) {
       command.run();
     }
   }
@@ -157,6 +163,10 @@ public final class OperatorCommands {
     } catch (MatchLoader.Unplayable e) {
       return "not changed: " + e.getMessage();
     }
+    return play(next, wanted);
+  }
+
+  private String play(Match next, NextMatch wanted) {
     return ask(
         () -> {
           if (closed.getAsBoolean()) {
@@ -168,19 +178,107 @@ public final class OperatorCommands {
         });
   }
 
+  /**
+   * Writes the match to a file. The room's thread copies the state, and the calling thread writes.
+   *
+   * @return the file and the tick, or why there is none
+   */
+  public String save(Path file) {
+    try {
+      SavedMatch saved =
+          await(
+              () ->
+                  room.simulation().game().keepsMore()
+                      ? null
+                      : SavedMatch.of(room.match().info(), room.simulation()));
+      if (saved == null) {
+        return "not saved: the game keeps more than its state";
+      }
+      saved.write(file);
+      return "saved room=" + number + " to " + file;
+    } catch (NoAnswer e) {
+      return "not saved: " + e.getMessage();
+    } catch (IOException e) {
+      return "not saved: " + file + " can't be written: " + e;
+    }
+  }
+
+  /**
+   * Goes on with a saved match. Players of the same id and name go on as they were; others join it
+   * anew, and saved players who aren't here leave it.
+   *
+   * @return what the room plays now, or why the match goes on
+   */
+  public String load(Path file) {
+    try {
+      return play(changes.load(SavedMatch.read(file)), new NextMatch("", "", false, false));
+    } catch (IOException | MatchLoader.Unplayable e) {
+      return "not loaded: " + e.getMessage();
+    }
+  }
+
+  /** Returns the players in the order of their ids; empty if the room doesn't answer. */
+  public List<PlayerInfo> players() {
+    try {
+      return await(
+          () ->
+              Arrays.stream(sessions.bySeat())
+                  .filter(Objects::nonNull)
+                  .map(PlayerInfo::of)
+                  .toList());
+    } catch (NoAnswer e) {
+      return List.of();
+    }
+  }
+
+  /**
+   * Says a line to all players, as the server.
+   *
+   * @param text at most {@link BuiltInKinds#MAX_CHAT} characters
+   * @return the number of players that hear it; 0 if the room doesn't answer
+   */
+  public int say(String text) {
+    try {
+      return await(
+          () -> {
+            room.simulation().send(BuiltInKinds.SAID.of(BuiltInKinds.SERVER, false, text)).toAll();
+            return sessions.count();
+          });
+    } catch (NoAnswer e) {
+      return 0;
+    }
+  }
+
   private String ask(Callable<String> what) {
-    FutureTask<String> command = new FutureTask<>(what);
+    try {
+      return await(what);
+    } catch (NoAnswer e) {
+      return e.getMessage();
+    }
+  }
+
+  /** Says why a room didn't carry out a command. */
+  private static final class NoAnswer extends Exception {
+    private static final long serialVersionUID = 1;
+
+    NoAnswer(String message) {
+      super(message);
+    }
+  }
+
+  private <T> T await(Callable<T> what) throws NoAnswer {
+    FutureTask<T> command = new FutureTask<>(what);
     if (!waiting.offer(command)) {
-      return "too many questions at once; ask again";
+      throw new NoAnswer("too many questions at once; ask again");
     }
     try {
       return command.get(ANSWER_S, TimeUnit.SECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return "interrupted";
+      throw new NoAnswer("interrupted");
     } catch (ExecutionException | TimeoutException e) {
       waiting.remove(command);
-      return "no answer from the room: " + e;
+      throw new NoAnswer("no answer from the room: " + e);
     }
   }
 

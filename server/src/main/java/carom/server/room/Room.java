@@ -20,6 +20,7 @@ import carom.server.recording.RotatingRecording;
 import carom.server.schedule.LoadWarnings;
 import carom.server.schedule.TickLoop;
 import carom.server.session.PartingLinks;
+import carom.server.session.RosterNews;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.Entity;

@@ -43,6 +43,9 @@ import java.util.Map;
  * reflection, and so that each length is checked before anything is allocated. Numbers are Kryo's:
  * little-endian, with lengths as variable-length integers. A string is a length in bytes followed
  * by UTF-8.
+ *
+ * <p><b>Length.</b> The class is the wire format of all messages from the server, and nothing else:
+ * a few lines for each, in the order of their first bytes.
  */
 public final class KryoMessageCodec implements MessageCodec {
   private static final int FIRST_SERVER_BYTE = 0x40;
@@ -278,7 +281,10 @@ public final class KryoMessageCodec implements MessageCodec {
   }
 
   private static final class RosterSerializer extends MessageSerializer<Roster> {
-    private static final int MIN_ENTRY_BYTES = 1 + 1 + 1;
+    private static final int MIN_ENTRY_BYTES = 1 + 1;
+    private static final int SPECTATOR = 1;
+    private static final int READY = 1 << 1;
+    private static final int ALIVE = 1 << 2;
 
     @Override
     void write(Output out, Roster m) {
@@ -286,8 +292,20 @@ public final class KryoMessageCodec implements MessageCodec {
       for (RosterEntry entry : m.entries()) {
         out.writeVarInt(playerId(entry.playerId()), true);
         writeText(out, "name", entry.name(), Limits.MAX_NAME_BYTES);
-        out.writeVarInt(entry.score(), false);
+        if (!entry.hasGone()) {
+          writeStanding(out, entry);
+        }
       }
+    }
+
+    private static void writeStanding(Output out, RosterEntry entry) {
+      int spectator = entry.spectator() ? SPECTATOR : 0;
+      int ready = entry.ready() ? READY : 0;
+      int alive = entry.alive() ? ALIVE : 0;
+      out.writeByte(spectator | ready | alive);
+      out.writeVarInt(entry.team(), false);
+      out.writeVarInt(entry.score(), false);
+      out.writeVarInt(inRange("ping", entry.pingMs(), 0, RosterEntry.MAX_PING_MS), true);
     }
 
     @Override
@@ -297,13 +315,27 @@ public final class KryoMessageCodec implements MessageCodec {
       int count = inRange("entries", in.readVarInt(true), 0, most);
       List<RosterEntry> entries = new ArrayList<>(count);
       for (int i = 0; i < count; i++) {
-        entries.add(
-            new RosterEntry(
-                playerId(in.readVarInt(true)),
-                readText(in, "name", Limits.MAX_NAME_BYTES),
-                in.readVarInt(false)));
+        entries.add(readEntry(in));
       }
       return new Roster(List.copyOf(entries));
+    }
+
+    private static RosterEntry readEntry(Input in) {
+      int id = playerId(in.readVarInt(true));
+      String name = readText(in, "name", Limits.MAX_NAME_BYTES);
+      if (name.isEmpty()) {
+        return RosterEntry.gone(id);
+      }
+      int standing = inRange("standing", in.readByteUnsigned(), 0, SPECTATOR | READY | ALIVE);
+      return new RosterEntry(
+          id,
+          name,
+          in.readVarInt(false),
+          in.readVarInt(false),
+          (standing & SPECTATOR) != 0,
+          (standing & READY) != 0,
+          (standing & ALIVE) != 0,
+          inRange("ping", in.readVarInt(true), 0, RosterEntry.MAX_PING_MS));
     }
   }
 

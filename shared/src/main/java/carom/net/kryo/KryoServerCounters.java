@@ -1,5 +1,7 @@
 package carom.net.kryo;
 
+import carom.net.transport.NetworkCounter;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
@@ -47,6 +49,37 @@ public final class KryoServerCounters {
   /** Returns the newest unexpected error, or null if there was none. */
   public Throwable lastError() {
     return lastError;
+  }
+
+  /** Returns all of them with what they count. */
+  List<NetworkCounter> all() {
+    return List.of(
+        counter("accepted", "TCP connections that came in.", accepted),
+        counter("opened", "Accepted connections that became an open link.", opened),
+        counter("refused", "Accepted connections that were refused because of a limit.", refused),
+        counter(
+            "expired", "Accepted connections that did not finish the handshake in time.", expired),
+        counter(
+            "expelled",
+            "Links closed because of silence, a flood, a full queue, or meaningless bytes.",
+            expelled),
+        counter(
+            "datagrams.strange",
+            "Datagrams from addresses without a link, except those of the handshake.",
+            strangeDatagrams),
+        counter("datagrams.malformed", "Meaningless datagrams from links.", malformedDatagrams),
+        counter(
+            "datagrams.excess",
+            "Datagrams dropped because their link sent too many.",
+            excessDatagrams),
+        counter(
+            "errors",
+            "Unexpected errors on the network thread, which it survived. Each is a bug.",
+            errors));
+  }
+
+  private static NetworkCounter counter(String name, String help, AtomicLong value) {
+    return new NetworkCounter(name, help, value::get);
   }
 
   /** Returns the values that should be 0 and aren't, in words. */

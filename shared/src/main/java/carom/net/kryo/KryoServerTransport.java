@@ -1,12 +1,14 @@
 package carom.net.kryo;
 
 import carom.net.transport.Link;
+import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
+import java.util.List;
 
 /**
  * Server transport that listens on a TCP and a UDP port, each with its own daemon thread. Only the
@@ -129,6 +131,11 @@ public final class KryoServerTransport implements ServerTransport {
   @Override
   public String troubles() {
     return counters().troubles();
+  }
+
+  @Override
+  public List<NetworkCounter> networkCounters() {
+    return counters().all();
   }
 
   @Override

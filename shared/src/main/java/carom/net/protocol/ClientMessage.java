@@ -80,8 +80,14 @@ public sealed interface ClientMessage {
    * @param y centre of the view while the player has no body, metres
    * @param halfWidth half the width of the view, metres
    * @param halfHeight half the height of the view, metres
+   * @param follows the player whose body is the centre of the view while the own player has no
+   *     body, 0..1,023, or {@link #NOBODY}
    */
-  record Look(float x, float y, float halfWidth, float halfHeight) implements ClientMessage {}
+  record Look(float x, float y, float halfWidth, float halfHeight, int follows)
+      implements ClientMessage {
+    /** The place x, y is the centre of the view. */
+    public static final int NOBODY = -1;
+  }
 
   /**
    * Reports a misprediction that the client can't explain. Either it predicted its own body alone,

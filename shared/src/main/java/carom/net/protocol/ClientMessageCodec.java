@@ -71,6 +71,7 @@ public final class ClientMessageCodec {
       buffer.putFloat(look.y());
       buffer.putFloat(look.halfWidth());
       buffer.putFloat(look.halfHeight());
+      buffer.putShort((short) look.follows());
     } else if (message instanceof ClientMessage.Diverged diverged) {
       encodeDiverged(diverged, buffer);
     } else if (message instanceof ClientMessage.Watch watch) {
@@ -188,24 +189,26 @@ public final class ClientMessageCodec {
   }
 
   /**
-   * Reads a view. It accepts finite numbers with sizes that aren't negative; the server judges
-   * their meaning.
+   * Reads a view. It accepts finite numbers with sizes that aren't negative, and a player or
+   * nobody; the server judges their meaning.
    */
   private static ClientMessage decodeLook(ByteBuffer buffer) {
-    if (buffer.remaining() != 4 * Float.BYTES) {
+    if (buffer.remaining() != 4 * Float.BYTES + Short.BYTES) {
       return null;
     }
     float x = buffer.getFloat();
     float y = buffer.getFloat();
     float halfWidth = buffer.getFloat();
     float halfHeight = buffer.getFloat();
+    int follows = buffer.getShort();
     boolean numbers =
         Float.isFinite(x)
             && Float.isFinite(y)
             && Float.isFinite(halfWidth)
             && Float.isFinite(halfHeight);
-    return numbers && halfWidth >= 0 && halfHeight >= 0
-        ? new ClientMessage.Look(x, y, halfWidth, halfHeight)
+    boolean player = follows >= ClientMessage.Look.NOBODY && follows < Limits.MAX_PLAYERS;
+    return numbers && halfWidth >= 0 && halfHeight >= 0 && player
+        ? new ClientMessage.Look(x, y, halfWidth, halfHeight, follows)
         : null;
   }
 

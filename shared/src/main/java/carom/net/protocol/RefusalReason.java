@@ -28,7 +28,11 @@ public enum RefusalReason {
   /** The client asked for a room that the server doesn't have. */
   ROOM_UNKNOWN("The server has no such room. Choose another one.", false),
   /** The room that the client asked for has no free place. */
-  ROOM_FULL("The room is full. Choose another one or try again in a moment.", true);
+  ROOM_FULL("The room is full. Choose another one or try again in a moment.", true),
+  /** The operator has banned the player's name or address. */
+  BANNED("You are banned from this server.", false),
+  /** Only players of the operator's list may play. */
+  NOT_ALLOWED("This server is only for invited players.", false);
 
   private final String playerText;
   private final boolean retryUseful;

@@ -128,13 +128,36 @@ public sealed interface ServerMessage {
   }
 
   /**
-   * One player of a {@link Roster}.
+   * One participant of a {@link Roster}: a player or a spectator.
    *
    * @param playerId 0..1,023
-   * @param name see {@link PlayerName}; empty when the player has gone
+   * @param name see {@link PlayerName}; empty when the participant has gone, and the rest has no
+   *     meaning
+   * @param team number with a meaning of the game's own; -1 for spectators
    * @param score the player's score, as the game counts it
+   * @param spectator whether it watches and has no body
+   * @param ready whether the player has said that it is ready
+   * @param alive whether the player has a body
+   * @param pingMs round trip as the server measures it, 0..{@value #MAX_PING_MS} ms, roughly; 0
+   *     while it isn't known or there is no link
    */
-  record RosterEntry(int playerId, String name, int score) {
+  record RosterEntry(
+      int playerId,
+      String name,
+      int team,
+      int score,
+      boolean spectator,
+      boolean ready,
+      boolean alive,
+      int pingMs) {
+    /** Longest round trip that is told. */
+    public static final int MAX_PING_MS = 9_999;
+
+    /** Returns the entry of a participant that has gone. */
+    public static RosterEntry gone(int playerId) {
+      return new RosterEntry(playerId, "", 0, 0, false, false, false, 0);
+    }
+
     /** Returns whether the player has gone and the id is free. */
     public boolean hasGone() {
       return name.isEmpty();

@@ -1,5 +1,6 @@
 package carom.net.transport;
 
+import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
@@ -38,6 +39,11 @@ public final class ImpairedServerTransport implements ServerTransport {
   @Override
   public int udpPort() {
     return inner.udpPort();
+  }
+
+  @Override
+  public List<NetworkCounter> networkCounters() {
+    return inner.networkCounters();
   }
 
   @Override

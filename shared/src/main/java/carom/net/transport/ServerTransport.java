@@ -1,5 +1,7 @@
 package carom.net.transport;
 
+import java.util.List;
+
 /** Server side of a transport. */
 public interface ServerTransport extends AutoCloseable {
 
@@ -18,6 +20,11 @@ public interface ServerTransport extends AutoCloseable {
    */
   default String troubles() {
     return "";
+  }
+
+  /** Returns what the transport counts. Any thread may call it. */
+  default List<NetworkCounter> networkCounters() {
+    return List.of();
   }
 
   /**

@@ -29,7 +29,16 @@ final class KryoMessageCodecTest {
   static List<Object> everyMessage() {
     List<RosterEntry> full = new ArrayList<>();
     for (int i = 0; i < Limits.MAX_ROSTER_ENTRIES; i++) {
-      full.add(new RosterEntry(i, "x".repeat(Limits.MAX_NAME_BYTES), Integer.MIN_VALUE + i));
+      full.add(
+          new RosterEntry(
+              i,
+              "x".repeat(Limits.MAX_NAME_BYTES),
+              Integer.MIN_VALUE + i,
+              Integer.MIN_VALUE + i,
+              true,
+              true,
+              true,
+              RosterEntry.MAX_PING_MS));
     }
     byte[] chunk = new byte[Limits.MAX_LEVEL_CHUNK_BYTES];
     Arrays.fill(chunk, (byte) 0xa5);
@@ -67,7 +76,7 @@ final class KryoMessageCodecTest {
         new ClientMessage.LevelRequest(7, 1_000),
         new ClientMessage.Ready(7, 5),
         new ClientMessage.Leave(),
-        new ClientMessage.Look(1.5f, -2, 0, 1e30f));
+        new ClientMessage.Look(1.5f, -2, 0, 1e30f, ClientMessage.Look.NOBODY));
   }
 
   private static ServerMessage.RoomEntry largestRoom() {
@@ -139,9 +148,11 @@ final class KryoMessageCodecTest {
         "4203026f6b",
         hex.formatHex(codec.encode(new ServerMessage.Refused(RefusalReason.NAME_INVALID, "ok"))));
     assertEquals(
-        "4301050241620d",
+        "43010502416204020dc801",
         hex.formatHex(
-            codec.encode(new ServerMessage.Roster(List.of(new RosterEntry(5, "Ab", -7))))));
+            codec.encode(
+                new ServerMessage.Roster(
+                    List.of(new RosterEntry(5, "Ab", 1, -7, false, false, true, 200))))));
     assertEquals("440148", hex.formatHex(codec.encode(new ServerMessage.Notice("H"))));
     assertEquals(
         "450000", hex.formatHex(codec.encode(new ServerMessage.Goodbye(GoodbyeReason.LEFT, ""))));

@@ -1,4 +1,4 @@
-package carom.server.room;
+package carom.server.match;
 
 import carom.game.GuardedGame;
 import carom.server.metrics.Counter;
@@ -12,7 +12,7 @@ import org.slf4j.LoggerFactory;
  * Counts the exceptions of a room's game and logs the 1st, 10th, 100th... of them. The room closes
  * when each tick of a second has failed.
  */
-final class GameFailures implements GuardedGame.Watch {
+public final class GameFailures implements GuardedGame.Watch {
   private static final Logger LOG = LoggerFactory.getLogger(GameFailures.class);
 
   private final String game;
@@ -29,21 +29,21 @@ final class GameFailures implements GuardedGame.Watch {
    * @param game name of the game
    * @param label begins each log line
    */
-  GameFailures(String game, Counters counters, String label) {
+  public GameFailures(String game, Counters counters, String label) {
     this.game = game;
     this.counters = counters;
     this.label = label;
   }
 
   /** Ends a tick, and returns how many ticks in a row, up to this one, had a failure. */
-  int endTick() {
+  public int endTick() {
     failedTicksInARow = failedThisTick ? failedTicksInARow + 1 : 0;
     failedThisTick = false;
     return failedTicksInARow;
   }
 
   /** Logs and counts what was found since the last call that the game's rules do wrongly. */
-  void tell(Findings findings) {
+  public void tell(Findings findings) {
     for (; toldFindings < findings.count(); toldFindings++) {
       counters.add(Counter.UNFORESEEN, 1);
       LOG.warn("{}game {}: {}", label, game, findings.get(toldFindings));

@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.jmx;
 
 import carom.server.room.Room;
 import java.lang.management.ManagementFactory;
@@ -11,7 +11,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Exposes a room to JMX tools. */
-final class RoomInspector implements RoomMXBean {
+public final class RoomInspector implements RoomMXBean {
   private static final Logger LOG = LoggerFactory.getLogger(RoomInspector.class);
 
   private final Room room;
@@ -24,7 +24,7 @@ final class RoomInspector implements RoomMXBean {
    * Registers a room with JMX. It replaces a registered room of the same number. If JMX refuses,
    * the server logs a warning and goes on.
    */
-  static void show(Room room) {
+  public static void show(Room room) {
     try {
       MBeanServer tools = ManagementFactory.getPlatformMBeanServer();
       ObjectName name = new ObjectName("carom:type=Room,number=" + room.number());

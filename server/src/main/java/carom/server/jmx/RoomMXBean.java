@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.jmx;
 
 /**
  * The operations of a running room that an operator can call with any JMX tool, such as {@code

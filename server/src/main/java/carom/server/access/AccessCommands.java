@@ -1,0 +1,239 @@
+package carom.server.access;
+
+import carom.net.protocol.PlayerName;
+import carom.server.command.Command;
+import carom.server.command.CommandException;
+import carom.server.command.CommandRegistry;
+import carom.server.command.CommandWords;
+import carom.server.room.Room;
+import carom.server.session.PlayerInfo;
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The commands that change who may play, and a thread that reads the lists again when somebody has
+ * edited them. Players who may no longer play are removed.
+ */
+public final class AccessCommands {
+  private static final Logger LOG = LoggerFactory.getLogger(AccessCommands.class);
+  private static final long LOOK_MS = 1_000;
+  private static final String FOREVER = "forever";
+  private static final Pattern TIME = Pattern.compile("(\\d{1,5})([mhdw])");
+
+  private final AccessLists lists;
+  private final List<Room> rooms;
+
+  private AccessCommands(AccessLists lists, List<Room> rooms) {
+    this.lists = lists;
+    this.rooms = rooms;
+  }
+
+  /** Adds the commands to a registry, and starts the thread, which ends with the process. */
+  public static void add(CommandRegistry registry, AccessLists lists, List<Room> rooms) {
+    AccessCommands all = new AccessCommands(lists, rooms);
+    registry.add(
+        new Command(
+            "ban",
+            "[PLAYER | ADDRESS[/BITS] | name NAME] [TIME] [REASON]",
+            "Bans: a player by name and address, or one of them; TIME is 30m, 12h, 7d or 2w. Alone:"
+                + " shows the bans.",
+            all::ban,
+            place -> place == 0 ? all.playerNames() : List.of()));
+    registry.add(
+        new Command(
+            "unban",
+            "NAME | ADDRESS[/BITS]",
+            "Ends bans of a name or address.",
+            words -> all.remove(lists.bans(), words, "ban"),
+            place -> place == 0 ? values(lists.bans()) : List.of()));
+    registry.add(
+        new Command(
+            "allow",
+            "[NAME | ADDRESS[/BITS]]",
+            "Lets a name or address play where allow-list = true. Alone: shows the list.",
+            all::allow,
+            place -> place == 0 ? all.playerNames() : List.of()));
+    registry.add(
+        new Command(
+            "disallow",
+            "NAME | ADDRESS[/BITS]",
+            "Takes a name or address from that list.",
+            words -> all.remove(lists.allowed(), words, "entry"),
+            place -> place == 0 ? values(lists.allowed()) : List.of()));
+    Thread thread = new Thread(all::watch, "carom-access");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  private static List<String> values(AccessFile file) {
+    return file.entries().stream()
+        .map(entry -> entry.range() != null ? entry.range().toString() : entry.name())
+        .toList();
+  }
+
+  private List<String> playerNames() {
+    List<String> names = new ArrayList<>();
+    rooms.forEach(room -> room.operator().players().forEach(player -> names.add(player.name())));
+    return names;
+  }
+
+  private void watch() {
+    try {
+      while (true) {
+        Thread.sleep(LOOK_MS);
+        if (lists.reloadIfChanged()) {
+          removePlayers();
+        }
+      }
+    } catch (InterruptedException e) {
+      LOG.debug("the access lists are no longer watched");
+    }
+  }
+
+  /** Removes the players who may not play, and returns how many. */
+  private int removePlayers() {
+    int removed = 0;
+    for (Room room : rooms) {
+      for (PlayerInfo player : room.operator().players()) {
+        EntryRule.Refusal refusal = lists.refusal(player.name(), player.remote());
+        if (refusal != null) {
+          String text = refusal.reason().playerText() + " " + refusal.text();
+          LOG.info("{}", room.operator().kick(player.id(), text.strip()));
+          removed++;
+        }
+      }
+    }
+    return removed;
+  }
+
+  private String ban(CommandWords words) throws CommandException {
+    if (!words.has(0)) {
+      return show(lists.bans(), "nobody is banned");
+    }
+    boolean byName = words.word(0, "PLAYER").equals("name") && words.has(1);
+    int next = byName ? 2 : 1;
+    String who = words.word(byName ? 1 : 0, "NAME");
+    Instant until = null;
+    if (words.has(next)) {
+      Matcher time = TIME.matcher(words.word(next, "TIME"));
+      if (time.matches()) {
+        until = lists.clock().instant().truncatedTo(ChronoUnit.SECONDS).plus(duration(time));
+        next++;
+      } else if (words.word(next, "TIME").equals(FOREVER)) {
+        next++;
+      }
+    }
+    String reason = words.rest(next);
+    List<AccessEntry> entries = new ArrayList<>();
+    Optional<AddressRange> range = AddressRange.parse(who);
+    if (byName || range.isEmpty()) {
+      entries.add(new AccessEntry(null, nameOf(who, byName), until, reason));
+      for (AddressRange household : byName ? Set.<AddressRange>of() : households(who)) {
+        entries.add(new AccessEntry(household, null, until, reason));
+      }
+    } else {
+      entries.add(new AccessEntry(range.get(), null, until, reason));
+    }
+    change(lists.bans(), entries);
+    StringBuilder text = new StringBuilder("banned ");
+    text.append(String.join(" and ", entries.stream().map(AccessEntry::what).toList()))
+        .append(until == null ? " forever" : " until " + until);
+    int removed = removePlayers();
+    return text.append("; ").append(removed).append(removed == 1 ? " player" : " players")
+        + " removed";
+  }
+
+  private static Duration duration(Matcher time) {
+    long count = Long.parseLong(time.group(1));
+    return switch (time.group(2)) {
+      case "m" -> Duration.ofMinutes(count);
+      case "h" -> Duration.ofHours(count);
+      case "d" -> Duration.ofDays(count);
+      default -> Duration.ofDays(7 * count);
+    };
+  }
+
+  /** Returns a name; without the word {@code name}, only that of a player who is here. */
+  private String nameOf(String who, boolean byName) throws CommandException {
+    if (!byName && playerNames().stream().noneMatch(name -> isSame(name, who))) {
+      throw new CommandException(
+          "no player=" + who + " plays here; to ban a name in advance: ban name " + who);
+    }
+    return who;
+  }
+
+  private static boolean isSame(String name, String other) {
+    return PlayerName.folded(name).equals(PlayerName.folded(other));
+  }
+
+  private Set<AddressRange> households(String name) {
+    Set<AddressRange> ranges = new LinkedHashSet<>();
+    for (Room room : rooms) {
+      for (PlayerInfo player : room.operator().players()) {
+        if (isSame(player.name(), name)) {
+          AddressRange.household(player.remote()).ifPresent(ranges::add);
+        }
+      }
+    }
+    return ranges;
+  }
+
+  private String allow(CommandWords words) throws CommandException {
+    if (!words.has(0)) {
+      String state = lists.onlyAllowed() ? "" : "allow-list = false: everybody may play\n";
+      return state + show(lists.allowed(), "the list is empty");
+    }
+    words.requireAtMost(1);
+    AccessEntry entry = entry(words.word(0, "NAME"));
+    change(lists.allowed(), List.of(entry));
+    return "allowed " + entry.what();
+  }
+
+  private static AccessEntry entry(String value) {
+    Optional<AddressRange> range = AddressRange.parse(value);
+    return new AccessEntry(range.orElse(null), range.isPresent() ? null : value, null, "");
+  }
+
+  private static void change(AccessFile file, List<AccessEntry> entries) throws CommandException {
+    try {
+      for (AccessEntry entry : entries) {
+        file.add(entry);
+      }
+    } catch (IOException e) {
+      throw new CommandException(e.getMessage());
+    }
+  }
+
+  private String remove(AccessFile file, CommandWords words, String what) throws CommandException {
+    words.requireAtMost(1);
+    AccessEntry wanted = entry(words.word(0, "NAME"));
+    try {
+      int removed = file.remove(wanted::isAboutSame);
+      if (removed == 0) {
+        throw new CommandException("no " + what + " of " + wanted.what());
+      }
+      removePlayers();
+      return "removed the " + what + " of " + wanted.what();
+    } catch (IOException e) {
+      throw new CommandException(e.getMessage());
+    }
+  }
+
+  private static String show(AccessFile file, String empty) {
+    List<AccessEntry> entries = file.entries();
+    return entries.isEmpty()
+        ? empty
+        : String.join("\n", entries.stream().map(AccessEntry::line).toList());
+  }
+}

@@ -1,0 +1,92 @@
+package carom.server.access;
+
+import carom.net.protocol.PlayerName;
+import carom.server.command.CommandWords;
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * One line of a list: {@code name "Bob B" until 2026-12-01T00:00:00Z because of threats}.
+ * Immutable.
+ *
+ * @param range the addresses that it is about, or null if it is about a name
+ * @param name the name that it is about, or null if it is about addresses
+ * @param until when it ends, or null for never
+ * @param reason for players and operators, may be empty
+ */
+record AccessEntry(AddressRange range, String name, Instant until, String reason) {
+  private static final String ADDRESS = "address";
+  private static final String NAME = "name";
+  private static final String UNTIL = "until";
+
+  /**
+   * Returns the entry of a line.
+   *
+   * @throws IllegalArgumentException if it is none; the message says what is wrong
+   */
+  static AccessEntry parse(String line) {
+    List<String> words = CommandWords.split(line);
+    if (words.size() < 2 || !(words.get(0).equals(ADDRESS) || words.get(0).equals(NAME))) {
+      throw new IllegalArgumentException(
+          "lines look like: address 203.0.113.7, or: name \"Bob B\" until 2026-12-01T00:00:00Z"
+              + " REASON");
+    }
+    Instant until = null;
+    int next = 2;
+    if (words.size() > 2 && words.get(2).equals(UNTIL)) {
+      String time = words.size() > 3 ? words.get(3) : "";
+      try {
+        until = Instant.parse(time);
+      } catch (DateTimeException e) {
+        throw new IllegalArgumentException(
+            UNTIL + "=" + time + " is no time such as 2026-12-01T00:00:00Z", e);
+      }
+      next = 4;
+    }
+    String reason = String.join(" ", words.subList(next, words.size()));
+    String value = words.get(1);
+    if (words.get(0).equals(NAME)) {
+      return new AccessEntry(null, value, until, reason);
+    }
+    Optional<AddressRange> range = AddressRange.parse(value);
+    return new AccessEntry(
+        range.orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    ADDRESS + "=" + value + " is no address such as 203.0.113.7 or 2001:db8::/48")),
+        null,
+        until,
+        reason);
+  }
+
+  /** Returns whether this is about a client at a time. */
+  boolean covers(String player, byte[] address, Instant now) {
+    if (until != null && !now.isBefore(until)) {
+      return false;
+    }
+    return range != null
+        ? address != null && range.contains(address)
+        : player != null && PlayerName.folded(name).equals(PlayerName.folded(player));
+  }
+
+  /** Returns whether this is about the same name or addresses as another. */
+  boolean isAboutSame(AccessEntry other) {
+    return range != null
+        ? range.equals(other.range)
+        : other.name != null && PlayerName.folded(name).equals(PlayerName.folded(other.name));
+  }
+
+  /** Returns the line in the file. */
+  String line() {
+    return what()
+        + (until == null ? "" : " " + UNTIL + " " + until)
+        + (reason.isEmpty() ? "" : " " + reason.replace("\"", "'"));
+  }
+
+  /** Returns what it is about, as in the file. */
+  String what() {
+    return range != null ? ADDRESS + " " + range : NAME + " \"" + name.replace("\"", "") + "\"";
+  }
+}

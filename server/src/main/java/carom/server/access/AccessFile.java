@@ -1,0 +1,180 @@
+package carom.server.access;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Predicate;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A list in a file, one entry a line. People may edit the file while the server runs. Comments and
+ * lines that can't be read stay in it; each such line is logged when it is read and has no effect.
+ * A file that can't be read leaves the entries as they were.
+ *
+ * <p>Any thread may ask for the entries; all else holds a lock.
+ */
+final class AccessFile {
+  private static final Logger LOG = LoggerFactory.getLogger(AccessFile.class);
+  private static final FileTime MISSING = FileTime.fromMillis(0);
+
+  private final Path file;
+  private final String head;
+  private volatile List<AccessEntry> entries = List.of();
+  private FileTime readTime;
+  private long readSize;
+
+  /**
+   * Reads the file, if it is there.
+   *
+   * @param head first line of a new file, a comment
+   * @throws IOException if it can't be read; the message says what to do
+   */
+  AccessFile(Path file, String head) throws IOException {
+    this.file = file;
+    this.head = head;
+    noteTime();
+    entries = read();
+  }
+
+  /** Returns the entries that the file had when it was read last. */
+  List<AccessEntry> entries() {
+    return entries;
+  }
+
+  /** Reads the file again if it has changed, and returns whether it has. */
+  synchronized boolean reloadIfChanged() {
+    try {
+      if (!noteTime()) {
+        return false;
+      }
+      entries = read();
+      LOG.info("{}: {} entries", file, entries.size());
+      return true;
+    } catch (IOException e) {
+      LOG.error("{}; the entries read before stay in force", e.getMessage());
+      return false;
+    }
+  }
+
+  /** Notes time and size of the file, and returns whether they differ from those noted before. */
+  private boolean noteTime() throws IOException {
+    FileTime time = MISSING;
+    long size = 0;
+    try {
+      time = Files.getLastModifiedTime(file);
+      size = Files.size(file);
+    } catch (NoSuchFileException e) {
+      // the list is empty
+    }
+    boolean changed = !time.equals(readTime) || size != readSize;
+    readTime = time;
+    readSize = size;
+    return changed;
+  }
+
+  private List<AccessEntry> read() throws IOException {
+    List<AccessEntry> found = new ArrayList<>();
+    List<String> lines = lines();
+    for (int i = 0; i < lines.size(); i++) {
+      try {
+        if (isEntry(lines.get(i))) {
+          found.add(AccessEntry.parse(lines.get(i)));
+        }
+      } catch (IllegalArgumentException e) {
+        LOG.error("{}: {}: {}; the line has no effect", file, i + 1, e.getMessage());
+      }
+    }
+    return List.copyOf(found);
+  }
+
+  private List<String> lines() throws IOException {
+    try {
+      return Files.readAllLines(file);
+    } catch (NoSuchFileException e) {
+      return List.of();
+    } catch (AccessDeniedException e) {
+      throw unreadable("the user " + System.getProperty("user.name") + " has no permission", e);
+    } catch (CharacterCodingException e) {
+      throw unreadable("it isn't text in UTF-8", e);
+    } catch (IOException e) {
+      throw unreadable(Files.isDirectory(file) ? "it is a folder" : e.toString(), e);
+    }
+  }
+
+  private IOException unreadable(String why, IOException cause) {
+    return new IOException(file + " can't be read: " + why + "; mend it, or move it away", cause);
+  }
+
+  private static boolean isEntry(String line) {
+    return !line.isBlank() && !line.strip().startsWith("#");
+  }
+
+  /**
+   * Adds an entry, in the place of one about the same.
+   *
+   * @throws IOException if the file can't be written; the message says what to do
+   */
+  synchronized void add(AccessEntry entry) throws IOException {
+    rewrite(entry::isAboutSame, entry);
+  }
+
+  /**
+   * Removes entries, and returns how many.
+   *
+   * @throws IOException if the file can't be written; the message says what to do
+   */
+  synchronized int remove(Predicate<AccessEntry> which) throws IOException {
+    int before = entries.size();
+    if (entries.stream().anyMatch(which)) {
+      rewrite(which, null);
+    }
+    return before - entries.size();
+  }
+
+  private void rewrite(Predicate<AccessEntry> without, AccessEntry added) throws IOException {
+    List<String> kept = new ArrayList<>();
+    for (String line : lines()) {
+      if (!isEntry(line) || !matches(line, without)) {
+        kept.add(line);
+      }
+    }
+    if (kept.isEmpty()) {
+      kept.add(head);
+    }
+    if (added != null) {
+      kept.add(added.line());
+    }
+    Path fresh = file.resolveSibling(file.getFileName() + ".new");
+    try {
+      Files.createDirectories(file.toAbsolutePath().getParent());
+      Files.write(fresh, kept);
+      Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (IOException e) {
+      throw new IOException(
+          file + " can't be written (" + e + "), so nothing has changed; make it writable", e);
+    }
+    noteTime();
+    entries = read();
+  }
+
+  private static boolean matches(String line, Predicate<AccessEntry> which) {
+    try {
+      return which.test(AccessEntry.parse(line));
+    } catch (IllegalArgumentException e) {
+      return false;
+    }
+  }
+
+  @Override
+  public String toString() {
+    return file.toString();
+  }
+}

@@ -1,0 +1,81 @@
+package carom.server.access;
+
+import carom.net.protocol.RefusalReason;
+import carom.server.config.DataFolder;
+import java.io.IOException;
+import java.time.InstantSource;
+
+/**
+ * The bans, and the list of players who alone may play if the operator wants that. Both are files
+ * in the data folder, see {@link AccessFile}. Any thread may use this.
+ */
+public final class AccessLists implements EntryRule {
+  private final AccessFile bans;
+  private final AccessFile allowed;
+  private final boolean onlyAllowed;
+  private final InstantSource clock;
+
+  /**
+   * Reads both files.
+   *
+   * @param onlyAllowed whether only players of the second list may play
+   * @param clock tells when bans end
+   * @throws IOException if a file is there but can't be read; the message says what to do
+   */
+  public AccessLists(DataFolder data, boolean onlyAllowed, InstantSource clock) throws IOException {
+    this.onlyAllowed = onlyAllowed;
+    this.clock = clock;
+    bans =
+        new AccessFile(
+            data.root().resolve("bans.txt"),
+            "# Who may not play. The server reads this file again when it changes.");
+    allowed =
+        new AccessFile(
+            data.root().resolve("allow.txt"),
+            "# Who may play, if allow-list = true. The server reads this file again when it"
+                + " changes.");
+  }
+
+  AccessFile bans() {
+    return bans;
+  }
+
+  AccessFile allowed() {
+    return allowed;
+  }
+
+  boolean onlyAllowed() {
+    return onlyAllowed;
+  }
+
+  InstantSource clock() {
+    return clock;
+  }
+
+  /** Reads the files that have changed again, and returns whether one has. */
+  boolean reloadIfChanged() {
+    return bans.reloadIfChanged() | allowed.reloadIfChanged();
+  }
+
+  @Override
+  public Refusal refusal(String name, String remote) {
+    byte[] address = AddressRange.addressOf(remote).orElse(null);
+    for (AccessEntry ban : bans.entries()) {
+      if (ban.covers(name, address, clock.instant())) {
+        return new Refusal(RefusalReason.BANNED, describe(ban));
+      }
+    }
+    if (onlyAllowed
+        && allowed.entries().stream()
+            .noneMatch(entry -> entry.covers(name, address, clock.instant()))) {
+      return new Refusal(RefusalReason.NOT_ALLOWED, "");
+    }
+    return null;
+  }
+
+  /** Returns reason and end of a ban, for the player. */
+  private static String describe(AccessEntry ban) {
+    String reason = ban.reason().isEmpty() ? "" : ban.reason() + ". ";
+    return reason + (ban.until() == null ? "" : "Until " + ban.until() + ".");
+  }
+}

@@ -1,0 +1,26 @@
+package carom.server.access;
+
+import carom.net.protocol.RefusalReason;
+
+/** Decides whether a client may come in. The lobby's thread asks; the answer takes no disk. */
+@FunctionalInterface
+public interface EntryRule {
+  /** Lets everybody in. */
+  EntryRule OPEN = (name, remote) -> null;
+
+  /**
+   * A client that may not come in.
+   *
+   * @param reason why, for the client
+   * @param text why, for the player; may be empty
+   */
+  record Refusal(RefusalReason reason, String text) {}
+
+  /**
+   * Returns why a client may not come in, or null if it may.
+   *
+   * @param name name of the player, or null for a spectator
+   * @param remote address and port, as the link tells them
+   */
+  Refusal refusal(String name, String remote);
+}

@@ -1,0 +1,41 @@
+package carom.server.command;
+
+/**
+ * Makes text from players and files safe for a terminal: escape sequences would move its cursor or
+ * change its title, and marks of writing direction would turn a line around.
+ */
+public final class Printable {
+  private Printable() {}
+
+  /**
+   * Returns a text in which control, format and other invisible characters are written as {@code
+   * U+001B}. Line feeds stay.
+   */
+  public static String text(String text) {
+    StringBuilder safe = new StringBuilder(text.length());
+    text.codePoints()
+        .forEach(
+            point -> {
+              if (point == '\n' || !isHidden(point)) {
+                safe.appendCodePoint(point);
+              } else {
+                safe.append(String.format("U+%04X", point));
+              }
+            });
+    return safe.toString();
+  }
+
+  private static boolean isHidden(int point) {
+    return switch (Character.getType(point)) {
+      case Character.CONTROL,
+          Character.FORMAT,
+          Character.SURROGATE,
+          Character.UNASSIGNED,
+          Character.PRIVATE_USE,
+          Character.LINE_SEPARATOR,
+          Character.PARAGRAPH_SEPARATOR ->
+          true;
+      default -> false;
+    };
+  }
+}

@@ -1,0 +1,242 @@
+package carom.server.command;
+
+import carom.game.Games;
+import carom.server.config.DataFolder;
+import carom.server.match.MatchLibrary;
+import carom.server.room.OperatorCommands;
+import carom.server.room.Room;
+import carom.server.session.PlayerInfo;
+import carom.sim.message.BuiltInKinds;
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+
+/** The commands that are about a room: who plays, what is played, and what is recorded. */
+public final class RoomCommands {
+  private static final String STOP = "stop";
+  private static final String MATCH = "match";
+  private static final Pattern FILE_NAME = Pattern.compile("[-\\w]{1,64}");
+
+  private final RoomFinder finder;
+  private final List<Room> rooms;
+  private final DataFolder data;
+
+  private RoomCommands(List<Room> rooms, DataFolder data) {
+    this.finder = new RoomFinder(rooms);
+    this.rooms = rooms;
+    this.data = data;
+  }
+
+  /**
+   * Adds the commands to a registry.
+   *
+   * @param rooms all rooms of the server
+   * @param data the server's files
+   */
+  public static void add(CommandRegistry registry, List<Room> rooms, DataFolder data) {
+    RoomCommands all = new RoomCommands(rooms, data);
+    registry.add(new Command("list", "[@ROOM]", "Shows the players.", all::list, all::onlyRooms));
+    registry.add(
+        new Command("rooms", "", "Shows the rooms and what they play.", all::rooms, Command.NONE));
+    registry.add(
+        new Command(
+            "say",
+            "[@ROOM] TEXT",
+            "Says a line to all players, or to those of a room.",
+            all::say,
+            all::onlyRooms));
+    registry.add(
+        new Command(
+            "kick",
+            "PLAYER [REASON]",
+            "Removes a player, by name or id, who may join again.",
+            all::kick,
+            all::players));
+    registry.add(
+        new Command(
+            "level",
+            "[@ROOM] LEVEL",
+            "Goes on with another level: a file, one of the data folder, or one that comes along.",
+            all::level,
+            all::levels));
+    registry.add(
+        new Command(
+            "game",
+            "[@ROOM] GAME [LEVEL]",
+            "Goes on with another game, in its default level or another.",
+            all::game,
+            all::games));
+    registry.add(
+        new Command(
+            "record",
+            "[@ROOM] [FILE | stop]",
+            "Begins to record, to the data folder or a file or folder; or ends that.",
+            all::record,
+            place -> place == 0 ? List.of(STOP) : List.of()));
+    registry.add(
+        new Command(
+            "save",
+            "[@ROOM] [NAME]",
+            "Saves the match to the data folder, under the room's name or another.",
+            all::save,
+            Command.NONE));
+    registry.add(
+        new Command(
+            "load", "[@ROOM] [NAME]", "Goes on with a saved match.", all::load, Command.NONE));
+    registry.add(
+        new Command(
+            "why",
+            "PLAYER ENTITY",
+            "Explains why a player was not sent an entity, or that it was.",
+            all::why,
+            all::players));
+    registry.add(
+        new Command(
+            "fields",
+            "[@ROOM] match | player N | entity N",
+            "Shows the values of fields.",
+            all::fields,
+            place -> place == 0 ? List.of(MATCH, "player", "entity") : List.of()));
+  }
+
+  private List<String> onlyRooms(int place) {
+    return finder.names();
+  }
+
+  private List<String> players(int place) {
+    return place == 0 ? finder.playerNames() : List.of();
+  }
+
+  private List<String> levels(int place) {
+    return place == 0 ? levelNames() : List.of();
+  }
+
+  private List<String> games(int place) {
+    return place == 0 ? Games.names() : levels(place - 1);
+  }
+
+  private List<String> levelNames() {
+    List<String> names = new ArrayList<>(data.levelNames());
+    names.addAll(MatchLibrary.builtInLevels());
+    return names;
+  }
+
+  private String list(CommandWords words) throws CommandException {
+    words.requireAtMost(0);
+    Table table = new Table("id", "name", "room", "address", "state", "team", "score");
+    int count = 0;
+    for (Room room : finder.all(words)) {
+      for (PlayerInfo player : room.operator().players()) {
+        table.add(
+            player.id(),
+            player.name(),
+            room.name(),
+            player.remote(),
+            player.state(),
+            player.team(),
+            player.score());
+        count++;
+      }
+    }
+    return count == 0 ? "nobody plays" : table.toString();
+  }
+
+  private String rooms(CommandWords words) throws CommandException {
+    words.requireAtMost(0);
+    Table table = new Table("room", "players", "game", "level", "tick", "state");
+    for (Room room : rooms) {
+      table.add(
+          "@" + room.name(),
+          room.seats().takenCount() + "/" + room.seats().count(),
+          room.match().game(),
+          room.match().level().level().name(),
+          room.tick(),
+          room.hasFailed() ? "failed" : "runs");
+    }
+    return table.toString();
+  }
+
+  private String say(CommandWords words) throws CommandException {
+    String text = words.word(0, "TEXT").isEmpty() ? "" : words.rest(0);
+    if (text.isBlank() || text.length() > BuiltInKinds.MAX_CHAT) {
+      throw new CommandException(
+          "TEXT has %d characters, allowed are 1..%d"
+              .formatted(text.length(), BuiltInKinds.MAX_CHAT));
+    }
+    int heard = 0;
+    for (Room room : finder.all(words)) {
+      heard += room.operator().say(text);
+    }
+    return "said to " + heard + (heard == 1 ? " player" : " players");
+  }
+
+  private String kick(CommandWords words) throws CommandException {
+    RoomFinder.Found found = finder.player(words, 0);
+    return found.room().operator().kick(found.player().id(), words.rest(1));
+  }
+
+  private String level(CommandWords words) throws CommandException {
+    words.requireAtMost(1);
+    return finder.one(words).operator().change("", words.word(0, "LEVEL"));
+  }
+
+  private String game(CommandWords words) throws CommandException {
+    words.requireAtMost(2);
+    String game = words.word(0, "GAME");
+    return finder.one(words).operator().change(game, words.rest(1));
+  }
+
+  private String record(CommandWords words) throws CommandException {
+    words.requireAtMost(1);
+    OperatorCommands room = finder.one(words).operator();
+    if (words.has(0) && words.word(0, "FILE").equals(STOP)) {
+      return room.stopRecording();
+    }
+    try {
+      return room.record(words.has(0) ? Path.of(words.word(0, "FILE")) : data.newRecordings());
+    } catch (InvalidPathException e) {
+      throw new CommandException("FILE=" + words.rest(0) + " can't be the name of a file");
+    } catch (IOException e) {
+      throw new CommandException(e.getMessage());
+    }
+  }
+
+  private String save(CommandWords words) throws CommandException {
+    Room room = finder.one(words);
+    return room.operator().save(savedFile(room, words));
+  }
+
+  private String load(CommandWords words) throws CommandException {
+    Room room = finder.one(words);
+    return room.operator().load(savedFile(room, words));
+  }
+
+  private Path savedFile(Room room, CommandWords words) throws CommandException {
+    words.requireAtMost(1);
+    String name = words.has(0) ? words.word(0, "NAME") : room.name();
+    if (!FILE_NAME.matcher(name).matches()) {
+      throw new CommandException(
+          "NAME=" + name + " has other characters than letters, digits, - _");
+    }
+    return data.saved(name);
+  }
+
+  private String why(CommandWords words) throws CommandException {
+    words.requireAtMost(2);
+    RoomFinder.Found found = finder.player(words, 0);
+    String entity = words.word(1, "ENTITY");
+    try {
+      return found.room().operator().why(found.player().id(), Integer.parseInt(entity));
+    } catch (NumberFormatException e) {
+      throw new CommandException("ENTITY=" + entity + " is no number");
+    }
+  }
+
+  private String fields(CommandWords words) throws CommandException {
+    words.requireAtMost(2);
+    return finder.one(words).operator().fields(words.has(0) ? words.rest(0) : MATCH);
+  }
+}

@@ -1,0 +1,95 @@
+package carom.server.command;
+
+import carom.net.protocol.PlayerName;
+import carom.server.room.Room;
+import carom.server.session.PlayerInfo;
+import carom.text.Suggestion;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Finds the rooms and players that a line names. */
+final class RoomFinder {
+  private final List<Room> rooms;
+
+  /** A player and its room. */
+  record Found(Room room, PlayerInfo player) {}
+
+  RoomFinder(List<Room> rooms) {
+    this.rooms = rooms;
+  }
+
+  /** Returns the room that a line names, or all. */
+  List<Room> all(CommandWords words) throws CommandException {
+    return words.room() == null ? rooms : List.of(named(words.room()));
+  }
+
+  /** Returns the room that a line names, or the only one. */
+  Room one(CommandWords words) throws CommandException {
+    if (words.room() != null) {
+      return named(words.room());
+    }
+    if (rooms.size() > 1) {
+      throw new CommandException("which room? name one of " + String.join(", ", names()));
+    }
+    return rooms.get(0);
+  }
+
+  private Room named(String name) throws CommandException {
+    for (Room room : rooms) {
+      if (room.name().equalsIgnoreCase(name)) {
+        return room;
+      }
+    }
+    throw new CommandException(
+        "no room=%s; rooms are %s%s"
+            .formatted(
+                name, String.join(", ", names()), Suggestion.didYouMean("@" + name, names())));
+  }
+
+  /** Returns the names of the rooms as they are written in a line. */
+  List<String> names() {
+    return rooms.stream().map(room -> "@" + room.name()).toList();
+  }
+
+  /** Returns the player with a name or id, in the room that the line names or in any. */
+  Found player(CommandWords words, int place) throws CommandException {
+    String wanted = words.word(place, "PLAYER");
+    String folded = PlayerName.folded(wanted);
+    List<Found> named = new ArrayList<>();
+    List<Found> numbered = new ArrayList<>();
+    List<String> names = new ArrayList<>();
+    for (Room room : all(words)) {
+      for (PlayerInfo player : room.operator().players()) {
+        names.add(player.name());
+        if (PlayerName.folded(player.name()).equals(folded)) {
+          named.add(new Found(room, player));
+        } else if (wanted.equals(String.valueOf(player.id()))) {
+          numbered.add(new Found(room, player));
+        }
+      }
+    }
+    List<Found> found = named.isEmpty() ? numbered : named;
+    if (found.isEmpty()) {
+      throw new CommandException(
+          "no player=" + wanted + " plays here" + Suggestion.didYouMean(wanted, names));
+    }
+    if (found.size() > 1) {
+      throw new CommandException(
+          found.size()
+              + " rooms have a player="
+              + wanted
+              + "; name the room, such as "
+              + names().get(0));
+    }
+    return found.get(0);
+  }
+
+  /** Returns the names of all players, for completion. */
+  List<String> playerNames() {
+    List<String> names = new ArrayList<>();
+    for (Room room : rooms) {
+      room.operator().players().forEach(player -> names.add(player.name()));
+    }
+    return names;
+  }
+}

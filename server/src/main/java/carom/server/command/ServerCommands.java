@@ -1,0 +1,112 @@
+package carom.server.command;
+
+import carom.server.config.Setting;
+import carom.server.config.Settings;
+import carom.text.Suggestion;
+import java.util.List;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+
+/** The commands that are about the whole server. */
+public final class ServerCommands {
+  private final Supplier<List<String>> status;
+  private final Settings settings;
+  private final UnaryOperator<String> replay;
+  private final Runnable stop;
+
+  private ServerCommands(
+      Supplier<List<String>> status,
+      Settings settings,
+      UnaryOperator<String> replay,
+      Runnable stop) {
+    this.status = status;
+    this.settings = settings;
+    this.replay = replay;
+    this.stop = stop;
+  }
+
+  /**
+   * Adds the commands to a registry.
+   *
+   * @param status returns lines about rooms and load
+   * @param settings the effective settings
+   * @param replay computes a recording again and returns the outcome
+   * @param stop begins to stop the server, and returns at once
+   */
+  public static void add(
+      CommandRegistry registry,
+      Supplier<List<String>> status,
+      Settings settings,
+      UnaryOperator<String> replay,
+      Runnable stop) {
+    ServerCommands all = new ServerCommands(status, settings, replay, stop);
+    registry.add(
+        new Command(
+            "status", "", "Shows load and traffic since the start.", all::status, Command.NONE));
+    registry.add(
+        new Command(
+            "config",
+            "[SETTING]",
+            "Shows the settings that are set, or one with its origin and what it does.",
+            all::config,
+            place -> place == 0 ? settings.names() : List.of()));
+    registry.add(
+        new Command(
+            "replay",
+            "FILE",
+            "Computes a recording again and compares every tick; takes a core for a while.",
+            all::replay,
+            Command.NONE));
+    registry.add(
+        new Command(
+            "stop", "", "Tells the players and stops the server.", all::stop, Command.NONE));
+  }
+
+  private String status(CommandWords words) throws CommandException {
+    words.requireAtMost(0);
+    return String.join("\n", status.get());
+  }
+
+  private String config(CommandWords words) throws CommandException {
+    words.requireAtMost(1);
+    if (words.has(0)) {
+      return describe(words.word(0, "SETTING"));
+    }
+    Table table = new Table("setting", "value", "origin");
+    for (Setting setting : settings.all()) {
+      table.add(
+          setting.name(), setting.value().isEmpty() ? "-" : setting.value(), setting.origin());
+    }
+    return table.toString();
+  }
+
+  private String describe(String name) throws CommandException {
+    Setting setting =
+        settings
+            .find(name)
+            .orElseThrow(
+                () ->
+                    new CommandException(
+                        "unknown setting=" + name + Suggestion.didYouMean(name, settings.names())));
+    return "%s = %s\n  from: %s\n  default: %s\n  %s\n  set it with --%s, %s or in the file; it holds from the next start"
+        .formatted(
+            setting.name(),
+            setting.value().isEmpty() ? "-" : setting.value(),
+            setting.origin(),
+            setting.defaultValue().isEmpty() ? "-" : setting.defaultValue(),
+            setting.doc(),
+            setting.name(),
+            setting.variable());
+  }
+
+  private String replay(CommandWords words) throws CommandException {
+    words.requireAtMost(1);
+    return replay.apply(words.word(0, "FILE"));
+  }
+
+  private String stop(CommandWords words) throws CommandException {
+    words.requireAtMost(0);
+    stop.run();
+    return "stopping";
+  }
+}

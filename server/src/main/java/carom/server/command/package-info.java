@@ -1,0 +1,9 @@
+/**
+ * The commands of an operator. One registry holds them all; the console, JMX and whatever else an
+ * operator uses pass it lines and show its answers.
+ *
+ * <p>Allowed imports: {@code carom.server.config}, {@code carom.server.room}, {@code carom.game},
+ * {@code carom.values}, {@code carom.sim.level}, the JDK. Read first: {@link
+ * carom.server.command.CommandRegistry}, {@link carom.server.command.RoomCommands}.
+ */
+package carom.server.command;

@@ -1,0 +1,130 @@
+package carom.server.web;
+
+import carom.net.transport.NetworkCounter;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.room.Room;
+import io.micrometer.core.instrument.FunctionCounter;
+import io.micrometer.core.instrument.Gauge;
+import io.micrometer.core.instrument.Tag;
+import io.micrometer.core.instrument.Tags;
+import io.micrometer.core.instrument.binder.jvm.JvmMemoryMetrics;
+import io.micrometer.core.instrument.binder.jvm.JvmThreadMetrics;
+import io.micrometer.core.instrument.binder.system.ProcessorMetrics;
+import io.micrometer.core.instrument.binder.system.UptimeMetrics;
+import io.micrometer.prometheusmetrics.PrometheusConfig;
+import io.micrometer.prometheusmetrics.PrometheusMeterRegistry;
+import io.prometheus.metrics.model.registry.Collector;
+import io.prometheus.metrics.model.snapshots.ClassicHistogramBuckets;
+import io.prometheus.metrics.model.snapshots.HistogramSnapshot;
+import io.prometheus.metrics.model.snapshots.Labels;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * All counters as metrics for Prometheus: each room's with the label {@code room}, the transport's,
+ * tick times as a histogram, memory, threads and processor. Values are read when they are asked
+ * for. Any thread.
+ */
+final class Metrics {
+  private static final String PREFIX = "carom.";
+  private static final double NS_PER_S = 1e9;
+  private static final long[] TICK_LIMITS_NS = {
+    250_000,
+    500_000,
+    1_000_000,
+    2_000_000,
+    4_000_000,
+    8_000_000,
+    12_000_000,
+    16_666_667,
+    33_333_333,
+    100_000_000,
+    1_000_000_000
+  };
+
+  /** Kept here, because the registry doesn't keep what it reads. */
+  private final List<NetworkCounter> network;
+
+  private final PrometheusMeterRegistry registry =
+      new PrometheusMeterRegistry(PrometheusConfig.DEFAULT);
+
+  /**
+   * Creates the metrics of a server.
+   *
+   * @param rooms all rooms
+   * @param network what the transport counts
+   */
+  Metrics(List<Room> rooms, List<NetworkCounter> network) {
+    this.network = List.copyOf(network);
+    for (Room room : rooms) {
+      add(room);
+    }
+    for (NetworkCounter counter : this.network) {
+      FunctionCounter.builder(
+              PREFIX + "network." + counter.name(), counter, c -> c.value().getAsLong())
+          .description(counter.help())
+          .register(registry);
+    }
+    registry.getPrometheusRegistry().register((Collector) () -> tickTimes(rooms));
+    new JvmMemoryMetrics().bindTo(registry);
+    new JvmThreadMetrics().bindTo(registry);
+    new ProcessorMetrics().bindTo(registry);
+    new UptimeMetrics().bindTo(registry);
+  }
+
+  private void add(Room room) {
+    Tags tags = Tags.of(Tag.of("room", room.name()));
+    for (Counter counter : Counter.values()) {
+      String name = PREFIX + counter.name().toLowerCase(Locale.ROOT).replace('_', '.');
+      if (counter.isGauge()) {
+        Gauge.builder(name, room.counters(), counters -> counters.get(counter))
+            .tags(tags)
+            .description(counter.help())
+            .register(registry);
+      } else {
+        FunctionCounter.builder(name, room.counters(), counters -> counters.get(counter))
+            .tags(tags)
+            .description(counter.help())
+            .register(registry);
+      }
+    }
+    Gauge.builder(PREFIX + "places", room, r -> r.seats().count())
+        .tags(tags)
+        .description("Seats of the room.")
+        .register(registry);
+    Gauge.builder(PREFIX + "room.failed", room, r -> r.hasFailed() ? 1 : 0)
+        .tags(tags)
+        .description("1 if the room has closed itself because of an error.")
+        .register(registry);
+  }
+
+  private static HistogramSnapshot tickTimes(List<Room> rooms) {
+    HistogramSnapshot.Builder all =
+        HistogramSnapshot.builder()
+            .name("carom_tick_duration_seconds")
+            .help("Time that simulation steps took, with snapshots.");
+    for (Room room : rooms) {
+      Counters.TickHistogram times = room.counters().histogram(TICK_LIMITS_NS);
+      ClassicHistogramBuckets.Builder buckets = ClassicHistogramBuckets.builder();
+      long below = 0;
+      for (int i = 0; i < TICK_LIMITS_NS.length; i++) {
+        buckets.bucket(TICK_LIMITS_NS[i] / NS_PER_S, times.atMost()[i] - below);
+        below = times.atMost()[i];
+      }
+      buckets.bucket(Double.POSITIVE_INFINITY, times.count() - below);
+      all.dataPoint(
+          HistogramSnapshot.HistogramDataPointSnapshot.builder()
+              .labels(Labels.of("room", room.name()))
+              .classicHistogramBuckets(buckets.build())
+              .sum(times.sumNs() / NS_PER_S)
+              .build());
+    }
+    return all.build();
+  }
+
+  /** Returns all metrics in Prometheus' text format. */
+  String scrape() {
+    return registry.scrape();
+  }
+}

@@ -1,0 +1,9 @@
+/**
+ * What programs ask a server over HTTP: whether it is well, whether players may come, and its
+ * metrics. It has a port of its own, and no tick waits for it.
+ *
+ * <p>Allowed imports: {@code carom.net.transport}, {@code carom.server.metrics}, {@code
+ * carom.server.room}, Micrometer, Undertow, slf4j, the JDK. Read first: {@link
+ * carom.server.web.WebServer}, {@link carom.server.web.Metrics}.
+ */
+package carom.server.web;

@@ -1,0 +1,124 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.kryo.KryoClientTransport;
+import carom.net.kryo.KryoLimits;
+import carom.net.kryo.KryoServerTransport;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.RefusalReason;
+import carom.net.transport.Link;
+import carom.server.access.AccessCommands;
+import carom.server.access.AccessLists;
+import carom.server.command.CommandRegistry;
+import carom.server.config.DataFolder;
+import carom.server.config.ServerConfig;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.InstantSource;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Goal: who is banned stays out. Method: real sockets, commands, and an editor's changes. */
+@Timeout(60)
+final class BanTest {
+  @TempDir private Path folder;
+  private final CommandRegistry commands = new CommandRegistry();
+  private final KryoClientTransport transport = new KryoClientTransport();
+  private Server server;
+
+  @BeforeEach
+  void start() throws IOException {
+    InetAddress loopback = InetAddress.getLoopbackAddress();
+    server =
+        new Server(
+            ServerConfig.defaults(),
+            () -> new TestGame(3),
+            TestGame.level(),
+            new KryoServerTransport(loopback, 0, 0, KryoLimits.DEFAULT),
+            System::nanoTime);
+    AccessLists lists = new AccessLists(new DataFolder(folder), false, InstantSource.system());
+    server.admit(lists);
+    AccessCommands.add(commands, lists, server.rooms());
+    server.start();
+  }
+
+  @AfterEach
+  void stop() {
+    transport.close();
+    server.close();
+  }
+
+  private FakeClient connect(String name) throws InterruptedException {
+    FakeClient client =
+        new FakeClient(transport.connect("127.0.0.1", server.tcpPort(), server.udpPort()));
+    await(client, () -> client.link.state() == Link.State.OPEN);
+    client.hello(name);
+    await(client, () -> client.ready || client.refused != null);
+    return client;
+  }
+
+  private static void await(FakeClient client, BooleanSupplier what) throws InterruptedException {
+    for (int i = 0; i < 2_000 && !what.getAsBoolean(); i++) {
+      client.step(0);
+      Thread.sleep(5);
+    }
+    assertTrue(what.getAsBoolean(), () -> "" + client.messages);
+  }
+
+  /** Waits until a player is in the room, as its thread takes it in with a tick. */
+  private FakeClient join(String name) throws InterruptedException {
+    FakeClient client = connect(name);
+    await(
+        client,
+        () ->
+            server.rooms().get(0).operator().players().stream()
+                .anyMatch(player -> player.name().equals(name)));
+    return client;
+  }
+
+  private String run(String line) {
+    CommandRegistry.Answer answer = commands.run(line);
+    assertTrue(answer.ok(), answer.text());
+    return answer.text();
+  }
+
+  @Test
+  void aBannedPlayerIsRemovedAndStaysOutUntilUnbanned() throws Exception {
+    FakeClient bob = join("Bob B");
+    assertTrue(commands.run("ban Rob").text().contains("to ban a name in advance"));
+    String answer = run("ban \"bob b\" 7d threats in chat");
+    assertTrue(answer.contains("name \"bob b\" and address 127.0.0.1 until 20"), answer);
+    assertTrue(answer.endsWith("1 player removed"), answer);
+    await(bob, () -> bob.goodbye != null);
+    assertEquals(GoodbyeReason.KICKED, bob.goodbye.reason());
+    assertTrue(bob.goodbye.text().contains("threats in chat"), bob.goodbye.text());
+
+    FakeClient again = connect("Somebody");
+    assertEquals(RefusalReason.BANNED, again.refused.reason(), "the address is banned, too");
+    assertTrue(again.refused.text().contains("threats in chat"), again.refused.text());
+    run("unban 127.0.0.1");
+    assertEquals(RefusalReason.BANNED, connect("BOB B").refused.reason());
+    run("unban \"Bob B\"");
+    assertNotNull(join("Bob B"));
+    assertEquals("nobody is banned", run("ban"));
+  }
+
+  @Test
+  void anEditedFileComesIntoForceWithinSeconds() throws Exception {
+    FakeClient bob = join("Bob");
+    Files.writeString(folder.resolve("bans.txt"), "name Bob spam\n");
+    await(bob, () -> bob.goodbye != null);
+    assertTrue(bob.goodbye.text().contains("spam"), bob.goodbye.text());
+    assertEquals(RefusalReason.BANNED, connect("Bob").refused.reason());
+    assertNotNull(join("Ann"), "same address, other name");
+  }
+}

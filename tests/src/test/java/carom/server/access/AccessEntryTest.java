@@ -1,0 +1,85 @@
+package carom.server.access;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Instant;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Goal: lines of the lists mean what they say. */
+final class AccessEntryTest {
+  private static final Instant NOW = Instant.parse("2026-11-23T12:00:00Z");
+
+  private static boolean covers(String line, String name, String remote) {
+    byte[] address = AddressRange.addressOf(remote).orElse(null);
+    return AccessEntry.parse(line).covers(name, address, NOW);
+  }
+
+  @Test
+  void namesAreComparedAsPlayersSeeThem() {
+    assertTrue(covers("name \"Bob B\"", "bob b", "in process"));
+    assertTrue(covers("name Bob", "\uff22ob", "1.2.3.4:5"), "wide letters");
+    assertFalse(covers("name Bob", "Bobby", "1.2.3.4:5"));
+    assertFalse(covers("name Bob", null, "1.2.3.4:5"), "a spectator has no name");
+  }
+
+  @Test
+  void addressesAndTheirNetworksAreCovered() {
+    assertTrue(covers("address 203.0.113.7", null, "203.0.113.7:5000"));
+    assertFalse(covers("address 203.0.113.7", "x", "203.0.113.8:5000"));
+    assertTrue(covers("address 203.0.113.7/24", "x", "203.0.113.200:1"));
+    assertFalse(covers("address 203.0.113.7/24", "x", "203.0.112.7:1"));
+    assertTrue(covers("address 203.0.113.4/30", "x", "203.0.113.7:1"));
+    assertFalse(covers("address 203.0.113.4/30", "x", "203.0.113.8:1"));
+    assertTrue(covers("address 2001:db8::/32", "x", "[2001:db8:1:2:3:4:5:6]:9"));
+    assertFalse(covers("address 2001:db8::/32", "x", "[2001:db9::1]:9"));
+    assertFalse(covers("address 203.0.113.7", "x", "memory"));
+    assertEquals("2001:db8:1:2:0:0:0:0/64", household("[2001:db8:1:2:3:4:5:6]:9"));
+    assertEquals("203.0.113.7", household("203.0.113.7:1"));
+  }
+
+  private static String household(String remote) {
+    return AddressRange.household(remote).orElseThrow().toString();
+  }
+
+  @Test
+  void anEntryEndsAtItsTime() {
+    assertTrue(covers("name Bob until 2026-11-23T12:00:01Z", "Bob", "x"));
+    assertFalse(covers("name Bob until 2026-11-23T12:00:00Z", "Bob", "x"));
+  }
+
+  @Test
+  void linesAreWrittenAsTheyAreRead() {
+    for (String line :
+        List.of(
+            "name \"Bob B\"",
+            "name \"Bob\" until 2026-12-01T00:00:00Z threats in chat",
+            "address 203.0.113.0/24 flood")) {
+      assertEquals(line, AccessEntry.parse(line).line());
+      assertEquals(AccessEntry.parse(line), AccessEntry.parse(AccessEntry.parse(line).line()));
+    }
+  }
+
+  @Test
+  void linesThatMeanNothingSayWhatIsWrong() {
+    for (String line :
+        List.of(
+            "Bob",
+            "name",
+            "address host.example",
+            "address 1.2.3",
+            "address 1.2.3.4/33",
+            "address 1.2.3.4/0",
+            "address 1.2.3.4/x",
+            "address 1.2.3.999",
+            "name Bob until tomorrow",
+            "name Bob until")) {
+      IllegalArgumentException e =
+          assertThrows(IllegalArgumentException.class, () -> AccessEntry.parse(line), line);
+      assertTrue(e.getMessage().contains(" such as ") || e.getMessage().contains("look like"));
+    }
+  }
+}

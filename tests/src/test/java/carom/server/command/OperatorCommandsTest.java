@@ -1,0 +1,194 @@
+package carom.server.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.bots.Bot;
+import carom.client.message.MessageListener;
+import carom.net.transport.Impairment;
+import carom.server.config.DataFolder;
+import carom.server.config.Setting;
+import carom.server.config.Settings;
+import carom.server.jmx.CommandInspector;
+import carom.testkit.SimulatedClient;
+import carom.testkit.Stepper;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicBoolean;
+import javax.management.ObjectName;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Goal: each command does what it says in a running server. Method: beside a room with bots. */
+final class OperatorCommandsTest {
+  @TempDir private Path folder;
+
+  private final CommandRegistry registry = new CommandRegistry();
+  private final AtomicBoolean stopped = new AtomicBoolean();
+  private Stepper stepper;
+  private SimulatedClient ann;
+
+  @BeforeEach
+  void play() {
+    stepper = Stepper.of("arena");
+    ann = stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
+    stepper.join("Bob B", Impairment.NONE, new Bot(Stepper.SEED + 1));
+    stepper.run(1);
+    RoomCommands.add(registry, stepper.server().rooms(), new DataFolder(folder));
+    Setting seed = new Setting("seed", "7", "command line", "", "N", "Start of random numbers.");
+    ServerCommands.add(
+        registry,
+        stepper.server()::status,
+        new Settings(List.of(seed)),
+        file -> "replayed " + file,
+        () -> stopped.set(true));
+  }
+
+  @AfterEach
+  void end() {
+    stepper.close();
+  }
+
+  /** Runs a line beside the room, which goes on meanwhile. */
+  private CommandRegistry.Answer run(String line) {
+    CompletableFuture<CommandRegistry.Answer> answer =
+        CompletableFuture.supplyAsync(() -> registry.run(line));
+    while (!answer.isDone()) {
+      stepper.run(0.02);
+      Thread.onSpinWait();
+    }
+    return answer.join();
+  }
+
+  private String ok(String line) {
+    CommandRegistry.Answer answer = run(line);
+    assertTrue(answer.ok(), answer.text());
+    return answer.text();
+  }
+
+  private String fails(String line) {
+    CommandRegistry.Answer answer = run(line);
+    assertFalse(answer.ok(), answer.text());
+    return answer.text();
+  }
+
+  @Test
+  void showsPlayersRoomsAndStatus() {
+    String[] players = ok("list").split("\n");
+    assertEquals(3, players.length);
+    assertTrue(players[1].matches("0 +Ann +1 .*playing.*"), players[1]);
+    assertTrue(players[2].matches("1 +Bob B +1 .*playing.*"), players[2]);
+    assertTrue(ok("rooms").matches("(?s).*@1 +2/64 +arena +Corner Pocket +\\d+ +runs"));
+    assertTrue(ok("status").contains("2 of 64 players"));
+    assertTrue(fails("list @nowhere").contains("no room=nowhere; rooms are @1"));
+  }
+
+  @Test
+  void saysALineThatEveryPlayerHears() {
+    List<String> heard = new ArrayList<>();
+    ann.game()
+        .messages(
+            new MessageListener() {
+              @Override
+              public void said(int player, boolean team, String text) {
+                heard.add(player + " " + text);
+              }
+            });
+    assertEquals("said to 2 players", ok("say @1 five minutes left"));
+    stepper.run(0.5);
+    assertEquals(List.of("-1 five minutes left"), heard);
+    assertTrue(fails("say " + "x".repeat(121)).contains("allowed are 1..120"));
+  }
+
+  @Test
+  void kicksByNameByIdAndTellsWhy() {
+    assertTrue(fails("kick Anm").contains("did you mean \"Ann\"?"));
+    assertTrue(ok("kick ann too loud").contains("removed player=0 name=Ann"));
+    stepper.run(0.5);
+    assertFalse(ok("list").contains("Ann"));
+    assertTrue(ok("kick 1").contains("Bob B"));
+    assertEquals("nobody plays", ok("list"));
+  }
+
+  @Test
+  void changesLevelAndGame() throws Exception {
+    assertTrue(ok("level commons").contains("playing game=arena level=Commons"));
+    assertTrue(ok("game platformer").contains("playing game=platformer"));
+    assertTrue(ok("level nowhere").startsWith("not changed: "));
+    assertTrue(ok("rooms").contains("platformer"));
+  }
+
+  @Test
+  void savesAMatchAndGoesOnWithItWithThePlayersWhoAreHere() throws Exception {
+    stepper.run(1);
+    assertTrue(ok("save evening").startsWith("saved room=1 to " + folder.resolve("saves")));
+    int saved = stepper.room().simulation().tick();
+    float x = stepper.room().simulation().player(0).body().body().x();
+    ok("kick \"Bob B\"");
+    stepper.run(3);
+    assertTrue(ok("load evening").contains("playing game=arena level=Corner Pocket"));
+    int loaded = stepper.room().simulation().tick();
+    assertTrue(loaded >= saved - 30 && loaded < saved + 60, saved + " then " + loaded);
+    assertNotNull(stepper.room().simulation().player(0).body(), "Ann has her body");
+    assertNull(stepper.room().simulation().player(1), "Bob is gone");
+    assertTrue(Math.abs(stepper.room().simulation().player(0).body().body().x() - x) < 20);
+    stepper.run(1);
+    assertTrue(ok("list").contains("playing"), ok("list"));
+    long compared = ann.compared();
+    stepper.run(2);
+    assertTrue(ann.compared() > compared, "she plays and predicts on");
+    assertTrue(ok("load nothing").startsWith("not loaded: there is no file "));
+    assertTrue(fails("load ../x").contains("other characters"));
+    Path file = folder.resolve("saves/evening.carom-save");
+    byte[] bytes = Files.readAllBytes(file);
+    bytes[bytes.length / 2] ^= 1;
+    Files.write(file, bytes);
+    assertTrue(ok("load evening").contains("torn or damaged"));
+  }
+
+  @Test
+  void recordsIntoTheDataFolder() throws Exception {
+    assertTrue(ok("record").contains("recording to " + folder.resolve("recordings")));
+    stepper.run(0.5);
+    assertTrue(ok("record stop").contains("recorded to "));
+    try (var files = Files.list(folder.resolve("recordings"))) {
+      Path file = files.findFirst().orElseThrow();
+      assertEquals("replayed " + file, ok("replay " + file));
+    }
+  }
+
+  @Test
+  void explainsAndShowsFieldsAndSettings() {
+    assertTrue(ok("why Ann 0").startsWith("player=0 "));
+    assertTrue(fails("why Ann x").contains("ENTITY=x is no number"));
+    assertTrue(ok("fields").contains("match."));
+    assertTrue(ok("fields player 0").contains("player"));
+    assertTrue(ok("config").matches("(?s).*seed +7 +command line"));
+    assertTrue(ok("config seed").contains("from: command line"));
+    assertTrue(ok("config seed").contains("CAROM_SEED"));
+    assertTrue(fails("config sead").contains("did you mean \"seed\"?"));
+  }
+
+  @Test
+  void stopsTheServerAndAnswersJmx() throws Exception {
+    CommandInspector.show(registry);
+    Object answer =
+        ManagementFactory.getPlatformMBeanServer()
+            .invoke(
+                new ObjectName("carom:type=Server"),
+                "run",
+                new Object[] {"stop"},
+                new String[] {String.class.getName()});
+    assertEquals("stopping", answer);
+    assertTrue(stopped.get());
+  }
+}

@@ -1,0 +1,117 @@
+package carom.server.web;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.transport.NetworkCounter;
+import carom.server.metrics.Counter;
+import carom.testkit.Stepper;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Goal: programs learn how a server is. Method: HTTP requests beside a room stepped by hand. */
+@Timeout(60)
+final class WebServerTest {
+  private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
+
+  private final HttpClient client = HttpClient.newHttpClient();
+  private Stepper stepper;
+  private WebServer web;
+
+  @BeforeEach
+  void start() throws IOException {
+    stepper = Stepper.of("arena");
+    List<NetworkCounter> network = List.of(new NetworkCounter("opened", "Links.", () -> 42));
+    web = new WebServer(LOOPBACK, 0, stepper.server().rooms(), network);
+  }
+
+  @AfterEach
+  void stop() {
+    web.close();
+    stepper.close();
+  }
+
+  private HttpResponse<String> get(String path) throws Exception {
+    HttpRequest request = HttpRequest.newBuilder(URI.create(web.url() + path)).build();
+    return client.send(request, HttpResponse.BodyHandlers.ofString());
+  }
+
+  @Test
+  void readyOnceTheFirstTickIsComputedAndUntilItStops() throws Exception {
+    stepper.run(0.5);
+    assertEquals("ok\n", get("/healthz").body());
+    assertEquals(200, get("/readyz").statusCode());
+    web.stopping();
+    assertEquals(503, get("/readyz").statusCode());
+    assertEquals("the server stops\n", get("/readyz").body());
+    assertEquals(200, get("/healthz").statusCode());
+    assertEquals(404, get("/").statusCode());
+    HttpRequest post =
+        HttpRequest.newBuilder(URI.create(web.url() + "/healthz"))
+            .POST(HttpRequest.BodyPublishers.ofString("x"))
+            .build();
+    assertEquals(405, client.send(post, HttpResponse.BodyHandlers.discarding()).statusCode());
+  }
+
+  @Test
+  void aRoomThatNoLongerTicksIsStuckAfterTenSeconds() {
+    long[] now = {0};
+    Health health = new Health(stepper.server().rooms(), () -> now[0]);
+    stepper.run(0.1);
+    assertEquals("", health.problem());
+    now[0] += Health.STUCK_NS - 1;
+    assertEquals("", health.problem());
+    now[0]++;
+    assertTrue(health.problem().startsWith("room 1 is stuck at tick "), health.problem());
+    stepper.run(0.1);
+    assertEquals("", health.problem());
+    stepper.room().fail("of the test");
+    assertEquals("all rooms have failed", health.problem());
+  }
+
+  @Test
+  void everyCounterIsAMetricWithItsHelp() throws Exception {
+    stepper.run(1);
+    HttpResponse<String> response = get("/metrics");
+    assertTrue(response.headers().firstValue("Content-Type").orElse("").startsWith("text/plain"));
+    String text = response.body();
+    for (Counter counter : Counter.values()) {
+      String name = "carom_" + counter.name().toLowerCase(Locale.ROOT);
+      String full = counter.isGauge() ? name : name + "_total";
+      assertTrue(text.contains("# HELP " + full + " " + counter.help() + "\n"), full);
+      assertTrue(text.contains("\n" + full + "{room=\"1\"} "), full);
+    }
+    long ticks = stepper.room().counters().get(Counter.TICKS);
+    assertTrue(text.contains("carom_ticks_total{room=\"1\"} " + ticks + ".0\n"), text);
+    assertTrue(text.contains("carom_network_opened_total 42.0\n"), text);
+    assertTrue(
+        text.contains("carom_tick_duration_seconds_bucket{room=\"1\",le=\"+Inf\"} " + ticks), text);
+    assertTrue(text.contains("jvm_memory_used_bytes"), text);
+  }
+
+  @Test
+  void aBusyPortIsNamed() throws IOException {
+    try (ServerSocket busy = new ServerSocket(0, 1, LOOPBACK)) {
+      IOException e =
+          assertThrows(
+              IOException.class,
+              () ->
+                  new WebServer(
+                      LOOPBACK, busy.getLocalPort(), stepper.server().rooms(), List.of()));
+      assertTrue(e.getMessage().contains("it is busy"), e.getMessage());
+      assertTrue(e.getMessage().contains("--web-port, or --no-web"), e.getMessage());
+    }
+  }
+}
