@@ -226,7 +226,8 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
-        "carom.sim.joint");
+        "carom.sim.joint",
+        "carom.sim.spawn");
     allow(
         "carom.net.field",
         "carom.net.protocol",
@@ -246,6 +247,7 @@ final class ArchitectureTest {
     allow("carom.game", "carom.physics..", "carom.sim..", "carom.text");
     game("arena");
     game("platformer");
+    game("rockets");
     allow("carom.net.codec", "carom.physics.simd");
     allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
     allow(

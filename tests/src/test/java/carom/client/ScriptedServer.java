@@ -151,7 +151,7 @@ final class ScriptedServer {
     }
 
     void snapshot() {
-      capture.capture(player, own);
+      capture.capture(player, e -> true, own);
       if (datagram.near != InputDatagram.NEAR_NONE) {
         near.acknowledge(encoder);
         near.capture(player, false, disagreedTick, Integer.MAX_VALUE, own);

@@ -65,7 +65,7 @@ class RoomTest {
       assertEquals(frame.angle(slot), history.angle(at), where);
       assertEquals(frame.vx(slot), history.vx(at), where);
       assertEquals(frame.vy(slot), history.vy(at), where);
-      assertEquals(frame.owner(slot), history.owner(at), where);
+      assertEquals(frame.ownership(slot), history.ownership(at), where);
       assertEquals(frame.archetype(slot), history.archetype(at), where);
       assertEquals(frame.generation(slot), history.generation(at), where);
     }
