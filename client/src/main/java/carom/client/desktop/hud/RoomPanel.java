@@ -92,7 +92,7 @@ public final class RoomPanel {
     float height = (lines + 2) * LINE + 3 * PAD;
     float x = (hud.windowWidth() - width) / 2;
     float top = (hud.height() + height) / 2;
-    hud.dialog(x, top - height, width, height);
+    hud.panel(x, top - height, width, height, Theme.DIALOG);
     hud.begin();
     hud.left(fonts.large, rooms.isEmpty() ? "Rooms ..." : "Rooms", x + PAD, top - PAD, Theme.TEXT);
     for (int i = 0; i < lines; i++) {
