@@ -166,7 +166,7 @@ class HostileScenarioTest {
   private static Offender offender(Stepper stepper, long seed) {
     return new Offender(
         stepper.transport().connect("localhost", 0, 0),
-        stepper.room().simulation().schema().digest(),
+        stepper.room().match().declarations().digest(),
         Stepper.SEED * 7_919 + seed);
   }
 
