@@ -230,6 +230,7 @@ final class ArchitectureTest {
         "carom.sim.spawn");
     allow(
         "carom.net.field",
+        "carom.sim.message",
         "carom.net.protocol",
         "carom.net.snapshot.table",
         "carom.sim.event",
@@ -286,6 +287,7 @@ final class ArchitectureTest {
     allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
     allow(
         "carom.net.kryo",
+        "carom.text",
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.frame",

@@ -34,8 +34,8 @@ public final class Connection implements LinkHandler {
      */
     String joined(ServerMessage.Welcome welcome, Level level);
 
-    /** Returns the digest of the fields of the game that was joined last. */
-    long fieldsDigest();
+    /** Returns the digest of the declarations of the game that was joined last. */
+    long declarationsDigest();
 
     /**
      * A datagram arrived while playing.
@@ -56,12 +56,8 @@ public final class Connection implements LinkHandler {
     /** A reliable message of the game has arrived. */
     void message(ServerMessage.GameMessage message);
 
-    /**
-     * The server has said which messages of the game it has heard.
-     *
-     * @return null, or why this client can't play, in words for the player
-     */
-    String heard(ServerMessage.Heard message);
+    /** The server has said which messages of the game it has heard. */
+    void heard(ServerMessage.Heard message);
 
     /** A piece of the state of the level's pools has arrived. */
     void pools(ServerMessage.PoolChunk chunk);
@@ -259,10 +255,7 @@ public final class Connection implements LinkHandler {
     } else if (received instanceof ServerMessage.PoolChunk chunk && stage == Stage.PLAYING) {
       listener.pools(chunk);
     } else if (received instanceof ServerMessage.Heard heard && stage == Stage.PLAYING) {
-      String problem = listener.heard(heard);
-      if (problem != null) {
-        end(problem);
-      }
+      listener.heard(heard);
     } else {
       fail("The server at " + address + " sent something unexpected: " + nameOf(received));
     }
@@ -361,7 +354,7 @@ public final class Connection implements LinkHandler {
     message = "";
     comeback.stop();
     lastHeardNs = nowNs;
-    link.send(new ClientMessage.Ready(welcome.datagramKey(), listener.fieldsDigest()));
+    link.send(new ClientMessage.Ready(welcome.datagramKey(), listener.declarationsDigest()));
   }
 
   private void refused(ServerMessage.Refused refused) {
