@@ -183,7 +183,7 @@ class PoolScenarioTest {
         stepper.step();
         link.poll(greedy, 1_000);
       }
-      long digest = greedy.welcome.fieldsDigest();
+      long digest = greedy.welcome.declarationsDigest();
       link.send(new ClientMessage.Ready(greedy.welcome.datagramKey(), digest));
       for (int i = 0; i < 120; i++) {
         stepper.step();
