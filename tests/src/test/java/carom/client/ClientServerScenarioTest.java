@@ -112,7 +112,7 @@ final class ClientServerScenarioTest {
         assertEquals(truth.vy(slot), h.vy(0), what);
         assertEquals(truth.omega(slot), h.omega(0), what);
         assertEquals(truth.archetype(slot), h.archetype(0), what);
-        assertEquals(truth.owner(slot), h.owner(0), what);
+        assertEquals(truth.ownership(slot), h.ownership(0), what);
         compared++;
       }
     }

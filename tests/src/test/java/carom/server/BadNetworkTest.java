@@ -109,7 +109,7 @@ class BadNetworkTest {
         assertEquals(frame.vy(slot), history.vy(at), where);
         assertEquals(frame.omega(slot), history.omega(at), where);
         assertEquals(frame.generation(slot), history.generation(at), where);
-        assertEquals(frame.owner(slot), history.owner(at), where);
+        assertEquals(frame.ownership(slot), history.ownership(at), where);
       }
     }
     return client.decoder.touchedCount();

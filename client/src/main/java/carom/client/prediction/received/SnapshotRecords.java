@@ -5,6 +5,7 @@ import carom.client.interpolation.Pose;
 import carom.client.interpolation.StateHistory;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.frame.Ownership;
 import carom.net.snapshot.relay.RelayedInputs;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
@@ -28,11 +29,22 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
 
   private final Simulation simulation;
   private final DecodedHistory states = new DecodedHistory();
+  private final SpawnMatches spawns;
   private SnapshotDecoder decoder;
 
-  /** Creates the records of a prediction; {@link #readFrom} must follow. */
-  public SnapshotRecords(Simulation simulation) {
+  /**
+   * Creates the records of a prediction; {@link #readFrom} must follow.
+   *
+   * @param playerId the own player's id
+   */
+  public SnapshotRecords(Simulation simulation, int playerId) {
     this.simulation = simulation;
+    spawns = new SpawnMatches(playerId);
+  }
+
+  /** Returns which entities the own player's spawns are. */
+  public SpawnMatches spawns() {
+    return spawns;
   }
 
   /** Sets the decoder to read from. */
@@ -126,7 +138,17 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
 
   @Override
   public int owner(int id) {
-    return decoder.history(id).owner(0);
+    return Ownership.player(decoder.history(id).ownership(0));
+  }
+
+  @Override
+  public boolean isBody(int id) {
+    return Ownership.isBody(decoder.history(id).ownership(0));
+  }
+
+  @Override
+  public int origin(int key) {
+    return spawns.origin(key);
   }
 
   /** Returns whether the newest record of a slot is this entity's, with a known archetype. */

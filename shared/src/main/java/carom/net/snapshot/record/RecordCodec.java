@@ -3,10 +3,10 @@ package carom.net.snapshot.record;
 import carom.net.codec.BitCoder;
 import carom.net.codec.BitTable;
 import carom.net.codec.Bits;
-import carom.net.protocol.PlayerId;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.Motion;
+import carom.net.snapshot.frame.Ownership;
 
 /**
  * The form of a datagram's records but for what deltas tell, described once: with a {@link
@@ -252,9 +252,9 @@ public final class RecordCodec {
     return c.plain(value, wide ? 16 : SHORT_ARCHETYPE_BITS);
   }
 
-  /** Codes the player id of an owner, or -1. */
+  /** Codes whose the entity is. */
   public int owner(BitCoder c, int value) {
-    return c.flag(value >= 0) ? PlayerId.code(c, value) : -1;
+    return Ownership.code(c, value);
   }
 
   /**
