@@ -3,6 +3,7 @@ package carom.client;
 import carom.client.events.EventListener;
 import carom.client.events.EventReconciler;
 import carom.client.events.RepeatedEventFilter;
+import carom.client.prediction.Prediction;
 import carom.client.stats.NetStatsRecorder;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.event.EventInbox;
@@ -10,6 +11,7 @@ import carom.net.snapshot.event.EventRecord;
 import carom.sim.Event;
 import carom.sim.Simulation;
 import carom.sim.event.EventKind;
+import carom.sim.spawn.Origin;
 
 /**
  * Passes the events of snapshots to the {@link EventReconciler}: drops repeated ones, looks up
@@ -26,20 +28,26 @@ final class EventReceiver {
    * Creates a receiver for a new link.
    *
    * @param repeats outlives the link
-   * @param predicts whether the own body is predicted
+   * @param prediction of the own body; null if it isn't predicted
    * @param listener receives each event once
    */
   EventReceiver(
       Simulation simulation,
       int playerId,
-      boolean predicts,
+      Prediction prediction,
       RepeatedEventFilter repeats,
       NetStatsRecorder stats,
       EventListener listener) {
     this.simulation = simulation;
     this.repeats = repeats;
     this.stats = stats;
-    reconciler = new EventReconciler(playerId, predicts, simulation.tickRate(), listener);
+    reconciler =
+        new EventReconciler(
+            playerId,
+            prediction != null,
+            prediction == null ? key -> Origin.NONE : prediction.spawns()::origin,
+            simulation.tickRate(),
+            listener);
     simulation.journal(reconciler);
   }
 

@@ -13,7 +13,7 @@ import carom.client.stats.NetStatsRecorder;
 import carom.client.view.ClientView;
 import carom.client.view.ViewWriter;
 import carom.game.Games;
-import carom.net.field.FieldAgreement;
+import carom.net.field.Declarations;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RoomName;
@@ -24,7 +24,6 @@ import carom.net.transport.ClientTransport;
 import carom.sim.Event;
 import carom.sim.Role;
 import carom.sim.Simulation;
-import carom.sim.field.Schema;
 import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Emote;
@@ -91,7 +90,7 @@ public final class GameClient implements AutoCloseable {
   /** The present stay or, after it, the last one; null before the first. */
   private JoinedGame game;
 
-  private long fieldsDigest;
+  private long declarationsDigest;
 
   private long nowNs;
   private long lastUpdateNs;
@@ -175,20 +174,19 @@ public final class GameClient implements AutoCloseable {
       } catch (IllegalArgumentException | IllegalStateException e) {
         return "This client can't play " + welcome.game() + ": " + e.getMessage();
       }
-      Schema schema = simulation.schema();
+      Declarations mine = Declarations.of(simulation.schema(), simulation.messageKinds());
       String difference =
-          FieldAgreement.difference(
-              schema, welcome.game(), welcome.fieldsDigest(), welcome.fields());
+          mine.difference(welcome.game(), welcome.declarationsDigest(), welcome.declarations());
       if (difference == null) {
-        fieldsDigest = schema.digest();
+        declarationsDigest = mine.digest();
         join(welcome, level, simulation);
       }
       return difference;
     }
 
     @Override
-    public long fieldsDigest() {
-      return fieldsDigest;
+    public long declarationsDigest() {
+      return declarationsDigest;
     }
 
     @Override
@@ -222,8 +220,8 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
-    public String heard(ServerMessage.Heard message) {
-      return messages.heard(message);
+    public void heard(ServerMessage.Heard message) {
+      messages.heard(message);
     }
 
     @Override

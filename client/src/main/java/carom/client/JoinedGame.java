@@ -117,8 +117,7 @@ final class JoinedGame {
                 stopwatch,
                 config.syncTest());
     events =
-        new EventReceiver(
-            simulation, welcome.playerId(), prediction != null, repeats, stats, listener);
+        new EventReceiver(simulation, welcome.playerId(), prediction, repeats, stats, listener);
     repeats.beginLink(welcome.room(), welcome.match(), welcome.tick());
     sender =
         new InputSender(
@@ -162,6 +161,9 @@ final class JoinedGame {
       return;
     }
     int tick = decoder.tick();
+    if (decoder.hasOwn() && prediction != null) {
+      prediction.receive(decoder.own(), tick);
+    }
     events.receive(decoder.events());
     sender.heard(view.view().tick(), decoder.hasNews());
     if (inbox.isNewest()) {
@@ -169,9 +171,6 @@ final class JoinedGame {
     }
     if (decoder.feedback().present) {
       sender.receive(decoder.feedback(), tick, arrivedNs, clock);
-    }
-    if (decoder.hasOwn() && prediction != null) {
-      prediction.receive(decoder.own().near(), tick);
     }
     if (inbox.keepOwn() && prediction == null) {
       for (int i = 0; i < inbox.own().words(); i++) {

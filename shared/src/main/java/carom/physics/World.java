@@ -330,6 +330,18 @@ public final class World<T> {
   }
 
   /**
+   * Gives bodies that are created from now on ascending indices, until bodies are destroyed. The
+   * solver's order is then the order of their creation.
+   *
+   * @throws IllegalStateException during a step or a query
+   */
+  public void sortFreeBodies() {
+    refuseDuringStep("sortFreeBodies");
+    refuseDuringQuery("sortFreeBodies");
+    store.sortFree();
+  }
+
+  /**
    * Destroys all joints. Those created next get ascending indices: the solver's order is then the
    * order of their creation.
    *

@@ -200,7 +200,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     int id = takeFreeId(archetype);
     Entity entity = new Entity(this, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
     entity.body(world.createBody(def, entity));
-    return register(entity);
+    return register(entity, true);
   }
 
   /** Creates an entity under a given id; see {@link Simulation#spawnAs}. */
@@ -212,6 +212,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       float y,
       float angle,
       int ownerId,
+      boolean mayBeBody,
       int tick) {
     if (id < 0 || id >= Simulation.MAX_ENTITIES || generation < 0 || generation > 255) {
       throw new IllegalArgumentException(
@@ -222,7 +223,9 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       throw new IllegalStateException(
           "id=" + id + " is taken by " + entities[id] + "; despawn it first");
     }
-    return add(new Entity(this, id, generation, archetype, ownerId), x, y, angle, tick);
+    Entity entity = new Entity(this, id, generation, archetype, ownerId);
+    createBody(entity, x, y, angle, tick);
+    return register(entity, mayBeBody);
   }
 
   /**
@@ -336,7 +339,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
 
   private Entity add(Entity entity, float x, float y, float angle, int tick) {
     createBody(entity, x, y, angle, tick);
-    return register(entity);
+    return register(entity, true);
   }
 
   private void createBody(Entity entity, float x, float y, float angle, int tick) {
@@ -355,7 +358,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     entity.body(world.createBody(body, entity));
   }
 
-  private Entity register(Entity entity) {
+  private Entity register(Entity entity, boolean mayBeBody) {
     int id = entity.id();
     entities[id] = entity;
     noteChange();
@@ -363,7 +366,8 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     capacity = Math.max(capacity, id + 1);
     count++;
     Player owner = players.get(entity.ownerId());
-    if (owner != null && owner.body == null && !assemblies.isPart(entity.archetype())) {
+    boolean isBody = mayBeBody && !assemblies.isPart(entity.archetype());
+    if (isBody && owner != null && owner.body == null) {
       owner.body = entity;
     }
     areas.come(id, entity.body(), entity.archetype());

@@ -2,6 +2,8 @@ package carom.sim;
 
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
+import carom.sim.spawn.Origin;
+import java.util.function.IntUnaryOperator;
 
 /**
  * An event happens at one moment and is worth a sound, a flash or a line of text: a hit, a goal, a
@@ -166,6 +168,34 @@ public final class Event {
         && player == other.player
         && ((first == other.first && second == other.second)
             || (first == other.second && second == other.first));
+  }
+
+  /**
+   * Returns whether this event, which a prediction computed, may be the same as one of the server,
+   * which knows other keys of the entities that the own input has spawned.
+   *
+   * @param other the server's, or another predicted one
+   * @param origins returns the {@link Origin} of the entity of a key, if the key is known to be
+   *     that of such an entity, or {@link Origin#NONE}
+   */
+  public boolean isLike(Event other, IntUnaryOperator origins) {
+    return kind == other.kind
+        && player == other.player
+        && ((isSame(first, other.first, origins) && isSame(second, other.second, origins))
+            || (isSame(first, other.second, origins) && isSame(second, other.first, origins)));
+  }
+
+  /** Returns whether two keys may mean the same entity; one that lived too short was never told. */
+  private static boolean isSame(int key, int other, IntUnaryOperator origins) {
+    if (key == other) {
+      return true;
+    }
+    int origin = Origin.isProvisional(key) ? key : origins.applyAsInt(key);
+    if (!Origin.isProvisional(origin) || other == NONE) {
+      return false;
+    }
+    int otherOrigin = Origin.isProvisional(other) ? other : origins.applyAsInt(other);
+    return otherOrigin == origin || (otherOrigin == Origin.NONE && origin == key);
   }
 
   // ---- read by a listener

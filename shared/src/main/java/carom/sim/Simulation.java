@@ -16,6 +16,7 @@ import carom.sim.area.AreaForces;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
 import carom.sim.event.NoticeQueue;
+import carom.sim.field.EntityRef;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldUse;
@@ -440,7 +441,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       entity =
           key < 0 || known != null
               ? entities.spawnProvisional(origin, archetype, x, y, angle, id, tick)
-              : entities.spawnAs(key & 0xffff, key >>> 16, archetype, x, y, angle, id, tick);
+              : entities.spawnAs(key & 0xffff, key >>> 16, archetype, x, y, angle, id, false, tick);
     }
     entity.fieldValues().spawner(owner);
     entities.setOrigin(entity, origin);
@@ -475,16 +476,18 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * entity of that origin goes, and fields that mean it mean this one.
    *
    * @param entity an entity that isn't provisional
-   * @param origin see {@link Entity#origin}
+   * @param origin see {@link Entity#origin}; nothing happens if it is none
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    */
   public void identify(Entity entity, int origin) {
     calls.requirePrediction("identify");
-    Entity before = origin == Origin.NONE ? null : entities.get(origin);
-    if (before != null) {
-      replaceReferences(before.reference(), entity.reference());
-      entities.despawn(before);
+    if (origin == Origin.NONE) {
+      return;
     }
+    if (entities.get(origin) != null) {
+      entities.despawn(entities.get(origin));
+    }
+    replaceReferences(EntityRef.word(origin, 0), entity.reference());
     entity.fieldValues().spawner(owner(entity));
     entities.setOrigin(entity, origin);
   }
@@ -692,8 +695,25 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    */
   public Entity spawnAs(
       int id, int generation, Archetype archetype, float x, float y, float angle, int ownerId) {
+    return spawnAs(id, generation, archetype, x, y, angle, ownerId, true);
+  }
+
+  /**
+   * Mirrors an entity of the server as the other {@code spawnAs}.
+   *
+   * @param mayBeBody whether it becomes the body of its owner if that has none
+   */
+  public Entity spawnAs(
+      int id,
+      int generation,
+      Archetype archetype,
+      float x,
+      float y,
+      float angle,
+      int ownerId,
+      boolean mayBeBody) {
     calls.requirePrediction("spawnAs");
-    return entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, tick);
+    return entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, mayBeBody, tick);
   }
 
   /**

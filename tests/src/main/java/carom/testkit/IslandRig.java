@@ -157,7 +157,7 @@ public final class IslandRig {
     int total = island.count() + contacts();
     for (int first = 0; first < total; first += NearState.MAX_PART) {
       part(first, Math.min(total, first + NearState.MAX_PART), total);
-      client.receive(own.near(), server.tick());
+      client.receive(own, server.tick());
     }
     client.reconcile(own, server.tick(), decoder);
     return client.agreement().agreedTick() == server.tick();

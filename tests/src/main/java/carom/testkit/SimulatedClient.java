@@ -138,7 +138,7 @@ public final class SimulatedClient {
             && (!frame.alive(slot)
                 || (frame.generation(slot) == history.generation(i)
                     && frame.archetype(slot) == history.archetype(i)
-                    && frame.owner(slot) == history.owner(i)
+                    && frame.ownership(slot) == history.ownership(i)
                     && frame.x(slot) == history.x(i)
                     && frame.y(slot) == history.y(i)
                     && frame.angle(slot) == history.angle(i)

@@ -226,9 +226,11 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
-        "carom.sim.joint");
+        "carom.sim.joint",
+        "carom.sim.spawn");
     allow(
         "carom.net.field",
+        "carom.sim.message",
         "carom.net.protocol",
         "carom.net.snapshot.table",
         "carom.sim.event",
@@ -246,6 +248,7 @@ final class ArchitectureTest {
     allow("carom.game", "carom.physics..", "carom.sim..", "carom.text");
     game("arena");
     game("platformer");
+    game("rockets");
     allow("carom.net.codec", "carom.physics.simd");
     allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
     allow(
@@ -284,6 +287,7 @@ final class ArchitectureTest {
     allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
     allow(
         "carom.net.kryo",
+        "carom.text",
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.frame",

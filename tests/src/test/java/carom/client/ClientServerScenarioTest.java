@@ -110,7 +110,7 @@ final class ClientServerScenarioTest {
         assertEquals(truth.angle(slot), h.angle(0), what);
         assertEquals(truth.still(slot), h.still(0), what);
         assertEquals(truth.archetype(slot), h.archetype(0), what);
-        assertEquals(truth.owner(slot), h.owner(0), what);
+        assertEquals(truth.ownership(slot), h.ownership(0), what);
         compared++;
       }
     }

@@ -2,6 +2,7 @@ package carom.client;
 
 import carom.game.Games;
 import carom.net.codec.Sequence;
+import carom.net.field.Declarations;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
@@ -101,7 +102,8 @@ final class ScriptedServer {
               level.contentHash(),
               bytes.length,
               PackedLevel.pack(bytes).length,
-              simulation.schema().digest() + (fields.isEmpty() ? 0 : 1),
+              Declarations.of(simulation.schema(), simulation.messageKinds()).digest()
+                  + (fields.isEmpty() ? 0 : 1),
               fields));
     }
 
@@ -151,7 +153,7 @@ final class ScriptedServer {
     }
 
     void snapshot() {
-      capture.capture(player, own);
+      capture.capture(player, e -> true, own);
       if (datagram.near != InputDatagram.NEAR_NONE) {
         near.acknowledge(encoder);
         near.capture(player, false, disagreedTick, Integer.MAX_VALUE, own);

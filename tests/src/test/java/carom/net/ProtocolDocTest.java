@@ -244,7 +244,7 @@ class ProtocolDocTest {
                 300,
                 new MessageKinds()
                     .encode(BuiltInKinds.SAID.of(3, false, "hi"), Direction.FROM_SERVER))));
-    golden.put("server-heard", codec.encode(new ServerMessage.Heard(7, 0x0102030405060708L)));
+    golden.put("server-heard", codec.encode(new ServerMessage.Heard(7)));
     golden.put("goodbye", codec.encode(new ServerMessage.Goodbye(GoodbyeReason.KICKED, "spam")));
   }
 

@@ -64,7 +64,7 @@ class EventScenarioTest {
     private boolean isOwnBody(int key) {
       return key >= 0
           && client.game().decoder().history(key & 0xffff) != null
-          && client.game().decoder().history(key & 0xffff).owner(0) == client.view().playerId();
+          && client.game().decoder().history(key & 0xffff).ownership(0) == client.view().playerId();
     }
 
     @Override

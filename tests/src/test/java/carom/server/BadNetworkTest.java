@@ -107,7 +107,7 @@ class BadNetworkTest {
         assertEquals(frame.angle(slot), history.angle(at), where);
         assertEquals(frame.still(slot), history.still(at), where);
         assertEquals(frame.generation(slot), history.generation(at), where);
-        assertEquals(frame.owner(slot), history.owner(at), where);
+        assertEquals(frame.ownership(slot), history.ownership(at), where);
       }
     }
     return client.decoder.touchedCount();

@@ -145,7 +145,7 @@ final class FakeClient implements LinkHandler {
       } else {
         level = PackedLevel.unpack(level, welcome.levelSize());
         start(level);
-        link.send(new ClientMessage.Ready(welcome.datagramKey(), welcome.fieldsDigest()));
+        link.send(new ClientMessage.Ready(welcome.datagramKey(), welcome.declarationsDigest()));
         ready = true;
       }
     } else if (message instanceof ServerMessage.Refused r) {

@@ -44,7 +44,7 @@ class LobbyTest {
     client.loads = false;
     rig.steps(2);
     client.link.send(
-        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest()));
+        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.declarationsDigest()));
     rig.steps(3);
     assertTrue(client.decoder.hasAck());
   }
@@ -55,7 +55,8 @@ class LobbyTest {
     client.loads = false;
     rig.steps(2);
     client.link.send(
-        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest() + 1));
+        new ClientMessage.Ready(
+            client.welcome.datagramKey(), client.welcome.declarationsDigest() + 1));
     rig.steps(3);
     assertEquals(RefusalReason.GAME_VERSION, client.refused.reason());
   }
@@ -123,7 +124,7 @@ class LobbyTest {
     client.loads = false;
     rig.steps(2);
     client.link.send(
-        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest()));
+        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.declarationsDigest()));
     client.link.close("gone");
     rig.seconds(0.5);
     assertEquals(0, rig.count(Counter.PLAYERS), "not after five seconds of silence");

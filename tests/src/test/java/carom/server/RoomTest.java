@@ -64,7 +64,7 @@ class RoomTest {
       assertEquals(frame.y(slot), history.y(at), where);
       assertEquals(frame.angle(slot), history.angle(at), where);
       assertEquals(frame.still(slot), history.still(at), where);
-      assertEquals(frame.owner(slot), history.owner(at), where);
+      assertEquals(frame.ownership(slot), history.ownership(at), where);
       assertEquals(frame.archetype(slot), history.archetype(at), where);
       assertEquals(frame.generation(slot), history.generation(at), where);
     }
@@ -229,7 +229,7 @@ class RoomTest {
       after.loads = false;
       rig.seconds(5);
       after.link.send(
-          new ClientMessage.Ready(after.welcome.datagramKey(), after.welcome.fieldsDigest()));
+          new ClientMessage.Ready(after.welcome.datagramKey(), after.welcome.declarationsDigest()));
       rig.steps(3);
       assertSame(body, rig.room.simulation().player(0).body());
       assertEquals(SessionState.PLAYING, rig.room.session(0).state());
@@ -247,7 +247,8 @@ class RoomTest {
       assertNotEquals(key, client.welcome.datagramKey(), "the next match");
       assertNull(client.goodbye);
       client.link.send(
-          new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest() + 1));
+          new ClientMessage.Ready(
+              client.welcome.datagramKey(), client.welcome.declarationsDigest() + 1));
       rig.seconds(1);
       assertEquals(GoodbyeReason.PROTOCOL_ERROR, client.goodbye.reason());
       assertTrue(client.goodbye.text().contains("Ready with fields that differ"));

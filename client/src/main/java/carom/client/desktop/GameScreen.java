@@ -2,6 +2,7 @@ package carom.client.desktop;
 
 import carom.client.GameClient;
 import carom.client.InputSource;
+import carom.client.desktop.chat.Conversation;
 import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.NetGraph;
@@ -11,7 +12,9 @@ import carom.client.desktop.sound.EventSounds;
 import carom.client.link.ConnectionPhase;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Input;
+import carom.sim.message.PlayerRole;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
@@ -37,12 +40,15 @@ final class GameScreen extends ScreenAdapter {
   private final NetGraph netGraph;
   private final Controls controls = new Controls();
   private final Exit exit;
+  private final Fonts fonts;
   private GameClient client;
+  private Conversation conversation;
   private boolean showNetGraph;
   private float secondsPlayed;
 
   GameScreen(Canvas canvas, Fonts fonts, EventSounds sounds, Exit exit) {
     this.exit = exit;
+    this.fonts = fonts;
     picture = new GamePicture(canvas, fonts, sounds);
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
   }
@@ -56,6 +62,7 @@ final class GameScreen extends ScreenAdapter {
   void client(GameClient client) {
     this.client = client;
     client.events(picture.events(client.view()));
+    conversation = new Conversation(client, fonts);
   }
 
   /** Shows or hides the net graph. */
@@ -73,6 +80,9 @@ final class GameScreen extends ScreenAdapter {
   }
 
   private void sample(ClientView view, Input out) {
+    if (conversation.isWriting()) {
+      return; // keys are letters now
+    }
     Drawn own = view.own();
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
   }
@@ -82,17 +92,65 @@ final class GameScreen extends ScreenAdapter {
     Gdx.input.setInputProcessor(
         new InputAdapter() {
           @Override
+          public boolean keyTyped(char character) {
+            conversation.typed(character);
+            return true;
+          }
+
+          @Override
           public boolean keyDown(int key) {
+            if (conversation.isWriting()) {
+              return conversation.key(key, isDown(Keys.SHIFT_LEFT, Keys.SHIFT_RIGHT));
+            }
             switch (key) {
               case Keys.F3 -> showNetGraph = !showNetGraph;
               case Keys.ESCAPE -> exit.leave("");
               default -> {
-                return picture.key(key);
+                return handle(key);
               }
             }
             return true;
           }
         });
+  }
+
+  private boolean handle(int key) {
+    return (Gdx.input.isKeyPressed(Keys.TAB) && ask(key))
+        || (client.view().watchedPlayer() >= 0 && watch(key))
+        || conversation.key(key, isDown(Keys.SHIFT_LEFT, Keys.SHIFT_RIGHT))
+        || picture.key(key);
+  }
+
+  /** Asks the roster, while Tab is held: ready or not, play or watch, a team by its number. */
+  private boolean ask(int key) {
+    ClientView view = client.view();
+    RosterEntry own = view.participant(view.playerId());
+    int team = key - Keys.NUM_0;
+    if (own == null) {
+      return false;
+    } else if (key == Keys.R) {
+      client.ready(!own.ready());
+    } else if (key == Keys.P) {
+      client.role(own.spectator() ? PlayerRole.PLAYER : PlayerRole.SPECTATOR);
+    } else if (team >= 1 && team <= Math.min(9, picture.scores().teams(view).size())) {
+      client.team(team);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /** Follows another player. */
+  private boolean watch(int key) {
+    int step = key == Keys.A || key == Keys.LEFT ? -1 : key == Keys.D || key == Keys.RIGHT ? 1 : 0;
+    if (step != 0) {
+      client.watchNext(step);
+    }
+    return step != 0;
+  }
+
+  private static boolean isDown(int key, int otherKey) {
+    return Gdx.input.isKeyPressed(key) || Gdx.input.isKeyPressed(otherKey);
   }
 
   @Override
@@ -110,7 +168,8 @@ final class GameScreen extends ScreenAdapter {
 
   private void draw(ClientView view, long nowNs, float deltaSeconds) {
     Hud hud = picture.hud();
-    picture.draw(view, Gdx.input.isKeyPressed(Keys.TAB), nowNs, deltaSeconds);
+    boolean tab = Gdx.input.isKeyPressed(Keys.TAB);
+    picture.draw(view, tab, nowNs, deltaSeconds);
     if (view.level() != null) {
       OrthographicCamera shown = picture.camera().gdx();
       client.look(shown.position.x, shown.position.y, shown.viewportWidth, shown.viewportHeight);
@@ -119,9 +178,10 @@ final class GameScreen extends ScreenAdapter {
       hud.phase(view);
     } else {
       hud.hints(view, secondsPlayed, showNetGraph ? NetGraph.RIGHT : 0);
-      if (view.own() == null && picture.camera().hasFollowed() && secondsPlayed > 1) {
-        hud.bodiless();
+      if (view.own() == null && secondsPlayed > 1) {
+        hud.bodiless(view);
       }
+      conversation.draw(view, hud, picture.camera(), nowNs);
     }
     if (showNetGraph) {
       netGraph.draw(view.stats(), nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);

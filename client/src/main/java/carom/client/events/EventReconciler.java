@@ -9,6 +9,7 @@ import carom.sim.message.PlayerRole;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.IntUnaryOperator;
 
 /**
  * Fires every event once, whether the prediction computes it, the server sends it, or both.
@@ -66,6 +67,7 @@ public final class EventReconciler implements Journal {
 
   private final int playerId;
   private final boolean predicts;
+  private final IntUnaryOperator origins;
   private final EventListener listener;
   private final int tolerance;
   private final List<Entry> entries = new ArrayList<>(); // at most MAX_ENTRIES
@@ -90,10 +92,18 @@ public final class EventReconciler implements Journal {
    * @param playerId the own player's id
    * @param predicts whether the own body is drawn in the present; if not, its events fire like
    *     those of all others
+   * @param origins returns the {@link carom.sim.spawn.Origin} of the entity of a key that the own
+   *     input has spawned, as far as the server has told
    * @param tickRate ticks per second
    * @param listener receives what fires
    */
-  public EventReconciler(int playerId, boolean predicts, int tickRate, EventListener listener) {
+  public EventReconciler(
+      int playerId,
+      boolean predicts,
+      IntUnaryOperator origins,
+      int tickRate,
+      EventListener listener) {
+    this.origins = origins;
     this.playerId = playerId;
     this.predicts = predicts;
     this.listener = listener;
@@ -170,7 +180,7 @@ public final class EventReconciler implements Journal {
       Entry e = entries.get(i);
       boolean open = unconfirmedOnly ? !e.confirmed : !e.computed;
       boolean near = Math.abs(e.event.tick() - event.tick()) <= tolerance;
-      if (e.used && open && near && e.event.isLike(event)) {
+      if (e.used && open && near && e.event.isLike(event, origins)) {
         int apart = Math.abs(e.tick - event.tick());
         if (apart < best || (apart == best && nearest != null && e.tick < nearest.tick)) {
           best = apart;

@@ -34,8 +34,8 @@ public final class Connection implements LinkHandler {
      */
     String joined(ServerMessage.Welcome welcome, Level level);
 
-    /** Returns the digest of the fields of the game that was joined last. */
-    long fieldsDigest();
+    /** Returns the digest of the declarations of the game that was joined last. */
+    long declarationsDigest();
 
     /**
      * A datagram arrived while playing.
@@ -56,12 +56,8 @@ public final class Connection implements LinkHandler {
     /** A reliable message of the game has arrived. */
     void message(ServerMessage.GameMessage message);
 
-    /**
-     * The server has said which messages of the game it has heard.
-     *
-     * @return null, or why this client can't play, in words for the player
-     */
-    String heard(ServerMessage.Heard message);
+    /** The server has said which messages of the game it has heard. */
+    void heard(ServerMessage.Heard message);
 
     /** Playing is over, for now or for good. */
     void stopped();
@@ -254,10 +250,7 @@ public final class Connection implements LinkHandler {
     } else if (received instanceof ServerMessage.GameMessage m && stage == Stage.PLAYING) {
       listener.message(m);
     } else if (received instanceof ServerMessage.Heard heard && stage == Stage.PLAYING) {
-      String problem = listener.heard(heard);
-      if (problem != null) {
-        end(problem);
-      }
+      listener.heard(heard);
     } else {
       fail("The server at " + address + " sent something unexpected: " + nameOf(received));
     }
@@ -356,7 +349,7 @@ public final class Connection implements LinkHandler {
     message = "";
     comeback.stop();
     lastHeardNs = nowNs;
-    link.send(new ClientMessage.Ready(welcome.datagramKey(), listener.fieldsDigest()));
+    link.send(new ClientMessage.Ready(welcome.datagramKey(), listener.declarationsDigest()));
   }
 
   private void refused(ServerMessage.Refused refused) {

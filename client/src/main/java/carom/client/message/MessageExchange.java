@@ -125,19 +125,10 @@ public final class MessageExchange {
     }
   }
 
-  /**
-   * Takes over what the server has heard, and answers with what this client has.
-   *
-   * @return null, or why this client can't play, in words for the player
-   */
-  public String heard(ServerMessage.Heard message) {
-    if (message.kindsDigest() != kinds.digest()) {
-      return "This client's game has other messages than the server's; play with the same version"
-          + " of the game.";
-    }
+  /** Takes over what the server has heard, and answers with what this client has. */
+  public void heard(ServerMessage.Heard message) {
     stream.begin(message.number());
     connection.send(new ClientMessage.Heard(stream.lastHeard()));
-    return null;
   }
 
   /** Takes a reliable message. */
@@ -165,7 +156,8 @@ public final class MessageExchange {
   }
 
   private void hear(byte[] bytes) {
-    Message m = kinds.decode(bytes, 0, bytes.length, Direction.FROM_SERVER);
+    Message raw = kinds.decode(bytes, 0, bytes.length, Direction.FROM_SERVER);
+    Message m = raw == null ? null : raw.cleaned();
     if (m == null) {
       stats.malformed();
     } else if (m.is(BuiltInKinds.SAID)) {

@@ -4,6 +4,8 @@ import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
 import carom.physics.Body;
 import carom.sim.Entity;
+import carom.sim.level.Archetype;
+import carom.sim.spawn.Origin;
 
 /**
  * How one predicted body is drawn: its poses, what is left of corrections, and how far it has
@@ -13,8 +15,9 @@ final class PredictedBody {
   /** Time to blend between interpolated and predicted, seconds. */
   private static final float BLEND_SECONDS = 0.15f;
 
-  final int id;
-  final int generation;
+  int id;
+  int generation;
+  final Archetype archetype;
   final VisualError error = new VisualError();
 
   /** Pose before the correction that is under way. */
@@ -26,22 +29,41 @@ final class PredictedBody {
   /** Straight course of a body that is no longer simulated. */
   private final Pose course = new Pose();
 
+  /** Whether it belongs to the own player. */
+  boolean isOwn;
+
+  /** Whether it was simulated before the correction that is under way. */
+  boolean wasThere;
+
   /** The simulated entity; null once the body has left the predicted set. */
   Entity entity;
 
   private float blend;
   private int teleports;
 
-  PredictedBody(int id, int generation, float blend) {
+  PredictedBody(int id, int generation, Archetype archetype, float blend) {
     this.id = id;
     this.generation = generation;
+    this.archetype = archetype;
     this.blend = blend;
   }
 
-  /** Ends the simulation of this body. It moves straight on from {@link #before} and fades out. */
-  void detach() {
+  /** Becomes the picture of another entity, which takes the place of this one. */
+  void become(Entity other, int counter) {
+    id = other.id();
+    generation = other.generation();
+    entity = other;
+    teleports = counter;
+  }
+
+  /**
+   * Ends the simulation of this body. It moves straight on and fades out.
+   *
+   * @param last where it was
+   */
+  void detach(Pose last) {
     if (entity != null) {
-      course.set(before);
+      course.set(last);
       entity = null;
     }
   }
@@ -91,6 +113,11 @@ final class PredictedBody {
   /** Returns the weight of the prediction in the picture, 0..1, smooth in time. */
   float weight() {
     return blend * blend * (3 - 2 * blend);
+  }
+
+  /** Returns whether it is the picture of an entity that the server hasn't told yet. */
+  boolean isProvisional() {
+    return Origin.isProvisional(id);
   }
 
   /** Returns whether the body has left the predicted set and nothing of it is drawn any more. */

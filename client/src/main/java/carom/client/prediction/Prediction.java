@@ -4,16 +4,21 @@ import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
+import carom.client.prediction.received.ReceivedRulings;
 import carom.client.prediction.received.SnapshotRecords;
+import carom.client.prediction.received.SpawnMatches;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
+import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.joint.Assembly;
+import carom.sim.level.Archetype;
 import carom.sim.near.Neighbourhood;
+import carom.sim.spawn.Origin;
 import java.util.function.LongSupplier;
 
 /**
@@ -66,6 +71,7 @@ public final class Prediction {
   private final Corrector corrector;
   private final ReplayBudget budget;
   private final PendingUpdates updates;
+  private final SpawnSettler settler;
   private final ReceivedRulings rulings = new ReceivedRulings();
   private final Reconciler reconciler;
   private final Agreement agreement = new Agreement();
@@ -107,7 +113,9 @@ public final class Prediction {
     }
     this.simulation = simulation;
     this.runsSyncTest = runsSyncTest;
-    records = new SnapshotRecords(simulation);
+    records = new SnapshotRecords(simulation, playerId);
+    simulation.ownSpawns(records.spawns());
+    settler = new SpawnSettler(simulation, records);
     player = simulation.joinAs(playerId, name);
     words = new OwnWords(simulation.schema(), player);
     match = new MatchWords(simulation);
@@ -126,6 +134,7 @@ public final class Prediction {
             timeline,
             corrector,
             updates,
+            settler,
             words,
             rulings,
             budget,
@@ -170,6 +179,7 @@ public final class Prediction {
         poses.beginTick();
       }
       timeline.step(input, false);
+      poses.follow(false);
     }
     if (runsSyncTest) {
       syncTester.run();
@@ -179,14 +189,15 @@ public final class Prediction {
   // ---- reconciliation
 
   /**
-   * Takes in the near section of a snapshot. Call it for each snapshot, in order of arrival.
+   * Takes in the own section of a snapshot. Call it for each snapshot, in order of arrival.
    *
-   * @param near the section
+   * @param own the section
    * @param stateTick the snapshot's tick
    */
-  public void receive(NearState near, int stateTick) {
-    updates.add(near, stateTick);
-    rulings.add(near, stateTick);
+  public void receive(OwnState own, int stateTick) {
+    updates.add(own.near(), stateTick);
+    rulings.add(own.near(), stateTick);
+    records.spawns().add(own);
   }
 
   /**
@@ -256,6 +267,7 @@ public final class Prediction {
     poses.clear();
     active = false;
     agreement.reset();
+    settler.clear();
     corrector.clear();
     timeline.forget();
   }
@@ -264,7 +276,7 @@ public final class Prediction {
 
   /** Lets time pass for what fades in the picture. */
   public void advance(float seconds) {
-    poses.advance(seconds);
+    poses.advance(seconds, server.near());
   }
 
   /**
@@ -278,6 +290,54 @@ public final class Prediction {
    */
   public float readPose(int id, int generation, float fraction, Pose out) {
     return active ? poses.readPose(id, generation, fraction, out) : 0;
+  }
+
+  /**
+   * Returns whether what the server tells of an entity shouldn't be drawn: the own input has
+   * despawned it, or it is drawn as a provisional one.
+   */
+  public boolean hides(int id, int generation) {
+    if (!active || poses.isGone(id, generation, server.near())) {
+      return active;
+    }
+    int key = Neighbourhood.key(id, generation);
+    int origin = records.spawns().origin(key);
+    if (origin == Origin.NONE || !records.spawns().wasPredicted(origin)) {
+      return false;
+    }
+    Entity entity = simulation.entity(id);
+    boolean isPredicted = entity != null && entity.generation() == generation;
+    return !isPredicted && records.spawns().key(origin) != key;
+  }
+
+  /** Returns which entities of the server the own player's spawns are. */
+  public SpawnMatches spawns() {
+    return records.spawns();
+  }
+
+  /** Returns the number of pictures of predicted bodies besides the own one. */
+  public int pictures() {
+    return active ? poses.count() : 0;
+  }
+
+  /** Returns the id of the entity of a picture: a slot, or the origin of a provisional entity. */
+  public int pictureId(int index) {
+    return poses.get(index).id;
+  }
+
+  /** Returns the generation of the entity of a picture. */
+  public int pictureGeneration(int index) {
+    return poses.get(index).generation;
+  }
+
+  /** Returns the archetype of the entity of a picture. */
+  public Archetype pictureArchetype(int index) {
+    return poses.get(index).archetype;
+  }
+
+  /** Reads the pose to draw of a picture; otherwise as the other {@code readPose}. */
+  public float readPicture(int index, float fraction, Pose out) {
+    return poses.readPose(poses.get(index), fraction, out);
   }
 
   /** Returns the own player, as predicted. Do not change it. */
@@ -300,6 +360,16 @@ public final class Prediction {
   /** Returns whether nobody else is in the predicted set: only own inputs and statics matter. */
   public boolean isAlone() {
     return poses.isAlone();
+  }
+
+  /** Returns how many provisional entities have become the server's. */
+  public long spawnsMatched() {
+    return settler.matched();
+  }
+
+  /** Returns how many provisional entities went because the server had none of them. */
+  public long spawnsRetracted() {
+    return settler.retracted();
   }
 
   /** Returns how many replays left out ticks because they were too long or took too long. */

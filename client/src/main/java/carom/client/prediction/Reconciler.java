@@ -1,6 +1,7 @@
 package carom.client.prediction;
 
 import carom.client.field.OwnWords;
+import carom.client.prediction.received.ReceivedRulings;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Simulation;
@@ -18,6 +19,7 @@ final class Reconciler {
   private final Timeline timeline;
   private final Corrector corrector;
   private final PendingUpdates updates;
+  private final SpawnSettler settler;
   private final OwnWords words;
   private final ReceivedRulings rulings;
   private final ReplayBudget budget;
@@ -33,6 +35,7 @@ final class Reconciler {
       Timeline timeline,
       Corrector corrector,
       PendingUpdates updates,
+      SpawnSettler settler,
       OwnWords words,
       ReceivedRulings rulings,
       ReplayBudget budget,
@@ -44,6 +47,7 @@ final class Reconciler {
     this.timeline = timeline;
     this.corrector = corrector;
     this.updates = updates;
+    this.settler = settler;
     this.words = words;
     this.rulings = rulings;
     this.budget = budget;
@@ -92,10 +96,11 @@ final class Reconciler {
     int from = rewind(mispredicted, present);
     if (from < 0 && tick > timeline.tick()) {
       timeline.skipTo(tick); // the server is ahead: this tick was never predicted
+      settler.settle(server.spawned());
       correctTick(false);
       from = tick;
     } else {
-      from = compare(from);
+      from = compare(settle(from));
       if (ruled <= tick) {
         tell(tick);
       }
@@ -111,6 +116,30 @@ final class Reconciler {
     }
     result.corrected = result.compared && !result.exact && !result.told;
     end();
+  }
+
+  /**
+   * Lets provisional entities of the state's tick become the server's, or go.
+   *
+   * @param from the tick of a rollback that has happened, or -1
+   * @return the tick to replay from, or -1 if nothing has changed
+   */
+  private int settle(int from) {
+    boolean isDue = false;
+    int count = timeline.isSaved(stateTick) ? timeline.provisionalCount(stateTick) : 0;
+    for (int i = 0; i < count; i++) {
+      isDue |= settler.isDue(timeline.provisional(stateTick, i), server.spawned());
+    }
+    if (!isDue) {
+      return from;
+    }
+    if (timeline.tick() != stateTick) {
+      timeline.restore(stateTick);
+    }
+    settler.settle(server.spawned());
+    timeline.saveCorrection();
+    result.exact = result.compared && timeline.own(stateTick).sameAs(server); // means other ids
+    return from < 0 ? stateTick : from;
   }
 
   /** Counts what was predicted otherwise, and is right with a ruling that came, as told. */
@@ -270,10 +299,12 @@ final class Reconciler {
         timeline.skipTo(present - 1);
       }
       if (timeline.tick() == present - 1) {
+        poses.follow(true);
         poses.beginTick();
       }
       resimulate();
     }
+    poses.follow(true);
   }
 
   private void resimulate() {

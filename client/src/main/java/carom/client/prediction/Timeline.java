@@ -10,6 +10,7 @@ import carom.sim.Player;
 import carom.sim.SimState;
 import carom.sim.Simulation;
 import carom.sim.near.Neighbourhood;
+import carom.sim.spawn.Origin;
 import java.util.Arrays;
 
 /**
@@ -30,6 +31,8 @@ final class Timeline {
   private final SimState[] saved = new SimState[RING];
   private final int[] savedTick = new int[RING];
   private final int[] hash = new int[RING];
+  private final int[] provisionalCount = new int[RING];
+  private final int[][] provisional = new int[RING][Origin.MOST_PER_PLAYER];
   private final OwnState[] own = new OwnState[RING];
   private final PredictedHashes hashes = new PredictedHashes(RING);
   private final Neighbourhood scratch;
@@ -109,6 +112,10 @@ final class Timeline {
     int slot = tick & MASK;
     saved[slot] = simulation.save(saved[slot]);
     savedTick[slot] = tick;
+    provisionalCount[slot] = simulation.provisionalCount();
+    for (int i = 0; i < provisionalCount[slot]; i++) {
+      provisional[slot][i] = simulation.provisional(i).origin();
+    }
     scratch.readAll(simulation);
     hash[slot] = NearState.fold(scratch.hash());
     hashes.store(slot, scratch);
@@ -134,6 +141,16 @@ final class Timeline {
   /** Returns whether a tick is saved. */
   boolean isSaved(int wanted) {
     return wanted >= 0 && savedTick[wanted & MASK] == wanted;
+  }
+
+  /** Returns the number of provisional entities after a saved tick. */
+  int provisionalCount(int savedAt) {
+    return provisionalCount[savedAt & MASK];
+  }
+
+  /** Returns the origin of a provisional entity after a saved tick. */
+  int provisional(int savedAt, int index) {
+    return provisional[savedAt & MASK][index];
   }
 
   /** Returns the hash of the predicted set after a saved tick. */

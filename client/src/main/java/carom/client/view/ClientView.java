@@ -44,7 +44,7 @@ public final class ClientView {
 
     Drawn() {}
 
-    /** Returns its slot. */
+    /** Returns its slot; of what the own input spawned and the server hasn't told, its origin. */
     public int id() {
       return id;
     }
@@ -114,6 +114,10 @@ public final class ClientView {
   private Runnable composer = () -> {};
   private boolean stale;
   private int count;
+
+  /** Number of entities whose ids ascend; those that no record tells yet follow. */
+  private int ofSlots;
+
   private final List<JointView> joints = new ArrayList<>();
   private int jointCount;
   private int own = -1;
@@ -185,6 +189,11 @@ public final class ClientView {
 
   void removeLast() {
     count--;
+  }
+
+  /** Notes that the entities added so far are those of slots, in ascending order. */
+  void endSlots() {
+    ofSlots = count;
   }
 
   /** Makes the entity that was added last the own one. */
@@ -292,7 +301,7 @@ public final class ClientView {
   public Drawn find(int id) {
     compose();
     int low = 0;
-    int high = count - 1;
+    int high = ofSlots - 1;
     while (low <= high) {
       int middle = (low + high) >>> 1;
       Drawn drawn = pool.get(middle);
@@ -303,6 +312,11 @@ public final class ClientView {
         low = middle + 1;
       } else {
         high = middle - 1;
+      }
+    }
+    for (int i = ofSlots; i < count; i++) {
+      if (pool.get(i).id == id) {
+        return pool.get(i);
       }
     }
     return null;

@@ -8,8 +8,11 @@ import carom.client.prediction.Prediction;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.Ownership;
+import carom.sim.Event;
 import carom.sim.Simulation;
 import carom.sim.level.Archetype;
+import carom.sim.spawn.Origin;
 import java.util.Arrays;
 
 /**
@@ -130,10 +133,44 @@ public final class ViewComposer {
         compose(slot, history, own);
       }
     }
+    view.endSlots();
+    composeUntold();
     joints.compose();
     composed = true;
     composedNs = nowNs;
     composedTick = newTick;
+  }
+
+  /** Adds what the own input has spawned and no record tells yet. */
+  private void composeUntold() {
+    for (int i = 0; prediction != null && i < prediction.pictures(); i++) {
+      int id = prediction.pictureId(i);
+      int generation = prediction.pictureGeneration(i);
+      if (!isOwnSpawn(id, generation) || isTold(id, generation)) {
+        continue;
+      }
+      ClientView.Drawn drawn = view.add();
+      drawn.alpha = prediction.readPicture(i, fraction, drawn.pose);
+      if (drawn.alpha == 0) {
+        view.removeLast();
+        continue;
+      }
+      drawn.id = id;
+      drawn.generation = generation;
+      drawn.archetype = prediction.pictureArchetype(i);
+      drawn.ownerId = prediction.player().id();
+      drawn.predicted = 1;
+    }
+  }
+
+  private boolean isOwnSpawn(int id, int generation) {
+    return Origin.isProvisional(id)
+        || prediction.spawns().origin(Event.key(id, generation)) != Origin.NONE;
+  }
+
+  private boolean isTold(int id, int generation) {
+    EntityHistory history = id < decoder.slotLimit() ? decoder.history(id) : null;
+    return history != null && history.size() > 0 && history.generation(0) == generation;
   }
 
   private void compose(int slot, EntityHistory history, OwnState own) {
@@ -146,8 +183,10 @@ public final class ViewComposer {
             ? 0
             : prediction.readPose(slot, generation, fraction, drawn.pose);
     boolean visible = index >= 0 || weight > 0;
-    if (track != null && !history.alive()) {
-      track.ghost |= track.weight > 0.5f;
+    boolean hidden = prediction != null && prediction.hides(slot, generation);
+    visible &= !hidden;
+    if (track != null && (hidden || !history.alive())) {
+      track.ghost |= hidden || track.weight > 0.5f;
       visible &= !track.ghost;
     }
     int identity = weight > 0 || index < 0 ? 0 : index;
@@ -174,7 +213,8 @@ public final class ViewComposer {
       smooth(track, history, index, weight, drawn.pose);
     }
     if (fresh) {
-      track.alpha = joining ? 1 : 0;
+      boolean wasDrawn = weight == 1 && isOwnSpawn(slot, generation); // as a provisional one
+      track.alpha = joining || wasDrawn ? 1 : 0;
     } else {
       track.alpha = Math.min(1, track.alpha + seconds / FADE_IN_SECONDS);
     }
@@ -204,7 +244,7 @@ public final class ViewComposer {
     track.ghost = false;
     track.generation = history.generation(identity);
     track.teleports = history.teleports(identity);
-    track.ownerId = history.owner(identity);
+    track.ownerId = Ownership.player(history.ownership(identity));
     track.archetype = archetype;
     track.weight = weight;
   }

@@ -73,6 +73,8 @@ final class AccessFile {
       size = Files.size(file);
     } catch (NoSuchFileException e) {
       // the list is empty
+    } catch (IOException e) {
+      throw unreadable(e);
     }
     boolean changed = !time.equals(readTime) || size != readSize;
     readTime = time;
@@ -100,16 +102,20 @@ final class AccessFile {
       return Files.readAllLines(file);
     } catch (NoSuchFileException e) {
       return List.of();
-    } catch (AccessDeniedException e) {
-      throw unreadable("the user " + System.getProperty("user.name") + " has no permission", e);
-    } catch (CharacterCodingException e) {
-      throw unreadable("it isn't text in UTF-8", e);
     } catch (IOException e) {
-      throw unreadable(Files.isDirectory(file) ? "it is a folder" : e.toString(), e);
+      throw unreadable(e);
     }
   }
 
-  private IOException unreadable(String why, IOException cause) {
+  private IOException unreadable(IOException cause) {
+    String why = cause.toString();
+    if (cause instanceof AccessDeniedException) {
+      why = "the user " + System.getProperty("user.name") + " has no permission";
+    } else if (cause instanceof CharacterCodingException) {
+      why = "it isn't text in UTF-8";
+    } else if (Files.isDirectory(file)) {
+      why = "it is a folder";
+    }
     return new IOException(file + " can't be read: " + why + "; mend it, or move it away", cause);
   }
 

@@ -57,6 +57,27 @@ public final class RoomCommands {
             all::players));
     registry.add(
         new Command(
+            "mute",
+            "PLAYER",
+            "Drops a player's chat and emotes for the rest of its stay.",
+            words -> all.mute(words, true),
+            all::players));
+    registry.add(
+        new Command(
+            "unmute",
+            "PLAYER",
+            "Lets a muted player chat again.",
+            words -> all.mute(words, false),
+            all::players));
+    registry.add(
+        new Command(
+            "spectate",
+            "PLAYER",
+            "Makes a player a spectator, who may ask to play again.",
+            all::spectate,
+            all::players));
+    registry.add(
+        new Command(
             "level",
             "[@ROOM] LEVEL",
             "Goes on with another level: a file, one of the data folder, or one that comes along.",
@@ -171,6 +192,18 @@ public final class RoomCommands {
       heard += room.operator().say(text);
     }
     return "said to " + heard + (heard == 1 ? " player" : " players");
+  }
+
+  private String mute(CommandWords words, boolean on) throws CommandException {
+    words.requireAtMost(1);
+    RoomFinder.Found found = finder.player(words, 0);
+    return found.room().operator().mute(found.player().name(), on);
+  }
+
+  private String spectate(CommandWords words) throws CommandException {
+    words.requireAtMost(1);
+    RoomFinder.Found found = finder.player(words, 0);
+    return found.room().operator().spectate(found.player().name());
   }
 
   private String kick(CommandWords words) throws CommandException {

@@ -1,5 +1,6 @@
 package carom.server.config;
 
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -7,7 +8,8 @@ import java.util.Locale;
  *
  * @param name its name, the same in the file, on the command line (behind {@code --}), in the
  *     environment (as {@link #variable}) and at the console
- * @param value effective value as text, or empty when it isn't set and has no default
+ * @param values effective value as text; several for a setting that may be repeated, none when it
+ *     isn't set and has no default
  * @param origin where the value comes from, for people: {@code default}, {@code command line},
  *     {@code environment CAROM_SEED} or {@code data/carom.conf: 12}
  * @param defaultValue default as text, empty for none
@@ -15,12 +17,22 @@ import java.util.Locale;
  * @param doc what the setting does, in a sentence or two without the default
  */
 public record Setting(
-    String name, String value, String origin, String defaultValue, String kind, String doc) {
+    String name, List<String> values, String origin, String defaultValue, String kind, String doc) {
   /** Origin of a value that nobody set. */
   public static final String DEFAULT = "default";
 
   /** Beginning of the names of environment variables. */
   public static final String VARIABLE_PREFIX = "CAROM_";
+
+  /** Copies the list. */
+  public Setting {
+    values = List.copyOf(values);
+  }
+
+  /** Returns the effective value as one text, empty if there is none. */
+  public String value() {
+    return String.join(", ", values);
+  }
 
   /** Returns whether a layer above the default sets this. */
   public boolean isSet() {

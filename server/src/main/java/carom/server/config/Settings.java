@@ -47,19 +47,23 @@ public record Settings(List<Setting> all) {
     for (Setting setting : all) {
       file.append('\n');
       wrap(file, setting.doc());
-      String value =
-          !setting.value().isEmpty()
-              ? literal(setting.value()) + unit(setting)
-              : "<" + setting.kind() + ">";
       file.append(setting.isSet() ? "" : "#");
-      file.append(setting.name()).append(" = ").append(value).append('\n');
+      file.append(setting.name()).append(" = ").append(value(setting)).append('\n');
     }
     return file.toString();
   }
 
-  private static String unit(Setting setting) {
+  private static String value(Setting setting) {
+    List<String> values = setting.values();
+    if (values.isEmpty()) {
+      return "<" + setting.kind() + ">";
+    }
+    if (values.size() > 1) {
+      return "[" + String.join(", ", values.stream().map(Settings::literal).toList()) + "]";
+    }
     String unit = SettingUnits.plain(setting.kind());
-    return unit.isEmpty() || !NUMBER.matcher(setting.value()).matches() ? "" : " " + unit;
+    boolean bare = !unit.isEmpty() && NUMBER.matcher(values.get(0)).matches();
+    return literal(values.get(0)) + (bare ? " " + unit : "");
   }
 
   private static String literal(String text) {

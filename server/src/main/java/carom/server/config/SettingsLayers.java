@@ -130,13 +130,13 @@ public final class SettingsLayers {
   private Setting setting(OptionSpec option, ParseResult parsed) {
     String name = name(option);
     String defaultValue = option.defaultValue() == null ? "" : option.defaultValue();
-    String value = defaultValue;
+    List<String> values = defaultValue.isEmpty() ? List.of() : List.of(defaultValue);
     String origin = Setting.DEFAULT;
     if (parsed.hasMatchedOption(option)) {
-      value = String.join(", ", parsed.matchedOption(FLAG + name).originalStringValues());
+      values = parsed.matchedOption(FLAG + name).originalStringValues();
       origin = below.containsKey(name) ? below.get(name).origin() : COMMAND_LINE;
     }
-    return new Setting(name, value, origin, defaultValue, option.paramLabel(), doc(option));
+    return new Setting(name, values, origin, defaultValue, option.paramLabel(), doc(option));
   }
 
   /** Returns the description without the default at its end, which stands beside it. */

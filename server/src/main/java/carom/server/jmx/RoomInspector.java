@@ -1,6 +1,8 @@
 package carom.server.jmx;
 
 import carom.server.room.Room;
+import carom.sim.message.BuiltInKinds;
+import carom.text.Texts;
 import java.lang.management.ManagementFactory;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -55,6 +57,30 @@ public final class RoomInspector implements RoomMXBean {
   @Override
   public String kick(int player, String text) {
     return room.operator().kick(player, text);
+  }
+
+  @Override
+  public String say(String text) {
+    String line = text == null ? "" : Texts.clean(text).strip();
+    if (line.isEmpty() || line.length() > BuiltInKinds.MAX_CHAT) {
+      return "text has length=" + line.length() + ", allowed are 1.." + BuiltInKinds.MAX_CHAT;
+    }
+    return "said to players=" + room.operator().say(line);
+  }
+
+  @Override
+  public String mute(String name) {
+    return room.operator().mute(name, true);
+  }
+
+  @Override
+  public String unmute(String name) {
+    return room.operator().mute(name, false);
+  }
+
+  @Override
+  public String spectate(String name) {
+    return room.operator().spectate(name);
   }
 
   @Override

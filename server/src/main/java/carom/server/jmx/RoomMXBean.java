@@ -33,6 +33,26 @@ public interface RoomMXBean {
   String kick(int player, String text);
 
   /**
+   * Says a line to everybody in the room.
+   *
+   * @param text 1..120 characters
+   */
+  String say(String text);
+
+  /**
+   * Drops a player's chat and emotes for the rest of its stay.
+   *
+   * @param name the player's, in any case
+   */
+  String mute(String name);
+
+  /** Lets a player who was muted chat again. */
+  String unmute(String name);
+
+  /** Makes a player a spectator, who may ask to play again. */
+  String spectate(String name);
+
+  /**
    * Goes on with another game or level. Players and their links stay.
    *
    * @param game name of the game; empty for the one that the level is made for

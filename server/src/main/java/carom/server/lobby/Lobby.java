@@ -290,7 +290,7 @@ public final class Lobby {
       } else if (state == SessionState.LOADING && message instanceof ClientMessage.Ready ready) {
         if (!upload.isFinishedBy(ready)) {
           refuse(RefusalReason.BAD_REQUEST, "Ready has the key of another Welcome.");
-        } else if (ready.fieldsDigest() == match.schema().digest()) {
+        } else if (ready.declarationsDigest() == match.declarations().digest()) {
           enterRoom();
         } else {
           refuse(

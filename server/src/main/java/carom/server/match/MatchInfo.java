@@ -1,8 +1,7 @@
 package carom.server.match;
 
-import carom.net.field.FieldAgreement;
+import carom.net.field.Declarations;
 import carom.net.protocol.ServerMessage.Welcome;
-import carom.sim.field.Schema;
 
 /**
  * What a client must know of a room's match to play it. Immutable; any thread.
@@ -12,10 +11,10 @@ import carom.sim.field.Schema;
  * @param game name of the game
  * @param level the level with its download
  * @param seed seed of the match's random numbers
- * @param schema declarations of the game's fields
+ * @param declarations of the game's fields and kinds of messages
  */
 public record MatchInfo(
-    String room, int number, String game, LoadedLevel level, long seed, Schema schema) {
+    String room, int number, String game, LoadedLevel level, long seed, Declarations declarations) {
   /**
    * Returns the message that lets a player load and join the match.
    *
@@ -40,7 +39,7 @@ public record MatchInfo(
         level.contentHash(),
         level.size(),
         level.packedSize(),
-        schema.digest(),
-        FieldAgreement.tell(schema));
+        declarations.digest(),
+        declarations.lines());
   }
 }

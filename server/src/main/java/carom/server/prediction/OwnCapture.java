@@ -41,8 +41,19 @@ public final class OwnCapture {
     return simulation.schema().toldWords(Scope.PLAYER);
   }
 
-  /** Reads a player's own section after the simulation's last step. */
-  public void capture(Player player, OwnState out) {
+  /**
+   * Reads a player's own section after the simulation's last step.
+   *
+   * @param mayKnow returns whether the game lets that player know of an entity, at present
+   */
+  public void capture(Player player, Predicate<Entity> mayKnow, OwnState out) {
+    out.spawned().clear();
+    for (int i = 0; i < player.spawnedCount(); i++) {
+      Entity spawned = player.spawned(i);
+      if (mayKnow.test(spawned)) {
+        out.spawned().add(spawned.origin(), EntityList.key(spawned));
+      }
+    }
     FieldValues fields = player.fieldValues();
     for (int i = 0; i < out.words(); i++) {
       out.setWord(i, fields.word(i));

@@ -21,8 +21,10 @@ import java.util.function.Predicate;
  *
  * <ol>
  *   <li>the body itself, and all that it touches, directly or through others;
- *   <li>what is close to it or soon will be, the closest first, each with all that it touches;
- *       while the list is shorter than {@value #MOST_CLOSE};
+ *   <li>what the player's input has spawned, wherever it is, with all that it touches;
+ *   <li>what is close to the body or soon will be, the closest first, each with all that it
+ *       touches; then what is close to the {@value #FOLLOWED} newest spawned ones; while the list
+ *       is shorter than {@value #MOST_CLOSE};
  *   <li>all that joints hold together with one of these, directly or through others: bodies that
  *       joints hold together are chosen as a whole or not at all. Only what no set could hold is
  *       cut if the own body touches it, and the client holds the bodies at the cut;
@@ -51,6 +53,9 @@ final class PredictedSetChooser {
 
   /** An entity that approaches enters this early, seconds before it is there. */
   private static final float LEAD_SECONDS = 0.3f;
+
+  /** Number of spawned entities around which others are chosen, too: the newest. */
+  private static final int FOLLOWED = 8;
 
   /** Entities that don't touch the body are added while there are fewer than these. */
   private static final int MOST_CLOSE = 63;
@@ -81,7 +86,10 @@ final class PredictedSetChooser {
 
   private boolean reachedFromOutside;
   private int limit;
-  private Body<Entity> own;
+
+  /** The body around which candidates are gathered, and how close they must be, metres. */
+  private Body<Entity> centre;
+
   private float enterMetres;
 
   PredictedSetChooser(Simulation simulation, EntityMarks marks, Predicate<Entity> mayKnow) {
@@ -104,8 +112,6 @@ final class PredictedSetChooser {
    * @param most the most entities to choose
    */
   void choose(Player player, boolean all, KeyList before, int most) {
-    own = player.body().body();
-    enterMetres = all ? ALL_METRES : NEAR_METRES;
     marks.clear(simulation.entityCapacity());
     for (int i = 0; i < before.count(); i++) {
       Entity e = EntityList.find(simulation, before.get(i));
@@ -121,12 +127,15 @@ final class PredictedSetChooser {
     spreadsOwn = true;
     spreadContacts(0);
     spreadsOwn = false;
-    limit = Math.min(most, Math.max(chosen.count(), MOST_CLOSE));
-    gatherCandidates();
-    for (int i = 0; i < candidates.count(); i++) {
-      addWithContacts(candidates.get(i));
+    for (int i = player.spawnedCount() - 1; i >= 0; i--) {
+      addWithContacts(player.spawned(i));
     }
-    candidates.clear();
+    limit = Math.min(most, Math.max(chosen.count(), MOST_CLOSE));
+    addClose(player.body().body(), all ? ALL_METRES : NEAR_METRES);
+    int oldest = Math.max(0, player.spawnedCount() - FOLLOWED);
+    for (int i = player.spawnedCount() - 1; i >= oldest; i--) {
+      addClose(player.spawned(i).body(), NEAR_METRES);
+    }
     limit = most;
     addCarriers();
     chosen.sort(simulation);
@@ -260,9 +269,20 @@ final class PredictedSetChooser {
     return !e.isLevel() && Neighbourhood.affectsOthers(e.archetype());
   }
 
+  /** Adds what is close to a body or soon will be, the closest first. */
+  private void addClose(Body<Entity> body, float metres) {
+    centre = body;
+    enterMetres = metres;
+    gatherCandidates();
+    for (int i = 0; i < candidates.count(); i++) {
+      addWithContacts(candidates.get(i));
+    }
+    candidates.clear();
+  }
+
   private void gatherCandidates() {
-    own.aabb(box);
-    float speed = length(own.velocityX(), own.velocityY());
+    centre.aabb(box);
+    float speed = length(centre.velocityX(), centre.velocityY());
     float range = enterMetres * LEAVE + 2 * speed * LEAD_SECONDS;
     simulation
         .world()
@@ -277,19 +297,19 @@ final class PredictedSetChooser {
   /** Makes a body a candidate if it is close enough, or soon will be. */
   private boolean consider(Body<Entity> body) {
     Entity e = body.user();
-    if (!affectsOthers(e) || body == own || !mayKnow.test(e)) {
+    if (!affectsOthers(e) || body == centre || !mayKnow.test(e)) {
       return true;
     }
     body.aabb(box);
-    float dx = Math.max(0, Math.max(box.minX - own.x(), own.x() - box.maxX));
-    float dy = Math.max(0, Math.max(box.minY - own.y(), own.y() - box.maxY));
+    float dx = Math.max(0, Math.max(box.minX - centre.x(), centre.x() - box.maxX));
+    float dy = Math.max(0, Math.max(box.minY - centre.y(), centre.y() - box.maxY));
     float away = length(dx, dy);
     float closing =
         away == 0
             ? 0
-            : ((own.velocityX() - body.velocityX()) * (body.x() - own.x())
-                    + (own.velocityY() - body.velocityY()) * (body.y() - own.y()))
-                / Math.max(1e-3f, length(body.x() - own.x(), body.y() - own.y()));
+            : ((centre.velocityX() - body.velocityX()) * (body.x() - centre.x())
+                    + (centre.velocityY() - body.velocityY()) * (body.y() - centre.y()))
+                / Math.max(1e-3f, length(body.x() - centre.x(), body.y() - centre.y()));
     float soon = away - Math.max(0, closing) * LEAD_SECONDS;
     boolean member = marks.isMember(e.id());
     if (soon <= enterMetres * (member ? LEAVE : 1)) {

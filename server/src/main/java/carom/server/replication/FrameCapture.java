@@ -5,6 +5,7 @@ import carom.net.protocol.Limits;
 import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.frame.Ownership;
 import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.table.Tables;
 import carom.physics.World;
@@ -127,10 +128,19 @@ public final class FrameCapture {
       if (entity != null) {
         ids[entityCount++] = id;
         slots[entity.bodySlot()] = id;
-        frame.identify(id, entity.generation(), entity.archetype().index(), entity.ownerId());
+        frame.identify(id, entity.generation(), entity.archetype().index(), ownership(entity));
         frame.setTeleports(id, entity.teleports());
       }
     }
+  }
+
+  /** Returns whose an entity is, as frames have it. */
+  private int ownership(Entity entity) {
+    Player owner = simulation.owner(entity);
+    if (owner == null) {
+      return entity.ownerId();
+    }
+    return owner.body() == entity ? owner.id() : owner.id() | Ownership.NOT_BODY;
   }
 
   private void putAudiences(FrameState frame) {

@@ -17,6 +17,7 @@ import carom.server.prediction.PredictionAudit;
 import carom.server.prediction.PredictionAudit.Finding;
 import carom.sim.Entity;
 import carom.sim.Player;
+import java.util.function.Predicate;
 
 /**
  * Replicates the world to the client of one session: its snapshots, its predicted set while it asks
@@ -52,6 +53,7 @@ public final class SessionReplication {
 
   private int preparedTick;
   private boolean touched;
+  private final Predicate<Entity> mayKnow = e -> sender.mayKnow(e);
   private final BodyContactVisitor<Entity> touchVisitor =
       (other, normalX, normalY, impulse) -> touched |= other.type() != BodyType.STATIC;
 
@@ -154,9 +156,9 @@ public final class SessionReplication {
   public void prepareSnapshot(int tick, boolean inputInTime, boolean inputsLate) {
     preparedTick = tick;
     sender.tick();
-    capture.capture(player, own);
+    capture.capture(player, mayKnow, own);
     if (wanted != InputDatagram.NEAR_NONE && predictedSet == null) {
-      predictedSet = capture.predictedSet(player, sender::mayKnow);
+      predictedSet = capture.predictedSet(player, mayKnow);
       audit = audit == null ? new PredictionAudit(own.words()) : audit;
     }
     if (audit != null) {

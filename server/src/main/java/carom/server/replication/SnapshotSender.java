@@ -277,7 +277,7 @@ public final class SnapshotSender {
 
   /** Returns the round trip to the client and back, ms, or 0 before the first acknowledgement. */
   public int roundTripMs() {
-    return Math.round(Math.max(0, roundTripTicks) * MS_PER_S / tickRateHz);
+    return roundTripTicks < 0 ? 0 : Math.max(1, Math.round(roundTripTicks * MS_PER_S / tickRateHz));
   }
 
   /** Returns the estimated capacity of the client's line, bytes per second, headers included. */

@@ -1,6 +1,7 @@
 package carom.server.room;
 
 import carom.game.GuardedGame;
+import carom.net.field.Declarations;
 import carom.server.config.ServerConfig;
 import carom.server.match.GameFailures;
 import carom.server.match.LoadedLevel;
@@ -53,7 +54,14 @@ final class Match {
     failures = new GameFailures(rules.name(), counters, label);
     GuardedGame game = new GuardedGame(rules, failures);
     simulation = new Simulation(game, level.level(), seed, config.tickRateHz(), Role.AUTHORITY);
-    info = new MatchInfo(room, number, rules.name(), level, seed, simulation.schema());
+    info =
+        new MatchInfo(
+            room,
+            number,
+            rules.name(),
+            level,
+            seed,
+            Declarations.of(simulation.schema(), simulation.messageKinds()));
     capture = new FrameCapture(simulation);
     ownCapture = new OwnCapture(simulation);
   }

@@ -4,6 +4,7 @@ import carom.net.protocol.SessionState;
 import carom.server.match.MatchInfo;
 import carom.server.match.SavedMatch;
 import carom.server.recording.RecordingFile;
+import carom.server.session.Moderator;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
 import carom.sim.NextMatch;
@@ -116,6 +117,16 @@ public final class OperatorCommands {
           departures.kick(session, text, clock.getAsLong());
           return "removed player=" + playerId + " name=" + session.seat().name();
         });
+  }
+
+  /** Drops a player's chat and emotes from now on, or ends that; returns what was done. */
+  public String mute(String name, boolean on) {
+    return ask(() -> Moderator.mute(sessions.bySeat(), name, on));
+  }
+
+  /** Makes a player a spectator; returns what was done. */
+  public String spectate(String name) {
+    return ask(() -> Moderator.spectate(room.simulation(), sessions.bySeat(), name));
   }
 
   /**

@@ -80,7 +80,7 @@ public final class Session implements LinkHandler {
   private long sequenceArrivalNs;
   private long graceEndNs;
   private LevelUpload upload;
-  private long fieldsDigest;
+  private long declarationsDigest;
   private boolean loaded;
   private int loadingTicks;
   private int playedTicks;
@@ -184,7 +184,7 @@ public final class Session implements LinkHandler {
     }
     upload = newUpload;
     datagramKey = welcome.datagramKey();
-    fieldsDigest = welcome.fieldsDigest();
+    declarationsDigest = welcome.declarationsDigest();
     loaded = false;
     loadingTicks = 0;
     send(welcome);
@@ -269,7 +269,7 @@ public final class Session implements LinkHandler {
       }
     } else if (message instanceof ClientMessage.Ready ready) {
       boolean ofThisMatch = upload.isFinishedBy(ready);
-      if (ofThisMatch && ready.fieldsDigest() != fieldsDigest) {
+      if (ofThisMatch && ready.declarationsDigest() != declarationsDigest) {
         expel("Ready with fields that differ from those of the match's game");
       } else {
         loaded |= ofThisMatch;

@@ -49,7 +49,7 @@ public final class SessionMessages {
     incoming.begin(key);
     outgoing.begin(key);
     stream.unlink();
-    link.send(new ServerMessage.Heard(stream.lastHeard(), simulation.messageKinds().digest()));
+    link.send(new ServerMessage.Heard(stream.lastHeard()));
   }
 
   /** Notes that the link is gone. What is sent meanwhile waits for the next. */

@@ -3,7 +3,7 @@
  * the same declarations.
  *
  * <p>The one package of {@code carom.net} that knows of fields. May import {@code
- * carom.net.protocol}, {@code carom.net.snapshot.table}, {@code carom.sim.event} and {@code
- * carom.sim.field}. Read first: {@link carom.net.field.FieldTables}.
+ * carom.net.protocol}, {@code carom.net.snapshot.table}, {@code carom.sim.event}, {@code
+ * carom.sim.field} and {@code carom.sim.message}. Read first: {@link carom.net.field.FieldTables}.
  */
 package carom.net.field;

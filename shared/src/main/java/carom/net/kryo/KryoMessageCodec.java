@@ -20,6 +20,7 @@ import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.protocol.ServerMessage.Watching;
 import carom.net.protocol.ServerMessage.Welcome;
 import carom.net.transport.MessageCodec;
+import carom.text.Texts;
 import com.esotericsoftware.kryo.Kryo;
 import com.esotericsoftware.kryo.KryoException;
 import com.esotericsoftware.kryo.Serializer;
@@ -212,10 +213,10 @@ public final class KryoMessageCodec implements MessageCodec {
       out.writeLong(m.levelHash());
       out.writeVarInt(inRange("levelSize", m.levelSize(), 0, Limits.MAX_LEVEL_BYTES), true);
       out.writeVarInt(inRange("packedSize", m.packedSize(), 0, Limits.MAX_LEVEL_BYTES), true);
-      out.writeLong(m.fieldsDigest());
-      out.writeVarInt(inRange("fields", m.fields().size(), 0, Limits.MAX_FIELD_LINES), true);
-      for (String line : m.fields()) {
-        writeText(out, "field", line, Limits.MAX_FIELD_LINE_BYTES);
+      out.writeLong(m.declarationsDigest());
+      out.writeVarInt(inRange("fields", m.declarations().size(), 0, Limits.MAX_DECLARATIONS), true);
+      for (String line : m.declarations()) {
+        writeText(out, "field", line, Limits.MAX_DECLARATION_BYTES);
       }
     }
 
@@ -240,10 +241,10 @@ public final class KryoMessageCodec implements MessageCodec {
     }
 
     private static List<String> fields(Input in) {
-      int count = inRange("fields", in.readVarInt(true), 0, Limits.MAX_FIELD_LINES);
+      int count = inRange("fields", in.readVarInt(true), 0, Limits.MAX_DECLARATIONS);
       List<String> lines = new ArrayList<>(count);
       for (int i = 0; i < count; i++) {
-        lines.add(readText(in, "field", Limits.MAX_FIELD_LINE_BYTES));
+        lines.add(readText(in, "field", Limits.MAX_DECLARATION_BYTES));
       }
       return lines;
     }
@@ -421,12 +422,11 @@ public final class KryoMessageCodec implements MessageCodec {
     @Override
     void write(Output out, Heard m) {
       out.writeVarInt(inRange("number", m.number(), 0, Integer.MAX_VALUE), true);
-      out.writeLong(m.kindsDigest());
     }
 
     @Override
     Heard read(Input in) {
-      return new Heard(inRange("number", in.readVarInt(true), 0, Integer.MAX_VALUE), in.readLong());
+      return new Heard(inRange("number", in.readVarInt(true), 0, Integer.MAX_VALUE));
     }
   }
 
@@ -505,9 +505,10 @@ public final class KryoMessageCodec implements MessageCodec {
     out.writeBytes(bytes);
   }
 
+  /** Reads a text, which may come to a screen or a terminal: without what can't be shown there. */
   private static String readText(Input in, String name, int maxBytes) {
     int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
-    return new String(readBytes(in, length), StandardCharsets.UTF_8);
+    return Texts.clean(new String(readBytes(in, length), StandardCharsets.UTF_8));
   }
 
   private static byte[] readBytes(Input in, int length) {

@@ -67,10 +67,10 @@ public sealed interface ClientMessage {
    * Says that the client has loaded the level and asks for a body.
    *
    * @param datagramKey key of the {@link ServerMessage.Welcome} that named the level
-   * @param fieldsDigest digest of the fields of the client's game; the server refuses another than
-   *     its own
+   * @param declarationsDigest digest of the declarations of the client's game; the server refuses
+   *     another than its own
    */
-  record Ready(int datagramKey, long fieldsDigest) implements ClientMessage {}
+  record Ready(int datagramKey, long declarationsDigest) implements ClientMessage {}
 
   /**
    * Tells the server what part of the world the client shows. The client sends it on every change.

@@ -103,7 +103,7 @@ public final class ClientMessageCodec {
       buffer.put(CHANGE_ROOM);
       putText("ChangeRoom.room", change.room(), Limits.MAX_ROOM_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.Ready ready) {
-      buffer.put(READY).putInt(ready.datagramKey()).putLong(ready.fieldsDigest());
+      buffer.put(READY).putInt(ready.datagramKey()).putLong(ready.declarationsDigest());
     } else {
       buffer.put(LEAVE);
     }

@@ -71,11 +71,11 @@ public final class Limits {
    */
   public static final int MAX_CLIENT_MESSAGES_PER_SECOND = 2_000;
 
-  /** Most declarations of fields that {@code Welcome} tells. */
-  public static final int MAX_FIELD_LINES = 128;
+  /** Most declarations of fields and messages that {@code Welcome} tells. */
+  public static final int MAX_DECLARATIONS = 128;
 
-  /** Longest declaration of a field that {@code Welcome} tells, bytes; the rest is cut. */
-  public static final int MAX_FIELD_LINE_BYTES = 100;
+  /** Longest declaration that {@code Welcome} tells, bytes; the rest is cut. */
+  public static final int MAX_DECLARATION_BYTES = 100;
 
   /** Longest name of a room. */
   public static final int MAX_ROOM_NAME_BYTES = 32;

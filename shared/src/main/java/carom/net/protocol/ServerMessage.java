@@ -29,9 +29,9 @@ public sealed interface ServerMessage {
    * @param levelSize size of the level file in bytes
    * @param packedSize size of the {@linkplain PackedLevel packed} level file in bytes; the chunks
    *     are pieces of it
-   * @param fieldsDigest digest of the game's fields
-   * @param fields declarations of the game's fields, which name a difference: at most {@value
-   *     Limits#MAX_FIELD_LINES} texts of at most {@value Limits#MAX_FIELD_LINE_BYTES} bytes
+   * @param declarationsDigest digest of the game's fields and kinds of messages
+   * @param declarations the declarations, which name a difference: at most {@value
+   *     Limits#MAX_DECLARATIONS} texts of at most {@value Limits#MAX_DECLARATION_BYTES} bytes
    */
   record Welcome(
       long sessionSecret,
@@ -47,12 +47,12 @@ public sealed interface ServerMessage {
       long levelHash,
       int levelSize,
       int packedSize,
-      long fieldsDigest,
-      List<String> fields)
+      long declarationsDigest,
+      List<String> declarations)
       implements ServerMessage {
     /** Copies the list. */
     public Welcome {
-      fields = List.copyOf(fields);
+      declarations = List.copyOf(declarations);
     }
   }
 
@@ -270,9 +270,8 @@ public sealed interface ServerMessage {
    * The client answers with {@link ClientMessage.Heard}.
    *
    * @param number the last one's, 0 for none
-   * @param kindsDigest hash of the game's kinds of messages, on which both must agree
    */
-  record Heard(int number, long kindsDigest) implements ServerMessage {}
+  record Heard(int number) implements ServerMessage {}
 
   /**
    * Ends the session. The link closes after it.

@@ -100,8 +100,8 @@ public final class EntityHistory {
     return data[at(index) + KIND] >>> TELEPORT_SHIFT;
   }
 
-  /** Returns the player id of the owner, or -1. */
-  public int owner(int index) {
+  /** Returns whose the entity is, see {@code Ownership}. */
+  public int ownership(int index) {
     return data[at(index) + OWNER];
   }
 
@@ -144,7 +144,7 @@ public final class EntityHistory {
   void hold(int index, int tick, QuantizedPose scratch) {
     if (tick(index) != tick) {
       pose(index, scratch);
-      add(tick, generation(index), archetype(index), owner(index), teleports(index), scratch);
+      add(tick, generation(index), archetype(index), ownership(index), teleports(index), scratch);
     }
   }
 

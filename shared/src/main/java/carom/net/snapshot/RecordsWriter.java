@@ -103,7 +103,7 @@ final class RecordsWriter {
     records.slot(range, slot);
     records.generation(range, frame.generation(slot));
     records.archetype(range, frame.archetype(slot));
-    records.owner(range, frame.owner(slot));
+    records.owner(range, frame.ownership(slot));
     records.teleports(range, frame.teleports(slot));
     frame.pose(slot, actual);
     records.absolute(range, actual);

@@ -122,7 +122,13 @@ public final class SnapshotDecoder {
       if (state.alive(slot)) {
         state.pose(slot, scratch);
         historyFor(slot)
-            .add(0, state.generation(slot), state.archetype(slot), state.owner(slot), 0, scratch);
+            .add(
+                0,
+                state.generation(slot),
+                state.archetype(slot),
+                state.ownership(slot),
+                0,
+                scratch);
       }
     }
   }
@@ -301,7 +307,7 @@ public final class SnapshotDecoder {
         generations[count] = history.generation(index);
         archetypes[count] = history.archetype(index);
         teleports[count] = history.teleports(index);
-        owners[count] = history.owner(index);
+        owners[count] = history.ownership(index);
       } else if (history.generation(index) != generations[count]) {
         return false;
       }

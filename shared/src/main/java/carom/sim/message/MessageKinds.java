@@ -115,6 +115,20 @@ public final class MessageKinds {
     return message != null && coder.isEmpty() ? message : null;
   }
 
+  /**
+   * Returns the declarations of the game's own kinds, in their order: a line for each, {@code buy
+   * FROM_CLIENT reliable}, and one for each of its arguments, {@code buy.item count 0..31}.
+   */
+  public List<String> lines() {
+    List<String> lines = new ArrayList<>();
+    for (MessageKind kind : list.subList(BuiltInKinds.ALL.size(), list.size())) {
+      String name = kind.name().replace(' ', '_');
+      lines.add(name + " " + kind.direction() + (kind.isReliable() ? " reliable" : " unreliable"));
+      kind.arguments().forEach(argument -> lines.add(name + "." + argument));
+    }
+    return lines;
+  }
+
   /** Returns a hash of all kinds and their order, on which client and server must agree. */
   public long digest() {
     long hash = 0xcbf29ce484222325L; // FNV-1a

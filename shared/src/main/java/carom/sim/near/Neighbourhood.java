@@ -10,6 +10,7 @@ import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.level.Archetype;
+import carom.sim.spawn.Origin;
 import java.util.Arrays;
 
 /**
@@ -146,6 +147,16 @@ public final class Neighbourhood {
 
     /** Returns the player that an entity belongs to, or {@link Entity#NO_OWNER}. */
     int owner(int id);
+
+    /** Returns whether an entity may be the body of its owner. */
+    default boolean isBody(int id) {
+      return true;
+    }
+
+    /** Returns which spawn of the own player's input an entity is, if any; see {@link Origin}. */
+    default int origin(int key) {
+      return Origin.NONE;
+    }
   }
 
   /**
@@ -157,7 +168,7 @@ public final class Neighbourhood {
    * @param who gives archetypes, owners and definitions of joints
    */
   public void write(Simulation s, Identity who) {
-    despawnAll(s);
+    despawnAll(s, who);
     Rows bodies = rows.bodies();
     for (int i = 0; i < bodies.count(); i++) {
       int key = bodies.get(i, BodyRow.KEY);
@@ -166,7 +177,8 @@ public final class Neighbourhood {
       if (owner != Entity.NO_OWNER && s.player(owner) == null) {
         s.joinAs(owner, "");
       }
-      Entity e = s.spawnAs(id, generation(key), who.archetype(id), 0, 0, 0, owner);
+      Entity e = s.spawnAs(id, generation(key), who.archetype(id), 0, 0, 0, owner, who.isBody(id));
+      s.identify(e, who.origin(key));
       rows.setSlot(i, e.body().index());
       Player player = s.player(owner);
       if (player != null && player.body() == e) {
@@ -191,10 +203,10 @@ public final class Neighbourhood {
   }
 
   /**
-   * Destroys all joints and despawns all entities, last slot first. The world reuses free slots in
-   * reverse, so new bodies then get slots in order, and joints do so, too.
+   * Destroys all joints and despawns all entities, with the provisional ones that these rows are
+   * of. New bodies and joints then get slots in order.
    */
-  private void despawnAll(Simulation s) {
+  private void despawnAll(Simulation s, Identity who) {
     s.world().destroyJoints();
     Arrays.fill(listed, 0, listedCount, null);
     listedCount = 0;
@@ -204,11 +216,19 @@ public final class Neighbourhood {
         add(e);
       }
     }
+    for (int i = 0; s.provisionalCount() > 0 && i < count(); i++) {
+      int origin = who.origin(key(i));
+      Entity e = origin == Origin.NONE ? null : s.entity(origin);
+      if (e != null) {
+        add(e);
+      }
+    }
     sort();
     while (listedCount > 0) {
       s.despawn(listed[--listedCount]);
       listed[listedCount] = null;
     }
+    s.world().sortFreeBodies();
   }
 
   /** Returns the live rows, which the caller may change. */

@@ -42,7 +42,7 @@ class EventReconcilerTest {
           heard.add("retracted " + e.tick());
         }
       };
-  private final EventReconciler reconciler = new EventReconciler(ME, true, 60, ear);
+  private final EventReconciler reconciler = new EventReconciler(ME, true, key -> 0, 60, ear);
   private final TreeMap<Integer, SimState> states = new TreeMap<>();
   private Simulation s;
   private Player me;

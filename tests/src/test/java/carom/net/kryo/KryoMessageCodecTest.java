@@ -138,7 +138,7 @@ final class KryoMessageCodecTest {
             + "2a00000000000000" // levelHash
             + "b960" // levelSize
             + "a605" // packedSize
-            + "f7ffffffffffffff" // fieldsDigest
+            + "f7ffffffffffffff" // declarationsDigest
             + "0220706c617965722e616d6d6f20636f756e7420302e2e333020746f204f574e455200", // fields
         hex.formatHex(codec.encode(everyMessage().get(0))));
     assertEquals(
@@ -156,6 +156,25 @@ final class KryoMessageCodecTest {
     assertEquals("440148", hex.formatHex(codec.encode(new ServerMessage.Notice("H"))));
     assertEquals(
         "450000", hex.formatHex(codec.encode(new ServerMessage.Goodbye(GoodbyeReason.LEFT, ""))));
+  }
+
+  @Test
+  void noTextBringsWhatWouldChangeATerminalOrOtherTexts() {
+    String evil = "a\u001b[2Jb\u202ec\u0007\nd";
+    String clean = "a[2Jbc d";
+    assertEquals(new ServerMessage.Notice(clean), again(new ServerMessage.Notice(evil)));
+    assertEquals(
+        new ServerMessage.Goodbye(GoodbyeReason.KICKED, clean),
+        again(new ServerMessage.Goodbye(GoodbyeReason.KICKED, evil)));
+    RosterEntry row = new RosterEntry(5, evil, 1, -7, false, false, true, 200);
+    ServerMessage.Roster roster =
+        (ServerMessage.Roster) again(new ServerMessage.Roster(List.of(row)));
+    assertEquals(clean, roster.entries().get(0).name());
+  }
+
+  private Object again(ServerMessage message) {
+    byte[] bytes = codec.encode(message);
+    return codec.decode(bytes, 0, bytes.length);
   }
 
   @Test

@@ -204,7 +204,7 @@ final class Channel {
     if (truth != null) {
       assertEquals(truth[0], history.generation(index), where);
       assertEquals(truth[1], history.archetype(index), where);
-      assertEquals(truth[2], history.owner(index), where);
+      assertEquals(truth[2], history.ownership(index), where);
       assertEquals(truth[3], history.x(index), where);
       assertEquals(truth[4], history.y(index), where);
       assertEquals(truth[5], history.angle(index), where);

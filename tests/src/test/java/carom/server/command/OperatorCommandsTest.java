@@ -44,7 +44,8 @@ final class OperatorCommandsTest {
     stepper.join("Bob B", Impairment.NONE, new Bot(Stepper.SEED + 1));
     stepper.run(1);
     RoomCommands.add(registry, stepper.server().rooms(), new DataFolder(folder));
-    Setting seed = new Setting("seed", "7", "command line", "", "N", "Start of random numbers.");
+    Setting seed =
+        new Setting("seed", List.of("7"), "command line", "", "N", "Start of random numbers.");
     ServerCommands.add(
         registry,
         stepper.server()::status,

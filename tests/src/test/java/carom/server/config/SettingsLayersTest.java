@@ -140,6 +140,8 @@ final class SettingsLayersTest {
     write("room = [\"a=arena\", \"b=platformer\"]\n");
     read();
     assertEquals(List.of("a=arena", "b=platformer"), program.rooms);
+    String printed = settings.file();
+    assertTrue(printed.contains("\nroom = [\"a=arena\", \"b=platformer\"]\n"), printed);
     program.rooms.clear();
     read("--room", "c=arena");
     assertEquals(List.of("c=arena"), program.rooms);

@@ -283,7 +283,7 @@ class LevelTest {
   @Test
   void theSchemaAcceptsWhatShips() throws Exception {
     SchemaChecker schema = SchemaChecker.levels();
-    for (String name : List.of("arena", "commons", "lagoon", "platformer")) {
+    for (String name : List.of("arena", "commons", "lagoon", "platformer", "rockets")) {
       Level level = Level.builtIn(name);
       assertEquals("", schema.check(Json.parse(level.source())));
     }

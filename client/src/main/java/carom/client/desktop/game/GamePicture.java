@@ -1,6 +1,7 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.DebugPainter;
 import carom.client.desktop.paint.Fonts;
@@ -31,6 +32,7 @@ public final class GamePicture implements Disposable {
   private final WorldPainter world;
   private final DebugPainter debug;
   private final Hud hud;
+  private final ScoreBoard scores;
   private boolean showDebug;
   private double seconds;
 
@@ -40,6 +42,7 @@ public final class GamePicture implements Disposable {
     world = new WorldPainter(canvas);
     debug = new DebugPainter(canvas);
     hud = new Hud(canvas, fonts);
+    scores = new ScoreBoard(hud, fonts);
   }
 
   /** Returns the camera, which follows the own player. */
@@ -50,6 +53,11 @@ public final class GamePicture implements Disposable {
   /** Returns the HUD, for text and panels over the picture. */
   public Hud hud() {
     return hud;
+  }
+
+  /** Returns the table of players, which knows the teams' names. */
+  public ScoreBoard scores() {
+    return scores;
   }
 
   /** Shows or hides the debug layers. */
@@ -96,11 +104,11 @@ public final class GamePicture implements Disposable {
   /**
    * Draws it, on a cleared window; before the level is known only that.
    *
-   * @param allScores whether to list as many players as fit
+   * @param scoreBoard whether to list as many players as fit
    * @param nowNs the clock of the view's notices
    * @param deltaSeconds since the last picture
    */
-  public void draw(ClientView view, boolean allScores, long nowNs, float deltaSeconds) {
+  public void draw(ClientView view, boolean scoreBoard, long nowNs, float deltaSeconds) {
     int width = Gdx.graphics.getWidth();
     int height = Gdx.graphics.getHeight();
     ScreenUtils.clear(Theme.BACKDROP);
@@ -109,7 +117,7 @@ public final class GamePicture implements Disposable {
     if (view.level() == null) {
       return;
     }
-    Drawn own = view.own();
+    Drawn own = view.own() == null ? view.watched() : view.own();
     camera.update(
         view.level().bounds(),
         own != null,
@@ -131,7 +139,11 @@ public final class GamePicture implements Disposable {
     hud.begin();
     flashes.label(hud, camera);
     hud.end();
-    hud.scores(view, allScores);
+    if (scoreBoard) {
+      scores.draw(view, width);
+    } else {
+      hud.scores(view);
+    }
     hud.notices(view, nowNs);
     hud.drawAnswer(deltaSeconds);
   }

@@ -30,7 +30,6 @@ import java.util.List;
  */
 public final class Hud implements Disposable {
   private static final int SHORT_LIST = 5;
-  private static final int LONG_LIST = 24;
   private static final float PAD = 12;
   private static final float LINE = 22;
   private static final long NOTICE_NS = 4_000_000_000L;
@@ -38,7 +37,8 @@ public final class Hud implements Disposable {
   private static final float ANSWER_SECONDS = 1.5f;
   private static final String KEYS =
       "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move"
-          + "     Tab: scores     M: sound     F3: net graph     Esc: leave";
+          + "     Tab: players     Enter: chat     1-8: emotes     M: sound     F3: net graph"
+          + "     Esc: leave";
 
   private final Canvas canvas;
   private final SpriteBatch batch = new SpriteBatch();
@@ -132,15 +132,19 @@ public final class Hud implements Disposable {
     centred(large ? fonts.title : fonts.text, text, at.x, at.y, textColor);
   }
 
-  /** Draws the players by score: a few, or on demand many, always including the own one. */
-  public void scores(ClientView view, boolean all) {
+  /** Draws the few best players by score, always including the own one. */
+  public void scores(ClientView view) {
     ranking.clear();
-    ranking.addAll(view.players());
+    for (RosterEntry entry : view.players()) {
+      if (!entry.spectator()) {
+        ranking.add(entry);
+      }
+    }
     ranking.sort(
         Comparator.comparingInt(RosterEntry::score)
             .reversed()
             .thenComparing(RosterEntry::playerId));
-    int shown = Math.min(ranking.size(), all ? LONG_LIST : SHORT_LIST);
+    int shown = Math.min(ranking.size(), SHORT_LIST);
     if (shown == 0) {
       return;
     }
@@ -154,8 +158,7 @@ public final class Hud implements Disposable {
         fonts.small,
         ranking.size() == 1
             ? "1 player"
-            : ranking.size()
-                + (all || ranking.size() == shown ? " players" : " players   Tab: all"),
+            : ranking.size() + (ranking.size() == shown ? " players" : " players   Tab: all"),
         x + PAD,
         top - PAD,
         Theme.MUTED);
@@ -253,10 +256,21 @@ public final class Hud implements Disposable {
     return top;
   }
 
-  /** Draws that the player, who has no body, will be back in a moment. */
-  public void bodiless() {
+  /** Draws that the player has no body, and whom the picture follows meanwhile. */
+  public void bodiless(ClientView view) {
+    RosterEntry own = view.participant(view.playerId());
+    boolean spectator = own != null && own.spectator();
+    int watched = view.watchedPlayer();
     batch.begin();
-    centred(fonts.large, "You are back in a moment", width / 2f, height / 2f, Theme.TEXT);
+    if (watched >= 0) {
+      String keys = spectator ? "A, D: another     Tab and P: play" : "A, D: another";
+      float y = height - 120;
+      centred(fonts.large, "Watching " + view.playerName(watched), width / 2f, y, Theme.TEXT);
+      centred(fonts.small, keys, width / 2f, y - 30, Theme.MUTED);
+    } else {
+      String text = spectator ? "You watch. Nobody plays" : "You are back in a moment";
+      centred(fonts.large, text, width / 2f, height / 2f, Theme.TEXT);
+    }
     batch.end();
   }
 
@@ -306,7 +320,8 @@ public final class Hud implements Disposable {
     panel(x, y, w, h, Theme.PANEL);
   }
 
-  private void panel(float x, float y, float w, float h, Color ground) {
+  /** Draws a panel on a ground of another colour. */
+  public void panel(float x, float y, float w, float h, Color ground) {
     places.take(x, y, w, h);
     canvas.begin(pixels, 1);
     canvas.rect(x, y, w, h, ground);
@@ -327,6 +342,31 @@ public final class Hud implements Disposable {
   public void left(BitmapFont font, String text, float x, float y, Color tint) {
     font.setColor(tint);
     font.draw(batch, text, MathUtils.round(x), MathUtils.round(y));
+  }
+
+  /** Draws text as {@link #left} does, with a shadow that keeps it legible on any ground. */
+  public void shadowed(BitmapFont font, String text, float x, float y, Color tint) {
+    shadow.set(0, 0, 0, 0.6f * tint.a);
+    left(font, text, x + 1, y - 1, shadow);
+    left(font, text, x, y, tint);
+  }
+
+  /** Returns the beginning of a text that is no wider than a room, px. */
+  String startOf(BitmapFont font, String text, float room) {
+    int end = text.length();
+    while (end > 0 && width(font, text.substring(0, end)) > room) {
+      end = text.offsetByCodePoints(end, -1);
+    }
+    return text.substring(0, end);
+  }
+
+  /** Returns the end of a text that is no wider than a room, px. */
+  public String endOf(BitmapFont font, String text, float room) {
+    int start = 0;
+    while (start < text.length() && width(font, text.substring(start)) > room) {
+      start = text.offsetByCodePoints(start, 1);
+    }
+    return text.substring(start);
   }
 
   @Override

@@ -6,6 +6,7 @@ import carom.client.interpolation.StateHistory;
 import carom.client.interpolation.Velocity;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.frame.Ownership;
 import carom.net.snapshot.relay.RelayedInputs;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
@@ -30,12 +31,23 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
   private final Simulation simulation;
   private final DecodedHistory states = new DecodedHistory();
   private final Velocity velocity;
+  private final SpawnMatches spawns;
   private SnapshotDecoder decoder;
 
-  /** Creates the records of a prediction; {@link #readFrom} must follow. */
-  public SnapshotRecords(Simulation simulation) {
+  /**
+   * Creates the records of a prediction; {@link #readFrom} must follow.
+   *
+   * @param playerId the own player's id
+   */
+  public SnapshotRecords(Simulation simulation, int playerId) {
     this.simulation = simulation;
     velocity = new Velocity(simulation.tickRate());
+    spawns = new SpawnMatches(playerId);
+  }
+
+  /** Returns which entities the own player's spawns are. */
+  public SpawnMatches spawns() {
+    return spawns;
   }
 
   /** Sets the decoder to read from. */
@@ -129,7 +141,17 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
 
   @Override
   public int owner(int id) {
-    return decoder.history(id).owner(0);
+    return Ownership.player(decoder.history(id).ownership(0));
+  }
+
+  @Override
+  public boolean isBody(int id) {
+    return Ownership.isBody(decoder.history(id).ownership(0));
+  }
+
+  @Override
+  public int origin(int key) {
+    return spawns.origin(key);
   }
 
   /** Returns whether the newest record of a slot is this entity's, with a known archetype. */

@@ -29,6 +29,7 @@ public final class OwnState {
   public int[] values = new int[FLOATS];
   public final PlayerSet relayed = new PlayerSet();
   public final NearState near = new NearState();
+  private final SpawnList spawned = new SpawnList();
 
   /** Creates the state of a player without body and words. */
   public OwnState() {}
@@ -184,6 +185,7 @@ public final class OwnState {
   public void set(OwnState other) {
     setBody(other);
     relayed.set(other.relayed);
+    spawned.set(other.spawned);
     near.set(other.near);
   }
 
@@ -191,12 +193,13 @@ public final class OwnState {
   public void setBaseline(OwnState other) {
     setBody(other);
     relayed.set(other.relayed);
+    spawned.set(other.spawned);
     near.setList(other.near);
   }
 
-  /** Returns whether body, words and relayed players are the same, bit for bit. */
+  /** Returns whether body, words, relayed players and spawned entities are the same. */
   public boolean sameSection(OwnState other) {
-    return sameAs(other) && relayed.sameAs(other.relayed);
+    return sameAs(other) && relayed.sameAs(other.relayed) && spawned.sameAs(other.spawned);
   }
 
   /**
@@ -210,6 +213,11 @@ public final class OwnState {
       }
     }
     return slot < 0 || Math.abs(cos() * cos() + sin() * sin() - 1) < 1e-3f;
+  }
+
+  /** Returns the living entities that the player's own inputs have spawned. */
+  public SpawnList spawned() {
+    return spawned;
   }
 
   /** Returns the entities near the own body, itself included. */

@@ -1,7 +1,6 @@
 package carom.net.snapshot.frame;
 
 import carom.net.codec.Quantizer;
-import carom.net.protocol.PlayerId;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
@@ -102,7 +101,7 @@ public final class FrameState {
    * @param slot entity id, 0..capacity - 1, put at most once per frame
    * @param generation 0..255, differs from that of the slot's previous entity
    * @param archetype 0..65,535
-   * @param owner player id 0..1,023, or -1
+   * @param owner player id 0..1,023, or -1; see {@link Ownership}
    * @param x metres
    * @param y metres
    * @param angle radians
@@ -199,7 +198,7 @@ public final class FrameState {
     check("slot", slot, 0, capacity - 1);
     check("generation", generation, 0, 255);
     check("archetype", archetype, 0, 65_535);
-    check("owner", owner, -1, PlayerId.MAX);
+    check("owner", owner, -1, Ownership.MAX);
     ensure(slot + 1);
     if (who.kind[slot] != FREE) {
       throw new IllegalStateException("slot=" + slot + " was put twice");
@@ -354,6 +353,11 @@ public final class FrameState {
 
   /** Returns the player id of the owner, or -1. */
   public int owner(int slot) {
+    return Ownership.player(who.owner[slot]);
+  }
+
+  /** Returns whose the entity is, see {@link Ownership}. */
+  public int ownership(int slot) {
     return who.owner[slot];
   }
 

@@ -3,9 +3,9 @@ package carom.net.snapshot.record;
 import carom.net.codec.BitCoder;
 import carom.net.codec.BitTable;
 import carom.net.codec.Bits;
-import carom.net.protocol.PlayerId;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.frame.Ownership;
 import carom.net.snapshot.frame.QuantizedPose;
 
 /**
@@ -259,9 +259,9 @@ public final class RecordCodec {
     return c.plain(value, wide ? 16 : SHORT_ARCHETYPE_BITS);
   }
 
-  /** Codes the player id of an owner, or -1. */
+  /** Codes whose the entity is. */
   public int owner(BitCoder c, int value) {
-    return c.flag(value >= 0) ? PlayerId.code(c, value) : -1;
+    return Ownership.code(c, value);
   }
 
   /**

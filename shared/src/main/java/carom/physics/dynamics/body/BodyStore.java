@@ -220,6 +220,11 @@ public final class BodyStore {
     return slots.bound();
   }
 
+  /** Gives free slots out in ascending order from now on, until bodies are destroyed. */
+  public void sortFree() {
+    slots.sortFree();
+  }
+
   /**
    * Returns how often a slot was given back, for handles.
    *

@@ -156,7 +156,7 @@ class EventSoundsTest {
 
   @Test
   void whatIsForeseenComputedAgainAndToldIsHeardOnce() {
-    EventReconciler reconciler = new EventReconciler(1, true, 60, sounds);
+    EventReconciler reconciler = new EventReconciler(1, true, key -> 0, 60, sounds);
     Player me = arena.joinAs(1, "me");
     arena.journal(reconciler);
     SimState start = arena.save(null);

@@ -23,6 +23,11 @@ class OwnCodecTest {
     for (int n = random.nextInt(OwnState.MAX_RELAYED + 1); n > 0; n--) {
       own.relayed.add(random.nextInt(1_024));
     }
+    int origin = SpawnList.FIRST_ORIGIN + random.nextInt(SpawnList.FIRST_ORIGIN);
+    for (int n = random.nextInt(SpawnList.MOST + 1); n > 0 && origin > 0; n--) {
+      own.spawned().add(origin, random.nextInt(1 << 24));
+      origin += 1 + random.nextInt(500);
+    }
     return own;
   }
 
@@ -39,6 +44,17 @@ class OwnCodecTest {
     if (random.nextBoolean()) {
       own.relayed.set(other.relayed);
     }
+    if (random.nextBoolean()) {
+      own.spawned().set(other.spawned());
+      if (random.nextBoolean() && other.spawned().count() > 1) {
+        own.spawned().clear();
+        for (int i = random.nextInt(2); i < other.spawned().count(); i += 1 + random.nextInt(2)) {
+          own.spawned().add(other.spawned().origin(i), other.spawned().key(i));
+        }
+        int newest = other.spawned().origin(other.spawned().count() - 1);
+        own.spawned().add(newest | 63, random.nextInt(1 << 24));
+      }
+    }
     return own;
   }
 
@@ -47,6 +63,9 @@ class OwnCodecTest {
     out.append(Arrays.toString(own.values));
     for (int p = own.relayed.next(0); p >= 0; p = own.relayed.next(p + 1)) {
       out.append(' ').append(p);
+    }
+    for (int i = 0; i < own.spawned().count(); i++) {
+      out.append(' ').append(own.spawned().origin(i)).append('=').append(own.spawned().key(i));
     }
     return out.toString();
   }

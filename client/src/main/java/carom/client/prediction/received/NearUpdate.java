@@ -1,4 +1,4 @@
-package carom.client.prediction;
+package carom.client.prediction.received;
 
 import carom.net.snapshot.exact.NearState;
 import carom.physics.rows.RowCounts;
@@ -18,7 +18,7 @@ import java.util.Arrays;
  *                                        └────────── add (newer base tick) ───────┘
  * </pre>
  */
-final class NearUpdate {
+public final class NearUpdate {
   private int baseTick = -1;
   private final int[] keys = new int[NearState.MAX_ENTITIES];
 
@@ -36,20 +36,23 @@ final class NearUpdate {
 
   private boolean used;
 
+  /** Creates an update that has received nothing. */
+  public NearUpdate() {}
+
   /** Forgets everything. */
-  void clear() {
+  public void clear() {
     baseTick = -1;
     missing = 0;
     used = true;
   }
 
   /** Returns whether the near section of a snapshot belongs to a later update than this. */
-  boolean isFollowedBy(NearState near, int tick) {
+  public boolean isFollowedBy(NearState near, int tick) {
     return near.present() && near.updating() && tick - near.age() > baseTick;
   }
 
   /** Adds the rows that a snapshot brings. A newer update replaces this one. */
-  void add(NearState near, int tick) {
+  public void add(NearState near, int tick) {
     if (!near.present() || !near.updating()) {
       return;
     }
@@ -92,27 +95,27 @@ final class NearUpdate {
   }
 
   /** Returns whether the update is complete and was not used yet. */
-  boolean isReady() {
+  public boolean isReady() {
     return !used && baseTick >= 0 && missing == 0;
   }
 
   /** Marks the update as used, or as of no use. */
-  void use() {
+  public void use() {
     used = true;
   }
 
   /** Returns the tick after which the states are valid. */
-  int baseTick() {
+  public int baseTick() {
     return baseTick;
   }
 
   /** Returns whether every listed entity comes with its state. */
-  boolean isWhole() {
+  public boolean isWhole() {
     return states == count;
   }
 
   /** Returns whether an entity is listed. */
-  boolean contains(int key) {
+  public boolean contains(int key) {
     for (int i = 0; i < count; i++) {
       if (keys[i] == key) {
         return true;
@@ -122,32 +125,32 @@ final class NearUpdate {
   }
 
   /** Returns the number of listed entities. */
-  int count() {
+  public int count() {
     return count;
   }
 
   /** Returns the key of a listed entity. */
-  int key(int index) {
+  public int key(int index) {
     return keys[index];
   }
 
   /** Returns whether a listed entity comes with its state. */
-  boolean hasState(int index) {
+  public boolean hasState(int index) {
     return stateOf[index] >= 0;
   }
 
   /** Returns the row of a listed entity, if it has a state. */
-  int rowOf(int index) {
+  public int rowOf(int index) {
     return stateOf[index];
   }
 
   /** Returns the kind of a row. */
-  RowKind kind(int row) {
+  public RowKind kind(int row) {
     return counts.kind(row);
   }
 
   /** Returns the rows: of entities with a state, then of the other kinds. */
-  Rows rows() {
+  public Rows rows() {
     return rows;
   }
 }

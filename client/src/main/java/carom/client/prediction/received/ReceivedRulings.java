@@ -1,4 +1,4 @@
-package carom.client.prediction;
+package carom.client.prediction.received;
 
 import carom.net.snapshot.exact.NearState;
 import carom.physics.rows.BodyRow;
@@ -13,9 +13,9 @@ import carom.sim.ruling.Ruling;
  * for it in every step, also when it computes a tick again. One prediction's; allocates only to
  * grow.
  */
-final class ReceivedRulings implements Rulings {
+public final class ReceivedRulings implements Rulings {
   /** Value of {@link #takeFirst} if there is nothing new. */
-  static final int NONE = Integer.MAX_VALUE;
+  public static final int NONE = Integer.MAX_VALUE;
 
   /** Most rulings that are kept; the oldest are forgotten. A power of two. */
   private static final int MOST = 512;
@@ -28,10 +28,13 @@ final class ReceivedRulings implements Rulings {
   private final int[] row = new int[BodyRow.INTS];
   private long received;
 
+  /** Creates a store without rulings. */
+  public ReceivedRulings() {}
+
   /**
    * Adds the rulings of a snapshot. Those that are known already, or make no sense, are ignored.
    */
-  void add(NearState near, int stateTick) {
+  public void add(NearState near, int stateTick) {
     for (int i = 0; i < near.rulings(); i++) {
       read.tick = stateTick - near.rulingAge(i);
       read.afterStep = near.isRulingAfterStep(i);
@@ -67,14 +70,14 @@ final class ReceivedRulings implements Rulings {
   }
 
   /** Returns the first tick of a ruling that came since the last call, or {@link #NONE}. */
-  int takeFirst() {
+  public int takeFirst() {
     int tick = first;
     first = NONE;
     return tick;
   }
 
   /** Returns how many came. */
-  long received() {
+  public long received() {
     return received;
   }
 

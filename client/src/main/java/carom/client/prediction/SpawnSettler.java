@@ -1,0 +1,115 @@
+package carom.client.prediction;
+
+import carom.client.prediction.received.SnapshotRecords;
+import carom.net.snapshot.exact.SpawnList;
+import carom.physics.rows.BodyRow;
+import carom.sim.Entity;
+import carom.sim.Simulation;
+import carom.sim.field.Scope;
+import carom.sim.near.Neighbourhood;
+
+/**
+ * Settles what becomes of provisional entities once the server's state of a tick is known. Those
+ * that it lists become its entities, in exactly their state, as soon as these are near. Those that
+ * it doesn't list go. One prediction's; allocates nothing but entities.
+ */
+final class SpawnSettler {
+  private final Simulation simulation;
+  private final SnapshotRecords records;
+  private final int[] row = new int[BodyRow.INTS];
+  private final int[] words;
+  private long matched;
+  private long retracted;
+
+  SpawnSettler(Simulation simulation, SnapshotRecords records) {
+    this.simulation = simulation;
+    this.records = records;
+    words = new int[simulation.schema().words(Scope.ENTITY)];
+  }
+
+  /**
+   * Returns whether there is something to settle about a provisional entity.
+   *
+   * @param told the server's entities at a tick that isn't before the origin's
+   */
+  boolean isDue(int origin, SpawnList told) {
+    return key(told, origin) < 0 || records.spawns().key(origin) >= 0;
+  }
+
+  /**
+   * Settles the provisional entities of the simulation, which stands at a tick.
+   *
+   * @param told the server's entities at that tick
+   */
+  void settle(SpawnList told) {
+    for (int i = simulation.provisionalCount() - 1; i >= 0; i--) {
+      Entity entity = simulation.provisional(i);
+      int key = key(told, entity.origin());
+      if (key < 0 || !isSameKind(entity, key)) {
+        simulation.despawn(entity);
+        retracted++;
+      } else if (records.spawns().key(entity.origin()) == key) {
+        become(entity, key);
+        matched++;
+      }
+    }
+  }
+
+  private static int key(SpawnList told, int origin) {
+    for (int i = 0; i < told.count(); i++) {
+      if (told.origin(i) == origin) {
+        return told.key(i);
+      }
+    }
+    return -1;
+  }
+
+  private boolean isSameKind(Entity entity, int key) {
+    return !records.isKnown(key) || records.archetype(Neighbourhood.id(key)) == entity.archetype();
+  }
+
+  private void become(Entity entity, int key) {
+    int id = Neighbourhood.id(key);
+    Entity known = simulation.entity(id);
+    boolean isThere = known != null && known.generation() == Neighbourhood.generation(key);
+    if (known != null && !isThere) {
+      simulation.despawn(known); // the server has given its id to this one
+    }
+    if (isThere) {
+      simulation.identify(known, entity.origin());
+      return;
+    }
+    entity.body().readRow(row, 0);
+    entity.fieldValues().copyTo(words, 0);
+    Entity real =
+        simulation.spawnAs(
+            id,
+            Neighbourhood.generation(key),
+            entity.archetype(),
+            0,
+            0,
+            0,
+            entity.ownerId(),
+            false);
+    real.body().writeRow(row, 0);
+    real.fieldValues().copyFrom(words, 0);
+    simulation.identify(real, entity.origin());
+  }
+
+  /** Removes all provisional entities, because the own body has changed. */
+  void clear() {
+    while (simulation.provisionalCount() > 0) {
+      simulation.despawn(simulation.provisional(0));
+    }
+  }
+
+  /** Returns how many provisional entities the server has told. */
+  long matched() {
+    return matched;
+  }
+
+  /** Returns how many provisional entities the server didn't spawn, or had despawned already. */
+  long retracted() {
+    return retracted;
+  }
+}

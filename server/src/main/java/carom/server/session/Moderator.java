@@ -1,0 +1,60 @@
+package carom.server.session;
+
+import carom.sim.Player;
+import carom.sim.Simulation;
+import carom.sim.message.PlayerRole;
+
+/**
+ * What an operator does to a player in a room: mutes it, makes it a spectator. Each method answers
+ * in one line. The room's thread.
+ */
+public final class Moderator {
+  private Moderator() {}
+
+  /**
+   * Drops chat and emotes of a player for the rest of its stay, or ends that.
+   *
+   * @param sessions by seat, null where there is none
+   */
+  public static String mute(Session[] sessions, String name, boolean on) {
+    Session session = named(sessions, name);
+    if (session == null) {
+      return nobody(name);
+    }
+    session.messages().mute(on);
+    return (on ? "muted " : "unmuted ") + session.seat().name();
+  }
+
+  /**
+   * Makes a player a spectator, whatever the game says. The player may ask to play again.
+   *
+   * @param sessions by seat, null where there is none
+   */
+  public static String spectate(Simulation s, Session[] sessions, String name) {
+    Session session = named(sessions, name);
+    if (session == null) {
+      return nobody(name);
+    }
+    Player player = session.player();
+    if (player.isSpectator()) {
+      return player.name() + " watches already";
+    }
+    s.role(player, PlayerRole.SPECTATOR);
+    return player.name() + " watches";
+  }
+
+  /** Returns the session of a name, without regard to case, or null. */
+  private static Session named(Session[] sessions, String name) {
+    String wanted = name == null ? "" : name.strip();
+    for (Session session : sessions) {
+      if (session != null && session.seat().name().equalsIgnoreCase(wanted)) {
+        return session;
+      }
+    }
+    return null;
+  }
+
+  private static String nobody(String name) {
+    return "name=\"" + name + "\" doesn't play here; the log names those who joined";
+  }
+}
