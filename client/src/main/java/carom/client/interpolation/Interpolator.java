@@ -11,8 +11,8 @@ package carom.client.interpolation;
  *       A curve would show more of the rounding of poses.
  *   <li>Where velocities and positions don't fit, because of a bounce in between: the straight
  *       line. The curve would swing out.
- *   <li>At a teleport, which the server marks, and at a jump that the velocities don't explain: the
- *       old place until the new state's tick. Nothing slides across the screen.
+ *   <li>At a teleport, which the server marks, and at a jump that the ways before and after don't
+ *       explain: the old place until the new state's tick. Nothing slides across the screen.
  *   <li>After the newest state: extrapolation, straight on for {@value #STRAIGHT_MS} ms, then ever
  *       slower. After {@value #EXTRAPOLATION_MS} ms the body stands still, because longer guesses
  *       run through walls.
@@ -37,6 +37,12 @@ public final class Interpolator {
 
   /** Distance that never is a teleport, metres. */
   private static final float TELEPORT_METRES = 1;
+
+  /**
+   * Mean speed that no teleport is below, m/s: over a gap of lost states, a body that was hit may
+   * go far.
+   */
+  private static final float TELEPORT_SPEED = 100;
 
   private static final float STRAIGHT_SECONDS = STRAIGHT_MS * 1e-3f;
   private static final float FADE_SECONDS = (EXTRAPOLATION_MS - STRAIGHT_MS) * 1e-3f;
@@ -109,7 +115,8 @@ public final class Interpolator {
     float fastest =
         Math.max(early ? speed(states, from + 1, from) : 0, late ? speed(states, to, to - 1) : 0);
     float seconds = (states.tick(to) - states.tick(from)) * tickSeconds;
-    return (early || late) && way > TELEPORT_METRES + TELEPORT_FACTOR * fastest * seconds;
+    return way > TELEPORT_METRES + TELEPORT_FACTOR * fastest * seconds
+        && way > TELEPORT_SPEED * seconds;
   }
 
   private float speed(StateHistory states, int older, int newer) {
