@@ -15,8 +15,8 @@ import carom.net.transport.LinkHandler;
 import carom.net.transport.MessageCodec;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
-import carom.sim.Simulation;
 import carom.sim.Input;
+import carom.sim.Simulation;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
 import carom.sim.level.Level;
@@ -87,6 +87,7 @@ final class GameWarmup {
     private final InputDatagram datagram = new InputDatagram();
     private final byte[] buffer = new byte[InputDatagram.MAX_BYTES];
     private SnapshotDecoder decoder;
+    private long declarationsDigest;
     private boolean playing;
 
     Extra(Link link, int number, Level level, Schema schema) {
@@ -120,6 +121,7 @@ final class GameWarmup {
     public void message(Link from, Object message) {
       if (message instanceof ServerMessage.Welcome welcome) {
         datagram.key = welcome.datagramKey();
+        declarationsDigest = welcome.declarationsDigest();
         FieldTables tables = new FieldTables(schema, Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
         decoder =
             new SnapshotDecoder(
@@ -132,7 +134,7 @@ final class GameWarmup {
         decoder.gravity(level.gravityX(), level.gravityY());
         link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), 0));
       } else if (message instanceof ServerMessage.LevelChunk) {
-        link.send(new ClientMessage.Ready(datagram.key, schema.digest()));
+        link.send(new ClientMessage.Ready(datagram.key, declarationsDigest));
         playing = true;
       }
     }

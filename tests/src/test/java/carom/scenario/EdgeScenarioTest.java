@@ -115,9 +115,10 @@ class EdgeScenarioTest {
   @Test
   void sequenceAndTickNumbersWrapUnnoticed() {
     // Goal: 16 bits of sequence and tick last 4.5 minutes at 240 Hz; the game goes on behind them.
-    // Method: six minutes; rate, exactness and agreement before and after the wrap.
+    // Method: six minutes of a game without a clock; rate, exactness and agreement before and
+    // after.
     ServerConfig config = ServerConfig.defaults().withTickRateHz(240).withSnapshotRateHz(240);
-    try (Stepper stepper = Stepper.of(Levels.emptyArena(), config)) {
+    try (Stepper stepper = Stepper.of(Levels.emptyPlatformer(), config)) {
       SimulatedClient alone =
           stepper.join("a", Impairment.NONE.withLatency(20, 0), Scripts.wander(Stepper.SEED));
       stepper.run(5);

@@ -18,6 +18,7 @@ import carom.net.snapshot.table.TableLayout;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.sim.Input;
+import carom.sim.Simulation;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
 import carom.sim.level.Level;
@@ -115,7 +116,7 @@ final class FakeClient implements LinkHandler {
   /** The fields of the game that the server plays. */
   private Schema schema() {
     boolean isTest = welcome.game().equals("test");
-    return Schema.of(isTest ? new TestGame(0).fields() : Games.create(welcome.game()).fields());
+    return Simulation.schemaOf(isTest ? new TestGame(0) : Games.create(welcome.game()));
   }
 
   @Override
