@@ -1,4 +1,4 @@
-package carom.physics.dynamics.colour;
+package carom.physics.dynamics.solver;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
@@ -36,24 +36,24 @@ import java.util.Arrays;
  * colours depend on the touching contacts of this step alone, so there is no history to save or to
  * hash. One thread; allocates only when there are more contacts or bodies than ever before.
  */
-public final class ContactColours {
+final class ContactColours {
   /** The last colour among moving bodies, and with static ones; it takes what found no other. */
-  public static final int LAST_COLOUR = 63;
+  static final int LAST_COLOUR = 63;
 
   /** Colours of a domain: those among moving bodies, then those with static ones. */
-  public static final int COLOURS = 2 * (LAST_COLOUR + 1);
+  static final int COLOURS = 2 * (LAST_COLOUR + 1);
 
   /** Groups of a domain: every colour has one of contacts with one point, and one with two. */
-  public static final int GROUPS = 2 * COLOURS;
+  static final int GROUPS = 2 * COLOURS;
 
   /** Rows of the contacts to solve, in the order of their keys. */
-  public int[] row = new int[0];
+  int[] row = new int[0];
 
   /** Groups of these contacts. */
-  public int[] group = new int[0];
+  int[] group = new int[0];
 
   /** Per group, those of a domain one after the other: how many contacts it has. */
-  public int[] size = new int[0];
+  int[] size = new int[0];
 
   private int contacts;
   private int groups = GROUPS;
@@ -65,12 +65,12 @@ public final class ContactColours {
   private long[] takenFixed = new long[0];
 
   /** Returns the number of contacts to solve. */
-  public int contacts() {
+  int contacts() {
     return contacts;
   }
 
   /** Returns the number of groups of all domains. */
-  public int groups() {
+  int groups() {
     return groups;
   }
 
@@ -78,7 +78,7 @@ public final class ContactColours {
    * Finds the contacts to solve, touching and not vetoed, and gives each its group. Tells domains
    * which bodies are at their borders.
    */
-  public void assign(ContactTable t, BodyStore b, ActiveBodies active, Domains domains) {
+  void assign(ContactTable t, BodyStore b, ActiveBodies active, Domains domains) {
     ensure(t.count(), active.count, domains.count());
     boolean divided = domains.count() > 1;
     if (divided) {
@@ -161,7 +161,7 @@ public final class ContactColours {
   }
 
   /** Returns whether the contacts of a group share no body that can be moved. */
-  public static boolean isColour(int group) {
+  static boolean isColour(int group) {
     return (group >> 1 & LAST_COLOUR) != LAST_COLOUR;
   }
 }
