@@ -78,13 +78,12 @@ final class MachineScenarioTest {
       SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
       Simulation server = stepper.room().simulation();
       int before = 13 + 2;
-      stepper.run(8);
+      stepper.run(40); // one difference after the break costs a round trip: 97 % of the first 8 s
       int broken = before - server.world().jointCount();
       String about = "broken=" + broken + " " + stepper.describe();
       assertTrue(broken > 0, about);
       double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
-      // Less than elsewhere: the test lasts 8 s, of which one difference may cost a round trip.
-      assertTrue(right >= 96, "right=" + right + " " + about);
+      assertTrue(right >= 99, "right=" + right + " " + about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
       JointTable<Entity> predicted = client.view().predictedWorld().joints();
       for (int i = 0; i < predicted.limit(); i++) {
@@ -438,7 +437,8 @@ final class MachineScenarioTest {
       assertTrue(awakeBodies > 1_000, about);
       assertTrue(right >= 99, about);
       assertEquals(0, corrected, about);
-      assertTrue(client.stats().correctionMaxMetres() < 0.001, about + ", at the start");
+      // The first poses come without velocities, so the first exact state moves the car by 2 mm.
+      assertTrue(client.stats().correctionMaxMetres() < 0.003, about + ", at the start");
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
     }
   }
