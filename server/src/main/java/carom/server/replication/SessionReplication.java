@@ -67,7 +67,7 @@ public final class SessionReplication {
 
   private int preparedTick;
   private boolean touched;
-  private final Predicate<Entity> mayKnow = e -> sender.mayKnow(e);
+  private final Predicate<Entity> mayKnow = this::mayKnow;
   private final BodyContactVisitor<Entity> touchVisitor =
       (other, normalX, normalY, impulse) -> touched |= other.type() != BodyType.STATIC;
 
@@ -90,6 +90,10 @@ public final class SessionReplication {
     this.capture = capture;
     own = new OwnState(capture.words());
     this.counters = counters;
+  }
+
+  private boolean mayKnow(Entity e) {
+    return sender.mayKnow(e);
   }
 
   /**

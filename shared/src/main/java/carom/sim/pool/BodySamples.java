@@ -43,8 +43,9 @@ final class BodySamples {
         }
         int first = n;
         for (int i = 0; i < columns * rows; i++) {
+          int row = i / columns;
           float x = box.minX + (i % columns + 0.5f) * box.width() / columns;
-          float y = box.minY + (i / columns + 0.5f) * box.height() / rows;
+          float y = box.minY + (row + 0.5f) * box.height() / rows;
           if (part.containsPoint(x, y)) {
             found[n] = x;
             found[n + 1] = y;

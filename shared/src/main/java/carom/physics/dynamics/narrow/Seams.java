@@ -177,53 +177,53 @@ public final class Seams {
   /**
    * Ends a contact, or sets its normal upright if it still holds the body; returns how many ended.
    */
-  private int finish(int rowS, int rowT) {
+  private int finish(int rowOfS, int rowOfT) {
     if (allCovered) {
-      contacts.end(rowS);
+      contacts.end(rowOfS);
       return 1;
     }
-    boolean same = isFixedFirst(rowS) == isFixedFirst(rowT);
-    float x = contacts.normalX(rowT);
-    float y = contacts.normalY(rowT);
-    int at = rowS * ContactTable.CONTACT;
+    boolean same = isFixedFirst(rowOfS) == isFixedFirst(rowOfT);
+    float x = contacts.normalX(rowOfT);
+    float y = contacts.normalY(rowOfT);
+    int at = rowOfS * ContactTable.CONTACT;
     contacts.contact[at + ContactTable.NX] = same ? x : -x;
     contacts.contact[at + ContactTable.NY] = same ? y : -y;
     return 0;
   }
 
   /** Returns whether the T of one row covers the edge of S that another row is about. */
-  private boolean covers(int rowT, int rowS) {
-    boolean firstS = isFixedFirst(rowS);
-    boolean firstT = isFixedFirst(rowT);
-    int bodyS = firstS ? contacts.bodyA(rowS) : contacts.bodyB(rowS);
-    int bodyT = firstT ? contacts.bodyA(rowT) : contacts.bodyB(rowT);
+  private boolean covers(int rowOfT, int rowOfS) {
+    boolean firstS = isFixedFirst(rowOfS);
+    boolean firstT = isFixedFirst(rowOfT);
+    int bodyS = firstS ? contacts.bodyA(rowOfS) : contacts.bodyB(rowOfS);
+    int bodyT = firstT ? contacts.bodyA(rowOfT) : contacts.bodyB(rowOfT);
     if (bodyS != bodyT
         && (bodies.type[bodyS] != BodyStore.STATIC || bodies.type[bodyT] != BodyStore.STATIC)) {
       return false;
     }
-    nx = firstS ? contacts.normalX(rowS) : -contacts.normalX(rowS);
-    ny = firstS ? contacts.normalY(rowS) : -contacts.normalY(rowS);
-    float upX = firstT ? contacts.normalX(rowT) : -contacts.normalX(rowT);
-    float upY = firstT ? contacts.normalY(rowT) : -contacts.normalY(rowT);
+    nx = firstS ? contacts.normalX(rowOfS) : -contacts.normalX(rowOfS);
+    ny = firstS ? contacts.normalY(rowOfS) : -contacts.normalY(rowOfS);
+    float upX = firstT ? contacts.normalX(rowOfT) : -contacts.normalX(rowOfT);
+    float upY = firstT ? contacts.normalY(rowOfT) : -contacts.normalY(rowOfT);
     if (nx * upX + ny * upY > 1 - 0.5f * LEAN * LEAN) {
       return false;
     }
-    Convex s = parts.convex[contacts.part[2 * rowS + (firstS ? 0 : 1)]];
-    Convex t = parts.convex[contacts.part[2 * rowT + (firstT ? 0 : 1)]];
+    Convex s = parts.convex[contacts.part[2 * rowOfS + (firstS ? 0 : 1)]];
+    Convex t = parts.convex[contacts.part[2 * rowOfT + (firstT ? 0 : 1)]];
     if (!isFaceted(s) || !isFaceted(t)) {
       return false;
     }
     place(bodyS, poseS);
     place(bodyT, poseT);
     return s instanceof Segment
-        ? endIsCovered(rowS, s, t, upX, upY)
-        : edgeIsCovered(rowS, s, t, upX, upY);
+        ? endIsCovered(rowOfS, s, t, upX, upY)
+        : edgeIsCovered(rowOfS, s, t, upX, upY);
   }
 
   /**
    * Looks at the one or two edges of a polygon whose normals are nearest to that of the contact.
    */
-  private boolean edgeIsCovered(int rowS, Convex s, Convex t, float upX, float upY) {
+  private boolean edgeIsCovered(int rowOfS, Convex s, Convex t, float upX, float upY) {
     float localX = poseS.cos * nx + poseS.sin * ny;
     float localY = poseS.cos * ny - poseS.sin * nx;
     int n = s.vertexCount();
@@ -236,7 +236,7 @@ public final class Seams {
       // Along the edge, counter-clockwise, is the normal turned left.
       float rise = upX * -outY + upY * outX;
       int v = rise > 0 ? (i + 1 == n ? 0 : i + 1) : i;
-      if (Math.abs(rise) > LEAN && isCovered(rowS, s, v, t, upX, upY, outX, outY)) {
+      if (Math.abs(rise) > LEAN && isCovered(rowOfS, s, v, t, upX, upY, outX, outY)) {
         return true;
       }
     }
@@ -256,14 +256,14 @@ public final class Seams {
   }
 
   /** Looks at the end of a line that the contact is at. */
-  private boolean endIsCovered(int rowS, Convex s, Convex t, float upX, float upY) {
+  private boolean endIsCovered(int rowOfS, Convex s, Convex t, float upX, float upY) {
     for (int v = 0; v < 2; v++) {
       float dx = s.vertexX(v) - s.vertexX(1 - v);
       float dy = s.vertexY(v) - s.vertexY(1 - v);
       float inverse = 1 / (float) Math.sqrt(dx * dx + dy * dy);
       float outX = poseS.rotateX(dx, dy) * inverse;
       float outY = poseS.rotateY(dx, dy) * inverse;
-      if (nx * outX + ny * outY > LEAN && isCovered(rowS, s, v, t, upX, upY, outX, outY)) {
+      if (nx * outX + ny * outY > LEAN && isCovered(rowOfS, s, v, t, upX, upY, outX, outY)) {
         return true;
       }
     }
@@ -275,7 +275,7 @@ public final class Seams {
    * goes on beyond v, out of S, where the contact's normal leans to.
    */
   private boolean isCovered(
-      int rowS, Convex s, int v, Convex t, float upX, float upY, float outX, float outY) {
+      int rowOfS, Convex s, int v, Convex t, float upX, float upY, float outX, float outY) {
     float onX = -upY;
     float onY = upX;
     if (onX * outX + onY * outY < 0) {
@@ -296,36 +296,36 @@ public final class Seams {
         || !isWithin(t, cornerX + far * onX, cornerY + far * onY, tolerance)) {
       return false;
     }
-    boolean two = contacts.points[rowS] > 1;
-    boolean first = isPointWithin(t, rowS, ContactTable.X0, tolerance);
-    boolean second = two ? isPointWithin(t, rowS, ContactTable.X1, tolerance) : first;
+    boolean two = contacts.points[rowOfS] > 1;
+    boolean first = isPointWithin(t, rowOfS, ContactTable.X0, tolerance);
+    boolean second = two ? isPointWithin(t, rowOfS, ContactTable.X1, tolerance) : first;
     allCovered = first && second || lean > MOST_LEAN;
     float above = cornerX * upX + cornerY * upY + tolerance;
-    return isBelow(rowS, ContactTable.X0, upX, upY, above)
-        && (!two || isBelow(rowS, ContactTable.X1, upX, upY, above));
+    return isBelow(rowOfS, ContactTable.X0, upX, upY, above)
+        && (!two || isBelow(rowOfS, ContactTable.X1, upX, upY, above));
   }
 
   /** Returns whether a contact's point is no higher than a height over the body of T. */
-  private boolean isBelow(int rowS, int point, float upX, float upY, float height) {
-    return upX * pointX(rowS, point) + upY * pointY(rowS, point) <= height;
+  private boolean isBelow(int rowOfS, int point, float upX, float upY, float height) {
+    return upX * pointX(rowOfS, point) + upY * pointY(rowOfS, point) <= height;
   }
 
   /** Returns whether the place on S of a contact's point is on or in T. */
-  private boolean isPointWithin(Convex t, int rowS, int point, float tolerance) {
-    return isWithin(t, pointX(rowS, point), pointY(rowS, point), tolerance);
+  private boolean isPointWithin(Convex t, int rowOfS, int point, float tolerance) {
+    return isWithin(t, pointX(rowOfS, point), pointY(rowOfS, point), tolerance);
   }
 
   /** Returns where a contact's point is on S, relative to the body of T. */
-  private float pointX(int rowS, int point) {
-    int at = rowS * ContactTable.CONTACT + point;
+  private float pointX(int rowOfS, int point) {
+    int at = rowOfS * ContactTable.CONTACT + point;
     float half = 0.5f * contacts.contact[at + ContactTable.GAP0 - ContactTable.X0];
-    return contacts.contact[at] + (bodies.x[contacts.bodyA(rowS)] - poseT.x) - half * nx;
+    return contacts.contact[at] + (bodies.x[contacts.bodyA(rowOfS)] - poseT.x) - half * nx;
   }
 
-  private float pointY(int rowS, int point) {
-    int at = rowS * ContactTable.CONTACT + point;
+  private float pointY(int rowOfS, int point) {
+    int at = rowOfS * ContactTable.CONTACT + point;
     float half = 0.5f * contacts.contact[at + ContactTable.GAP0 - ContactTable.X0];
-    return contacts.contact[at + 1] + (bodies.y[contacts.bodyA(rowS)] - poseT.y) - half * ny;
+    return contacts.contact[at + 1] + (bodies.y[contacts.bodyA(rowOfS)] - poseT.y) - half * ny;
   }
 
   /** Returns whether a place relative to the body of T, in world axes, is on or in T. */
