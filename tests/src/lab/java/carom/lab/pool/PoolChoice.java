@@ -59,7 +59,6 @@ public final class PoolChoice {
     final World<Void> world;
     final List<Particles> particles = new ArrayList<>();
     final List<Body<Void>> bodies = new ArrayList<>();
-    final List<Integer> keys = new ArrayList<>();
     long nanos;
     int tick;
 

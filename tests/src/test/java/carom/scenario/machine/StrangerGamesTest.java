@@ -20,8 +20,8 @@ import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: games with joints that a stranger writes from GAMES.md and LEVELS.md, in about 150
- * lines each, are predicted exactly. Method: each in virtual time at 150 ms and 2 % loss.
+ * Goal: games with joints that a stranger writes from GAMES.md and LEVELS.md, in about 150 lines
+ * each, are predicted exactly. Method: each in virtual time at 150 ms and 2 % loss.
  */
 final class StrangerGamesTest {
   private static final Impairment FAR =

@@ -129,7 +129,7 @@ final class TowTruck implements Game {
   /** Lets go what is on the hook, or takes the nearest wreck within reach. */
   private void hook(Simulation s, Player p) {
     Entity boom = s.part(p.body(), "boom");
-    Joint<Entity> rope = rope(s, boom);
+    Joint<Entity> rope = rope(boom);
     if (rope != null) {
       s.disconnect(rope);
       p.set(TOWED, null);
@@ -151,7 +151,7 @@ final class TowTruck implements Game {
     }
   }
 
-  private static Joint<Entity> rope(Simulation s, Entity boom) {
+  private static Joint<Entity> rope(Entity boom) {
     List<Joint<Entity>> found = new ArrayList<>();
     boom.body()
         .forEachJoint(j -> found.addAll(j.type() == JointType.DISTANCE ? List.of(j) : List.of()));
