@@ -41,7 +41,7 @@ public enum Counter {
   MATCHES("Matches begun after the first."),
   MESSAGES_DROPPED(
       "Messages of games that were dropped because a client or the game sent too many."),
-  MESSAGES_MUTED("Lines of chat and emotes of players whom the operator muted."),
+  MESSAGES_MUTED("Lines of chat and emotes of muted players."),
   GAME_FAILURES("Exceptions thrown by the game's callbacks."),
   UNFORESEEN(
       "Things that the game's rules do again and again and no client can foresee, each once."),

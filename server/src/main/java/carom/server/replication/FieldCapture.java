@@ -30,7 +30,7 @@ final class FieldCapture {
   /** The words of one target, filled up to whole rows. */
   private final int[] words;
 
-  // By id: of whom the table's row is, and how new it is.
+  // By id: the player or entity of the table's row, and how new the row is.
   private Player[] players = {};
   private long[] playerStamps = {};
   private int[] teams = {};
