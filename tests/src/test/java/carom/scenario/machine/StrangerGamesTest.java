@@ -58,7 +58,6 @@ final class StrangerGamesTest {
             + " "
             + gaps
             + " "
-            + stepper.room().simulation().findings()
             + stepper.describe();
     assertTrue(bodies > 1_000, about);
     assertTrue(right >= 99, about);
