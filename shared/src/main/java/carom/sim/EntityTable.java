@@ -21,6 +21,7 @@ import carom.sim.level.ScriptedMotion;
 import carom.sim.random.SimRandom;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
+import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 
 /**
@@ -28,13 +29,16 @@ import java.util.function.IntSupplier;
  * its generation, so that its next entity gets another one.
  */
 final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
+  /** Most entities at a time; ids are 0..65534. */
+  public static final int MAX_ENTITIES = 65_535;
+
   private final World<Entity> world;
-  private final PlayerTable players;
   private final AreaForces<Entity> areas;
   private final Assemblies assemblies;
   private final JointTable<Entity> joints;
   private final int tickRate;
   private final FieldStore fields;
+  private final PlayerTable players;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
   private final ProvisionalEntities provisional = new ProvisionalEntities();
@@ -52,22 +56,28 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
 
   private long version;
 
+  /**
+   * Creates the entities and players of a simulation, of whom there are none yet.
+   *
+   * @param clock returns the tick
+   * @param authority refuses a call, by its name, that only a server may make
+   */
   EntityTable(
       World<Entity> world,
-      PlayerTable players,
       AreaForces<Entity> areas,
       Assemblies assemblies,
       JointTable<Entity> joints,
       int tickRate,
       Schema schema,
-      IntSupplier clock) {
+      IntSupplier clock,
+      Consumer<String> authority) {
     this.areas = areas;
     this.assemblies = assemblies;
     this.joints = joints;
     this.world = world;
-    this.players = players;
     this.tickRate = tickRate;
     fields = new FieldStore(schema, clock, this);
+    players = new PlayerTable(fields, authority);
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
@@ -81,6 +91,11 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   /** Returns the entities that a client has before the server tells them. */
   ProvisionalEntities provisional() {
     return provisional;
+  }
+
+  /** Returns the participants. */
+  PlayerTable players() {
+    return players;
   }
 
   /** Returns the declared fields and the rules of writing them. */
@@ -214,7 +229,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       int ownerId,
       boolean mayBeBody,
       int tick) {
-    if (id < 0 || id >= Simulation.MAX_ENTITIES || generation < 0 || generation > 255) {
+    if (id < 0 || id >= MAX_ENTITIES || generation < 0 || generation > 255) {
       throw new IllegalArgumentException(
           "id=" + id + " generation=" + generation + " is outside 0..65534, 0..255");
     }
@@ -270,7 +285,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
 
   /** Creates the bodies and joints of an assembly; returns its root. */
   Entity spawn(Assembly assembly, float x, float y, float angle, int ownerId, int tick) {
-    if (count + assembly.bodyCount() > Simulation.MAX_ENTITIES) {
+    if (count + assembly.bodyCount() > MAX_ENTITIES) {
       throw new IllegalStateException(
           "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
     }
@@ -321,7 +336,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       id++;
     }
     firstFree = id;
-    if (id == Simulation.MAX_ENTITIES) {
+    if (id == MAX_ENTITIES) {
       throw new IllegalStateException(
           "archetype=" + archetype + " can't be spawned: entities=" + id + " is the limit");
     }
@@ -331,7 +346,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
 
   private void grow(int id) {
     if (id >= entities.length) {
-      int size = Math.min(Simulation.MAX_ENTITIES, Math.max(id + 1, entities.length * 2));
+      int size = Math.min(MAX_ENTITIES, Math.max(id + 1, entities.length * 2));
       entities = Arrays.copyOf(entities, size);
       generations = Arrays.copyOf(generations, size);
     }
@@ -433,12 +448,12 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Copies the entities' state to a saved one. */
-  void save(SimState s) {
-    s.ensureEntities(Math.max(generations.length, capacity + provisional.count()));
+  void save(SavedEntities s) {
+    s.ensureRoom(Math.max(generations.length, capacity + provisional.count()));
     int end = capacity + provisional.count();
-    Arrays.fill(s.entities, end, Math.max(end, s.entityCapacity + s.provisionalCount), null);
-    s.entityCapacity = capacity;
-    s.entityCount = count;
+    Arrays.fill(s.entities, end, Math.max(end, s.capacity + s.provisionalCount), null);
+    s.capacity = capacity;
+    s.count = count;
     System.arraycopy(generations, 0, s.generations, 0, capacity);
     for (int i = 0; i < capacity; i++) {
       s.save(i, entities[i]);
@@ -447,10 +462,10 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Takes the entities' state from a saved one. */
-  void restore(SimState s) {
+  void restore(SavedEntities s) {
     int before = capacity;
-    capacity = s.entityCapacity;
-    count = s.entityCount;
+    capacity = s.capacity;
+    count = s.count;
     grow(capacity - 1);
     System.arraycopy(s.entities, 0, entities, 0, capacity);
     noteChange();

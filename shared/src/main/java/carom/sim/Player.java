@@ -3,12 +3,12 @@ package carom.sim;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
-import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
 import carom.sim.message.PlayerRole;
 import carom.sim.spawn.Origin;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * A person or bot that takes part: a name, an input, a team, a score, perhaps a body. It belongs to
@@ -27,7 +27,7 @@ public final class Player extends FieldHolder<Entity, Player> {
   /** Largest {@link #viewDelay}, which is 255 ticks. */
   public static final int MAX_VIEW_DELAY = 255 * VIEW_STEPS;
 
-  private final Simulation simulation;
+  private final Consumer<String> authority;
   private final int id;
   private final String name;
   private final FieldValues fields;
@@ -42,11 +42,16 @@ public final class Player extends FieldHolder<Entity, Player> {
   /** Its entities with an origin, oldest first. */
   private final List<Entity> spawned = new ArrayList<>(0);
 
-  Player(Simulation simulation, int id, String name) {
-    this.simulation = simulation;
+  /**
+   * Creates a player without a body.
+   *
+   * @param authority refuses a call, by its name, that only a server may make
+   */
+  Player(int id, String name, FieldValues fields, Consumer<String> authority) {
     this.id = id;
     this.name = name;
-    fields = simulation.entities().fields().create(Scope.PLAYER);
+    this.fields = fields;
+    this.authority = authority;
   }
 
   /** Returns the slot, 0..1,023, which is free again once the player has left. */
@@ -96,7 +101,7 @@ public final class Player extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#PREDICTION}
    */
   public void ready(boolean value) {
-    simulation.requireAuthority("ready");
+    authority.accept("ready");
     ready = value && !isSpectator();
   }
 
@@ -177,7 +182,7 @@ public final class Player extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#PREDICTION}
    */
   public void score(int points) {
-    simulation.requireAuthority("score");
+    authority.accept("score");
     score = points;
   }
 
@@ -195,7 +200,7 @@ public final class Player extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#PREDICTION}
    */
   public void team(int value) {
-    simulation.requireAuthority("team");
+    authority.accept("team");
     team = value;
   }
 

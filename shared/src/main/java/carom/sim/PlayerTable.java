@@ -1,16 +1,35 @@
 package carom.sim;
 
+import carom.sim.field.FieldStore;
+import carom.sim.field.Scope;
+import carom.sim.message.PlayerRole;
 import carom.sim.random.SimRandom;
+import java.util.function.Consumer;
 
 /**
  * The participants of a simulation by id: players, and spectators, whom the game doesn't see among
  * the players. Holds their part of the state.
  */
 final class PlayerTable {
-  private final Player[] players = new Player[Simulation.MAX_PLAYERS];
+  /** Most players at a time; ids are 0..1,023. */
+  public static final int MAX_PLAYERS = 1_024;
+
+  private final Player[] players = new Player[MAX_PLAYERS];
+  private final FieldStore fields;
+  private final Consumer<String> authority;
 
   /** Number above all ids of participants. */
   private int limit;
+
+  /**
+   * Creates an empty table.
+   *
+   * @param authority refuses a call, by its name, that only a server may make
+   */
+  PlayerTable(FieldStore fields, Consumer<String> authority) {
+    this.fields = fields;
+    this.authority = authority;
+  }
 
   /** Returns the player under an id, or null when no player has it. */
   Player get(int id) {
@@ -60,7 +79,7 @@ final class PlayerTable {
     return limit;
   }
 
-  /** Returns the smallest free id; {@link Simulation#MAX_PLAYERS} when there is none. */
+  /** Returns the smallest free id; {@link #MAX_PLAYERS} when there is none. */
   int freeId() {
     int id = 0;
     while (id < limit && players[id] != null) {
@@ -69,10 +88,22 @@ final class PlayerTable {
     return id;
   }
 
-  /** Adds a player under its own id. */
-  void add(Player player) {
-    players[player.id()] = player;
-    limit = Math.max(limit, player.id() + 1);
+  /** Creates a player that is in no table yet. */
+  Player create(int id, String name) {
+    return new Player(id, name, fields.create(Scope.PLAYER), authority);
+  }
+
+  /** Creates a player under an id that is free. */
+  Player add(int id, String name) {
+    Player player = create(id, name);
+    players[id] = player;
+    limit = Math.max(limit, id + 1);
+    return player;
+  }
+
+  /** Lets a participant play or watch, with nothing left from before but name and input. */
+  void become(Player participant, PlayerRole role) {
+    participant.become(role);
   }
 
   /** Removes the player under an id. */
@@ -104,8 +135,8 @@ final class PlayerTable {
   }
 
   /** Copies the players' state to a saved one. */
-  void save(SimState s) {
-    s.limitPlayers(limit);
+  void save(SavedPlayers s) {
+    s.limit(limit);
     for (int i = 0; i < limit; i++) {
       Player p = players[i];
       s.players[i] = p;
@@ -122,9 +153,9 @@ final class PlayerTable {
   }
 
   /** Takes the players' state from a saved one. */
-  void restore(SimState s) {
+  void restore(SavedPlayers s) {
     int before = limit;
-    limit = s.playerLimit;
+    limit = s.limit;
     for (int i = 0; i < Math.max(before, limit); i++) {
       Player p = i < limit ? s.players[i] : null;
       players[i] = p;

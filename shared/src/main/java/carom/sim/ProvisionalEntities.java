@@ -56,21 +56,21 @@ final class ProvisionalEntities {
   }
 
   /** Copies them behind the other entities of a saved state. */
-  void save(SimState s) {
+  void save(SavedEntities s) {
     s.provisionalCount = count;
     for (int i = 0; i < count; i++) {
-      s.save(s.entityCapacity + i, entities[i]);
+      s.save(s.capacity + i, entities[i]);
     }
   }
 
   /** Takes them from a saved state. */
-  void restore(SimState s) {
+  void restore(SavedEntities s) {
     for (int i = 0; i < s.provisionalCount; i++) {
       if (i >= count) {
-        add(s.entities[s.entityCapacity + i]);
+        add(s.entities[s.capacity + i]);
       }
-      entities[i] = s.entities[s.entityCapacity + i];
-      s.restore(s.entityCapacity + i, entities[i]);
+      entities[i] = s.entities[s.capacity + i];
+      s.restore(s.capacity + i, entities[i]);
     }
     if (count > s.provisionalCount) {
       Arrays.fill(entities, s.provisionalCount, count, null);

@@ -71,10 +71,10 @@ import java.util.function.Consumer;
  */
 public final class Simulation extends FieldHolder<Entity, Player> {
   /** Most players at a time; ids are 0..1,023. */
-  public static final int MAX_PLAYERS = 1_024;
+  public static final int MAX_PLAYERS = PlayerTable.MAX_PLAYERS;
 
   /** Most entities at a time; ids are 0..65534. */
-  public static final int MAX_ENTITIES = 65_535;
+  public static final int MAX_ENTITIES = EntityTable.MAX_ENTITIES;
 
   /** Most notices that wait for {@link #drainNotices}. More are dropped and counted. */
   public static final int MAX_NOTICES = 16;
@@ -106,7 +106,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   private final FieldValues match;
   private final List<Entity> statics = new ArrayList<>();
-  private final PlayerTable players = new PlayerTable();
+  private final PlayerTable players;
   private final EntityTable entities;
   private final Findings findings = new Findings();
   private final JointTable<Entity> joints;
@@ -191,7 +191,16 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     Schema schema = schemaOf(game);
     joints = new JointTable<>(world, role == Role.AUTHORITY);
     entities =
-        new EntityTable(world, players, areas, assemblies, joints, tickRate, schema, this::tick);
+        new EntityTable(
+            world,
+            areas,
+            assemblies,
+            joints,
+            tickRate,
+            schema,
+            this::tick,
+            calls::requireAuthority);
+    players = entities.players();
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
     fieldUse = role == Role.AUTHORITY ? fields.noteUse(findings, this::nameOf) : null;
@@ -758,7 +767,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /** Returns whether a server, or a client that foresees it, despawns an entity in an input. */
   private boolean mayDespawn(Entity entity) {
-    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body;
+    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body();
     return role == Role.AUTHORITY || isOwn;
   }
 
@@ -880,9 +889,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       journal.joining(this, id, name);
     }
     boolean full = players.count() >= game.maxPlayers();
-    Player player = newPlayer(id, name);
+    Player player = players.add(id, name);
     if (full) {
-      player.become(PlayerRole.SPECTATOR);
+      players.become(player, PlayerRole.SPECTATOR);
       Talk.tell(this, player, Talk.refusalWhenFull(this));
       return player;
     }
@@ -903,8 +912,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (journal != null) {
       journal.watching(this, id, name);
     }
-    Player player = newPlayer(id, name);
-    player.become(PlayerRole.SPECTATOR);
+    Player player = players.add(id, name);
+    players.become(player, PlayerRole.SPECTATOR);
     return player;
   }
 
@@ -930,7 +939,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       journal.changing(this, participant.id(), role);
     }
     if (role == PlayerRole.PLAYER) {
-      participant.become(role);
+      players.become(participant, role);
       enter(participant);
     } else {
       retiring = participant;
@@ -939,7 +948,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       } finally {
         retiring = null;
       }
-      participant.become(role);
+      players.become(participant, role);
       forget(participant.id());
     }
   }
@@ -982,7 +991,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public Player joinAs(int id, String name) {
     calls.requirePrediction("joinAs");
     requireFree(id);
-    return newPlayer(id, name);
+    return players.add(id, name);
   }
 
   /**
@@ -1189,7 +1198,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
     for (int i = 0; i < players.limit(); i++) {
       Player player = players.get(i);
-      if (player != null && player.body != null) {
+      if (player != null && player.isAlive()) {
         takeInput(player);
       }
     }
@@ -1214,7 +1223,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   private void takeInput(Player player) {
-    fields.beginInput(player, player.fieldValues(), player.body.fieldValues());
+    fields.beginInput(player, player.fieldValues(), player.body().fieldValues());
     calls.inInput(true);
     inputOf = player;
     spawnsOfInput = 0;
@@ -1363,8 +1372,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     s.tick = tick;
     s.random = random.state();
     s.fields.save(match, 0);
-    players.save(s);
-    entities.save(s);
+    players.save(s.players);
+    entities.save(s.entities);
     joints.save(s.joints);
     if (role == Role.AUTHORITY && pools.count() > 0) {
       s.pools = pools.save(s.pools);
@@ -1387,8 +1396,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     tick = s.tick;
     random.state(s.random);
     s.fields.restore(match, 0);
-    players.restore(s);
-    entities.restore(s);
+    players.restore(s.players);
+    entities.restore(s.entities);
     joints.restore(s.joints);
     if (s.pools != null) {
       pools.restore(s.pools);
@@ -1421,10 +1430,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return history != null;
   }
 
-  void requireAuthority(String what) {
-    calls.requireAuthority(what);
-  }
-
   private void requireFree(int playerId) {
     if (playerId < 0 || playerId >= MAX_PLAYERS || players.participant(playerId) != null) {
       throw new IllegalStateException(
@@ -1436,12 +1441,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (s.owner != this) {
       throw new IllegalArgumentException("the state belongs to another simulation");
     }
-  }
-
-  private Player newPlayer(int id, String name) {
-    Player player = new Player(this, id, name);
-    players.add(player);
-    return player;
   }
 
   private final class Listener implements CollisionListener<Entity> {
