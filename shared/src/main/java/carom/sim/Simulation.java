@@ -13,6 +13,10 @@ import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.math.Aabb;
 import carom.sim.area.AreaForces;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityTable;
+import carom.sim.entity.Player;
+import carom.sim.entity.PlayerTable;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
 import carom.sim.event.NoticeQueue;
@@ -21,9 +25,9 @@ import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldUse;
 import carom.sim.field.FieldValues;
-import carom.sim.field.Ratio;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
+import carom.sim.finding.Findings;
 import carom.sim.history.PoseHistory;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
@@ -34,6 +38,7 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.LevelJoint;
+import carom.sim.match.NextMatch;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind;
 import carom.sim.message.MessageKinds;
@@ -42,7 +47,8 @@ import carom.sim.message.WaitingMessages;
 import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
 import carom.sim.random.SimRandom;
-import carom.sim.ruling.Findings;
+import carom.sim.ruling.ForceCheck;
+import carom.sim.ruling.InterferenceLog;
 import carom.sim.spawn.Origin;
 import carom.sim.spawn.OwnSpawns;
 import java.util.ArrayDeque;
@@ -234,7 +240,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
     PoolGround.begin(pools, game, level, archetypes, tickRate);
     archetypes.close();
-    requireDeclaredFields();
+    entities.checkFields(archetypes);
     eventKinds.close();
     messageKinds.close();
     if (role == Role.PREDICTION) {
@@ -508,7 +514,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (entities.get(origin) != null) {
       entities.despawn(entities.get(origin));
     }
-    replaceReferences(EntityRef.word(origin, 0), entity.reference());
+    replaceReferences(EntityRef.word(origin, 0), EntityRef.word(entity.id(), entity.generation()));
     entity.fieldValues().spawner(owner(entity));
     entities.setOrigin(entity, origin);
   }
@@ -691,9 +697,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
         joints.create(key, root, number, a == null ? null : a.body(), b.body(), definition, at);
     if (root >= 0) {
       if (a != null) {
-        a.rootId(root);
+        entities.join(root, a);
       }
-      b.rootId(root);
+      entities.join(root, b);
     }
     return joint;
   }
@@ -757,7 +763,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (entity.isRoot()) {
       for (int i = 0; i < entities.capacity(); i++) {
         Entity member = entities.get(i);
-        if (member != null && member != entity && member.rootId() == entity.id()) {
+        if (member != null && member != entity && member.root() == entity) {
           despawn(member);
         }
       }
@@ -1242,21 +1248,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     Player player = players.participant(playerId);
     if (player != null) { // one handled before may have removed it
       Talk.handle(this, player, message);
-    }
-  }
-
-  private void requireDeclaredFields() {
-    for (int i = 0; i < archetypes.size(); i++) {
-      entities.starts(archetypes.get(i));
-      Ratio power = archetypes.get(i).areaPower();
-      if (power != null && !schema().fields().contains(power)) {
-        throw new IllegalArgumentException(
-            "archetype="
-                + archetypes.get(i).name()
-                + ": field "
-                + power.path()
-                + " isn't declared; return it from Game.fields");
-      }
     }
   }
 

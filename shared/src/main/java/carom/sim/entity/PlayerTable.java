@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.entity;
 
 import carom.sim.field.FieldStore;
 import carom.sim.field.Scope;
@@ -10,7 +10,7 @@ import java.util.function.Consumer;
  * The participants of a simulation by id: players, and spectators, whom the game doesn't see among
  * the players. Holds their part of the state.
  */
-final class PlayerTable {
+public final class PlayerTable {
   /** Most players at a time; ids are 0..1,023. */
   public static final int MAX_PLAYERS = 1_024;
 
@@ -32,18 +32,18 @@ final class PlayerTable {
   }
 
   /** Returns the player under an id, or null when no player has it. */
-  Player get(int id) {
+  public Player get(int id) {
     Player p = participant(id);
     return p == null || p.isSpectator() ? null : p;
   }
 
   /** Returns the player or spectator under an id, or null when the id is free or out of range. */
-  Player participant(int id) {
+  public Player participant(int id) {
     return id >= 0 && id < limit ? players[id] : null;
   }
 
   /** Returns the number of players, without spectators. */
-  int count() {
+  public int count() {
     int n = 0;
     for (int id = 0; id < limit; id++) {
       n += get(id) != null ? 1 : 0;
@@ -52,7 +52,7 @@ final class PlayerTable {
   }
 
   /** Returns the number of players in a team. */
-  int teamSize(int team) {
+  public int teamSize(int team) {
     int n = 0;
     for (int id = 0; id < limit; id++) {
       Player p = get(id);
@@ -62,7 +62,7 @@ final class PlayerTable {
   }
 
   /** Returns whether there are players, and all of them are ready. */
-  boolean allReady() {
+  public boolean allReady() {
     boolean any = false;
     for (int id = 0; id < limit; id++) {
       Player p = get(id);
@@ -75,12 +75,12 @@ final class PlayerTable {
   }
 
   /** Returns a number above all ids of participants. */
-  int limit() {
+  public int limit() {
     return limit;
   }
 
   /** Returns the smallest free id; {@link #MAX_PLAYERS} when there is none. */
-  int freeId() {
+  public int freeId() {
     int id = 0;
     while (id < limit && players[id] != null) {
       id++;
@@ -94,7 +94,7 @@ final class PlayerTable {
   }
 
   /** Creates a player under an id that is free. */
-  Player add(int id, String name) {
+  public Player add(int id, String name) {
     Player player = create(id, name);
     players[id] = player;
     limit = Math.max(limit, id + 1);
@@ -102,12 +102,12 @@ final class PlayerTable {
   }
 
   /** Lets a participant play or watch, with nothing left from before but name and input. */
-  void become(Player participant, PlayerRole role) {
+  public void become(Player participant, PlayerRole role) {
     participant.become(role);
   }
 
   /** Removes the player under an id. */
-  void remove(int id) {
+  public void remove(int id) {
     players[id] = null;
     while (limit > 0 && players[limit - 1] == null) {
       limit--;
@@ -115,7 +115,7 @@ final class PlayerTable {
   }
 
   /** Mixes everything that decides the players' future into a state hash. */
-  long hash(long hash) {
+  public long hash(long hash) {
     long h = hash;
     for (int i = 0; i < limit; i++) {
       Player p = players[i];
@@ -135,7 +135,7 @@ final class PlayerTable {
   }
 
   /** Copies the players' state to a saved one. */
-  void save(SavedPlayers s) {
+  public void save(SavedPlayers s) {
     s.limit(limit);
     for (int i = 0; i < limit; i++) {
       Player p = players[i];
@@ -153,7 +153,7 @@ final class PlayerTable {
   }
 
   /** Takes the players' state from a saved one. */
-  void restore(SavedPlayers s) {
+  public void restore(SavedPlayers s) {
     int before = limit;
     limit = s.limit;
     for (int i = 0; i < Math.max(before, limit); i++) {

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.entity;
 
 import carom.physics.archive.Archive;
 import carom.sim.field.SavedFields;
@@ -6,7 +6,7 @@ import carom.sim.field.Scope;
 import java.util.Arrays;
 
 /** The saved state of a {@link PlayerTable}, a column each. The arrays are reused. */
-final class SavedPlayers {
+public final class SavedPlayers {
   private static final int MAX_NAME = 1 << 16;
 
   final SavedFields fields;
@@ -24,7 +24,7 @@ final class SavedPlayers {
    *
    * @param fields receives their fields
    */
-  SavedPlayers(SavedFields fields) {
+  public SavedPlayers(SavedFields fields) {
     this.fields = fields;
   }
 
@@ -50,7 +50,7 @@ final class SavedPlayers {
    * @param table those of its players who are the same are taken over
    * @param entities among which are their bodies, read already
    */
-  void pass(Archive a, PlayerTable table, SavedEntities entities) {
+  public void pass(Archive a, PlayerTable table, SavedEntities entities) {
     limit(a.count("players", limit, PlayerTable.MAX_PLAYERS, Integer.BYTES));
     for (int id = 0; id < limit; id++) {
       if (a.flag("player", players[id] != null)) {

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.entity;
 
 import carom.sim.random.SimRandom;
 import java.util.Arrays;
@@ -7,15 +7,15 @@ import java.util.Arrays;
  * The entities that a client has before the server tells them, in the order in which they were
  * spawned. Few at a time; a server has none. Allocates only to grow.
  */
-final class ProvisionalEntities {
+public final class ProvisionalEntities {
   private Entity[] entities = {};
   private int count;
 
-  int count() {
+  public int count() {
     return count;
   }
 
-  Entity at(int index) {
+  public Entity at(int index) {
     return entities[index];
   }
 

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.entity;
 
 import carom.physics.Body;
 import carom.physics.World;
@@ -13,7 +13,7 @@ import carom.sim.spawn.Origin;
 import java.util.Arrays;
 
 /** The saved state of an {@link EntityTable}, a column each. The arrays are reused. */
-final class SavedEntities {
+public final class SavedEntities {
   private static final int ENTITY_BYTES = 1 + 7 * Integer.BYTES;
 
   final SavedFields fields;
@@ -40,7 +40,7 @@ final class SavedEntities {
    *
    * @param fields receives their fields
    */
-  SavedEntities(SavedFields fields) {
+  public SavedEntities(SavedFields fields) {
     this.fields = fields;
   }
 
@@ -87,7 +87,7 @@ final class SavedEntities {
    *
    * @param table those of its entities that are the same are taken over
    */
-  void pass(Archive a, EntityTable table, Archetypes archetypes) {
+  public void pass(Archive a, EntityTable table, Archetypes archetypes) {
     int n = a.count("entities", capacity, EntityTable.MAX_ENTITIES, ENTITY_BYTES);
     int[] kinds = new int[n];
     int[] owners = new int[n];
@@ -150,14 +150,14 @@ final class SavedEntities {
   }
 
   /** Returns the entity with the body in a slot, or null for static level geometry. */
-  Entity user(int slot) {
+  public Entity user(int slot) {
     int i = Arrays.binarySearch(bySlot, (long) slot << 32);
     int at = i < 0 ? -1 - i : i;
     return at < bySlot.length && bySlot[at] >>> 32 == slot ? entities[(int) bySlot[at]] : null;
   }
 
   /** Gives the entities that were read their bodies, of a world that was read. */
-  void attachBodies(ArchiveReader archive, World<Entity> world, WorldState state) {
+  public void attachBodies(ArchiveReader archive, World<Entity> world, WorldState state) {
     for (int id = 0; id < capacity; id++) {
       if (entities[id] != null) {
         attachBody(archive, id, world.bodyIn(state, slots[id]));
