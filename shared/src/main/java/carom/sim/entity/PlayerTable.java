@@ -7,8 +7,8 @@ import carom.sim.random.SimRandom;
 import java.util.function.Consumer;
 
 /**
- * The participants of a simulation by id: players, and spectators, whom the game doesn't see among
- * the players. Holds their part of the state.
+ * The participants of a simulation by id: players and spectators. The game doesn't see spectators
+ * among the players. Holds their part of the state.
  */
 public final class PlayerTable {
   /** Most players at a time; ids are 0..1,023. */
