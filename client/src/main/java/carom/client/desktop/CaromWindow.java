@@ -11,6 +11,7 @@ import carom.client.desktop.sound.EventSounds;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;
+import carom.client.replay.SpectatorThread;
 import carom.net.transport.ClientTransport;
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
@@ -78,11 +79,18 @@ final class CaromWindow extends ApplicationAdapter {
   private void replay() {
     try {
       ReplayClient recording = new ReplayClient(options.replay());
-      String heading = options.live() ? "WATCHING" : "REPLAY";
+      SpectatorThread spectator = options.spectator();
       ReplayScreen player =
-          new ReplayScreen(canvas, fonts, sounds, recording, heading, () -> Gdx.app.exit());
+          new ReplayScreen(
+              canvas,
+              fonts,
+              sounds,
+              recording,
+              spectator == null ? "REPLAY" : "WATCHING",
+              spectator == null ? () -> "" : spectator::end,
+              () -> Gdx.app.exit());
       player.debug(options.debug());
-      if (options.live()) {
+      if (spectator != null) {
         recording.seek(Integer.MAX_VALUE);
       }
       show(player);

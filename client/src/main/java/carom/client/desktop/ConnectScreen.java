@@ -30,8 +30,8 @@ import com.badlogic.gdx.utils.ScreenUtils;
 import com.badlogic.gdx.utils.viewport.ScreenViewport;
 
 /**
- * Asks where to play and as whom, shows the rooms of the server to choose from, and why the last
- * attempt failed. Render thread only.
+ * Asks for the server and the player's name, shows the rooms of the server to choose from, and why
+ * the last attempt failed. Render thread only.
  */
 final class ConnectScreen extends ScreenAdapter {
   /** Receives what the player entered, whose form is checked. */

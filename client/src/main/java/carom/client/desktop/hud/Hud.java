@@ -261,7 +261,7 @@ public final class Hud implements Disposable {
     return top;
   }
 
-  /** Draws that the player has no body, and whom the picture follows meanwhile. */
+  /** Draws that the player has no body, and which player the picture follows meanwhile. */
   public void bodiless(ClientView view) {
     RosterEntry own = view.participant(view.playerId());
     boolean spectator = own != null && own.spectator();
