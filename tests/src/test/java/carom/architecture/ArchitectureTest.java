@@ -284,12 +284,14 @@ final class ArchitectureTest {
     allow("carom.text");
     allow("carom.json", "carom.text");
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
-    allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
+    allow("carom.net.seal");
+    allow("carom.net.frame", "carom.net.protocol", "carom.net.transport", "carom.net.seal");
     allow(
         "carom.net.kryo",
         "carom.text",
         "carom.net.protocol",
         "carom.net.transport",
+        "carom.net.seal",
         "carom.net.frame",
         "carom.net.codec",
         "carom.values");
