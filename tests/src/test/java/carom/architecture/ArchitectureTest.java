@@ -312,7 +312,7 @@ final class ArchitectureTest {
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
     allow("carom.values");
     allow("carom.text");
-    allow("carom.json");
+    allow("carom.json", "carom.text");
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
     allow("carom.net.seal");
     allow("carom.net.frame", "carom.net.protocol", "carom.net.transport", "carom.net.seal");
