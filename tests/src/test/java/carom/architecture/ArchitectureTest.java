@@ -218,6 +218,12 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.spawn");
     allow(
+        "carom.sim.outbox",
+        "carom.sim.entity",
+        "carom.sim.event",
+        "carom.sim.match",
+        "carom.sim.message");
+    allow(
         "carom.sim.ruling",
         "carom.physics..",
         "carom.sim.entity",
@@ -240,7 +246,8 @@ final class ArchitectureTest {
         "carom.sim.spawn",
         "carom.sim.entity",
         "carom.sim.finding",
-        "carom.sim.match");
+        "carom.sim.match",
+        "carom.sim.outbox");
     allow(
         "carom.sim.near",
         "carom.physics..",
@@ -377,6 +384,7 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.entity",
         "carom.sim.match",
+        "carom.sim.outbox",
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",

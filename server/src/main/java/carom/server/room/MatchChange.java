@@ -86,7 +86,7 @@ final class MatchChange {
 
   /** Fulfils what the game asked for in the tick that ends, as soon as it is loaded. */
   void tickEnds(long nowNs) {
-    NextMatch wanted = room.simulation().takeNextMatch();
+    NextMatch wanted = room.simulation().outbox().takeNextMatch();
     if (wanted != null && !loading) {
       request(wanted, nowNs);
     }

@@ -282,7 +282,7 @@ public final class Room {
         snapshots.run(beginNs, nowNs);
       }
       post.send();
-      simulation.drainNotices(sendNotice);
+      simulation.outbox().drainNotices(sendNotice);
       match.failures().tell(simulation.findings());
       roster.send(sessions.bySeat(), nowNs, sendTo);
     }
