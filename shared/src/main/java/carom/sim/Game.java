@@ -5,6 +5,7 @@ import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
+import carom.sim.entity.OneWay;
 import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
@@ -230,7 +231,7 @@ public interface Game {
    * bodies pass one-way platforms from below.
    */
   default boolean collision(Simulation s, Collision<Entity> c) {
-    return OneWay.responds(s, c);
+    return OneWay.responds(s.tickSeconds(), c);
   }
 
   /**

@@ -2,6 +2,7 @@ package carom.sim;
 
 import carom.physics.Body;
 import carom.physics.World;
+import carom.physics.WorldDef;
 import carom.sim.area.AreaForces;
 import carom.sim.entity.AllFields;
 import carom.sim.entity.Entity;
@@ -20,6 +21,7 @@ import carom.sim.joint.JointTable;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.LevelJoint;
+import carom.sim.level.PoolGround;
 import carom.sim.message.MessageKinds;
 import carom.sim.message.WaitingMessages;
 import carom.sim.pool.PoolDef;
@@ -47,6 +49,7 @@ final class SimParts {
   final int tickRate;
   final Role role;
   final CallRules calls;
+  final WorldDef worldDef;
   final World<Entity> world;
   final Archetypes archetypes = new Archetypes();
   final Assemblies assemblies = new Assemblies(archetypes);
@@ -99,7 +102,8 @@ final class SimParts {
     boolean decides = role == Role.AUTHORITY;
     calls = new CallRules(role);
     random = new SimRandom(seed);
-    world = new World<>(game.world(level));
+    worldDef = game.world(level);
+    world = new World<>(worldDef);
     areas =
         new AreaForces<>(
             world, level.areas(), (carrier, power) -> carrier.user().get(power), decides);
@@ -165,7 +169,7 @@ final class SimParts {
    * @throws IllegalArgumentException if they don't fit together
    */
   void closeDeclarations() {
-    PoolGround.begin(pools, game, level, archetypes, tickRate);
+    PoolGround.begin(pools, worldDef, level, archetypes, tickRate);
     archetypes.close();
     entities.checkFields(archetypes);
     eventKinds.close();

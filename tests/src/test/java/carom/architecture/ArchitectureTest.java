@@ -219,8 +219,10 @@ final class ArchitectureTest {
         "carom.sim.spawn");
     allow(
         "carom.sim.outbox",
+        "carom.physics",
         "carom.sim.entity",
         "carom.sim.event",
+        "carom.sim.level",
         "carom.sim.match",
         "carom.sim.message");
     allow(
