@@ -158,6 +158,11 @@ final class Timeline {
     return hash[savedAt & MASK];
   }
 
+  /** Returns whether the server lists some of the bodies of a saved tick and no others. */
+  boolean hasMore(int savedAt, NearState near) {
+    return hashes.hasMore(savedAt & MASK, near);
+  }
+
   /** Returns the own body after a saved tick. */
   OwnState own(int savedAt) {
     return own[savedAt & MASK];
