@@ -3,6 +3,7 @@ package carom.game;
 import carom.physics.Collision;
 import carom.physics.Joint;
 import carom.physics.WorldDef;
+import carom.sim.Cooldown;
 import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.Input;
@@ -214,6 +215,11 @@ public final class GuardedGame implements Game {
     } catch (RuntimeException | AssertionError | StackOverflowError failure) {
       watch.failed("forces of " + e, s, failure);
     }
+  }
+
+  @Override
+  public List<Cooldown> cooldowns() {
+    return game.cooldowns();
   }
 
   @Override

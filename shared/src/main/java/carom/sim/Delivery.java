@@ -50,9 +50,9 @@ public final class Delivery {
     address(Recipients.NEAR, entity.id());
   }
 
-  private void address(Recipients whom, int whomId) {
-    recipients = whom;
-    id = whomId;
+  private void address(Recipients recipients, int id) {
+    this.recipients = recipients;
+    this.id = id;
   }
 
   /** Returns the message. */

@@ -102,6 +102,11 @@ public interface Game {
     return List.of();
   }
 
+  /** Returns the waits that clients show around the own body. The same at every call. */
+  default List<Cooldown> cooldowns() {
+    return List.of();
+  }
+
   /**
    * Returns the phases of a match: warm-up, countdown, play, result. Without a clock a match lasts
    * until the game calls {@link Simulation#matchOver} or {@link Simulation#playNext}. The same at

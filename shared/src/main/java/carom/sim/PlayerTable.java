@@ -3,8 +3,8 @@ package carom.sim;
 import carom.sim.random.SimRandom;
 
 /**
- * The participants of a simulation by id: players, and spectators, whom the game doesn't see among
- * the players. Holds their part of the state.
+ * The participants of a simulation by id: players and spectators. The game doesn't see spectators
+ * among the players. Holds their part of the state.
  */
 final class PlayerTable {
   private final Player[] players = new Player[Simulation.MAX_PLAYERS];

@@ -831,7 +831,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return players.allReady();
   }
 
-  /** Returns the player to whom an entity belongs, or null. */
+  /** Returns the player that owns an entity, or null. */
   public Player owner(Entity entity) {
     return players.get(entity.ownerId());
   }

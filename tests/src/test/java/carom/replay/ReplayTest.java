@@ -52,7 +52,7 @@ final class ReplayTest {
 
   @TempDir private Path folder;
 
-  /** Twenty bots, of whom some go and others come, and one is cut off for a while. */
+  /** Twenty bots: some go, others come, and one is cut off for a while. */
   private static Blocks play(String game, List<Long> hashes) {
     Blocks blocks = new Blocks();
     try (Stepper stepper = Stepper.of(game)) {

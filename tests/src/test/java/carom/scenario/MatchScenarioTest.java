@@ -93,6 +93,36 @@ class MatchScenarioTest {
   }
 
   @Test
+  void aRoomGoesRoundItsLevelsOverRealSocketsToo() {
+    // Goal: the next match reaches players over KryoNet. Method: two players, three levels of two
+    // games, each ended by its rules; positions are compared with the server's.
+    RoomConfig room =
+        new RoomConfig("cup", "", List.of("arena", "platformer", "commons"), 8, 1, Map.of());
+    try (Stepper stepper =
+        Stepper.ofRoomsOverSockets(ServerConfig.defaults(), MatchLibrary.INSTALLED, room)) {
+      SimulatedClient ann = stepper.join("Ann", BAD, Scripts.wander(1));
+      SimulatedClient bob = stepper.join("Bob", BAD.withSeed(2), Scripts.wander(2));
+      for (String level : List.of("Windmill Gap", "Commons", "Corner Pocket")) {
+        final long compared = stepper.compared();
+        stepper.room().simulation().matchOver();
+        for (SimulatedClient client : List.of(ann, bob)) {
+          stepper.runUntil(
+              "plays " + level,
+              () ->
+                  client.view().phase() == ConnectionPhase.PLAYING
+                      && client.view().own() != null
+                      && client.view().level().name().equals(level),
+              10);
+        }
+        stepper.runUntil("both are shown it", () -> stepper.compared() > compared + 200, 10);
+      }
+      assertEquals(3, stepper.count(Counter.MATCHES));
+      assertEquals(0, ann.stats().reconnects() + bob.stats().reconnects());
+      stepper.runUntil("the roster is told", () -> ann.view().players().size() == 2, 10);
+    }
+  }
+
+  @Test
   void aMatchThatIsOverIsFollowedByTheNextLevelByItself() {
     RoomConfig room = new RoomConfig("cup", "", List.of("arena", "commons"), 8, 1, Map.of());
     try (Stepper stepper = Stepper.ofRooms(ServerConfig.defaults(), MatchLibrary.INSTALLED, room)) {

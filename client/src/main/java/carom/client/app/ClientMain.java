@@ -186,10 +186,10 @@ public final class ClientMain implements Callable<Integer> {
         return playHeadless(client, stop);
       }
     }
-    return openWindow(config, replay);
+    return openWindow(config, replay, null);
   }
 
-  private int openWindow(ClientConfig config, Path recording) {
+  private int openWindow(ClientConfig config, Path recording, SpectatorThread spectator) {
     boolean named =
         spec.commandLine().getParseResult().hasMatchedOption("--host")
             || spec.commandLine().getParseResult().hasMatchedOption("--tcp-port");
@@ -204,7 +204,7 @@ public final class ClientMain implements Callable<Integer> {
             screenshot,
             volume / 100f,
             recording,
-            watch > 0,
+            spectator,
             scene.isEmpty() ? null : Scenes.get(scene));
     for (Window window : ServiceLoader.load(Window.class)) {
       return window.launch(options);
@@ -241,7 +241,7 @@ public final class ClientMain implements Callable<Integer> {
         System.err.println("carom-client: " + spectator.message());
         return 1;
       }
-      return headless ? watchHeadless(file, stop) : openWindow(config, file);
+      return headless ? watchHeadless(file, spectator, stop) : openWindow(config, file, spectator);
     } catch (IOException e) {
       System.err.println("carom-client: can't watch: " + e);
       return 1;
@@ -249,7 +249,8 @@ public final class ClientMain implements Callable<Integer> {
   }
 
   /** Replays what is watched, and prints a line per second; returns 1 if it diverged. */
-  private int watchHeadless(Path file, StopSignal stop) throws IOException {
+  private int watchHeadless(Path file, SpectatorThread spectator, StopSignal stop)
+      throws IOException {
     try (ReplayClient client = new ReplayClient(file)) {
       client.seek(Integer.MAX_VALUE);
       long start = System.nanoTime();
@@ -267,6 +268,10 @@ public final class ClientMain implements Callable<Integer> {
               client.view().players().size(),
               client.waiting() ? " waiting for more" : "",
               client.divergence() == null ? "" : " diverged at " + client.divergence().tick());
+        }
+        if (client.waiting() && !spectator.end().isEmpty()) {
+          System.err.println("carom-client: " + spectator.end());
+          break;
         }
         if (!sleepUntil(now + FRAME_NS)) {
           break;

@@ -1,6 +1,7 @@
 package carom.client.app;
 
 import carom.client.ClientConfig;
+import carom.client.replay.SpectatorThread;
 import carom.net.transport.Impairment;
 import carom.sim.scene.Scene;
 import java.nio.file.Path;
@@ -18,7 +19,8 @@ import java.nio.file.Path;
  *     ({@code --screenshot FILE}); empty = none
  * @param volume of the loudest sound, 0..1 ({@code --volume}); 0 = silent
  * @param replay a recording to show instead of playing ({@code --replay FILE}); null to play
- * @param live whether that recording grows and is shown from its end on ({@code --watch})
+ * @param spectator the download by which that recording grows ({@code --watch}), which is shown
+ *     from its end on; null for a whole recording
  * @param scene a scene to show instead of playing ({@code --scene NAME}); null to play
  */
 public record ClientOptions(
@@ -31,5 +33,5 @@ public record ClientOptions(
     String screenshot,
     float volume,
     Path replay,
-    boolean live,
+    SpectatorThread spectator,
     Scene scene) {}

@@ -11,7 +11,9 @@ import carom.client.desktop.sound.EventSounds;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;
+import carom.client.replay.SpectatorThread;
 import carom.net.transport.ClientTransport;
+import com.badlogic.gdx.Application;
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
@@ -49,7 +51,9 @@ final class CaromWindow extends ApplicationAdapter {
 
   @Override
   public void create() {
-    fonts = new Fonts();
+    Gdx.app.setLogLevel(Application.LOG_ERROR); // the toolkit tells of each device it finds
+    fonts = new Fonts(1);
+    fonts.fit(Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
     canvas = new Canvas();
     audio = new AudioDevice(hasSound);
     sounds = new EventSounds(audio, options.volume());
@@ -78,11 +82,18 @@ final class CaromWindow extends ApplicationAdapter {
   private void replay() {
     try {
       ReplayClient recording = new ReplayClient(options.replay());
-      String heading = options.live() ? "WATCHING" : "REPLAY";
+      SpectatorThread spectator = options.spectator();
       ReplayScreen player =
-          new ReplayScreen(canvas, fonts, sounds, recording, heading, () -> Gdx.app.exit());
+          new ReplayScreen(
+              canvas,
+              fonts,
+              sounds,
+              recording,
+              spectator == null ? "REPLAY" : "WATCHING",
+              spectator == null ? () -> "" : spectator::end,
+              () -> Gdx.app.exit());
       player.debug(options.debug());
-      if (options.live()) {
+      if (spectator != null) {
         recording.seek(Integer.MAX_VALUE);
       }
       show(player);
@@ -179,6 +190,7 @@ final class CaromWindow extends ApplicationAdapter {
 
   @Override
   public void resize(int width, int height) {
+    fonts.fit(width, height);
     screen.resize(width, height);
   }
 

@@ -76,7 +76,9 @@ public final class RoomBrowser implements LinkHandler, AutoCloseable {
         end("");
       }
     } else if (message instanceof ServerMessage.Refused refused) {
-      end(refused.reason().playerText() + " " + refused.text());
+      end(refused.playerText());
+    } else if (message instanceof ServerMessage.Goodbye goodbye) {
+      end(goodbye.playerText());
     } else {
       end(address + " answers something else. Is it a Carom server?");
     }

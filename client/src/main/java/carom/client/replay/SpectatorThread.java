@@ -94,6 +94,11 @@ public final class SpectatorThread implements AutoCloseable {
     return message.isEmpty() ? "There is nothing to watch yet; try again later." : message;
   }
 
+  /** Returns why nothing more arrives, in words for the player; empty while more may arrive. */
+  public String end() {
+    return ended ? message : "";
+  }
+
   @Override
   public void close() {
     stop = true;

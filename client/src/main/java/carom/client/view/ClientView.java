@@ -360,7 +360,7 @@ public final class ClientView {
   }
 
   /**
-   * Returns the player whom the picture follows because the own player watches or is out, or -1.
+   * Returns the player that the picture follows because the own player watches or is out, or -1.
    */
   public int watchedPlayer() {
     return watchedPlayer;

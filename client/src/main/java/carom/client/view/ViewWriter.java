@@ -93,7 +93,7 @@ public final class ViewWriter {
     view.fields = fields;
   }
 
-  /** Sets the player whom the picture follows, or -1. */
+  /** Sets the player that the picture follows, or -1. */
   public void watched(int playerId) {
     view.watchedPlayer = playerId;
   }

@@ -233,14 +233,14 @@ public final class SessionView implements Interest {
    * Others are told as the game says; of an event {@link Audience#NEAR}, if its place is in sight
    * and none of its entities, nor the body of the player that caused it, was hidden at its tick.
    */
-  boolean hears(FrameRing frames, EventRecord event, int whom) {
-    Audience audience = FrameCapture.audienceOf(whom);
+  boolean hears(FrameRing frames, EventRecord event, int recipients) {
+    Audience audience = FrameCapture.audienceOf(recipients);
     if (event.player == player.id() && audience != Audience.NOBODY) {
       return true;
     }
     return switch (audience) {
       case ALL -> true;
-      case TEAM -> FrameCapture.teamOf(whom) == player.team() || seesAll();
+      case TEAM -> FrameCapture.teamOf(recipients) == player.team() || seesAll();
       case OWNER, NOBODY -> seesAll();
       case NEAR ->
           isNear(event)

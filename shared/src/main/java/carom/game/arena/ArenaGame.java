@@ -15,6 +15,7 @@ import carom.physics.QueryHit;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
+import carom.sim.Cooldown;
 import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.Input;
@@ -176,6 +177,13 @@ public final class ArenaGame implements Game {
   @Override
   public String description() {
     return "push the balls into the other side's goal: Space dashes, E jolts from afar";
+  }
+
+  @Override
+  public List<Cooldown> cooldowns() {
+    return List.of(
+        new Cooldown("dash", DASH_WAIT, DASH_COOLDOWN),
+        new Cooldown("jolt", JOLT_WAIT, JOLT_COOLDOWN));
   }
 
   @Override

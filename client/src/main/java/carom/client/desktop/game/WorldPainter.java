@@ -60,6 +60,7 @@ final class WorldPainter {
   private final AreaPainter areas;
   private final PoolPainter pools;
   private final Impacts impacts = new Impacts();
+  private final CooldownRings cooldowns = new CooldownRings();
   private final float[] streak = new float[6];
   private final Color fill = new Color();
   private final Color edge = new Color();
@@ -125,6 +126,7 @@ final class WorldPainter {
     }
     joints(view, pixelsPerMetre);
     areasBefore(view, seconds);
+    cooldowns.draw(view, canvas, deltaSeconds);
     impacts.draw(canvas);
     flashes.draw(canvas);
     canvas.end();
