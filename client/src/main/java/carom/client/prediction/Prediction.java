@@ -4,6 +4,7 @@ import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
+import carom.client.prediction.received.PlayerInputs;
 import carom.client.prediction.received.ReceivedRulings;
 import carom.client.prediction.received.SnapshotRecords;
 import carom.client.prediction.received.SpawnMatches;
