@@ -1,9 +1,9 @@
 package carom.client.prediction.received;
 
 import carom.net.snapshot.relay.RelayedInputs;
-import carom.sim.Input;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import java.util.Arrays;
 
 /**
