@@ -22,7 +22,7 @@ import carom.client.settings.KeyAction;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.net.protocol.ServerMessage.RosterEntry;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import carom.sim.message.PlayerRole;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;

@@ -2,7 +2,7 @@ package carom.client.desktop.input;
 
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.settings.KeyAction;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Buttons;
 import com.badlogic.gdx.controllers.Controller;
