@@ -340,7 +340,7 @@ public final class GameClient implements AutoCloseable {
 
   /**
    * Follows another player, while the own one watches or is out; the client chooses the first by
-   * itself. {@link ClientView#watchedPlayer} tells whom.
+   * itself. {@link ClientView#watchedPlayer} returns it.
    *
    * @param step 1 for the next by id, -1 for the one before
    */

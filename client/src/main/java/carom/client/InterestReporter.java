@@ -38,7 +38,7 @@ final class InterestReporter {
   }
 
   /**
-   * Sets whom the picture follows while there is no own body.
+   * Sets the player that the picture follows while there is no own body.
    *
    * @param player id, or {@link ClientMessage.Look#NOBODY}
    */

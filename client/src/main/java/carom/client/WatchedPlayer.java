@@ -5,9 +5,9 @@ import carom.net.protocol.ServerMessage.RosterEntry;
 import java.util.List;
 
 /**
- * Chooses whom the picture follows while the own player watches or is out: of the own team if
- * somebody of it is alive, or anybody. It stays with a player who is alive and seen, until the user
- * wants another. The roster says who is alive. One client's; one thread.
+ * Chooses the player that the picture follows while the own player watches or is out: one of the
+ * own team if any of it is alive, or any other. It stays with a player who is alive and seen, until
+ * the user wants another. The roster says who is alive. One client's; one thread.
  */
 final class WatchedPlayer {
   static final int NOBODY = -1;
@@ -15,7 +15,7 @@ final class WatchedPlayer {
   /** Time in which the picture stays where the own body was; most games give another soon. */
   private static final long STAY_NS = 1_500_000_000L;
 
-  /** Time after which a player of whom nothing is seen is left for another. */
+  /** Time after which the picture leaves a player that it doesn't see. */
   private static final long UNSEEN_NS = 2_000_000_000L;
 
   private static final long LOOK_NS = 250_000_000L;
@@ -31,13 +31,13 @@ final class WatchedPlayer {
     return watched;
   }
 
-  /** Forgets whom it followed: the roster is another. */
+  /** Follows no player any more: the roster is another. */
   void reset() {
     watched = NOBODY;
     out = false;
   }
 
-  /** Looks whether somebody should be followed, and who. */
+  /** Looks whether to follow a player, and which. */
   void update(ClientView view, long nowNs) {
     RosterEntry own = view.participant(view.playerId());
     if (own == null || own.alive()) {

@@ -118,13 +118,13 @@ public final class Queries<T> {
    * @param y y of the start
    * @param wayX x component of the way from start to end
    * @param wayY y component of the way from start to end
-   * @param whom chooses shapes, null for all but sensors
+   * @param filter chooses shapes, null for all but sensors
    * @param out receives the hit; unchanged if there is none
    * @return true if the ray hits a shape
    */
   public boolean rayClosest(
-      float x, float y, float wayX, float wayY, QueryFilter<T> whom, QueryHit<T> out) {
-    askRay(Mode.CLOSEST, x, y, wayX, wayY, whom);
+      float x, float y, float wayX, float wayY, QueryFilter<T> filter, QueryHit<T> out) {
+    askRay(Mode.CLOSEST, x, y, wayX, wayY, filter);
     return takeClosest(out);
   }
 
@@ -134,8 +134,8 @@ public final class Queries<T> {
    *
    * @return true if the ray hits a shape
    */
-  public boolean rayAny(float x, float y, float wayX, float wayY, QueryFilter<T> whom) {
-    askRay(Mode.ANY, x, y, wayX, wayY, whom);
+  public boolean rayAny(float x, float y, float wayX, float wayY, QueryFilter<T> filter) {
+    askRay(Mode.ANY, x, y, wayX, wayY, filter);
     return bestKey != NONE;
   }
 
@@ -146,14 +146,14 @@ public final class Queries<T> {
    * @param visitor receives each body once, at the ray's first touch
    */
   public void rayAll(
-      float x, float y, float wayX, float wayY, QueryFilter<T> whom, QueryVisitor<T> visitor) {
-    askRay(Mode.ALL, x, y, wayX, wayY, whom);
+      float x, float y, float wayX, float wayY, QueryFilter<T> filter, QueryVisitor<T> visitor) {
+    askRay(Mode.ALL, x, y, wayX, wayY, filter);
     visitAll(visitor);
   }
 
-  private void askRay(Mode how, float x, float y, float wayX, float wayY, QueryFilter<T> whom) {
+  private void askRay(Mode how, float x, float y, float wayX, float wayY, QueryFilter<T> filter) {
     startBox.set(Limits.coordinate("x", x), Limits.coordinate("y", y), x, y);
-    castBox(Kind.RAY, how, wayX, wayY, whom);
+    castBox(Kind.RAY, how, wayX, wayY, filter);
   }
 
   // ---------------------------------------------------------------- moving shapes
@@ -165,13 +165,18 @@ public final class Queries<T> {
    * @param from its pose at the start, read only
    * @param wayX x component of the way from start to end
    * @param wayY y component of the way from start to end
-   * @param whom chooses shapes, null for all but sensors
+   * @param filter chooses shapes, null for all but sensors
    * @param out receives the hit; unchanged if there is none
    * @return true if the moving shape hits another
    */
   public boolean shapeClosest(
-      Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> whom, QueryHit<T> out) {
-    askShape(Mode.CLOSEST, moving, from, wayX, wayY, whom);
+      Shape moving,
+      Transform from,
+      float wayX,
+      float wayY,
+      QueryFilter<T> filter,
+      QueryHit<T> out) {
+    askShape(Mode.CLOSEST, moving, from, wayX, wayY, filter);
     return takeClosest(out);
   }
 
@@ -181,8 +186,8 @@ public final class Queries<T> {
    * @return true if the moving shape hits another
    */
   public boolean shapeAny(
-      Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> whom) {
-    askShape(Mode.ANY, moving, from, wayX, wayY, whom);
+      Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> filter) {
+    askShape(Mode.ANY, moving, from, wayX, wayY, filter);
     return bestKey != NONE;
   }
 
@@ -197,16 +202,16 @@ public final class Queries<T> {
       Transform from,
       float wayX,
       float wayY,
-      QueryFilter<T> whom,
+      QueryFilter<T> filter,
       QueryVisitor<T> visitor) {
-    askShape(Mode.ALL, moving, from, wayX, wayY, whom);
+    askShape(Mode.ALL, moving, from, wayX, wayY, filter);
     visitAll(visitor);
   }
 
   private void askShape(
-      Mode how, Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> whom) {
+      Mode how, Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> filter) {
     place(moving, from);
-    castBox(Kind.SHAPE, how, wayX, wayY, whom);
+    castBox(Kind.SHAPE, how, wayX, wayY, filter);
   }
 
   // ---------------------------------------------------------------- moving boxes
@@ -218,14 +223,14 @@ public final class Queries<T> {
    * @param area the box at the start, read only
    * @param wayX x component of the way from start to end
    * @param wayY y component of the way from start to end
-   * @param whom chooses shapes, null for all but sensors
+   * @param filter chooses shapes, null for all but sensors
    * @param out receives the hit, with the middle of where the boxes touch as its point; unchanged
    *     if there is none
    * @return true if the moving box hits another
    */
   public boolean boxClosest(
-      Aabb area, float wayX, float wayY, QueryFilter<T> whom, QueryHit<T> out) {
-    askBox(Mode.CLOSEST, area, wayX, wayY, whom);
+      Aabb area, float wayX, float wayY, QueryFilter<T> filter, QueryHit<T> out) {
+    askBox(Mode.CLOSEST, area, wayX, wayY, filter);
     return takeClosest(out);
   }
 
@@ -234,8 +239,8 @@ public final class Queries<T> {
    *
    * @return true if the moving box hits another
    */
-  public boolean boxAny(Aabb area, float wayX, float wayY, QueryFilter<T> whom) {
-    askBox(Mode.ANY, area, wayX, wayY, whom);
+  public boolean boxAny(Aabb area, float wayX, float wayY, QueryFilter<T> filter) {
+    askBox(Mode.ANY, area, wayX, wayY, filter);
     return bestKey != NONE;
   }
 
@@ -246,12 +251,12 @@ public final class Queries<T> {
    * @param visitor receives each body once, at the first touch
    */
   public void boxAll(
-      Aabb area, float wayX, float wayY, QueryFilter<T> whom, QueryVisitor<T> visitor) {
-    askBox(Mode.ALL, area, wayX, wayY, whom);
+      Aabb area, float wayX, float wayY, QueryFilter<T> filter, QueryVisitor<T> visitor) {
+    askBox(Mode.ALL, area, wayX, wayY, filter);
     visitAll(visitor);
   }
 
-  private void askBox(Mode how, Aabb area, float wayX, float wayY, QueryFilter<T> whom) {
+  private void askBox(Mode how, Aabb area, float wayX, float wayY, QueryFilter<T> filter) {
     if (area.isEmpty()) {
       throw new IllegalArgumentException("area=" + area + " is empty, needs min <= max");
     }
@@ -260,7 +265,7 @@ public final class Queries<T> {
         Limits.coordinate("minY", area.minY),
         Limits.coordinate("maxX", area.maxX),
         Limits.coordinate("maxY", area.maxY));
-    castBox(Kind.BOX, how, wayX, wayY, whom);
+    castBox(Kind.BOX, how, wayX, wayY, filter);
   }
 
   // ---------------------------------------------------------------- places
@@ -270,12 +275,12 @@ public final class Queries<T> {
    *
    * @param area the shape
    * @param at its pose, read only
-   * @param whom chooses shapes, null for all but sensors
+   * @param filter chooses shapes, null for all but sensors
    * @param visitor receives each body once, by ascending index
    */
-  public void overlaps(Shape area, Transform at, QueryFilter<T> whom, QueryVisitor<T> visitor) {
+  public void overlaps(Shape area, Transform at, QueryFilter<T> filter, QueryVisitor<T> visitor) {
     place(area, at);
-    begin(Kind.OVERLAP, Mode.ALL, whom);
+    begin(Kind.OVERLAP, Mode.ALL, filter);
     searchBox();
     visitAll(visitor);
   }
@@ -285,11 +290,11 @@ public final class Queries<T> {
    *
    * @param x x of the point
    * @param y y of the point
-   * @param whom chooses shapes, null for all but sensors
+   * @param filter chooses shapes, null for all but sensors
    * @param visitor receives each body once, by ascending index
    */
-  public void containing(float x, float y, QueryFilter<T> whom, QueryVisitor<T> visitor) {
-    askPoint(x, y, 0, Mode.ALL, whom);
+  public void containing(float x, float y, QueryFilter<T> filter, QueryVisitor<T> visitor) {
+    askPoint(x, y, 0, Mode.ALL, filter);
     visitAll(visitor);
   }
 
@@ -299,22 +304,22 @@ public final class Queries<T> {
    * @param x x of the given point
    * @param y y of the given point
    * @param radius largest distance, 0..1e7
-   * @param whom chooses shapes, null for all but sensors
+   * @param filter chooses shapes, null for all but sensors
    * @param out receives body, nearest point, distance, and the normal towards the given point;
    *     inside a shape distance and normal are 0; unchanged if nothing is found
    * @return true if a shape is within the radius
    */
-  public boolean nearest(float x, float y, float radius, QueryFilter<T> whom, QueryHit<T> out) {
-    askPoint(x, y, Limits.range("radius", radius, 0, Limits.MAX_COORDINATE), Mode.CLOSEST, whom);
+  public boolean nearest(float x, float y, float radius, QueryFilter<T> filter, QueryHit<T> out) {
+    askPoint(x, y, Limits.range("radius", radius, 0, Limits.MAX_COORDINATE), Mode.CLOSEST, filter);
     return takeClosest(out);
   }
 
-  private void askPoint(float x, float y, float radius, Mode how, QueryFilter<T> whom) {
+  private void askPoint(float x, float y, float radius, Mode how, QueryFilter<T> filter) {
     Limits.coordinate("x", x);
     Limits.coordinate("y", y);
     start.set(x, y, 1, 0);
     startBox.set(x, y, x, y).grow(radius);
-    begin(Kind.NEAREST, how, whom);
+    begin(Kind.NEAREST, how, filter);
     end = radius;
     searchBox();
   }
@@ -334,20 +339,20 @@ public final class Queries<T> {
     moving.aabb(from, startBox);
   }
 
-  private void begin(Kind what, Mode how, QueryFilter<T> whom) {
+  private void begin(Kind what, Mode how, QueryFilter<T> filter) {
     world.beginQuery("query");
     kind = what;
     mode = how;
-    filter = whom;
+    this.filter = filter;
     bestKey = NONE;
     keyCount = 0;
     end = 1;
   }
 
-  private void castBox(Kind what, Mode how, float wayX, float wayY, QueryFilter<T> whom) {
+  private void castBox(Kind what, Mode how, float wayX, float wayY, QueryFilter<T> filter) {
     dx = Limits.coordinate("wayX", wayX);
     dy = Limits.coordinate("wayY", wayY);
-    begin(what, how, whom);
+    begin(what, how, filter);
     try {
       widen();
       parts.cast(search.minX, search.minY, search.maxX, search.maxY, dx, dy, onCast);

@@ -1,5 +1,7 @@
 package carom.sim;
 
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.message.Message;
 import java.util.Objects;
 
@@ -50,9 +52,9 @@ public final class Delivery {
     address(Recipients.NEAR, entity.id());
   }
 
-  private void address(Recipients whom, int whomId) {
-    recipients = whom;
-    id = whomId;
+  private void address(Recipients recipients, int id) {
+    this.recipients = recipients;
+    this.id = id;
   }
 
   /** Returns the message. */

@@ -16,10 +16,10 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.Impairment;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
-import carom.sim.Input;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
@@ -52,7 +52,7 @@ final class ReplayTest {
 
   @TempDir private Path folder;
 
-  /** Twenty bots, of whom some go and others come, and one is cut off for a while. */
+  /** Twenty bots: some go, others come, and one is cut off for a while. */
   private static Blocks play(String game, List<Long> hashes) {
     Blocks blocks = new Blocks();
     try (Stepper stepper = Stepper.of(game)) {

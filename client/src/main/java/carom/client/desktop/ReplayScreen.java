@@ -13,6 +13,7 @@ import com.badlogic.gdx.InputAdapter;
 import com.badlogic.gdx.ScreenAdapter;
 import java.io.IOException;
 import java.util.Locale;
+import java.util.function.Supplier;
 
 /** Shows a recorded game, with the keys of a video player. Render thread only. */
 final class ReplayScreen extends ScreenAdapter {
@@ -26,6 +27,7 @@ final class ReplayScreen extends ScreenAdapter {
   private final Fonts fonts;
   private final ReplayClient client;
   private final String heading;
+  private final Supplier<String> end;
   private final Runnable exit;
 
   /**
@@ -33,6 +35,7 @@ final class ReplayScreen extends ScreenAdapter {
    *
    * @param client closed with this screen
    * @param heading names what is shown, in a word
+   * @param end tells why the recording grows no more, in words for the player; empty while it may
    */
   ReplayScreen(
       Canvas canvas,
@@ -40,10 +43,12 @@ final class ReplayScreen extends ScreenAdapter {
       EventSounds sounds,
       ReplayClient client,
       String heading,
+      Supplier<String> end,
       Runnable exit) {
     this.fonts = fonts;
     this.client = client;
     this.heading = heading;
+    this.end = end;
     this.exit = exit;
     picture = new GamePicture(canvas, fonts, sounds);
     client.events(picture.events(client.view()));
@@ -77,6 +82,7 @@ final class ReplayScreen extends ScreenAdapter {
       case Keys.MINUS, Keys.NUMPAD_SUBTRACT -> client.speedUp(-1);
       case Keys.EQUALS, Keys.PLUS, Keys.NUMPAD_ADD -> client.speedUp(1);
       case Keys.TAB -> client.followNext();
+      case Keys.M -> picture.toggleSound();
       case Keys.ESCAPE -> exit.run();
       default -> {
         return picture.key(key);
@@ -101,19 +107,22 @@ final class ReplayScreen extends ScreenAdapter {
     text.append(client.paused() ? "   paused" : "");
     text.append(client.seeking() ? "   seeking" : "");
     text.append(client.ended() ? "   end" : "");
-    text.append(client.waiting() ? "   waiting for more" : "");
+    text.append(client.waiting() && end.get().isEmpty() ? "   waiting for more" : "");
     text.append(client.speed() == 1 ? "" : "   speed " + client.speed());
     text.append(client.followed().isEmpty() ? "" : "   follows " + client.followed());
     String trouble = client.problem();
     if (trouble.isEmpty() && client.divergence() != null) {
       trouble = "diverged from the recording at tick " + client.divergence().tick();
     }
-    hud.begin();
-    hud.left(fonts.text, text.toString(), PAD, hud.height() - PAD, Theme.TEXT);
-    if (!trouble.isEmpty()) {
-      hud.left(fonts.text, trouble, PAD, hud.height() - PAD - 24, Theme.ACCENT);
+    if (trouble.isEmpty()) {
+      trouble = end.get();
     }
-    hud.left(fonts.small, KEYS, PAD, PAD + 12, Theme.MUTED);
+    hud.begin();
+    hud.left(fonts.text(), text.toString(), PAD, hud.height() - PAD, Theme.TEXT);
+    if (!trouble.isEmpty()) {
+      hud.left(fonts.text(), trouble, PAD, hud.height() - PAD - 24, Theme.ACCENT);
+    }
+    hud.left(fonts.small(), KEYS, PAD, PAD + 12, Theme.MUTED);
     hud.end();
   }
 

@@ -2,7 +2,6 @@ package carom.client.link;
 
 import carom.client.stats.NetStatsRecorder;
 import carom.net.protocol.ClientMessage;
-import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
@@ -149,7 +148,7 @@ public final class Connection implements LinkHandler {
       case IDLE -> open();
       case WAITING -> {
         if (comeback.isOver(nowNs)) {
-          end("The server at " + address + " did not come back. " + message);
+          end(message + " The server at " + address + " did not come back.");
         } else if (comeback.isDue(nowNs)) {
           open();
         }
@@ -277,8 +276,6 @@ public final class Connection implements LinkHandler {
       retryUseful = true;
       if (stage == Stage.PLAYING) {
         lost(sentence("The connection to " + address + " was lost: " + reason));
-      } else if (comeback.isRunning()) {
-        lost("No answer from " + address + "."); // it was there, so the address is right
       } else {
         lost(sentence("Can't reach the server: " + reason));
       }
@@ -358,22 +355,22 @@ public final class Connection implements LinkHandler {
   }
 
   private void refused(ServerMessage.Refused refused) {
-    String text = join(refused.reason().playerText(), refused.text());
     retryUseful = refused.reason().retryUseful();
     if (comeback.isRunning() && retryUseful) {
-      fail(text);
+      message = refused.playerText();
+      fail(message);
     } else {
-      end(text);
+      end(refused.playerText());
     }
   }
 
   private void goodbye(ServerMessage.Goodbye goodbye) {
-    String text = join(goodbye.reason().playerText(), goodbye.text());
     retryUseful = goodbye.reason().retryUseful();
-    if (goodbye.reason() == GoodbyeReason.LEFT || !goodbye.reason().retryUseful()) {
-      end(text);
+    if (retryUseful) {
+      message = goodbye.playerText();
+      fail(message);
     } else {
-      fail(text);
+      end(goodbye.playerText());
     }
   }
 
@@ -384,10 +381,16 @@ public final class Connection implements LinkHandler {
     lost(why);
   }
 
+  /**
+   * Ends the stage. While the client tries to come back, the message stays: why playing ended says
+   * more to a player than why the latest attempt failed, unless the server itself said that.
+   */
   private void lost(String why) {
     boolean wasIn = stage == Stage.PLAYING || (stage == Stage.LOADING && !comeback.isRunning());
     stop();
-    message = why;
+    if (!comeback.isRunning()) {
+      message = why;
+    }
     if (!reconnects || !(wasIn || comeback.isRunning())) {
       stage = Stage.ENDED;
       return;
@@ -499,10 +502,6 @@ public final class Connection implements LinkHandler {
   /** Returns the quickest answer to a message so far, nanoseconds; 0 before the first. */
   public long roundTripNs() {
     return roundTripNs;
-  }
-
-  private static String join(String sentence, String details) {
-    return details.isEmpty() || details.equals(sentence) ? sentence : sentence + " " + details;
   }
 
   private static String sentence(String text) {

@@ -113,11 +113,11 @@ public final class Spectator implements LinkHandler, AutoCloseable {
     } else if (what instanceof ServerMessage.RecordingChunk chunk && delaySeconds > 0) {
       take(chunk);
     } else if (what instanceof ServerMessage.Refused refused) {
-      end(refused.reason().playerText() + " " + refused.text());
+      end(refused.playerText());
     } else if (what instanceof ServerMessage.Goodbye goodbye) {
-      end(goodbye.reason().playerText() + " " + goodbye.text());
+      end(goodbye.playerText());
     } else {
-      end("The server sent something unexpected.");
+      end("The server at " + config.host() + " sent something unexpected. Is it a Carom server?");
     }
   }
 
@@ -144,13 +144,14 @@ public final class Spectator implements LinkHandler, AutoCloseable {
 
   @Override
   public void closed(Link from, String reason) {
-    end("The connection is closed: " + reason);
+    String cause = greeted ? "The connection was lost: " : "Can't reach the server: ";
+    end(cause + reason + ".");
   }
 
   private void end(String why) {
     if (!ended) {
       ended = true;
-      message = why.strip();
+      message = why;
       link.close(why);
     }
   }

@@ -8,8 +8,8 @@ import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
-import carom.sim.Input;
 import carom.sim.Simulation;
+import carom.sim.entity.Input;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
@@ -360,7 +360,7 @@ public final class ClientView {
   }
 
   /**
-   * Returns the player whom the picture follows because the own player watches or is out, or -1.
+   * Returns the player that the picture follows because the own player watches or is out, or -1.
    */
   public int watchedPlayer() {
     return watchedPlayer;

@@ -7,8 +7,8 @@ import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
-import carom.sim.Input;
 import carom.sim.Simulation;
+import carom.sim.entity.Input;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.pool.Pools;
@@ -93,7 +93,7 @@ public final class ViewWriter {
     view.fields = fields;
   }
 
-  /** Sets the player whom the picture follows, or -1. */
+  /** Sets the player that the picture follows, or -1. */
   public void watched(int playerId) {
     view.watchedPlayer = playerId;
   }

@@ -321,9 +321,9 @@ public final class Lobby {
           || !requireEntry(null)) {
         return;
       }
-      String problem = spectators.add(link, watch.room(), nowNs);
-      if (problem != null) {
-        refuse(RefusalReason.BAD_REQUEST, problem);
+      ServerMessage.Refused refusal = spectators.add(link, watch.room(), nowNs);
+      if (refusal != null) {
+        refuse(refusal.reason(), refusal.text());
       }
       done = true;
     }

@@ -3,6 +3,7 @@ package carom.server.lobby;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
+import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
@@ -86,17 +87,20 @@ final class Spectators implements LinkHandler {
    * Adds a link whose versions are right.
    *
    * @param room number of the room, from 1
-   * @return null, or a text for the user that says why the link can't watch
+   * @return null, or why the link can't watch
    */
-  String add(Link link, int room, long timeNs) {
+  ServerMessage.Refused add(Link link, int room, long timeNs) {
     if (recordings.isEmpty()) {
-      return "This server shows its games to nobody; it would need --spectator-delay.";
+      return new ServerMessage.Refused(
+          RefusalReason.NOT_SHOWN, "Its operator can change that by --spectator-delay.");
     }
     if (room > recordings.size()) {
-      return "There is no room=" + room + ", they are 1.." + recordings.size() + ".";
+      return new ServerMessage.Refused(
+          RefusalReason.ROOM_UNKNOWN,
+          "There is no room=" + room + ", they are 1.." + recordings.size() + ".");
     }
     if (spectators.size() >= MAX) {
-      return MAX + " people watch already.";
+      return new ServerMessage.Refused(RefusalReason.SERVER_FULL, MAX + " people watch already.");
     }
     Room watched = rooms.get(room - 1);
     DelayedRecording recording = recordings.get(room - 1).present(watched.age());

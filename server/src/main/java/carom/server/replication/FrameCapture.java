@@ -11,11 +11,11 @@ import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.table.Tables;
 import carom.physics.World;
 import carom.physics.math.Trig;
-import carom.sim.Entity;
 import carom.sim.Event;
 import carom.sim.Game;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.joint.JointTable;
 import java.util.Arrays;
@@ -155,7 +155,7 @@ public final class FrameCapture {
       if (audience != Audience.NEAR) {
         Player owner = simulation.owner(entity);
         int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;
-        frame.setAudience(ids[i], whom(audience, team));
+        frame.setAudience(ids[i], recipients(audience, team));
       }
     }
   }
@@ -200,7 +200,7 @@ public final class FrameCapture {
     record.data = e.data();
     Player by = simulation.player(e.player());
     int team = e.audience() == Audience.TEAM && by != null ? by.team() : 0;
-    ring.events().add(record, whom(e.audience(), team));
+    ring.events().add(record, recipients(e.audience(), team));
   }
 
   /** Returns the joints of the simulation, by index. */
@@ -218,18 +218,18 @@ public final class FrameCapture {
     return ring;
   }
 
-  private static int whom(Audience audience, int team) {
+  private static int recipients(Audience audience, int team) {
     return team << TEAM_SHIFT | audience.ordinal();
   }
 
   /** Returns who is told of a captured event or entity. */
-  static Audience audienceOf(int whom) {
-    return AUDIENCES[whom & ((1 << TEAM_SHIFT) - 1)];
+  static Audience audienceOf(int recipients) {
+    return AUDIENCES[recipients & ((1 << TEAM_SHIFT) - 1)];
   }
 
   /** Returns the team if the audience is {@link Audience#TEAM}. */
-  static int teamOf(int whom) {
-    return whom >> TEAM_SHIFT;
+  static int teamOf(int recipients) {
+    return recipients >> TEAM_SHIFT;
   }
 
   /** Returns who is told of an entity of a captured frame. */

@@ -9,9 +9,9 @@ import carom.net.snapshot.frame.FrameState;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.broadphase.index.IntVisitor;
-import carom.sim.Entity;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
@@ -233,14 +233,14 @@ public final class SessionView implements Interest {
    * Others are told as the game says; of an event {@link Audience#NEAR}, if its place is in sight
    * and none of its entities, nor the body of the player that caused it, was hidden at its tick.
    */
-  boolean hears(FrameRing frames, EventRecord event, int whom) {
-    Audience audience = FrameCapture.audienceOf(whom);
+  boolean hears(FrameRing frames, EventRecord event, int recipients) {
+    Audience audience = FrameCapture.audienceOf(recipients);
     if (event.player == player.id() && audience != Audience.NOBODY) {
       return true;
     }
     return switch (audience) {
       case ALL -> true;
-      case TEAM -> FrameCapture.teamOf(whom) == player.team() || seesAll();
+      case TEAM -> FrameCapture.teamOf(recipients) == player.team() || seesAll();
       case OWNER, NOBODY -> seesAll();
       case NEAR ->
           isNear(event)

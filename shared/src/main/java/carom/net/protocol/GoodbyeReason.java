@@ -10,7 +10,7 @@ public enum GoodbyeReason {
   /** The server stops or restarts. */
   SERVER_STOPPING("The server is shutting down.", true),
   /** The server received nothing from the client for too long. */
-  TIMEOUT("The connection to the server was lost.", true),
+  TIMEOUT("The server heard nothing from you for too long.", true),
   /** The operator removed the player. */
   KICKED("The operator removed you from the game.", false),
   /** Another connection resumed this session. */

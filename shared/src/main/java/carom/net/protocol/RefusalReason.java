@@ -32,7 +32,9 @@ public enum RefusalReason {
   /** The operator has banned the player's name or address. */
   BANNED("You are banned from this server.", false),
   /** Only players of the operator's list may play. */
-  NOT_ALLOWED("This server is only for invited players.", false);
+  NOT_ALLOWED("This server is only for invited players.", false),
+  /** The client asked to watch, and the server shows its games to nobody. */
+  NOT_SHOWN("This server shows its games to nobody.", false);
 
   private final String playerText;
   private final boolean retryUseful;

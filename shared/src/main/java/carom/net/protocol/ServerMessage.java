@@ -89,7 +89,12 @@ public sealed interface ServerMessage {
    * @param reason reason for the program
    * @param text details for the player beyond {@link RefusalReason#playerText()}, may be empty
    */
-  record Refused(RefusalReason reason, String text) implements ServerMessage {}
+  record Refused(RefusalReason reason, String text) implements ServerMessage {
+    /** Returns why the client is refused, for the player's screen: the reason and its details. */
+    public String playerText() {
+      return withDetails(reason.playerText(), text);
+    }
+  }
 
   /**
    * Lists the changes of the players. The first roster on a link lists all players; each later one
@@ -308,5 +313,14 @@ public sealed interface ServerMessage {
    * @param reason reason for the program
    * @param text details for the player beyond {@link GoodbyeReason#playerText()}, may be empty
    */
-  record Goodbye(GoodbyeReason reason, String text) implements ServerMessage {}
+  record Goodbye(GoodbyeReason reason, String text) implements ServerMessage {
+    /** Returns why the session ends, for the player's screen: the reason and its details. */
+    public String playerText() {
+      return withDetails(reason.playerText(), text);
+    }
+  }
+
+  private static String withDetails(String sentence, String details) {
+    return details.isEmpty() || details.equals(sentence) ? sentence : sentence + " " + details;
+  }
 }

@@ -1,7 +1,7 @@
 package carom.sim.field;
 
 import carom.physics.math.StateHash;
-import carom.sim.ruling.Habit;
+import carom.sim.finding.Habit;
 
 /**
  * The words of one player, one entity or the match, by the layout of the {@link Schema}. Games use
@@ -104,9 +104,9 @@ public final class FieldValues {
   }
 
   /**
-   * Returns how often a game wrote another value of a field that players are told, except in {@code
-   * Game.input} of the player whom, or whose body, the values belong to. A client doesn't run what
-   * wrote these, so it can't predict them. Not saved.
+   * Returns how often a game wrote another value of a field that players are told. What {@code
+   * Game.input} wrote isn't counted where the values belong to its player or the player's body. A
+   * client doesn't run what wrote the others, so it can't predict them. Not saved.
    */
   public long ruled() {
     return ruled;
