@@ -3,7 +3,7 @@ package carom.server.picture;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.geometry.Shape;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -10,7 +10,7 @@ import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.server.metrics.Stage;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.Set;
