@@ -224,7 +224,8 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.level",
         "carom.sim.match",
-        "carom.sim.message");
+        "carom.sim.message",
+        "carom.sim.spawn");
     allow(
         "carom.sim.ruling",
         "carom.physics..",
