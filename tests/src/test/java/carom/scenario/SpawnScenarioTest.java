@@ -226,7 +226,7 @@ class SpawnScenarioTest {
       SpawnWatch watch = new SpawnWatch(stepper, ben);
       int deaths = 0;
       boolean alive = true;
-      for (int i = 0; i < 500 * 40; i++) {
+      for (int i = 0; i < 500 * 80; i++) {
         watch.step();
         boolean now = stepper.player(ben) != null && stepper.player(ben).body() != null;
         deaths += alive && !now ? 1 : 0;

@@ -11,6 +11,9 @@ import carom.game.GamesTest;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Input;
+import carom.sim.MatchClock;
+import carom.sim.MatchPhase;
+import carom.sim.NextMatch;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
@@ -349,5 +352,31 @@ class PlatformerGameTest {
       }
     }
     return null;
+  }
+
+  @Test
+  void sixtyPointsWinTheMatchAndTheNextBegins() {
+    Simulation s = level(15, 1, "", "");
+    Player ann = s.join("ann");
+    ann.score(PlatformerGame.POINTS_TO_WIN - 1);
+    run(s, 2); // the spawn is at the coin
+    assertEquals(PlatformerGame.POINTS_TO_WIN, ann.score());
+    assertEquals(MatchPhase.OVER, MatchClock.phase(s));
+    assertEquals(ann.id(), MatchClock.winner(s));
+    run(s, 8 * 60 + 2);
+    assertEquals(NextMatch.OF_ROTATION, s.takeNextMatch());
+    assertEquals(PlatformerGame.POINTS_TO_WIN, ann.score(), "nothing counts any more");
+  }
+
+  @Test
+  void whoLeadsWhenTheTimeIsOverWins() {
+    Simulation s = level(0, 1, "", "");
+    Player ann = s.join("ann");
+    final Player ben = s.join("ben");
+    ann.score(1);
+    ben.score(2);
+    run(s, (int) PlatformerGame.MATCH_SECONDS * 60 + 1);
+    assertEquals(MatchPhase.OVER, MatchClock.phase(s));
+    assertEquals(ben.id(), MatchClock.winner(s));
   }
 }
