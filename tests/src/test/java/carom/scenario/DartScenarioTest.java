@@ -197,7 +197,9 @@ class DartScenarioTest {
       String about = "denied=" + denied + " " + watch + " " + stepper.describe();
       assertTrue(denied >= 5, about);
       assertTrue(watch.spawned() > 50, about);
-      assertEquals(denied, ann.stats().eventsRetracted() - before, "the sound of each; " + about);
+      long retracted = ann.stats().eventsRetracted() - before;
+      about = "retracted=" + retracted + " " + about;
+      assertTrue(retracted >= denied && retracted <= denied + 1, "the sound of each; " + about);
       assertTrue(watch.longestUnpredicted() <= FADE_SECONDS, about);
       requireNothingLeft(ann, about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
