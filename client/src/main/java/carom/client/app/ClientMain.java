@@ -181,7 +181,7 @@ public final class ClientMain implements Callable<Integer> {
     }
     if (headless) {
       try (StopSignal stop = new StopSignal();
-          ClientTransport transport = network.impair(new KryoClientTransport());
+          ClientTransport transport = network.impair(new KryoClientTransport(network.trust()));
           GameClient client = new GameClient(config, transport, InputSource.IDLE)) {
         return playHeadless(client, stop);
       }
@@ -197,6 +197,7 @@ public final class ClientMain implements Callable<Integer> {
         new ClientOptions(
             config,
             network.impairment(),
+            network.trust(),
             named,
             seconds,
             netGraph,
@@ -215,7 +216,7 @@ public final class ClientMain implements Callable<Integer> {
 
   /** Prints the server's rooms; returns 1 if it doesn't tell them. */
   private int listRooms() {
-    try (ClientTransport transport = network.impair(new KryoClientTransport());
+    try (ClientTransport transport = network.impair(new KryoClientTransport(network.trust()));
         RoomBrowser browser = new RoomBrowser(network.address(), transport)) {
       while (!browser.isDone()) {
         browser.update(System.nanoTime());
@@ -234,7 +235,7 @@ public final class ClientMain implements Callable<Integer> {
 
   private int watch(ClientConfig config) {
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(new KryoClientTransport());
+        ClientTransport transport = network.impair(new KryoClientTransport(network.trust()));
         SpectatorThread spectator = new SpectatorThread(config, watch, transport)) {
       Path file = spectator.await();
       if (file == null) {

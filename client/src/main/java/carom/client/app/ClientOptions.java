@@ -2,6 +2,7 @@ package carom.client.app;
 
 import carom.client.ClientConfig;
 import carom.client.replay.SpectatorThread;
+import carom.net.frame.Trust;
 import carom.net.transport.Impairment;
 import carom.sim.scene.Scene;
 import java.nio.file.Path;
@@ -11,6 +12,7 @@ import java.nio.file.Path;
  *
  * @param config server, player and settings
  * @param impairment a simulated bad network; {@code Impairment.NONE} for none
+ * @param trust what a server must be like
  * @param connectAtOnce whether the server was named; false shows the connect screen first
  * @param seconds leave after this time; 0 = when the player does
  * @param netGraph whether the window starts with the net graph shown ({@code --net-graph})
@@ -26,6 +28,7 @@ import java.nio.file.Path;
 public record ClientOptions(
     ClientConfig config,
     Impairment impairment,
+    Trust trust,
     boolean connectAtOnce,
     double seconds,
     boolean netGraph,
