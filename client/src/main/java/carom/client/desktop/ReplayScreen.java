@@ -82,6 +82,7 @@ final class ReplayScreen extends ScreenAdapter {
       case Keys.MINUS, Keys.NUMPAD_SUBTRACT -> client.speedUp(-1);
       case Keys.EQUALS, Keys.PLUS, Keys.NUMPAD_ADD -> client.speedUp(1);
       case Keys.TAB -> client.followNext();
+      case Keys.M -> picture.toggleSound();
       case Keys.ESCAPE -> exit.run();
       default -> {
         return picture.key(key);
@@ -117,11 +118,11 @@ final class ReplayScreen extends ScreenAdapter {
       trouble = end.get();
     }
     hud.begin();
-    hud.left(fonts.text, text.toString(), PAD, hud.height() - PAD, Theme.TEXT);
+    hud.left(fonts.text(), text.toString(), PAD, hud.height() - PAD, Theme.TEXT);
     if (!trouble.isEmpty()) {
-      hud.left(fonts.text, trouble, PAD, hud.height() - PAD - 24, Theme.ACCENT);
+      hud.left(fonts.text(), trouble, PAD, hud.height() - PAD - 24, Theme.ACCENT);
     }
-    hud.left(fonts.small, KEYS, PAD, PAD + 12, Theme.MUTED);
+    hud.left(fonts.small(), KEYS, PAD, PAD + 12, Theme.MUTED);
     hud.end();
   }
 
