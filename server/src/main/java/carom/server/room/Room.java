@@ -58,10 +58,12 @@ import org.slf4j.LoggerFactory;
  * </pre>
  *
  * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #name},
- * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters} and {@link
- * #hasFailed} may be called from any thread; the rest belongs to the thread that calls {@link
- * #doWork}. A tick in the steady state allocates next to nothing. A client can hurt only its own
- * session, and a game only its own room: rooms share nothing that changes.
+ * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters}, {@link #isPaused}
+ * and {@link #hasFailed} may be called from any thread; the rest belongs to the thread that calls
+ * {@link #doWork}. A tick in the steady state allocates next to nothing. A client can hurt only its
+ * own session, and a game only its own room: rooms share nothing that changes.
+ *
+ * <p><b>Length.</b> Just above 500 lines, because it answers other threads for all its parts.
  */
 public final class Room {
   /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
@@ -97,6 +99,7 @@ public final class Room {
   private volatile String phase;
   private volatile boolean failed;
   private volatile boolean closed;
+  private volatile boolean paused;
 
   /**
    * Builds the level and sets up the game of the first match.
@@ -226,6 +229,11 @@ public final class Room {
       return partings.doWork(nowNs);
     }
     int work = pollAll(nowNs) + partings.doWork(nowNs);
+    paused = isIdle();
+    if (paused) {
+      loop.pause();
+      return work;
+    }
     int due = loop.due(nowNs);
     warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
@@ -233,6 +241,14 @@ public final class Room {
       guardedTick(nowNs, left <= MAX_SENDS_PER_BURST);
     }
     return work + due;
+  }
+
+  private boolean isIdle() {
+    return context.config().pausesIdleRooms()
+        && context.age() > 0
+        && sessions.count() == 0
+        && arrivals.isEmpty()
+        && !recording.isOn();
   }
 
   /**
@@ -448,6 +464,14 @@ public final class Room {
    */
   public boolean hasFailed() {
     return failed;
+  }
+
+  /**
+   * Returns whether the room doesn't tick because nobody needs it, see {@link
+   * ServerConfig#pausesIdleRooms}; from any thread.
+   */
+  public boolean isPaused() {
+    return paused;
   }
 
   /** Returns the seats, shared with the lobby. */
