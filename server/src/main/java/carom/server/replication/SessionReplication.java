@@ -17,8 +17,8 @@ import carom.server.prediction.OwnCapture;
 import carom.server.prediction.PredictedSet;
 import carom.server.prediction.PredictionAudit;
 import carom.server.prediction.PredictionAudit.Finding;
-import carom.sim.Entity;
-import carom.sim.Player;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import java.util.Arrays;
 import java.util.function.Predicate;
 
