@@ -15,6 +15,9 @@ import carom.server.match.MatchInfo;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.metrics.Stage;
+import carom.server.metrics.StageTimes;
+import carom.server.picture.Pictures;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.server.schedule.LoadWarnings;
@@ -58,12 +61,14 @@ import org.slf4j.LoggerFactory;
  * </pre>
  *
  * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #name},
- * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters}, {@link #isPaused}
- * and {@link #hasFailed} may be called from any thread; the rest belongs to the thread that calls
- * {@link #doWork}. A tick in the steady state allocates next to nothing. A client can hurt only its
- * own session, and a game only its own room: rooms share nothing that changes.
+ * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters}, {@link #stages},
+ * {@link #pictures}, {@link #isPaused} and {@link #hasFailed} may be called from any thread; the
+ * rest belongs to the thread that calls {@link #doWork}. A tick in the steady state allocates next
+ * to nothing. A client can hurt only its own session, and a game only its own room: rooms share
+ * nothing that changes.
  *
- * <p><b>Length.</b> Just above 500 lines, because it answers other threads for all its parts.
+ * <p><b>Length.</b> Just above 500 lines: what a room does in a turn is told in one place, and each
+ * part of it is a class of its own.
  */
 public final class Room {
   /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
@@ -79,6 +84,8 @@ public final class Room {
   private final RoomConfig settings;
   private final LongSupplier clock;
   private final Counters counters = new Counters();
+  private final StageTimes stages;
+  private final Pictures pictures = new Pictures();
   private final RoomRecording recording;
   private final TickLoop loop;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
@@ -128,6 +135,7 @@ public final class Room {
     this.number = number;
     this.settings = settings;
     this.clock = clock;
+    stages = new StageTimes(clock);
     String label = alone ? "" : "room " + settings.name() + ": ";
     MatchLoader loader = new MatchLoader(config, settings, library, label, counters);
     context = new RoomContext(config, label, counters, seats, firstMatch(loader));
@@ -232,13 +240,17 @@ public final class Room {
     paused = isIdle();
     if (paused) {
       loop.pause();
-      return work;
     }
-    int due = loop.due(nowNs);
+    int due = paused ? 0 : loop.due(nowNs);
     warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
     for (int left = due; left > 0 && !closed; left--) {
       guardedTick(nowNs, left <= MAX_SENDS_PER_BURST);
+    }
+    if ((due > 0 || paused) && pictures.isWanted()) {
+      stages.begin();
+      pictures.take(context.match().info(), context.simulation(), sessions.bySeat());
+      stages.end(Stage.PICTURE);
     }
     return work + due;
   }
@@ -280,6 +292,7 @@ public final class Room {
 
   private void tick(long nowNs, boolean sends) {
     long beginNs = clock.getAsLong();
+    stages.begin();
     arrivals.admit(beginNs, nowNs);
     departures.serve(nowNs);
     moves.serve(nowNs);
@@ -290,12 +303,16 @@ public final class Room {
       sessions.get(i).consumeInput(next);
     }
     post.collect();
+    stages.end(Stage.INPUTS);
     boolean stepped = step();
+    stages.end(Stage.STEP);
     if (stepped) {
       match.capture().capture();
+      stages.end(Stage.CAPTURE);
       counters.add(Counter.EVENTS_LOST, match.takeDroppedEvents());
       if (sends) {
         snapshots.run(beginNs, nowNs);
+        stages.end(Stage.SNAPSHOTS);
       }
       post.send();
       simulation.drainNotices(sendNotice);
@@ -310,6 +327,7 @@ public final class Room {
     }
     tick = context.simulation().tick();
     phase = presentPhase();
+    stages.end(Stage.REST);
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
     if (tookNs > loop.periodNs()) {
@@ -482,6 +500,21 @@ public final class Room {
   /** Returns what the room counts; from any thread. */
   public Counters counters() {
     return counters;
+  }
+
+  /** Returns the number of ticks per second; from any thread. */
+  public int tickRateHz() {
+    return context.config().tickRateHz();
+  }
+
+  /** Returns how long the stages of its turns took; from any thread. */
+  public StageTimes stages() {
+    return stages;
+  }
+
+  /** Returns the pictures of the room for people who watch it; from any thread. */
+  public Pictures pictures() {
+    return pictures;
   }
 
   /** Returns the world and the players of the present match, for reading. */
