@@ -62,7 +62,7 @@ public final class Server implements AutoCloseable {
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
 
   /** Nap of a thread that waits for the first player, ns: the most that a player waits for it. */
-  private static final long IDLE_NAP_NS = TimeUnit.MILLISECONDS.toNanos(20);
+  private static final long IDLE_NAP_NS = TimeUnit.MILLISECONDS.toNanos(50);
 
   private static final long JOIN_MS = 1_000;
   private static final long TROUBLES_GAP_NS = TimeUnit.SECONDS.toNanos(10);
