@@ -8,6 +8,7 @@ import carom.sim.entity.Input;
 import carom.sim.entity.OneWay;
 import carom.sim.entity.Player;
 import carom.sim.event.Audience;
+import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
 import carom.sim.match.MatchPhase;
