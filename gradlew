@@ -73,7 +73,7 @@ has gradle || debian 'Gradle' gradle
 echo "gradlew: can't download ${archive%-*.zip}, so this runs the gradle on the PATH; its first run takes a minute or two" >&2
 # A daemon of an old Gradle gives programs the environment in which the daemon was started: no DISPLAY. Where it only starts a
 # program, its warnings about class files that are younger than itself would hide what the program says.
-case " $* " in *' run '* | *' play '* | *' bots '* | *' replay '* | *' bench '* | *' figures '*) set -- -q "$@" ;; esac
+case " $* " in *' run '* | *' play '* | *' bots '* | *' replay '* | *' render '* | *' bench '* | *' figures '*) set -- -q "$@" ;; esac
 set -- --no-daemon "$@"
 # Debian's script prints the version of Java on each start, so this does what the script does afterwards.
 launcher=/usr/share/gradle/lib/gradle-launcher-4.4.1.jar
