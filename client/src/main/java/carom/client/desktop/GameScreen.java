@@ -305,6 +305,15 @@ final class GameScreen extends ScreenAdapter {
     }
     rooms.draw(view, deltaSeconds);
     netGraph.draw(view, picture.camera(), nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
+    if (pause.isOpen()) {
+      hud.veil();
+      pause.draw(deltaSeconds);
+    }
+  }
+
+  @Override
+  public void resize(int width, int height) {
+    pause.resize(width, height);
   }
 
   @Override

@@ -35,7 +35,7 @@ final class InputToPictureTest {
   @TempDir private Path folder;
 
   @Test
-  void aKeyIsSeenByTheEndOfTheSecondFrame() throws Exception {
+  void aKeyIsSeenByTheEndOfTheSecondFrameAndEscOpensTheMenu() throws Exception {
     assumeTrue(VirtualDisplay.available(), "Xvfb is not installed (Debian: apt-get install xvfb)");
     Path output = folder.resolve("output.txt");
     try (VirtualDisplay display = VirtualDisplay.open();
@@ -78,15 +78,22 @@ final class InputToPictureTest {
         window.destroyForcibly();
       }
     }
-    List<Double> moved =
-        read(output)
-            .lines()
-            .filter(line -> line.startsWith("moved "))
-            .map(line -> Double.parseDouble(line.substring(6)))
-            .toList();
+    List<Double> moved = numbers(output, "moved ");
     assertEquals(10, moved.size(), () -> read(output));
     assertEquals(
         0, moved.stream().filter(way -> way < SEEN).count(), () -> "moved too late: " + moved);
+    List<Double> changed = numbers(output, "changed ");
+    assertTrue(changed.get(0) > 0.9, () -> "the menu covers the middle: " + changed);
+    assertTrue(changed.get(1) < 0.3, () -> "the game is back: " + changed);
+  }
+
+  /** Returns the numbers of the lines that begin with a word. */
+  private static List<Double> numbers(Path output, String word) {
+    return read(output)
+        .lines()
+        .filter(line -> line.startsWith(word))
+        .map(line -> Double.parseDouble(line.substring(word.length())))
+        .toList();
   }
 
   private static String read(Path file) {

@@ -11,7 +11,7 @@ import java.awt.image.BufferedImage;
 /**
  * A program that opens the client's window, presses keys as a user does, through the display, and
  * looks at the screen: prints for each press how far the own body has moved, in pixels, by the end
- * of the second frame after it.
+ * of the second frame after it. Then it opens the menu and closes it.
  */
 final class KeyWatcher {
   private static final int TOLERANCE = 10;
@@ -50,7 +50,9 @@ final class KeyWatcher {
   private static void press(int rgb) {
     try {
       Robot robot = new Robot();
-      new KeyWatcher(robot, rgb).run();
+      KeyWatcher watcher = new KeyWatcher(robot, rgb);
+      watcher.run();
+      watcher.openMenu();
     } catch (AWTException | InterruptedException e) {
       System.out.println("failed: " + e);
     }
@@ -83,6 +85,31 @@ final class KeyWatcher {
       robot.keyRelease(key);
       System.out.printf("moved %.3f%n", i % 2 == 0 ? moved : -moved);
       Thread.sleep(500);
+    }
+  }
+
+  /**
+   * Opens the menu and closes it, and prints how much of the picture's middle changed each time.
+   */
+  private void openMenu() throws InterruptedException {
+    Rectangle middle = new Rectangle(540, 260, 200, 200);
+    BufferedImage game = robot.createScreenCapture(middle);
+    for (int i = 0; i < 2; i++) {
+      robot.keyPress(KeyEvent.VK_ESCAPE);
+      Thread.sleep(100);
+      robot.keyRelease(KeyEvent.VK_ESCAPE);
+      long frame = Gdx.graphics.getFrameId();
+      while (Gdx.graphics.getFrameId() < frame + 10) {
+        Thread.sleep(20);
+      }
+      BufferedImage now = robot.createScreenCapture(middle);
+      int changed = 0;
+      for (int pixel = 0; pixel < 40_000; pixel++) {
+        int x = pixel % 200;
+        int y = pixel / 200;
+        changed += game.getRGB(x, y) == now.getRGB(x, y) ? 0 : 1;
+      }
+      System.out.printf("changed %.3f%n", changed / 40_000.0);
     }
   }
 
