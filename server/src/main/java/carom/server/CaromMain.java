@@ -3,6 +3,7 @@ package carom.server;
 import carom.options.BadFlag;
 import carom.options.LabCommand;
 import carom.options.Subcommand;
+import carom.options.VectorApi;
 import java.io.PrintWriter;
 import java.util.ServiceLoader;
 import picocli.CommandLine;
@@ -24,6 +25,7 @@ public final class CaromMain implements Runnable {
 
   /** Runs the command and exits the JVM with its exit code, which is 2 for bad flags. */
   public static void main(String[] args) {
+    VectorApi.load();
     System.exit(commandLine().execute(args));
   }
 

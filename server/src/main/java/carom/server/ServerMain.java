@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
+import carom.options.VectorApi;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.command.CommandRegistry;
@@ -15,6 +16,7 @@ import carom.server.config.Settings;
 import carom.server.config.SettingsLayers;
 import carom.server.console.Console;
 import carom.server.console.LogFiles;
+import carom.server.console.LogLimit;
 import carom.server.console.LogTail;
 import carom.server.console.ReadyLine;
 import carom.server.jmx.CommandInspector;
@@ -103,6 +105,7 @@ public final class ServerMain implements Callable<Integer> {
 
   /** Runs the server until it is stopped; see {@code --help}. */
   public static void main(String[] args) {
+    VectorApi.load();
     if (System.getProperty(LOG_CONFIG_PROPERTY) == null) {
       System.setProperty(LOG_CONFIG_PROPERTY, LOG_CONFIG); // before the first logger
     }
@@ -221,6 +224,7 @@ public final class ServerMain implements Callable<Integer> {
    * not if the operator named one.
    */
   private void openData(LoggerContext logging, Logger log) throws StartFailure {
+    LogLimit.begin(logging);
     DataFolder data = flags.dataFolder();
     try {
       data.create();
