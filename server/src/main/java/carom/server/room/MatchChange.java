@@ -7,6 +7,8 @@ import carom.server.match.LevelUpload;
 import carom.server.match.MatchInfo;
 import carom.server.match.SavedMatch;
 import carom.server.metrics.Counter;
+import carom.server.room.match.Match;
+import carom.server.room.match.MatchLoader;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;
 import carom.sim.NextMatch;

@@ -4,6 +4,8 @@ import carom.net.protocol.SessionState;
 import carom.server.match.MatchInfo;
 import carom.server.match.SavedMatch;
 import carom.server.recording.RecordingFile;
+import carom.server.room.match.Match;
+import carom.server.room.match.MatchLoader;
 import carom.server.session.Moderator;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;

@@ -17,6 +17,8 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
+import carom.server.room.match.Match;
+import carom.server.room.match.MatchLoader;
 import carom.server.schedule.LoadWarnings;
 import carom.server.schedule.TickLoop;
 import carom.server.session.PartingLinks;

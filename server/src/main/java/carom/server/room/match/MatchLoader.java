@@ -1,4 +1,4 @@
-package carom.server.room;
+package carom.server.room.match;
 
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  * Builds the matches of a room: finds game and level, builds the world and sets the game up. That
  * takes a large level many ticks, so that any thread may do it while the room plays.
  */
-final class MatchLoader {
+public final class MatchLoader {
   /** From match to match the seed grows by the most rooms, so that no two matches share one. */
   private static final int SEED_STEP = 64;
 
@@ -27,7 +27,7 @@ final class MatchLoader {
   private final AtomicInteger built = new AtomicInteger();
 
   /** Says in one line why a match can't be played. */
-  static final class Unplayable extends Exception {
+  public static final class Unplayable extends Exception {
     private static final long serialVersionUID = 1;
 
     Unplayable(String why, Throwable cause) {
@@ -40,7 +40,7 @@ final class MatchLoader {
    *
    * @param label begins each log line
    */
-  MatchLoader(
+  public MatchLoader(
       ServerConfig config, RoomConfig room, MatchLibrary library, String label, Counters counters) {
     this.config = config;
     this.room = room;
@@ -50,7 +50,7 @@ final class MatchLoader {
   }
 
   /** Returns the match that the room begins with. */
-  Match first() throws Unplayable {
+  public Match first() throws Unplayable {
     String level = room.levels().isEmpty() ? "" : room.levels().get(0);
     return load(new NextMatch(room.game(), level, false, false));
   }
@@ -61,7 +61,7 @@ final class MatchLoader {
    * @param wanted names a game, a level or both
    * @throws Unplayable when the game or level isn't there, or the game can't be played in it
    */
-  Match load(NextMatch wanted) throws Unplayable {
+  public Match load(NextMatch wanted) throws Unplayable {
     try {
       Game game = wanted.game().isEmpty() ? null : library.game(wanted.game());
       String levelName = wanted.level().isEmpty() ? game.defaultLevel() : wanted.level();
@@ -89,7 +89,7 @@ final class MatchLoader {
    *
    * @throws Unplayable when the game isn't there, or the state doesn't fit it
    */
-  Match load(SavedMatch saved) throws Unplayable {
+  public Match load(SavedMatch saved) throws Unplayable {
     try {
       Match match = match(library.game(saved.game()), saved.level(), saved.seed());
       saved.restore(match.simulation());
