@@ -5,6 +5,8 @@ import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.access.EntryRule;
+import carom.server.checkpoint.CheckpointLock;
+import carom.server.checkpoint.SlotDisk;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
@@ -55,10 +57,11 @@ import org.slf4j.LoggerFactory;
 public final class Server implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Server.class);
 
-  /** Longest nap of a room's thread, ns. The thread also empties the inboxes between ticks. */
-  private static final long ROOM_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
-
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
+
+  /** Longest time between checkpoints, s. */
+  public static final int MAX_CHECKPOINT_S = 600;
+
   private static final long JOIN_MS = 1_000;
   private static final long TROUBLES_GAP_NS = TimeUnit.SECONDS.toNanos(10);
 
@@ -75,6 +78,8 @@ public final class Server implements AutoCloseable {
   private final List<ShownRecordings> recordings = new ArrayList<>();
   private final List<RotatingRecording> rotations = new ArrayList<>();
   private final LoaderThread loader = new LoaderThread();
+  private final SlotDisk disk = new SlotDisk();
+  private CheckpointLock checkpointLock;
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
@@ -147,6 +152,26 @@ public final class Server implements AutoCloseable {
     directory.open(rooms);
     this.lobby = new Lobby(config, transport, rooms, directory);
     this.status = new StatusLine(rooms, clock.getAsLong());
+  }
+
+  /**
+   * Keeps every room on the disk from now on, and first goes on from where an earlier run of the
+   * server has left it; see {@link Room#checkpoint}. Call it before the first {@link #tick} or
+   * {@link #start}, and before the rooms are recorded.
+   *
+   * @param folder gets a folder for each room; no other server may use it meanwhile
+   * @param seconds time between checkpoints, 1..{@value #MAX_CHECKPOINT_S} s
+   * @throws IOException if the folder can't be used; the message says why
+   */
+  public void checkpoint(Path folder, int seconds) throws IOException {
+    if (seconds < 1 || seconds > MAX_CHECKPOINT_S) {
+      throw new IllegalArgumentException(
+          "seconds=" + seconds + " is outside 1.." + MAX_CHECKPOINT_S);
+    }
+    checkpointLock = CheckpointLock.of(folder);
+    for (Room room : rooms) {
+      room.checkpoint(disk, folder.resolve(room.name()), seconds);
+    }
   }
 
   /**
@@ -318,48 +343,6 @@ public final class Server implements AutoCloseable {
     }
   }
 
-  /** The work of a room's thread, which begins at {@code beginNs}. */
-  private record RoomDuty(Room room, long beginNs) implements Worker.Duty {
-    @Override
-    public void turn(long nowNs) {
-      if (nowNs - beginNs >= 0) {
-        room.doWork(nowNs);
-      }
-    }
-
-    @Override
-    public long napNs(long nowNs) {
-      return nowNs - beginNs < 0
-          ? beginNs - nowNs
-          : Math.min(room.nextDeadlineNs() - nowNs, ROOM_NAP_NS);
-    }
-
-    @Override
-    public boolean hasFailed() {
-      return room.hasFailed();
-    }
-
-    @Override
-    public void fail(String why) {
-      room.fail(why);
-    }
-
-    @Override
-    public void close(long nowNs) {
-      room.close(GoodbyeReason.SERVER_STOPPING, "", nowNs);
-    }
-
-    @Override
-    public boolean isDeserted() {
-      return room.isDeserted();
-    }
-
-    @Override
-    public void closeLinks() {
-      room.closeLinks();
-    }
-  }
-
   /** The work of the lobby's thread. */
   private final class LobbyDuty implements Worker.Duty {
     @Override
@@ -429,6 +412,10 @@ public final class Server implements AutoCloseable {
     loader.close();
     if (helpers != null) {
       helpers.close();
+    }
+    disk.close();
+    if (checkpointLock != null) {
+      checkpointLock.close();
     }
     rooms.forEach(Room::awaitRecording);
     recordings.forEach(ShownRecordings::close);

@@ -13,6 +13,7 @@ import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Path;
 import java.util.List;
 import org.slf4j.Logger;
 
@@ -57,6 +58,7 @@ final class ServerStart {
     List<RoomConfig> rooms = choice.rooms(config);
     Server server = openRooms(rooms, openTransport(rooms));
     try {
+      keep(server);
       record(server);
       show(server);
       return server;
@@ -92,6 +94,19 @@ final class ServerStart {
     } catch (IllegalArgumentException e) {
       transport.close();
       throw flags.bad("--level: " + e.getMessage());
+    }
+  }
+
+  private void keep(Server server) throws StartFailure {
+    if (flags.checkpointS == 0) {
+      return;
+    }
+    Path folder = flags.dataFolder().checkpoints();
+    try {
+      server.checkpoint(folder, flags.checkpointS);
+      log.info("checkpoints: {}, every {} s", folder, flags.checkpointS);
+    } catch (IOException e) {
+      throw new StartFailure("--checkpoint: " + e.getMessage(), e);
     }
   }
 

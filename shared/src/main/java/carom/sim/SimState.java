@@ -20,6 +20,13 @@ import java.util.Arrays;
  * to the simulation that filled it, and its contents are internal.
  */
 public final class SimState {
+  /**
+   * Version of the layout of {@link #write}, that of the world included. Every change of the layout
+   * raises it. It says nothing about arithmetic: a build that computes otherwise may read the state
+   * and go on from it.
+   */
+  public static final int LAYOUT = 1;
+
   private static final int MAX_NAME = 1 << 16;
   private static final int ENTITY_BYTES = 1 + 7 * Integer.BYTES;
 

@@ -51,6 +51,7 @@ final class TestGame implements Game {
   boolean teamsHide;
 
   boolean relaysAhead = true;
+  boolean keepsMore;
 
   int failEvery;
   boolean failInJoin;
@@ -147,6 +148,11 @@ final class TestGame implements Game {
         s.emit(shout).at(p.body().body().x(), p.body().body().y()).by(p);
       }
     }
+  }
+
+  @Override
+  public boolean keepsMore() {
+    return keepsMore;
   }
 
   @Override

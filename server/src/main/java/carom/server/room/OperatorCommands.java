@@ -185,7 +185,7 @@ public final class OperatorCommands {
           if (closed.getAsBoolean()) {
             return "room=" + number + " is closed";
           }
-          changes.begin(next, wanted);
+          changes.begin(next, wanted, clock.getAsLong());
           MatchInfo match = next.info();
           return "playing game=" + match.game() + " level=" + match.level().level().name();
         });

@@ -9,6 +9,8 @@ import carom.net.transport.Broadcast;
 import carom.physics.Queries;
 import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
+import carom.server.checkpoint.RoomCheckpoints;
+import carom.server.checkpoint.SlotDisk;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchInfo;
@@ -29,6 +31,7 @@ import carom.sim.Entity;
 import carom.sim.MatchClock;
 import carom.sim.Simulation;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -64,6 +67,9 @@ import org.slf4j.LoggerFactory;
  * #hasFailed} may be called from any thread; the rest belongs to the thread that calls {@link
  * #doWork}. A tick in the steady state allocates next to nothing. A client can hurt only its own
  * session, and a game only its own room: rooms share nothing that changes.
+ *
+ * <p><b>Length.</b> Most of it is what other threads and tests ask; the parts of a tick are classes
+ * of their own.
  */
 public final class Room {
   /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
@@ -92,6 +98,10 @@ public final class Room {
   private final LoadWarnings warnings;
   private final SnapshotRound snapshots;
   private final OperatorCommands operator;
+
+  /** Null if the room isn't kept. */
+  private RoomCheckpoints checkpoints;
+
   private final Consumer<String> sendNotice;
   private final BiConsumer<Session, Broadcast> sendTo;
   private int failedTicks;
@@ -202,6 +212,32 @@ public final class Room {
   }
 
   /**
+   * Keeps the room on the disk from now on. If an earlier run has left a checkpoint, the room first
+   * goes on from where that run ended, with its players in their grace period. Before the first
+   * {@link #doWork}, and before the room is recorded.
+   *
+   * @param disk stays the caller's to close, after this room
+   * @param folder for this room alone; created if it isn't there
+   * @param seconds time between checkpoints, s
+   * @throws IOException if the folder can't be used
+   */
+  public void checkpoint(SlotDisk disk, Path folder, int seconds) throws IOException {
+    RoomCheckpoints.Setting kept =
+        new RoomCheckpoints.Setting(
+            context.config(),
+            settings,
+            number,
+            context.label(),
+            counters,
+            seats(),
+            sessions.bySeat());
+    checkpoints = new RoomCheckpoints(kept, disk, folder, seconds);
+    changes.keep(checkpoints, clock.getAsLong());
+    tick = context.simulation().tick();
+    phase = presentPhase();
+  }
+
+  /**
    * Hands over a player whose level is loaded; from any thread.
    *
    * @return false when too many are on their way or the room is closed; the link and the claim stay
@@ -293,6 +329,9 @@ public final class Room {
     recording.tickEnds();
     if (stepped) {
       changes.tickEnds(nowNs);
+      if (checkpoints != null) {
+        checkpoints.tickEnds(nowNs);
+      }
     }
     tick = context.simulation().tick();
     phase = presentPhase();
@@ -375,6 +414,9 @@ public final class Room {
     }
     closed = true;
     recording.end(reason.name());
+    if (checkpoints != null) {
+      checkpoints.end(!failed, nowNs);
+    }
     departures.endAll(reason, text, nowNs);
     arrivals.refuseAll(reason, text, nowNs);
   }

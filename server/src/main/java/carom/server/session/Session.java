@@ -152,6 +152,7 @@ public final class Session implements LinkHandler {
     feedback.consumedTick = tick;
     silentTicks = 0;
     knowsRoster = false;
+    seat.follows();
   }
 
   /**
@@ -213,6 +214,18 @@ public final class Session implements LinkHandler {
     link = null;
     player.input().clear();
     return old;
+  }
+
+  /**
+   * Goes on with a session of an earlier run of the room, without a link: its grace period begins,
+   * and it notes the events that the player would hear of.
+   *
+   * @param newGraceEndNs when the grace period is over
+   */
+  public void await(long newGraceEndNs) {
+    state = state.become(SessionState.GRACE);
+    graceEndNs = newGraceEndNs;
+    replication.begin(0);
   }
 
   /** Ends the session; returns its link, or null when it had none. */

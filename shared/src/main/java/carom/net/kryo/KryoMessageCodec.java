@@ -208,6 +208,8 @@ public final class KryoMessageCodec implements MessageCodec {
       out.writeByte(inRange("tickRate", m.tickRate(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE));
       writeText(out, "room", m.room(), Limits.MAX_ROOM_NAME_BYTES);
       out.writeVarInt(inRange("match", m.match(), 1, Integer.MAX_VALUE), true);
+      out.writeInt(m.incarnation());
+      out.writeInt(m.courseTick());
       out.writeInt(m.tick());
       out.writeLong(m.seed());
       writeText(out, "game", m.game(), Limits.MAX_GAME_NAME_BYTES);
@@ -231,6 +233,8 @@ public final class KryoMessageCodec implements MessageCodec {
           inRange("tickRate", in.readByteUnsigned(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE),
           readText(in, "room", Limits.MAX_ROOM_NAME_BYTES),
           inRange("match", in.readVarInt(true), 1, Integer.MAX_VALUE),
+          in.readInt(),
+          in.readInt(),
           in.readInt(),
           in.readLong(),
           readText(in, "game", Limits.MAX_GAME_NAME_BYTES),

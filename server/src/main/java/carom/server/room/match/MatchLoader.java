@@ -1,5 +1,6 @@
 package carom.server.room.match;
 
+import carom.replay.RecordingHeader;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.LoadedLevel;
@@ -8,6 +9,7 @@ import carom.server.match.SavedMatch;
 import carom.server.metrics.Counters;
 import carom.sim.Game;
 import carom.sim.NextMatch;
+import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.util.concurrent.atomic.AtomicInteger;
 
@@ -25,6 +27,7 @@ public final class MatchLoader {
   private final String label;
   private final Counters counters;
   private final AtomicInteger built = new AtomicInteger();
+  private volatile long firstSeed;
 
   /** Says in one line why a match can't be played. */
   public static final class Unplayable extends Exception {
@@ -47,6 +50,7 @@ public final class MatchLoader {
     this.library = library;
     this.label = label;
     this.counters = counters;
+    firstSeed = room.seed();
   }
 
   /** Returns the match that the room begins with. */
@@ -99,11 +103,48 @@ public final class MatchLoader {
     }
   }
 
+  /**
+   * Builds a match of an earlier run of the room again, at tick 0.
+   *
+   * @param header names the game, and has the level and the seed
+   * @param number the match's number in that run
+   * @throws Unplayable when the game isn't there, or can't be played in the level
+   */
+  public Match again(RecordingHeader header, int number) throws Unplayable {
+    try {
+      LoadedLevel level = new LoadedLevel(Level.parse(header.levelName(), header.level()));
+      return match(library.game(header.game()), level, number, header.seed());
+    } catch (LevelException e) {
+      throw new Unplayable(e.getMessage(), null);
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
+      throw new Unplayable(e.getMessage(), e);
+    }
+  }
+
+  /** Returns the seed of the room's first match. */
+  public long firstSeed() {
+    return firstSeed;
+  }
+
+  /**
+   * Goes on behind a match of an earlier run of the room.
+   *
+   * @param number the match's number
+   * @param seed seed of that run's first match
+   */
+  public void goOn(int number, long seed) {
+    built.set(number);
+    firstSeed = seed;
+  }
+
   /** Builds a match; a seed of 0 is the next one. */
   private Match match(Game game, LoadedLevel level, long seed) {
     int number = built.incrementAndGet();
-    long next = room.seed() + (long) SEED_STEP * (number - 1);
-    long chosen = seed == 0 ? next : seed;
-    return new Match(room.name(), number, game, level, chosen, config, label, counters);
+    long next = firstSeed + (long) SEED_STEP * (number - 1);
+    return match(game, level, number, seed == 0 ? next : seed);
+  }
+
+  private Match match(Game game, LoadedLevel level, int number, long seed) {
+    return new Match(room.name(), number, game, level, seed, config, label, counters);
   }
 }
