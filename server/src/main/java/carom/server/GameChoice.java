@@ -16,6 +16,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -99,6 +100,18 @@ final class GameChoice {
    * @throws carom.options.BadFlag when they don't fit together
    */
   List<RoomConfig> rooms(ServerConfig config) {
+    List<RoomConfig> rooms = roomsWithoutInfo(config);
+    Map<String, Map<String, String>> metadata = new LinkedHashMap<>();
+    rooms.forEach(room -> metadata.put(room.name(), new LinkedHashMap<>()));
+    try {
+      flags.roomInfo.forEach(info -> RoomFlag.readInfo(info, metadata));
+      return rooms.stream().map(room -> room.withMetadata(metadata.get(room.name()))).toList();
+    } catch (IllegalArgumentException e) {
+      throw flags.bad(e.getMessage());
+    }
+  }
+
+  private List<RoomConfig> roomsWithoutInfo(ServerConfig config) {
     if (named.isEmpty()) {
       List<String> levels =
           !rotation.isEmpty() ? rotation : List.of(levelName.isEmpty() ? level.name() : levelName);

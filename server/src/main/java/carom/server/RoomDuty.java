@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.net.protocol.GoodbyeReason;
 import carom.server.room.Room;
+import carom.server.threads.Worker;
 import java.util.concurrent.TimeUnit;
 
 /** The work of a room's thread, which begins at {@code beginNs}. */

@@ -3,6 +3,7 @@ package carom.server;
 import carom.net.protocol.Limits;
 import carom.net.protocol.RoomName;
 import java.util.List;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -20,6 +21,9 @@ record RoomFlag(String name, List<String> levels, int places) {
 
   /** A number behind the last colon; a colon elsewhere belongs to a path. */
   private static final Pattern PLACES = Pattern.compile("(.*):(\\d+)");
+
+  /** Names of rooms have no colon, keys no equals sign. */
+  private static final Pattern INFO = Pattern.compile("([^:]+):([^=]+)=(.+)");
 
   /**
    * Reads a value.
@@ -49,6 +53,32 @@ record RoomFlag(String name, List<String> levels, int places) {
       }
     }
     return new RoomFlag(name, levels("--room=" + text, levels), places);
+  }
+
+  /**
+   * Reads a value of {@code --room-info}, {@code ROOM:KEY=VALUE}.
+   *
+   * @param metadata of each room by its name; gets the entry
+   * @throws IllegalArgumentException when it has another form, there is no such room, or the room
+   *     has the key already
+   */
+  static void readInfo(String text, Map<String, Map<String, String>> metadata) {
+    Matcher info = INFO.matcher(text);
+    if (!info.matches()) {
+      throw new IllegalArgumentException(
+          "--room-info=" + text + "; write ROOM:KEY=VALUE, for example cup:skill=beginners");
+    }
+    Map<String, String> entries = metadata.get(info.group(1));
+    if (entries == null) {
+      throw new IllegalArgumentException(
+          "--room-info=%s: there is no room=%s; rooms are %s"
+              .formatted(text, info.group(1), String.join(", ", metadata.keySet())));
+    }
+    if (entries.put(info.group(2), info.group(3).strip()) != null) {
+      throw new IllegalArgumentException(
+          "--room-info=%s: room=%s has key=%s already; leave one of them out"
+              .formatted(text, info.group(1), info.group(2)));
+    }
   }
 
   /**

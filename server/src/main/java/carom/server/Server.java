@@ -20,6 +20,8 @@ import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.Seats;
+import carom.server.threads.LoaderThread;
+import carom.server.threads.Worker;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import java.io.IOException;

@@ -116,6 +116,14 @@ final class ServerFlags {
   List<String> rooms = List.of();
 
   @Option(
+      names = "--room-info",
+      paramLabel = "ROOM:KEY=VALUE",
+      description =
+          "What lists of rooms show about a room, up to 8 entries for each; a room without a name"
+              + " is called by its number. Example: --room-info cup:skill=beginners.")
+  List<String> roomInfo = List.of();
+
+  @Option(
       names = "--scene",
       paramLabel = "NAME",
       description = "Scene of the library to watch, instead of a game; players have no bodies.")

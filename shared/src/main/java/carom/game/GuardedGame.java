@@ -3,16 +3,17 @@ package carom.game;
 import carom.physics.Collision;
 import carom.physics.Joint;
 import carom.physics.WorldDef;
-import carom.sim.Entity;
+import carom.sim.Cooldown;
 import carom.sim.Game;
-import carom.sim.Input;
 import carom.sim.MatchClock;
-import carom.sim.MatchPhase;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
+import carom.sim.match.MatchPhase;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
@@ -214,6 +215,11 @@ public final class GuardedGame implements Game {
     } catch (RuntimeException | AssertionError | StackOverflowError failure) {
       watch.failed("forces of " + e, s, failure);
     }
+  }
+
+  @Override
+  public List<Cooldown> cooldowns() {
+    return game.cooldowns();
   }
 
   @Override

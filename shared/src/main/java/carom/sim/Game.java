@@ -3,9 +3,13 @@ package carom.sim;
 import carom.physics.Collision;
 import carom.physics.Joint;
 import carom.physics.WorldDef;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
+import carom.sim.match.MatchPhase;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
@@ -99,6 +103,11 @@ public interface Game {
    * 1. Clients show them. Without names there is nothing to choose.
    */
   default List<String> teams() {
+    return List.of();
+  }
+
+  /** Returns the waits that clients show around the own body. The same at every call. */
+  default List<Cooldown> cooldowns() {
     return List.of();
   }
 

@@ -12,10 +12,10 @@ import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.sim.Game;
 import carom.sim.MatchClock;
-import carom.sim.MatchPhase;
-import carom.sim.NextMatch;
 import carom.sim.Simulation;
 import carom.sim.level.LevelException;
+import carom.sim.match.MatchPhase;
+import carom.sim.match.NextMatch;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -86,6 +86,36 @@ class MatchScenarioTest {
       }
       assertEquals("platformer", client.view().game());
       assertEquals(0, client.stats().reconnects());
+    }
+  }
+
+  @Test
+  void aRoomGoesRoundItsLevelsOverRealSocketsToo() {
+    // Goal: the next match reaches players over KryoNet. Method: two players, three levels of two
+    // games, each ended by its rules; positions are compared with the server's.
+    RoomConfig room =
+        new RoomConfig("cup", "", List.of("arena", "platformer", "commons"), 8, 1, Map.of());
+    try (Stepper stepper =
+        Stepper.ofRoomsOverSockets(ServerConfig.defaults(), MatchLibrary.INSTALLED, room)) {
+      SimulatedClient ann = stepper.join("Ann", BAD, Scripts.wander(1));
+      SimulatedClient bob = stepper.join("Bob", BAD.withSeed(2), Scripts.wander(2));
+      for (String level : List.of("Windmill Gap", "Commons", "Corner Pocket")) {
+        final long compared = stepper.compared();
+        stepper.room().simulation().matchOver();
+        for (SimulatedClient client : List.of(ann, bob)) {
+          stepper.runUntil(
+              "plays " + level,
+              () ->
+                  client.view().phase() == ConnectionPhase.PLAYING
+                      && client.view().own() != null
+                      && client.view().level().name().equals(level),
+              10);
+        }
+        stepper.runUntil("both are shown it", () -> stepper.compared() > compared + 200, 10);
+      }
+      assertEquals(3, stepper.count(Counter.MATCHES));
+      assertEquals(0, ann.stats().reconnects() + bob.stats().reconnects());
+      stepper.runUntil("the roster is told", () -> ann.view().players().size() == 2, 10);
     }
   }
 

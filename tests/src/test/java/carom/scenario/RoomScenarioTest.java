@@ -9,6 +9,7 @@ import carom.client.ClientConfig;
 import carom.client.link.ConnectionPhase;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
+import carom.client.message.MessageListener;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.transport.Impairment;
 import carom.replay.RecordingReader;
@@ -22,8 +23,11 @@ import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -241,6 +245,60 @@ class RoomScenarioTest {
       assertEquals(0, stepper.room("cup").seats().takenCount());
       assertNotNull(stepper.room("jump").simulation().player(ann.view().playerId()));
     }
+  }
+
+  @Test
+  void whoIsMutedStaysSoInTheNextRoomAndInTheNextMatch() {
+    // Goal: an operator mutes a player, not a seat. Method: a muted player writes in another room,
+    // in its next match, and after an operator of that room has lifted it.
+    try (Stepper stepper =
+        stepper(room("cup", 8, "arena"), room("jump", 8, "platformer", "sluice"))) {
+      SimulatedClient ann = join(stepper, "Ann", "cup", "");
+      SimulatedClient bob = join(stepper, "Bob", "jump", "");
+      List<String> heard = new ArrayList<>();
+      bob.game().messages(listener(heard));
+      stepper.run(1.2);
+      ask(stepper, () -> stepper.room("cup").operator().mute("Ann", true));
+      ann.game().changeRoom("jump");
+      stepper.runUntil("is there", () -> plays(ann, "jump"), 5);
+      say(stepper, ann, "in the next room");
+      stepper.room("jump").simulation().matchOver();
+      stepper.runUntil("another level", () -> ann.view().level().name().equals("The Sluice"), 5);
+      stepper.runUntil("is there", () -> plays(ann, "jump"), 5);
+      say(stepper, ann, "in the next match");
+      assertEquals(List.of(), heard);
+      ask(stepper, () -> stepper.room("jump").operator().mute("Ann", false));
+      say(stepper, ann, "heard");
+      assertEquals(List.of("heard"), heard);
+    }
+  }
+
+  private static MessageListener listener(List<String> heard) {
+    return new MessageListener() {
+      @Override
+      public void said(int player, boolean team, String text) {
+        heard.add(text);
+      }
+    };
+  }
+
+  private static boolean plays(SimulatedClient client, String room) {
+    return client.view().room().equals(room)
+        && client.view().phase() == ConnectionPhase.PLAYING
+        && client.view().own() != null;
+  }
+
+  private static void say(Stepper stepper, SimulatedClient client, String text) {
+    client.game().chat(text);
+    stepper.run(1);
+  }
+
+  private static void ask(Stepper stepper, Supplier<String> question) {
+    CompletableFuture<String> answer = CompletableFuture.supplyAsync(question);
+    while (!answer.isDone()) {
+      stepper.step();
+    }
+    assertTrue(answer.join().contains("muted Ann"), answer.join());
   }
 
   @Test

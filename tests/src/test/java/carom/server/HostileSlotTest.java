@@ -70,11 +70,11 @@ class HostileSlotTest {
     }
     replay(older);
     newerTick = replay(newer);
-    assertTrue(newerTick > 70, "tick=" + newerTick);
+    assertTrue(newerTick >= 60 && newerTick < 90, "tick=" + newerTick);
   }
 
   private static KeptServer start(Path kept) {
-    return new KeptServer(KeptServer.library(LEVEL, 2), List.of("chain"), kept, 1_000_000_000L);
+    return new KeptServer(KeptServer.library(LEVEL, 2), List.of("tiny"), kept, 1_000_000_000L);
   }
 
   /** Notes the hashes of a log; returns the tick of its checkpoint. */
@@ -124,19 +124,20 @@ class HostileSlotTest {
   void aLogCutAnywhereBeginsAtItsLastWholeBlockOrInTheSlotBefore() throws IOException {
     byte[] whole = Files.readAllBytes(original.resolve(newer + ".log"));
     int last = 0;
-    int step = Math.max(1, whole.length / 400);
+    int step = Math.max(1, whole.length / 80);
     for (int length = 0; length <= whole.length; length += step) {
       int tick = begin(newer + ".log", Arrays.copyOf(whole, length), "length=" + length);
       assertTrue(tick >= last, "length=" + length + ": tick=" + tick + " after " + last);
       last = tick;
     }
+    last = begin(newer + ".log", whole, "whole");
     assertTrue(last > newerTick, "the whole log goes beyond its checkpoint");
   }
 
   @Test
   void seatsCutAnywhereMeanTheSlotBefore() throws IOException {
     byte[] whole = Files.readAllBytes(original.resolve(newer + ".seats"));
-    for (int length = 0; length < whole.length; length++) {
+    for (int length = 0; length < whole.length; length += 16) {
       int tick = begin(newer + ".seats", Arrays.copyOf(whole, length), "length=" + length);
       assertTrue(tick <= newerTick, "length=" + length + ": tick=" + tick);
     }
@@ -146,7 +147,7 @@ class HostileSlotTest {
   void flippedBitsNeverStartAWrongWorld() throws IOException {
     long seed = Long.getLong("carom.seed", System.nanoTime());
     Random random = new Random(seed);
-    for (int i = 0; i < 400; i++) {
+    for (int i = 0; i < 60; i++) {
       String name = newer + (i % 4 == 0 ? ".seats" : ".log");
       byte[] bytes = Files.readAllBytes(original.resolve(name));
       int bit = random.nextInt(8 * bytes.length);

@@ -106,6 +106,11 @@ class ServerMainTest {
     };
     assertTrue(fails(2, twice).contains("name=a belongs to two rooms"), err());
     assertTrue(fails(2, "--room", "a=arena", "--rooms", "2").contains("leave --rooms out"), err());
+    assertTrue(
+        fails(2, "--room", "a=arena", "--room-info", "b:k=v").contains("there is no room=b"),
+        err());
+    assertTrue(
+        fails(2, "--room-info", "1:k=" + "v".repeat(99)).contains("must have 1..48 bytes"), err());
     assertTrue(fails(2, "--levels", "arena", "--game", "x").contains("leave --game out"), err());
   }
 

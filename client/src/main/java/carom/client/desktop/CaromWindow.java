@@ -13,6 +13,7 @@ import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.SpectatorThread;
 import carom.net.transport.ClientTransport;
+import com.badlogic.gdx.Application;
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
@@ -50,7 +51,9 @@ final class CaromWindow extends ApplicationAdapter {
 
   @Override
   public void create() {
-    fonts = new Fonts();
+    Gdx.app.setLogLevel(Application.LOG_ERROR); // the toolkit tells of each device it finds
+    fonts = new Fonts(1);
+    fonts.fit(Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
     canvas = new Canvas();
     audio = new AudioDevice(hasSound);
     sounds = new EventSounds(audio, options.volume());
@@ -187,6 +190,7 @@ final class CaromWindow extends ApplicationAdapter {
 
   @Override
   public void resize(int width, int height) {
+    fonts.fit(width, height);
     screen.resize(width, height);
   }
 

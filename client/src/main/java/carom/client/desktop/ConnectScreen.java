@@ -75,7 +75,7 @@ final class ConnectScreen extends ScreenAdapter {
     this.host = field(host, 255);
     this.tcpPort = field(Integer.toString(tcpPort), 5);
     this.udpPort = field(Integer.toString(udpPort), 5);
-    this.message = new Label("", new Label.LabelStyle(fonts.text, Theme.BAD));
+    this.message = new Label("", new Label.LabelStyle(fonts.text(), Theme.BAD));
     message.setWrap(true);
     message.setAlignment(Align.center);
     lay();
@@ -87,9 +87,9 @@ final class ConnectScreen extends ScreenAdapter {
   }
 
   private void lay() {
-    Label.LabelStyle muted = new Label.LabelStyle(fonts.text, Theme.MUTED);
+    Label.LabelStyle muted = new Label.LabelStyle(fonts.text(), Theme.MUTED);
     TextButton.TextButtonStyle style = new TextButton.TextButtonStyle();
-    style.font = fonts.large;
+    style.font = fonts.large();
     style.fontColor = Theme.BACKDROP;
     style.up = panel(Theme.ACCENT, Theme.ACCENT);
     style.over = panel(Theme.rgb(0xffc56b), Theme.rgb(0xffc56b));
@@ -103,7 +103,7 @@ final class ConnectScreen extends ScreenAdapter {
           }
         });
     plain = new TextButton.TextButtonStyle();
-    plain.font = fonts.text;
+    plain.font = fonts.text();
     plain.fontColor = Theme.TEXT;
     plain.up = panel(Theme.rgb(0x1b2534), Theme.PANEL_LINE);
     plain.over = panel(Theme.rgb(0x26354b), Theme.ACCENT);
@@ -137,13 +137,13 @@ final class ConnectScreen extends ScreenAdapter {
 
     Table root = new Table();
     root.setFillParent(true);
-    root.add(new Label("CAROM", new Label.LabelStyle(fonts.title, Theme.TEXT))).row();
+    root.add(new Label("CAROM", new Label.LabelStyle(fonts.title(), Theme.TEXT))).row();
     root.add(new Label("multiplayer physics", muted)).padBottom(26).row();
     root.add(form).row();
     root.add(
             new Label(
                 "Enter joins    Tab next field    F2 rooms    Esc quits",
-                new Label.LabelStyle(fonts.small, Theme.MUTED)))
+                new Label.LabelStyle(fonts.small(), Theme.MUTED)))
         .padTop(18);
     stage.addActor(root);
     stage.addListener(
@@ -237,7 +237,7 @@ final class ConnectScreen extends ScreenAdapter {
 
   private TextField field(String text, int maxLength) {
     TextField.TextFieldStyle style = new TextField.TextFieldStyle();
-    style.font = fonts.text;
+    style.font = fonts.text();
     style.fontColor = Theme.TEXT;
     style.background = panel(Theme.rgb(0x141b27), Theme.PANEL_LINE);
     style.focusedBackground = panel(Theme.rgb(0x182234), Theme.ACCENT);

@@ -1,7 +1,7 @@
 package carom.client.desktop;
 
 import carom.client.desktop.paint.ViewCamera;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Buttons;
 import com.badlogic.gdx.Input.Keys;

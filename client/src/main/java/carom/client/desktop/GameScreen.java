@@ -6,6 +6,7 @@ import carom.client.desktop.chat.Conversation;
 import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.hud.Curtain;
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.KeyHints;
 import carom.client.desktop.hud.NetGraph;
 import carom.client.desktop.hud.RoomPanel;
 import carom.client.desktop.paint.Canvas;
@@ -15,7 +16,7 @@ import carom.client.link.ConnectionPhase;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.net.protocol.ServerMessage.RosterEntry;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import carom.sim.message.PlayerRole;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
@@ -38,8 +39,14 @@ final class GameScreen extends ScreenAdapter {
     void leave(String reason);
   }
 
+  private static final String KEYS =
+      "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move  "
+          + "   Tab: players     Enter: chat     1-8: emotes     M: sound     F1: these keys    "
+          + " F2: rooms     F3: net graph     Esc: leave";
+
   private final GamePicture picture;
   private final NetGraph netGraph;
+  private final KeyHints hints;
   private final Curtain curtain;
   private final RoomPanel rooms;
   private final Controls controls = new Controls();
@@ -47,7 +54,6 @@ final class GameScreen extends ScreenAdapter {
   private final Fonts fonts;
   private GameClient client;
   private Conversation conversation;
-  private boolean showNetGraph;
   private float secondsPlayed;
 
   GameScreen(Canvas canvas, Fonts fonts, EventSounds sounds, Exit exit) {
@@ -55,6 +61,8 @@ final class GameScreen extends ScreenAdapter {
     this.fonts = fonts;
     picture = new GamePicture(canvas, fonts, sounds);
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
+    hints = new KeyHints(picture.hud(), fonts);
+    hints.keys(KEYS);
     curtain = new Curtain(picture.hud(), canvas);
     rooms =
         new RoomPanel(
@@ -73,9 +81,9 @@ final class GameScreen extends ScreenAdapter {
     conversation = new Conversation(client, fonts);
   }
 
-  /** Shows or hides the net graph. */
+  /** Shows the net graph's few lines, or nothing of it. */
   void netGraph(boolean shown) {
-    showNetGraph = shown;
+    netGraph.size(shown ? NetGraph.Size.SMALL : NetGraph.Size.OFF);
   }
 
   /** Shows or hides the debug layers. */
@@ -116,7 +124,8 @@ final class GameScreen extends ScreenAdapter {
             }
             switch (key) {
               case Keys.F2 -> rooms.toggle();
-              case Keys.F3 -> showNetGraph = !showNetGraph;
+              case Keys.F1 -> hints.toggle();
+              case Keys.F3 -> netGraph.next();
               case Keys.ESCAPE -> exit.leave("");
               default -> {
                 return handle(key);
@@ -193,16 +202,14 @@ final class GameScreen extends ScreenAdapter {
         hud.phase(view);
       }
     } else {
-      hud.hints(view, secondsPlayed, showNetGraph ? NetGraph.RIGHT : 0);
+      hints.draw(view, deltaSeconds);
       if (view.own() == null && secondsPlayed > 1) {
         hud.bodiless(view);
       }
       conversation.draw(view, hud, picture.camera(), nowNs);
     }
     rooms.draw(view, deltaSeconds);
-    if (showNetGraph) {
-      netGraph.draw(view.stats(), nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
-    }
+    netGraph.draw(view, picture.camera(), nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
   }
 
   @Override

@@ -117,11 +117,11 @@ final class ReplayScreen extends ScreenAdapter {
       trouble = end.get();
     }
     hud.begin();
-    hud.left(fonts.text, text.toString(), PAD, hud.height() - PAD, Theme.TEXT);
+    hud.left(fonts.text(), text.toString(), PAD, hud.height() - PAD, Theme.TEXT);
     if (!trouble.isEmpty()) {
-      hud.left(fonts.text, trouble, PAD, hud.height() - PAD - 24, Theme.ACCENT);
+      hud.left(fonts.text(), trouble, PAD, hud.height() - PAD - 24, Theme.ACCENT);
     }
-    hud.left(fonts.small, KEYS, PAD, PAD + 12, Theme.MUTED);
+    hud.left(fonts.small(), KEYS, PAD, PAD + 12, Theme.MUTED);
     hud.end();
   }
 

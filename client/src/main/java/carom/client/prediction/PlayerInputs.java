@@ -2,9 +2,9 @@ package carom.client.prediction;
 
 import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.relay.RelayedInputs;
-import carom.sim.Input;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import java.util.Arrays;
 
 /**

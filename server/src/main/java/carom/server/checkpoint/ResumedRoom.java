@@ -2,7 +2,7 @@ package carom.server.checkpoint;
 
 import carom.server.room.match.Match;
 import carom.server.session.Session;
-import carom.sim.NextMatch;
+import carom.sim.match.NextMatch;
 import java.util.List;
 
 /**

@@ -310,7 +310,7 @@ public final class RoomCheckpoints {
         seat.wantedName(),
         seat.name(),
         seat.secret(),
-        session.messages().isMuted(),
+        seat.isMuted(),
         left ? (int) Math.max(0, leftMs) : SavedSeat.PLAYED,
         seat.courseTick(),
         events.lackedBy(seat.secret()));

@@ -1,7 +1,7 @@
 package carom.server.checkpoint;
 
 import carom.server.room.match.Match;
-import carom.sim.NextMatch;
+import carom.sim.match.NextMatch;
 
 /** Where a room is in the sequence of its matches. The room's thread. */
 public interface RoomCourse {

@@ -6,9 +6,9 @@ import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
 import carom.server.session.Seats;
 import carom.server.session.Session;
-import carom.sim.NextMatch;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
+import carom.sim.match.NextMatch;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -210,7 +210,7 @@ final class RoomResume {
             room.counters());
     int graceMs = saved.graceMs() == SavedSeat.PLAYED ? room.config().graceMs() : saved.graceMs();
     session.await(nowNs + graceMs * NS_PER_MS);
-    session.messages().mute(saved.muted());
+    seat.mute(saved.muted());
     for (int event : saved.events()) {
       session.replication().offer(event);
     }

@@ -57,6 +57,11 @@ public record RoomConfig(
     metadata = Collections.unmodifiableMap(new LinkedHashMap<>(metadata));
   }
 
+  /** Returns these settings with other metadata. */
+  public RoomConfig withMetadata(Map<String, String> entries) {
+    return new RoomConfig(name, game, levels, places, seed, entries);
+  }
+
   /**
    * Returns the number of seats of several rooms.
    *

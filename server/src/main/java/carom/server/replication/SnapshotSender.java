@@ -10,8 +10,8 @@ import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.sim.Entity;
-import carom.sim.Player;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import java.util.function.LongConsumer;
 
 /**

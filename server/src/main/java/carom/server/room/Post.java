@@ -23,7 +23,7 @@ final class Post {
   /** Hands the messages of players to the next tick. */
   void collect() {
     for (int i = sessions.count() - 1; i >= 0; i--) {
-      sessions.get(i).messages().deliver();
+      sessions.get(i).deliverMessages();
     }
   }
 

@@ -70,7 +70,7 @@ final class RoomMoves {
       stay(session, "You are in room " + name + " already.");
       return;
     }
-    Seats.Seat seat = to.seats().take(session.seat().wantedName(), session.seat().secret());
+    Seats.Seat seat = to.seats().takeFor(session.seat());
     if (seat == null) {
       stay(session, "Room " + name + " is full. " + directory.describe());
       return;

@@ -1,7 +1,7 @@
 package carom.server.session;
 
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.message.PlayerRole;
 
 /**
@@ -12,7 +12,7 @@ public final class Moderator {
   private Moderator() {}
 
   /**
-   * Drops chat and emotes of a player for the rest of its stay, or ends that.
+   * Drops chat and emotes of a player until it leaves the server, or ends that.
    *
    * @param sessions by seat, null where there is none
    */
@@ -21,7 +21,7 @@ public final class Moderator {
     if (session == null) {
       return nobody(name);
     }
-    session.messages().mute(on);
+    session.seat().mute(on);
     return (on ? "muted " : "unmuted ") + session.seat().name();
   }
 

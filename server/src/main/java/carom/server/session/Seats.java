@@ -83,11 +83,20 @@ public final class Seats {
   }
 
   /**
-   * Takes a seat as {@link #take(String)} does, for a player who has a session in another room.
+   * Takes a seat as {@link #take(String)} does, for a player who comes from another room. The
+   * player keeps the secret and stays muted.
    *
-   * @param secret the session's
+   * @param from the seat in the other room
    */
-  public synchronized Seat take(String wantedName, long secret) {
+  public synchronized Seat takeFor(Seat from) {
+    Seat seat = take(from.wantedName, from.secret);
+    if (seat != null) {
+      seat.muted = from.muted;
+    }
+    return seat;
+  }
+
+  private Seat take(String wantedName, long secret) {
     for (int id = 0; id < taken.length; id++) {
       if (taken[id] == null) {
         Seat seat = new Seat(id, wantedName, freeName(wantedName), secret);
@@ -239,12 +248,23 @@ public final class Seats {
     private boolean resumed;
     private long resumedNs;
     private volatile int courseTick = SAME_COURSE;
+    private boolean muted; // only the thread of the player's room uses it
 
     Seat(int id, String wantedName, String name, long secret) {
       this.id = id;
       this.wantedName = wantedName;
       this.name = name;
       this.secret = secret;
+    }
+
+    /** Mutes the player, whose chat and emotes are then dropped, or ends that. */
+    public void mute(boolean on) {
+      muted = on;
+    }
+
+    /** Returns whether the player is muted, which lasts until the player leaves the server. */
+    public boolean isMuted() {
+      return muted;
     }
 
     /** Returns the player's id, 0..1,023. */

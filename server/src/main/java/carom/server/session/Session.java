@@ -18,8 +18,8 @@ import carom.server.metrics.Counters;
 import carom.server.metrics.LogInterval;
 import carom.server.prediction.PredictionAudit.Finding;
 import carom.server.replication.SessionReplication;
-import carom.sim.Input;
-import carom.sim.Player;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import java.util.Locale;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -166,7 +166,6 @@ public final class Session implements LinkHandler {
   public void enter(
       Player newPlayer, SessionReplication newReplication, SessionMessages newMessages) {
     replication.end();
-    newMessages.mute(messages.isMuted());
     messages = newMessages;
     player = newPlayer;
     replication = newReplication;
@@ -454,6 +453,11 @@ public final class Session implements LinkHandler {
   /** Sends a message that many sessions share, as {@link #send(ServerMessage)} does. */
   public boolean send(Broadcast message) {
     return link != null && link.send(message);
+  }
+
+  /** Hands the messages of the player to the next tick. */
+  public void deliverMessages() {
+    messages.deliver(seat.isMuted());
   }
 
   /** Sends the messages of the game that are queued, when there is a link. */

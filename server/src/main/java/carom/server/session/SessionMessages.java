@@ -7,8 +7,8 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
@@ -34,7 +34,6 @@ public final class SessionMessages {
   private final MessageDatagram incoming = new MessageDatagram();
   private final MessageDatagram outgoing = new MessageDatagram();
   private final ArrayDeque<Message> waiting = new ArrayDeque<>();
-  private boolean muted;
 
   /** Creates the messages of a new session. */
   public SessionMessages(Simulation simulation, Player player, Counters counters) {
@@ -106,8 +105,12 @@ public final class SessionMessages {
     return message == null ? null : message.cleaned();
   }
 
-  /** Hands over what the next tick should handle. */
-  public void deliver() {
+  /**
+   * Hands over what the next tick should handle.
+   *
+   * @param muted whether chat and emotes are dropped
+   */
+  void deliver(boolean muted) {
     while (!waiting.isEmpty() && rates.take(waiting.peek().kind(), seconds())) {
       Message message = waiting.remove();
       if (muted && (message.is(BuiltInKinds.SAY) || message.is(BuiltInKinds.EMOTE))) {
@@ -141,15 +144,5 @@ public final class SessionMessages {
       link.sendDatagram(outgoing.bytes(), 0, outgoing.length());
       outgoing.clear();
     }
-  }
-
-  /** Mutes the player, whose chat and emotes are then dropped, or ends that. */
-  public void mute(boolean on) {
-    muted = on;
-  }
-
-  /** Returns whether the player is muted. */
-  public boolean isMuted() {
-    return muted;
   }
 }

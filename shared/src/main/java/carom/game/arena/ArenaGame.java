@@ -15,14 +15,14 @@ import carom.physics.QueryHit;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
-import carom.sim.Entity;
+import carom.sim.Cooldown;
 import carom.sim.Game;
-import carom.sim.Input;
 import carom.sim.MatchClock;
-import carom.sim.MatchPhase;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.field.Count;
@@ -36,6 +36,7 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.sim.match.MatchPhase;
 import java.util.List;
 
 /**
@@ -176,6 +177,13 @@ public final class ArenaGame implements Game {
   @Override
   public String description() {
     return "push the balls into the other side's goal: Space dashes, E jolts from afar";
+  }
+
+  @Override
+  public List<Cooldown> cooldowns() {
+    return List.of(
+        new Cooldown("dash", DASH_WAIT, DASH_COOLDOWN),
+        new Cooldown("jolt", JOLT_WAIT, JOLT_COOLDOWN));
   }
 
   @Override

@@ -12,11 +12,12 @@ import carom.physics.Collision;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
-import carom.sim.Entity;
+import carom.sim.Cooldown;
 import carom.sim.Game;
-import carom.sim.Input;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.field.Count;
@@ -106,6 +107,11 @@ public final class RocketGame implements Game {
   @Override
   public String description() {
     return "shoot rockets at each other: Space fires, E sets off what flies";
+  }
+
+  @Override
+  public List<Cooldown> cooldowns() {
+    return List.of(new Cooldown("rocket", RELOAD, reloadSeconds));
   }
 
   @Override

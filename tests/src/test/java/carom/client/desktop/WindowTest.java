@@ -10,9 +10,9 @@ import carom.game.Games;
 import carom.net.kryo.KryoServerTransport;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
-import carom.sim.Entity;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.testkit.VirtualDisplay;
 import com.badlogic.gdx.utils.GdxNativesLoader;
@@ -120,7 +120,12 @@ final class WindowTest {
     long deadline = System.nanoTime() + 50_000_000_000L;
     Player found = null;
     while (window.isAlive() && System.nanoTime() < deadline) {
-      Player player = world.player(0);
+      Player player;
+      try {
+        player = world.player(0);
+      } catch (IllegalStateException inTheMiddleOfAStep) {
+        continue; // of the room's thread
+      }
       if (player != null && player.body() != null) {
         found = player;
         lastX = player.body().body().x();

@@ -120,11 +120,12 @@ public final class Conversation implements MessageListener {
       hud.begin();
       String to = log.isToTeam() ? "Team:" : "All:";
       float x = 2 * PAD;
-      hud.left(fonts.small, to, x, y, Theme.MUTED);
-      x += hud.width(fonts.small, to) + GAP;
+      hud.left(fonts.small(), to, x, y, Theme.MUTED);
+      x += hud.width(fonts.small(), to) + GAP;
       float room = WIDTH + PAD - x - PAD;
       String cursor = nowNs / 500_000_000L % 2 == 0 ? "|" : "";
-      hud.left(fonts.small, hud.endOf(fonts.small, log.draft(), room) + cursor, x, y, Theme.TEXT);
+      hud.left(
+          fonts.small(), hud.endOf(fonts.small(), log.draft(), room) + cursor, x, y, Theme.TEXT);
       hud.end();
     }
     hud.begin();
@@ -144,9 +145,9 @@ public final class Conversation implements MessageListener {
     String who = line.who().isEmpty() ? "" : line.who() + (line.team() ? " (team):" : ":");
     Color tint = line.who().isEmpty() ? Theme.ACCENT : line.team() ? Theme.GOOD : Theme.INFO;
     color.set(tint).a = alpha;
-    hud.shadowed(fonts.small, who, 2 * PAD, y, color);
+    hud.shadowed(fonts.small(), who, 2 * PAD, y, color);
     color.set(line.who().isEmpty() ? Theme.ACCENT : Theme.TEXT).a = alpha;
-    float after = who.isEmpty() ? 0 : hud.width(fonts.small, who) + GAP;
-    hud.shadowed(fonts.small, line.text(), 2 * PAD + after, y, color);
+    float after = who.isEmpty() ? 0 : hud.width(fonts.small(), who) + GAP;
+    hud.shadowed(fonts.small(), line.text(), 2 * PAD + after, y, color);
   }
 }

@@ -40,7 +40,7 @@ final class EmoteBubbles {
           emotes[player] = null;
           continue;
         }
-        Vector3 at = camera.toScreen(body.x(), body.y() + ABOVE_METRES + RISE_METRES * age);
+        Vector3 at = hud.at(camera, body.x(), body.y() + ABOVE_METRES + RISE_METRES * age);
         color.set(Theme.ACCENT).a = Math.min(1, 3 * (1 - age));
         hud.floating(emotes[player].text(), at, false, color);
       }

@@ -142,8 +142,9 @@ public final class GamePicture implements Disposable {
     hud.begin();
     flashes.label(hud, camera);
     hud.end();
-    if (scoreBoard) {
-      scores.draw(view, width);
+    boolean over = clock.isOver(view);
+    if (scoreBoard || over) {
+      scores.draw(view, over ? ClockPanel.RESULT : 0);
     } else {
       hud.scores(view);
     }

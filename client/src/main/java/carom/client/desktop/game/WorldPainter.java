@@ -14,9 +14,9 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
-import carom.sim.Entity;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.field.Ratio;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
@@ -60,6 +60,7 @@ final class WorldPainter {
   private final AreaPainter areas;
   private final PoolPainter pools;
   private final Impacts impacts = new Impacts();
+  private final CooldownRings cooldowns = new CooldownRings();
   private final float[] streak = new float[6];
   private final Color fill = new Color();
   private final Color edge = new Color();
@@ -125,6 +126,7 @@ final class WorldPainter {
     }
     joints(view, pixelsPerMetre);
     areasBefore(view, seconds);
+    cooldowns.draw(view, canvas, deltaSeconds);
     impacts.draw(canvas);
     flashes.draw(canvas);
     canvas.end();

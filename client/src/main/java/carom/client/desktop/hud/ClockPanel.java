@@ -7,7 +7,7 @@ import carom.client.view.ClientView;
 import carom.game.Games;
 import carom.sim.Game;
 import carom.sim.MatchClock;
-import carom.sim.MatchPhase;
+import carom.sim.match.MatchPhase;
 import com.badlogic.gdx.math.Vector3;
 import java.util.List;
 
@@ -17,6 +17,9 @@ import java.util.List;
  */
 public final class ClockPanel {
   private static final float TOP = 30;
+
+  /** Height of the result with its distance from the window's upper edge, points. */
+  public static final float RESULT = 140;
 
   private final Hud hud;
   private final Fonts fonts;
@@ -50,11 +53,26 @@ public final class ClockPanel {
       case WARM_UP -> line(warmUp(clock, view.players().size()), false);
       case COUNTDOWN -> line(Integer.toString(seconds), true);
       case PLAYING -> line(seconds < 0 ? "" : time(seconds), false);
-      case OVER -> {
-        String result = result(match, view);
-        line(result + "     next match in " + seconds, false);
-      }
+      case OVER -> result(result(match, view), seconds);
     }
+  }
+
+  /** Returns whether the result of a match shows, so that the table of players belongs below it. */
+  public boolean isOver(ClientView view) {
+    return clock != null && view.knowsFields() && MatchClock.phase(view.match()) == MatchPhase.OVER;
+  }
+
+  /** Draws the result across the window. */
+  private void result(String text, int seconds) {
+    float height = hud.height();
+    boolean fits = hud.width(fonts.title(), text) < hud.windowWidth() - 40;
+    hud.panel(-2, height - RESULT, hud.windowWidth() + 4, RESULT - 16, Theme.DIALOG);
+    hud.begin();
+    at.set(hud.windowWidth() / 2f, height - (fits ? 30 : 48), 0);
+    hud.centred(fits ? fonts.title() : fonts.large(), text, at.x, at.y, Theme.ACCENT);
+    String next = seconds < 0 ? "" : "next match in " + seconds + " s";
+    hud.centred(fonts.text(), next, at.x, height - RESULT + 30, Theme.TEXT);
+    hud.end();
   }
 
   /** Draws a line at the top, or a large word in the middle. */
@@ -63,7 +81,7 @@ public final class ClockPanel {
       return;
     }
     if (!large) {
-      float half = hud.width(fonts.text, text) / 2 + 14;
+      float half = hud.width(fonts.text(), text) / 2 + 14;
       hud.panel(hud.windowWidth() / 2f - half, hud.height() - TOP - 8, 2 * half, TOP);
     }
     hud.begin();
@@ -90,7 +108,11 @@ public final class ClockPanel {
     if (team > 0) {
       return (team <= teams.size() ? teams.get(team - 1) : "Team " + team) + " wins!";
     }
-    String player = view.playerName(MatchClock.winner(match));
+    int winner = MatchClock.winner(match);
+    if (winner >= 0 && winner == view.playerId()) {
+      return "You win!";
+    }
+    String player = view.playerName(winner);
     return player.isEmpty() ? "Nobody wins" : player + " wins!";
   }
 }

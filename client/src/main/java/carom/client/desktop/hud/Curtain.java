@@ -71,7 +71,7 @@ public final class Curtain {
     float height = hud.height();
     float half = height / 2 * share;
     edge.set(Theme.ACCENT).a = share;
-    canvas.begin(hud.pixels(), 1);
+    hud.beginFigures();
     canvas.rect(0, 0, width, half, CLOTH);
     canvas.rect(0, height - half, width, half, CLOTH);
     canvas.rect(0, half - 2, width, 2, edge);

@@ -2,7 +2,7 @@ package carom.client.desktop.hud;
 
 import java.util.Arrays;
 
-/** The rectangles of the screen that are taken, in pixels. Render thread only. */
+/** The rectangles of the screen that are taken, in points. Render thread only. */
 final class FreePlaces {
   private static final int SIDES = 4;
 

@@ -7,7 +7,6 @@ import carom.client.desktop.paint.ViewCamera;
 import carom.client.link.ConnectionPhase;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
-import carom.game.Games;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.level.Appearance;
@@ -26,23 +25,18 @@ import java.util.List;
 
 /**
  * Text and panels over the picture: names, scores, notices, the state of the connection, key hints.
- * Units are pixels, origin bottom left. Render thread only.
+ * Units are points (see {@link Fonts}), origin bottom left. Render thread only.
  */
 public final class Hud implements Disposable {
   private static final int SHORT_LIST = 5;
   private static final float PAD = 12;
   private static final float LINE = 22;
   private static final long NOTICE_NS = 4_000_000_000L;
-  private static final float HINT_SECONDS = 12;
   private static final float ANSWER_SECONDS = 1.5f;
-  private static final String KEYS =
-      "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move  "
-          + "   Tab: players     Enter: chat     1-8: emotes     M: sound     F2: rooms     F3: net"
-          + " graph     Esc: leave";
 
   private final Canvas canvas;
   private final SpriteBatch batch = new SpriteBatch();
-  private final Matrix4 pixels = new Matrix4();
+  private final Matrix4 points = new Matrix4();
   private final Fonts fonts;
   private final GlyphLayout layout = new GlyphLayout();
   private final Color color = new Color();
@@ -51,12 +45,11 @@ public final class Hud implements Disposable {
   private final GlyphLayout wrapped = new GlyphLayout();
   private final FreePlaces places = new FreePlaces();
   private final NameRows names = new NameRows(places, Limits.MAX_PLAYERS);
-  private String hintsOf = "";
-  private String about = "";
   private String answer = "";
   private float answerSeconds;
-  private int width;
-  private int height;
+  private float scale = 1;
+  private float width;
+  private float height;
 
   /** Creates a HUD. The canvas and the fonts stay the property of the caller. */
   public Hud(Canvas canvas, Fonts fonts) {
@@ -66,25 +59,36 @@ public final class Hud implements Disposable {
 
   /** Sets the window's size, px; call it once per frame, before anything else. */
   public void size(int newWidth, int newHeight) {
-    width = newWidth;
-    height = newHeight;
-    pixels.setToOrtho2D(0, 0, width, height);
-    batch.setProjectionMatrix(pixels);
+    scale = fonts.scale();
+    width = newWidth / scale;
+    height = newHeight / scale;
+    points.setToOrtho2D(0, 0, width, height);
+    batch.setProjectionMatrix(points);
   }
 
-  /** Returns the window's height, px. */
-  public int height() {
+  /** Returns the window's height, points. */
+  public float height() {
     return height;
   }
 
-  /** Returns the window's width, px. */
-  int windowWidth() {
+  /** Returns the window's width, points. */
+  public float windowWidth() {
     return width;
   }
 
-  /** Returns the projection from pixels, origin bottom left, to clip space. */
-  Matrix4 pixels() {
-    return pixels;
+  /** Begins figures in points, origin bottom left; end them by the canvas. */
+  public void beginFigures() {
+    canvas.begin(points, scale);
+  }
+
+  /** Returns the place of a position in the world, points. The result is reused. */
+  public Vector3 at(ViewCamera camera, float x, float y) {
+    return camera.toScreen(x, y).scl(1 / scale);
+  }
+
+  /** Returns the nearest place at which a glyph's edge meets a pixel's. */
+  private float snap(float at) {
+    return MathUtils.round(at * scale) / scale;
   }
 
   /**
@@ -111,13 +115,13 @@ public final class Hud implements Disposable {
       if (drawn.archetype().appearance().look() != Appearance.Look.PLAYER || drawn == view.own()) {
         continue;
       }
-      Vector3 at = camera.toScreen(drawn.x(), drawn.y());
+      Vector3 at = at(camera, drawn.x(), drawn.y());
       color.set(Theme.TEXT).a = 0.85f * drawn.alpha();
       name(
           drawn.ownerId(),
           view.playerName(drawn.ownerId()),
           at.x,
-          at.y + pixelsPerMetre * 0.75f + 16);
+          at.y + pixelsPerMetre / scale * 0.75f + 16);
     }
     batch.end();
     places.clear();
@@ -125,16 +129,16 @@ public final class Hud implements Disposable {
 
   /** Draws a name around x with its upper edge at y, or higher if that place is taken. */
   private void name(int player, String text, float x, float y) {
-    layout.setText(fonts.small, text);
+    layout.setText(fonts.small(), text);
     float top = names.top(player, x, y, layout.width);
     if (!Float.isNaN(top)) {
-      centred(fonts.small, text, x, top, color);
+      centred(fonts.small(), text, x, top, color);
     }
   }
 
   /** Draws a word around a place on the screen. */
   public void floating(String text, Vector3 at, boolean large, Color textColor) {
-    centred(large ? fonts.title : fonts.text, text, at.x, at.y, textColor);
+    centred(large ? fonts.title() : fonts.text(), text, at.x, at.y, textColor);
   }
 
   /** Draws the few best players by score, always including the own one. */
@@ -160,7 +164,7 @@ public final class Hud implements Disposable {
     panel(x, top - h, w, h);
     batch.begin();
     left(
-        fonts.small,
+        fonts.small(),
         ranking.size() == 1
             ? "1 player"
             : ranking.size() + (ranking.size() == shown ? " players" : " players   Tab: all"),
@@ -174,12 +178,12 @@ public final class Hud implements Disposable {
       float y = top - PAD - (i + 1) * LINE;
       Color tint = own ? Theme.ACCENT : Theme.TEXT;
       String score = Integer.toString(entry.score());
-      layout.setText(fonts.text, score);
+      layout.setText(fonts.text(), score);
       float room = w - 3 * PAD - layout.width;
-      left(fonts.text, score, x + w - PAD - layout.width, y, tint);
+      left(fonts.text(), score, x + w - PAD - layout.width, y, tint);
       String name = (rank + 1) + "  " + entry.name();
-      layout.setText(fonts.text, name, 0, name.length(), tint, room, Align.left, false, "...");
-      fonts.text.draw(batch, layout, MathUtils.round(x + PAD), MathUtils.round(y));
+      layout.setText(fonts.text(), name, 0, name.length(), tint, room, Align.left, false, "...");
+      fonts.text().draw(batch, layout, snap(x + PAD), snap(y));
     }
     batch.end();
   }
@@ -205,7 +209,7 @@ public final class Hud implements Disposable {
         break;
       }
       color.set(Theme.TEXT).a = Math.min(1, left * 3);
-      centred(fonts.large, notice.text(), width / 2f, y, color);
+      centred(fonts.large(), notice.text(), width / 2f, y, color);
       y -= 32;
     }
     batch.end();
@@ -222,42 +226,26 @@ public final class Hud implements Disposable {
     if (answerSeconds > 0) {
       batch.begin();
       color.set(Theme.TEXT).a = Math.min(1, 3 * answerSeconds);
-      centred(fonts.large, answer, width / 2f, height / 3f, color);
+      centred(fonts.large(), answer, width / 2f, height / 3f, color);
       batch.end();
       answerSeconds -= seconds;
     }
   }
 
   /**
-   * Draws what the game is about and the keys, in the first seconds.
+   * Draws lines in the middle that are broken where the window ends, from a height upwards. Stands
+   * between {@link #begin} and {@link #end}.
    *
-   * @param from x from which there is room, px
+   * @return the upper edge of the first line
    */
-  public void hints(ClientView view, float secondsPlayed, float from) {
-    if (secondsPlayed > HINT_SECONDS) {
-      return;
-    }
-    if (!view.game().equals(hintsOf)) {
-      hintsOf = view.game();
-      about = Games.create(hintsOf).description();
-    }
-    batch.begin();
-    color.set(Theme.TEXT).a = Math.min(1, HINT_SECONDS - secondsPlayed) * 0.9f;
-    float y = below(KEYS, from, PAD);
-    below(about, from, y + 6);
-    batch.end();
-  }
-
-  /** Draws wrapped lines right of a place, from a height upwards; returns the top. */
-  private float below(String text, float from, float bottom) {
-    float room = width - from - 4 * PAD;
-    shadow.set(0, 0, 0, 0.6f * color.a);
-    wrapped.setText(fonts.text, text, shadow, room, Align.center, true);
-    float x = MathUtils.round(from + 2 * PAD);
-    float top = MathUtils.round(bottom + wrapped.height);
-    fonts.text.draw(batch, wrapped, x + 1, top - 1);
-    wrapped.setText(fonts.text, text, color, room, Align.center, true);
-    fonts.text.draw(batch, wrapped, x, top);
+  float paragraph(BitmapFont font, String text, float bottom, Color tint) {
+    float room = width - 4 * PAD;
+    shadow.set(0, 0, 0, 0.6f * tint.a);
+    wrapped.setText(font, text, shadow, room, Align.center, true);
+    float top = snap(bottom + wrapped.height);
+    font.draw(batch, wrapped, 2 * PAD + 1, top - 1);
+    wrapped.setText(font, text, tint, room, Align.center, true);
+    font.draw(batch, wrapped, 2 * PAD, top);
     return top;
   }
 
@@ -270,11 +258,11 @@ public final class Hud implements Disposable {
     if (watched >= 0) {
       String keys = spectator ? "A, D: another     Tab and P: play" : "A, D: another";
       float y = height - 120;
-      centred(fonts.large, "Watching " + view.playerName(watched), width / 2f, y, Theme.TEXT);
-      centred(fonts.small, keys, width / 2f, y - 30, Theme.MUTED);
+      centred(fonts.large(), "Watching " + view.playerName(watched), width / 2f, y, Theme.TEXT);
+      centred(fonts.small(), keys, width / 2f, y - 30, Theme.MUTED);
     } else {
       String text = spectator ? "You watch. Nobody plays" : "You are back in a moment";
-      centred(fonts.large, text, width / 2f, height / 2f, Theme.TEXT);
+      centred(fonts.large(), text, width / 2f, height / 2f, Theme.TEXT);
     }
     batch.end();
   }
@@ -284,21 +272,21 @@ public final class Hud implements Disposable {
     ConnectionPhase phase = view.phase();
     veil();
     float w = Math.min(width - 2 * PAD, 560);
-    wrapped.setText(fonts.text, view.message(), Theme.MUTED, w - 4 * PAD, Align.center, true);
+    wrapped.setText(fonts.text(), view.message(), Theme.MUTED, w - 4 * PAD, Align.center, true);
     float h = 90 + wrapped.height;
     float x = (width - w) / 2;
     float y = (height - h) / 2;
     panel(x, y, w, h, Theme.DIALOG);
     if (phase == ConnectionPhase.LOADING) {
       float bar = (w - 2 * PAD) * (float) view.loadingProgress();
-      canvas.begin(pixels, 1);
+      beginFigures();
       canvas.rect(x + PAD, y + PAD, w - 2 * PAD, 4, Theme.PANEL_LINE);
       canvas.rect(x + PAD, y + PAD, bar, 4, Theme.ACCENT);
       canvas.end();
     }
     batch.begin();
-    fonts.text.draw(batch, wrapped, x + 2 * PAD, y + wrapped.height + 26);
-    centred(fonts.large, title(phase), width / 2f, y + h - 18, Theme.TEXT);
+    fonts.text().draw(batch, wrapped, x + 2 * PAD, y + wrapped.height + 26);
+    centred(fonts.large(), title(phase), width / 2f, y + h - 18, Theme.TEXT);
     batch.end();
   }
 
@@ -315,7 +303,7 @@ public final class Hud implements Disposable {
 
   /** Darkens everything, because the picture isn't the present. */
   private void veil() {
-    canvas.begin(pixels, 1);
+    beginFigures();
     canvas.rect(0, 0, width, height, Theme.VEIL);
     canvas.end();
   }
@@ -328,13 +316,13 @@ public final class Hud implements Disposable {
   /** Draws a panel on a ground of another colour. */
   public void panel(float x, float y, float w, float h, Color ground) {
     places.take(x, y, w, h);
-    canvas.begin(pixels, 1);
+    beginFigures();
     canvas.rect(x, y, w, h, ground);
     canvas.frame(x, y, w, h, 1, Theme.PANEL_LINE);
     canvas.end();
   }
 
-  /** Returns the width of a text, px. */
+  /** Returns the width of a text, points. */
   public float width(BitmapFont font, String text) {
     layout.setText(font, text);
     return layout.width;
@@ -346,7 +334,7 @@ public final class Hud implements Disposable {
    */
   public void left(BitmapFont font, String text, float x, float y, Color tint) {
     font.setColor(tint);
-    font.draw(batch, text, MathUtils.round(x), MathUtils.round(y));
+    font.draw(batch, text, snap(x), snap(y));
   }
 
   /** Draws text as {@link #left} does, with a shadow that keeps it legible on any ground. */
@@ -356,7 +344,7 @@ public final class Hud implements Disposable {
     left(font, text, x, y, tint);
   }
 
-  /** Returns the beginning of a text that is no wider than a room, px. */
+  /** Returns the beginning of a text that is no wider than a room, points. */
   String startOf(BitmapFont font, String text, float room) {
     int end = text.length();
     while (end > 0 && width(font, text.substring(0, end)) > room) {
@@ -365,7 +353,7 @@ public final class Hud implements Disposable {
     return text.substring(0, end);
   }
 
-  /** Returns the end of a text that is no wider than a room, px. */
+  /** Returns the end of a text that is no wider than a room, points. */
   public String endOf(BitmapFont font, String text, float room) {
     int start = 0;
     while (start < text.length() && width(font, text.substring(start)) > room) {
@@ -380,7 +368,7 @@ public final class Hud implements Disposable {
   }
 
   /** Draws text around x, with a shadow that keeps it legible on any ground. */
-  private void centred(BitmapFont font, String text, float x, float y, Color tint) {
+  void centred(BitmapFont font, String text, float x, float y, Color tint) {
     layout.setText(font, text);
     shadow.set(0, 0, 0, 0.6f * tint.a);
     left(font, text, x - layout.width / 2 + 1, y - 1, shadow);

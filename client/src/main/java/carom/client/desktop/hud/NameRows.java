@@ -3,7 +3,7 @@ package carom.client.desktop.hud;
 /**
  * Chooses the row above a body in which its player's name is written: the lowest that is free. A
  * name comes down again only where there is room to spare, so that it doesn't jump while two bodies
- * move side by side. Pixels, origin bottom left. Render thread only; no allocation.
+ * move side by side. Points, origin bottom left. Render thread only; no allocation.
  */
 final class NameRows {
   /** Height of a row. */

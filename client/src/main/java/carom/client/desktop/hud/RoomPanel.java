@@ -94,20 +94,21 @@ public final class RoomPanel {
     float top = (hud.height() + height) / 2;
     hud.panel(x, top - height, width, height, Theme.DIALOG);
     hud.begin();
-    hud.left(fonts.large, rooms.isEmpty() ? "Rooms ..." : "Rooms", x + PAD, top - PAD, Theme.TEXT);
+    hud.left(
+        fonts.large(), rooms.isEmpty() ? "Rooms ..." : "Rooms", x + PAD, top - PAD, Theme.TEXT);
     for (int i = 0; i < lines; i++) {
       RoomEntry room = rooms.get(first + i);
       float y = top - 2 * PAD - (i + 1) * LINE;
       boolean own = room.name().equals(view.room());
       boolean full = room.players() >= room.places();
       Color tint = first + i == selected ? Theme.ACCENT : full && !own ? Theme.MUTED : Theme.TEXT;
-      hud.left(fonts.text, (own ? "> " : "") + room.name(), x + PAD, y, tint);
-      hud.left(fonts.text, room.game() + ", " + room.level(), x + 0.30f * width, y, tint);
-      hud.left(fonts.text, room.phase(), x + 0.68f * width, y, tint);
-      hud.left(fonts.text, room.players() + "/" + room.places(), x + 0.86f * width, y, tint);
+      hud.left(fonts.text(), (own ? "> " : "") + room.name(), x + PAD, y, tint);
+      hud.left(fonts.text(), room.game() + ", " + room.level(), x + 0.30f * width, y, tint);
+      hud.left(fonts.text(), room.phase(), x + 0.68f * width, y, tint);
+      hud.left(fonts.text(), room.players() + "/" + room.places(), x + 0.86f * width, y, tint);
     }
     hud.left(
-        fonts.small,
+        fonts.small(),
         "up, down: choose     Enter: go     F2: close",
         x + PAD,
         top - height + PAD + 10,

@@ -47,21 +47,35 @@ public final class ScoreBoard {
     return teams;
   }
 
-  /** Draws the table in the middle of the window. */
-  public void draw(ClientView view, int width) {
+  /**
+   * Draws the table in the middle of the window.
+   *
+   * @param above height at the window's top that stays free, points
+   */
+  public void draw(ClientView view, float above) {
     rows.clear();
     rows.addAll(view.players());
     rows.sort(ORDER);
-    int most = Math.max(1, (int) ((hud.height() - 6 * PAD) / LINE) - 3);
+    int most = Math.max(1, (int) ((hud.height() - above - 6 * PAD) / LINE) - 3);
     int shown = Math.min(rows.size(), most);
-    float w = Math.min(WIDTH, width - 2 * PAD);
+    float w = Math.min(WIDTH, hud.windowWidth() - 2 * PAD);
     float h = (shown + 2) * LINE + 3 * PAD;
-    float x = (width - w) / 2;
-    float top = (hud.height() + h) / 2;
+    float x = (hud.windowWidth() - w) / 2;
+    float top = (hud.height() - above + h) / 2;
     hud.panel(x, top - h, w, h, Theme.DIALOG);
     hud.begin();
     float y = top - PAD;
-    row(x, w, y, fonts.small, Theme.MUTED, "Team", title(rows.size(), shown), "Score", "", "Ping");
+    row(
+        x,
+        w,
+        y,
+        fonts.small(),
+        Theme.MUTED,
+        "Team",
+        title(rows.size(), shown),
+        "Score",
+        "",
+        "Ping");
     for (int i = 0; i < shown; i++) {
       RosterEntry entry = rows.get(i);
       y -= LINE;
@@ -69,9 +83,19 @@ public final class ScoreBoard {
       Color tint = own ? Theme.ACCENT : entry.alive() ? Theme.TEXT : Theme.MUTED;
       String ping = entry.pingMs() == 0 ? "-" : entry.pingMs() + " ms";
       String score = entry.spectator() ? "" : Integer.toString(entry.score());
-      row(x, w, y, fonts.text, tint, team(view, entry), entry.name(), score, standing(entry), ping);
+      row(
+          x,
+          w,
+          y,
+          fonts.text(),
+          tint,
+          team(view, entry),
+          entry.name(),
+          score,
+          standing(entry),
+          ping);
     }
-    hud.left(fonts.small, keys(view), x + PAD, y - LINE - PAD, Theme.MUTED);
+    hud.left(fonts.small(), keys(view), x + PAD, y - LINE - PAD, Theme.MUTED);
     hud.end();
   }
 

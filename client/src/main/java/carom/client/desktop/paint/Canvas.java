@@ -300,7 +300,8 @@ public final class Canvas implements Disposable {
   }
 
   /** Draws part of a ring, counter-clockwise from an angle, radians. */
-  void arc(float x, float y, float r, float width, float fromRad, float sweepRad, Color color) {
+  public void arc(
+      float x, float y, float r, float width, float fromRad, float sweepRad, Color color) {
     int n = MathUtils.clamp((int) (Math.sqrt(r * scale) * Math.abs(sweepRad)), 3, 96);
     float middle = r - width / 2;
     Color tint = stroke(width, color);

@@ -207,9 +207,9 @@ public final class SceneScreen extends ScreenAdapter {
       age = 0;
       write();
     }
-    title(height);
+    title();
     if (help) {
-      help(width, height);
+      help();
     }
   }
 
@@ -240,28 +240,28 @@ public final class SceneScreen extends ScreenAdapter {
     clock = text.toString();
   }
 
-  private void title(int height) {
-    float y = height - PAD;
-    float room = Math.max(560, hud.width(fonts.text, player.scene().description()) + 2 * PAD);
+  private void title() {
+    float y = hud.height() - PAD;
+    float room = Math.max(560, hud.width(fonts.text(), player.scene().description()) + 2 * PAD);
     hud.panel(PAD / 2, y - 3 * LINE - 22, room, 3 * LINE + 28);
     hud.begin();
-    hud.left(fonts.large, player.scene().name().replace('_', ' '), PAD, y, Theme.TEXT);
-    hud.left(fonts.text, player.scene().description(), PAD, y - 28, Theme.ACCENT);
-    hud.left(fonts.small, counts, PAD, y - 50, Theme.TEXT);
-    hud.left(fonts.small, clock, PAD, y - 67, Theme.MUTED);
-    hud.left(fonts.small, "H: keys     Tab: next scene", PAD, PAD + 12, Theme.MUTED);
+    hud.left(fonts.large(), player.scene().name().replace('_', ' '), PAD, y, Theme.TEXT);
+    hud.left(fonts.text(), player.scene().description(), PAD, y - 28, Theme.ACCENT);
+    hud.left(fonts.small(), counts, PAD, y - 50, Theme.TEXT);
+    hud.left(fonts.small(), clock, PAD, y - 67, Theme.MUTED);
+    hud.left(fonts.small(), "H: keys     Tab: next scene", PAD, PAD + 12, Theme.MUTED);
     hud.end();
   }
 
-  private void help(int width, int height) {
+  private void help() {
     float w = 290;
     float h = HELP.length * LINE + 2 * PAD;
-    float x = width - w - PAD;
-    float top = height - PAD;
+    float x = hud.windowWidth() - w - PAD;
+    float top = hud.height() - PAD;
     hud.panel(x, top - h, w, h);
     hud.begin();
     for (int i = 0; i < HELP.length; i++) {
-      hud.left(fonts.small, HELP[i], x + PAD, top - PAD - i * LINE, Theme.TEXT);
+      hud.left(fonts.small(), HELP[i], x + PAD, top - PAD - i * LINE, Theme.TEXT);
     }
     hud.end();
   }

@@ -8,9 +8,9 @@ import carom.server.match.MatchLibrary;
 import carom.server.match.SavedMatch;
 import carom.server.metrics.Counters;
 import carom.sim.Game;
-import carom.sim.NextMatch;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.sim.match.NextMatch;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**

@@ -1,16 +1,17 @@
-package carom.sim;
+package carom.sim.ruling;
 
 import carom.physics.Body;
 import carom.physics.World;
-import carom.sim.ruling.Findings;
+import carom.sim.entity.Entity;
+import carom.sim.finding.Findings;
 import java.util.function.Consumer;
 
 /**
- * Checks now and then, one body at a time, that {@link Game#forces} changes no other body than the
+ * Checks now and then, one body at a time, that {@code Game.forces} changes no other body than the
  * one it is called for: a client that doesn't have the other one would compute something else. One
  * thread; allocates for a finding only.
  */
-final class ForceCheck {
+public final class ForceCheck {
   /** A body is checked in every tick of so many. */
   private static final int TICKS = 16;
 
@@ -23,19 +24,19 @@ final class ForceCheck {
   private long sum;
   private long before;
 
-  ForceCheck(World<Entity> world, Findings findings) {
+  public ForceCheck(World<Entity> world, Findings findings) {
     this.world = world;
     this.findings = findings;
   }
 
   /** Begins a tick and chooses which of the bodies that are visited in it to check. */
-  void beginTick(int tick) {
+  public void beginTick(int tick) {
     checked = tick % TICKS == 0 && visited > 0 ? tick / TICKS % visited : -1;
     visited = 0;
   }
 
   /** Notes that forces are about to be called for a body. */
-  void begin(Body<Entity> body) {
+  public void begin(Body<Entity> body) {
     if (visited++ == checked) {
       subject = body;
       before = others();
@@ -43,7 +44,7 @@ final class ForceCheck {
   }
 
   /** Notes that forces have been called for the body that began last. */
-  void end(Body<Entity> body, int tick) {
+  public void end(Body<Entity> body, int tick) {
     if (subject != body) {
       return;
     }

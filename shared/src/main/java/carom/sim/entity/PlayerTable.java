@@ -1,30 +1,49 @@
-package carom.sim;
+package carom.sim.entity;
 
+import carom.sim.field.FieldStore;
+import carom.sim.field.Scope;
+import carom.sim.message.PlayerRole;
 import carom.sim.random.SimRandom;
+import java.util.function.Consumer;
 
 /**
  * The participants of a simulation by id: players and spectators. The game doesn't see spectators
  * among the players. Holds their part of the state.
  */
-final class PlayerTable {
-  private final Player[] players = new Player[Simulation.MAX_PLAYERS];
+public final class PlayerTable {
+  /** Most players at a time; ids are 0..1,023. */
+  public static final int MAX_PLAYERS = 1_024;
+
+  private final Player[] players = new Player[MAX_PLAYERS];
+  private final FieldStore fields;
+  private final Consumer<String> authority;
 
   /** Number above all ids of participants. */
   private int limit;
 
+  /**
+   * Creates an empty table.
+   *
+   * @param authority refuses a call, by its name, that only a server may make
+   */
+  PlayerTable(FieldStore fields, Consumer<String> authority) {
+    this.fields = fields;
+    this.authority = authority;
+  }
+
   /** Returns the player under an id, or null when no player has it. */
-  Player get(int id) {
+  public Player get(int id) {
     Player p = participant(id);
     return p == null || p.isSpectator() ? null : p;
   }
 
   /** Returns the player or spectator under an id, or null when the id is free or out of range. */
-  Player participant(int id) {
+  public Player participant(int id) {
     return id >= 0 && id < limit ? players[id] : null;
   }
 
   /** Returns the number of players, without spectators. */
-  int count() {
+  public int count() {
     int n = 0;
     for (int id = 0; id < limit; id++) {
       n += get(id) != null ? 1 : 0;
@@ -33,7 +52,7 @@ final class PlayerTable {
   }
 
   /** Returns the number of players in a team. */
-  int teamSize(int team) {
+  public int teamSize(int team) {
     int n = 0;
     for (int id = 0; id < limit; id++) {
       Player p = get(id);
@@ -43,7 +62,7 @@ final class PlayerTable {
   }
 
   /** Returns whether there are players, and all of them are ready. */
-  boolean allReady() {
+  public boolean allReady() {
     boolean any = false;
     for (int id = 0; id < limit; id++) {
       Player p = get(id);
@@ -56,12 +75,12 @@ final class PlayerTable {
   }
 
   /** Returns a number above all ids of participants. */
-  int limit() {
+  public int limit() {
     return limit;
   }
 
-  /** Returns the smallest free id; {@link Simulation#MAX_PLAYERS} when there is none. */
-  int freeId() {
+  /** Returns the smallest free id; {@link #MAX_PLAYERS} when there is none. */
+  public int freeId() {
     int id = 0;
     while (id < limit && players[id] != null) {
       id++;
@@ -69,14 +88,26 @@ final class PlayerTable {
     return id;
   }
 
-  /** Adds a player under its own id. */
-  void add(Player player) {
-    players[player.id()] = player;
-    limit = Math.max(limit, player.id() + 1);
+  /** Creates a player that is in no table yet. */
+  Player create(int id, String name) {
+    return new Player(id, name, fields.create(Scope.PLAYER), authority);
+  }
+
+  /** Creates a player under an id that is free. */
+  public Player add(int id, String name) {
+    Player player = create(id, name);
+    players[id] = player;
+    limit = Math.max(limit, id + 1);
+    return player;
+  }
+
+  /** Lets a participant play or watch, with nothing left from before but name and input. */
+  public void become(Player participant, PlayerRole role) {
+    participant.become(role);
   }
 
   /** Removes the player under an id. */
-  void remove(int id) {
+  public void remove(int id) {
     players[id] = null;
     while (limit > 0 && players[limit - 1] == null) {
       limit--;
@@ -84,7 +115,7 @@ final class PlayerTable {
   }
 
   /** Mixes everything that decides the players' future into a state hash. */
-  long hash(long hash) {
+  public long hash(long hash) {
     long h = hash;
     for (int i = 0; i < limit; i++) {
       Player p = players[i];
@@ -104,8 +135,8 @@ final class PlayerTable {
   }
 
   /** Copies the players' state to a saved one. */
-  void save(SimState s) {
-    s.limitPlayers(limit);
+  public void save(SavedPlayers s) {
+    s.limit(limit);
     for (int i = 0; i < limit; i++) {
       Player p = players[i];
       s.players[i] = p;
@@ -122,9 +153,9 @@ final class PlayerTable {
   }
 
   /** Takes the players' state from a saved one. */
-  void restore(SimState s) {
+  public void restore(SavedPlayers s) {
     int before = limit;
-    limit = s.playerLimit;
+    limit = s.limit;
     for (int i = 0; i < Math.max(before, limit); i++) {
       Player p = i < limit ? s.players[i] : null;
       players[i] = p;

@@ -1,4 +1,4 @@
-package carom.sim.ruling;
+package carom.sim.finding;
 
 import java.util.ArrayList;
 import java.util.List;

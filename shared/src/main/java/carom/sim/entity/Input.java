@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.entity;
 
 /**
  * The commands of one player for one tick: an input frame.

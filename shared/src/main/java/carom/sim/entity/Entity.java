@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.entity;
 
 import carom.physics.Body;
 import carom.physics.math.Transform;
@@ -18,7 +18,7 @@ import carom.sim.spawn.Origin;
  * <p>An entity is a handle that is valid until it is despawned. Its id is then given to another
  * entity, with another generation.
  *
- * <p>A client that predicts {@link Game#input} has entities before the server tells their ids. Such
+ * <p>A client that predicts {@code Game.input} has entities before the server tells their ids. Such
  * an entity is <em>provisional</em>: its id is its {@link #origin}. When the server tells which of
  * its entities it is, that one takes its place.
  */
@@ -101,13 +101,13 @@ public final class Entity extends FieldHolder<Entity, Player> {
     return id == LEVEL;
   }
 
-  /** Returns whether it is a client's own, spawned in {@link Game#input} and not told yet. */
+  /** Returns whether it is a client's own, spawned in {@code Game.input} and not told yet. */
   public boolean isProvisional() {
     return Origin.isProvisional(id);
   }
 
   /**
-   * Returns which spawn of its owner's {@link Game#input} it is, see {@link Origin}; {@link
+   * Returns which spawn of its owner's {@code Game.input} it is, see {@link Origin}; {@link
    * Origin#NONE} if none, or if the owner has {@value Origin#MOST_PER_PLAYER} newer ones.
    */
   public int origin() {
@@ -149,7 +149,7 @@ public final class Entity extends FieldHolder<Entity, Player> {
   }
 
   /** Returns whether it is the root of an assembly. */
-  boolean isRoot() {
+  public boolean isRoot() {
     return rootId == id;
   }
 

@@ -1,4 +1,4 @@
-package carom.sim.ruling;
+package carom.sim.finding;
 
 /**
  * Tells what happens again and again from what happens now and then: a level that rises with each

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.entity;
 
 import carom.sim.random.SimRandom;
 import java.util.Arrays;
@@ -7,15 +7,15 @@ import java.util.Arrays;
  * The entities that a client has before the server tells them, in the order in which they were
  * spawned. Few at a time; a server has none. Allocates only to grow.
  */
-final class ProvisionalEntities {
+public final class ProvisionalEntities {
   private Entity[] entities = {};
   private int count;
 
-  int count() {
+  public int count() {
     return count;
   }
 
-  Entity at(int index) {
+  public Entity at(int index) {
     return entities[index];
   }
 
@@ -56,21 +56,21 @@ final class ProvisionalEntities {
   }
 
   /** Copies them behind the other entities of a saved state. */
-  void save(SimState s) {
+  void save(SavedEntities s) {
     s.provisionalCount = count;
     for (int i = 0; i < count; i++) {
-      s.save(s.entityCapacity + i, entities[i]);
+      s.save(s.capacity + i, entities[i]);
     }
   }
 
   /** Takes them from a saved state. */
-  void restore(SimState s) {
+  void restore(SavedEntities s) {
     for (int i = 0; i < s.provisionalCount; i++) {
       if (i >= count) {
-        add(s.entities[s.entityCapacity + i]);
+        add(s.entities[s.capacity + i]);
       }
-      entities[i] = s.entities[s.entityCapacity + i];
-      s.restore(s.entityCapacity + i, entities[i]);
+      entities[i] = s.entities[s.capacity + i];
+      s.restore(s.capacity + i, entities[i]);
     }
     if (count > s.provisionalCount) {
       Arrays.fill(entities, s.provisionalCount, count, null);

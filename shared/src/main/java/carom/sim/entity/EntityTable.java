@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.entity;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -10,37 +10,40 @@ import carom.sim.area.AreaForces;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
-import carom.sim.field.Scope;
 import carom.sim.history.TrackedBodies;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
+import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
 import carom.sim.random.SimRandom;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
+import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 
 /**
  * The entities of a simulation by id, their bodies, and their part of its state. A free id keeps
  * its generation, so that its next entity gets another one.
  */
-final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
+public final class EntityTable
+    implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
+  /** Most entities at a time; ids are 0..65534. */
+  public static final int MAX_ENTITIES = 65_535;
+
   private final World<Entity> world;
-  private final PlayerTable players;
   private final AreaForces<Entity> areas;
   private final Assemblies assemblies;
   private final JointTable<Entity> joints;
   private final int tickRate;
   private final FieldStore fields;
+  private final EntityFields entityFields;
+  private final PlayerTable players;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
   private final ProvisionalEntities provisional = new ProvisionalEntities();
-
-  /** By archetype: the words with which its entities begin; null until one does. */
-  private int[][] starts = new int[16][];
 
   /** Number above all ids that were ever used. */
   private int capacity;
@@ -52,26 +55,33 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
 
   private long version;
 
-  EntityTable(
+  /**
+   * Creates the entities and players of a simulation, of whom there are none yet.
+   *
+   * @param clock returns the tick
+   * @param authority refuses a call, by its name, that only a server may make
+   */
+  public EntityTable(
       World<Entity> world,
-      PlayerTable players,
       AreaForces<Entity> areas,
       Assemblies assemblies,
       JointTable<Entity> joints,
       int tickRate,
       Schema schema,
-      IntSupplier clock) {
+      IntSupplier clock,
+      Consumer<String> authority) {
     this.areas = areas;
     this.assemblies = assemblies;
     this.joints = joints;
     this.world = world;
-    this.players = players;
     this.tickRate = tickRate;
     fields = new FieldStore(schema, clock, this);
+    entityFields = new EntityFields(fields);
+    players = new PlayerTable(fields, authority);
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
-  Entity get(int id) {
+  public Entity get(int id) {
     if (Origin.isProvisional(id)) {
       return provisional.get(id);
     }
@@ -79,39 +89,32 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Returns the entities that a client has before the server tells them. */
-  ProvisionalEntities provisional() {
+  public ProvisionalEntities provisional() {
     return provisional;
   }
 
+  /** Returns the participants. */
+  public PlayerTable players() {
+    return players;
+  }
+
   /** Returns the declared fields and the rules of writing them. */
-  FieldStore fields() {
+  public FieldStore fields() {
     return fields;
   }
 
-  /**
-   * Creates the fields of an entity, which begin as its archetype says.
-   *
-   * @throws IllegalArgumentException if the archetype starts a field that isn't declared
-   */
+  /** Creates the fields of an entity, which begin as its archetype says. */
   FieldValues newFields(Archetype archetype, boolean ofLevel) {
-    int[] begins = starts(archetype);
-    return ofLevel ? fields.createOfLevel(begins) : fields.create(Scope.ENTITY, begins);
+    return entityFields.create(archetype, ofLevel);
   }
 
   /**
-   * Returns the words with which entities of an archetype begin.
+   * Checks that archetypes use declared fields only.
    *
-   * @throws IllegalArgumentException if the archetype starts a field that isn't declared
+   * @throws IllegalArgumentException if one doesn't
    */
-  int[] starts(Archetype archetype) {
-    int index = archetype.index();
-    if (index >= starts.length) {
-      starts = Arrays.copyOf(starts, Math.max(index + 1, 2 * starts.length));
-    }
-    if (starts[index] == null) {
-      starts[index] = fields.schema().starts(Scope.ENTITY, archetype.starts(fields.schema()));
-    }
-    return starts[index];
+  public void checkFields(Archetypes archetypes) {
+    entityFields.check(archetypes);
   }
 
   @Override
@@ -126,22 +129,22 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Returns whether an entity has not been despawned. */
-  boolean holds(Entity entity) {
+  public boolean holds(Entity entity) {
     return get(entity.id()) == entity;
   }
 
   /** Returns a number above all ids that were ever used. */
-  int capacity() {
+  public int capacity() {
     return capacity;
   }
 
   /** Returns the number of entities. */
-  int count() {
+  public int count() {
     return count;
   }
 
   /** Returns a number that changes with each {@link #noteChange}. */
-  long version() {
+  public long version() {
     return version;
   }
 
@@ -177,7 +180,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Creates an entity of static level geometry. The table does not list it. */
-  Entity createStatic(Archetype archetype, Level.Placement p) {
+  public Entity createStatic(Archetype archetype, Level.Placement p) {
     Entity entity = new Entity(this, Entity.LEVEL, 0, archetype, Entity.NO_OWNER);
     createBody(entity, p.x(), p.y(), p.angle());
     return entity;
@@ -188,7 +191,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
    *
    * @param tick determines where on its path a kinematic body begins
    */
-  Entity spawn(Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
+  public Entity spawn(Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
     int id = takeFreeId(archetype);
     return add(new Entity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
   }
@@ -196,15 +199,15 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   /**
    * Creates an entity without an owner under the smallest free id, with a body from a definition.
    */
-  Entity spawn(Archetype archetype, BodyDef def) {
+  public Entity spawn(Archetype archetype, BodyDef def) {
     int id = takeFreeId(archetype);
     Entity entity = new Entity(this, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
     entity.body(world.createBody(def, entity));
     return register(entity, true);
   }
 
-  /** Creates an entity under a given id; see {@link Simulation#spawnAs}. */
-  Entity spawnAs(
+  /** Creates an entity under a given id; see {@code Simulation.spawnAs}. */
+  public Entity spawnAs(
       int id,
       int generation,
       Archetype archetype,
@@ -214,7 +217,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       int ownerId,
       boolean mayBeBody,
       int tick) {
-    if (id < 0 || id >= Simulation.MAX_ENTITIES || generation < 0 || generation > 255) {
+    if (id < 0 || id >= MAX_ENTITIES || generation < 0 || generation > 255) {
       throw new IllegalArgumentException(
           "id=" + id + " generation=" + generation + " is outside 0..65534, 0..255");
     }
@@ -232,7 +235,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
    * Creates an entity that the server hasn't told yet, in place of one of the same origin. It has
    * no part in the order of ids.
    */
-  Entity spawnProvisional(
+  public Entity spawnProvisional(
       int origin, Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
     if (provisional.get(origin) != null) {
       despawn(provisional.get(origin));
@@ -246,10 +249,10 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /**
-   * Notes that {@link Game#input} of an entity's owner spawned it. If the owner has too many of
+   * Notes that {@code Game.input} of an entity's owner spawned it. If the owner has too many of
    * them, the oldest is an entity like others from now on, or goes if it is provisional.
    */
-  void setOrigin(Entity entity, int origin) {
+  public void setOrigin(Entity entity, int origin) {
     Player owner = players.get(entity.ownerId());
     if (owner == null || origin == entity.origin()) {
       return;
@@ -269,8 +272,8 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Creates the bodies and joints of an assembly; returns its root. */
-  Entity spawn(Assembly assembly, float x, float y, float angle, int ownerId, int tick) {
-    if (count + assembly.bodyCount() > Simulation.MAX_ENTITIES) {
+  public Entity spawn(Assembly assembly, float x, float y, float angle, int ownerId, int tick) {
+    if (count + assembly.bodyCount() > MAX_ENTITIES) {
       throw new IllegalStateException(
           "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
     }
@@ -315,13 +318,18 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     joints.assemblyMoved(root.id(), before, after);
   }
 
+  /** Makes an entity a member of the assembly whose root has an id. */
+  public void join(int root, Entity member) {
+    member.rootId(root);
+  }
+
   private int takeFreeId(Archetype archetype) {
     int id = firstFree;
     while (id < capacity && entities[id] != null) {
       id++;
     }
     firstFree = id;
-    if (id == Simulation.MAX_ENTITIES) {
+    if (id == MAX_ENTITIES) {
       throw new IllegalStateException(
           "archetype=" + archetype + " can't be spawned: entities=" + id + " is the limit");
     }
@@ -331,7 +339,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
 
   private void grow(int id) {
     if (id >= entities.length) {
-      int size = Math.min(Simulation.MAX_ENTITIES, Math.max(id + 1, entities.length * 2));
+      int size = Math.min(MAX_ENTITIES, Math.max(id + 1, entities.length * 2));
       entities = Arrays.copyOf(entities, size);
       generations = Arrays.copyOf(generations, size);
     }
@@ -375,7 +383,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Destroys an entity that the table {@linkplain #holds holds}, and its body. */
-  void despawn(Entity entity) {
+  public void despawn(Entity entity) {
     int id = entity.id();
     areas.go(id);
     world.destroyBody(entity.body());
@@ -398,7 +406,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Moves every body with a path to where it was a tick ago, with the velocity to where it is. */
-  void followPaths(int tick) {
+  public void followPaths(int tick) {
     for (int i = 0; i < capacity; i++) {
       Entity e = entities[i];
       if (e == null || e.archetype().motion() == null) {
@@ -415,7 +423,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Mixes everything that decides the entities' future, except their bodies, into a state hash. */
-  long hash(long hash) {
+  public long hash(long hash) {
     long h = hash;
     for (int i = 0; i < capacity; i++) {
       Entity e = entities[i];
@@ -433,12 +441,12 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Copies the entities' state to a saved one. */
-  void save(SimState s) {
-    s.ensureEntities(Math.max(generations.length, capacity + provisional.count()));
+  public void save(SavedEntities s) {
+    s.ensureRoom(Math.max(generations.length, capacity + provisional.count()));
     int end = capacity + provisional.count();
-    Arrays.fill(s.entities, end, Math.max(end, s.entityCapacity + s.provisionalCount), null);
-    s.entityCapacity = capacity;
-    s.entityCount = count;
+    Arrays.fill(s.entities, end, Math.max(end, s.capacity + s.provisionalCount), null);
+    s.capacity = capacity;
+    s.count = count;
     System.arraycopy(generations, 0, s.generations, 0, capacity);
     for (int i = 0; i < capacity; i++) {
       s.save(i, entities[i]);
@@ -447,10 +455,10 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Takes the entities' state from a saved one. */
-  void restore(SimState s) {
+  public void restore(SavedEntities s) {
     int before = capacity;
-    capacity = s.entityCapacity;
-    count = s.entityCount;
+    capacity = s.capacity;
+    count = s.count;
     grow(capacity - 1);
     System.arraycopy(s.entities, 0, entities, 0, capacity);
     noteChange();

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.entity;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -1,18 +1,18 @@
-package carom.sim;
+package carom.sim.entity;
 
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
-import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
 import carom.sim.message.PlayerRole;
 import carom.sim.spawn.Origin;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * A person or bot that takes part: a name, an input, a team, a score, perhaps a body. It belongs to
- * one {@link Simulation} and its thread.
+ * one {@code Simulation} and its thread.
  *
  * <p>A player without a body is out until the game gives it another. Its client then shows the view
  * of another player. A {@linkplain #isSpectator spectator} has no body at all.
@@ -27,7 +27,7 @@ public final class Player extends FieldHolder<Entity, Player> {
   /** Largest {@link #viewDelay}, which is 255 ticks. */
   public static final int MAX_VIEW_DELAY = 255 * VIEW_STEPS;
 
-  private final Simulation simulation;
+  private final Consumer<String> authority;
   private final int id;
   private final String name;
   private final FieldValues fields;
@@ -42,11 +42,16 @@ public final class Player extends FieldHolder<Entity, Player> {
   /** Its entities with an origin, oldest first. */
   private final List<Entity> spawned = new ArrayList<>(0);
 
-  Player(Simulation simulation, int id, String name) {
-    this.simulation = simulation;
+  /**
+   * Creates a player without a body.
+   *
+   * @param authority refuses a call, by its name, that only a server may make
+   */
+  Player(int id, String name, FieldValues fields, Consumer<String> authority) {
     this.id = id;
     this.name = name;
-    fields = simulation.entities().fields().create(Scope.PLAYER);
+    this.fields = fields;
+    this.authority = authority;
   }
 
   /** Returns the slot, 0..1,023, which is free again once the player has left. */
@@ -54,7 +59,7 @@ public final class Player extends FieldHolder<Entity, Player> {
     return id;
   }
 
-  /** Returns the name given at {@link Simulation#join}, which is any text. */
+  /** Returns the name given at {@code Simulation.join}, which is any text. */
   public String name() {
     return name;
   }
@@ -70,8 +75,8 @@ public final class Player extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Returns whether it plays or watches. {@link Simulation#role} changes it. On {@link
-   * Role#PREDICTION} everybody plays.
+   * Returns whether it plays or watches. {@code Simulation.role} changes it. On {@code
+   * Role.PREDICTION} everybody plays.
    */
   public PlayerRole role() {
     return role;
@@ -84,7 +89,7 @@ public final class Player extends FieldHolder<Entity, Player> {
 
   /**
    * Returns whether the player has said that it is ready. What that begins is for the game to say.
-   * A spectator never is. On {@link Role#PREDICTION} it is false.
+   * A spectator never is. On {@code Role.PREDICTION} it is false.
    */
   public boolean isReady() {
     return ready;
@@ -93,15 +98,15 @@ public final class Player extends FieldHolder<Entity, Player> {
   /**
    * Sets whether the player is ready, such as to false when a round has begun.
    *
-   * @throws IllegalStateException on {@link Role#PREDICTION}
+   * @throws IllegalStateException on {@code Role.PREDICTION}
    */
   public void ready(boolean value) {
-    simulation.requireAuthority("ready");
+    authority.accept("ready");
     ready = value && !isSpectator();
   }
 
   /**
-   * Returns the number of living entities that {@link Game#input} spawned for this player, at most
+   * Returns the number of living entities that {@code Game.input} spawned for this player, at most
    * {@value Origin#MOST_PER_PLAYER}: an older one is an entity like others. A client knows those of
    * its own player only.
    */
@@ -110,7 +115,7 @@ public final class Player extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Returns an entity that {@link Game#input} spawned for this player. To despawn some of them, go
+   * Returns an entity that {@code Game.input} spawned for this player. To despawn some of them, go
    * from the newest to the oldest.
    *
    * @param index 0, the oldest, to {@link #spawnedCount} - 1
@@ -142,7 +147,7 @@ public final class Player extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Returns the commands for the next step. The caller of {@link Simulation#step} sets them before
+   * Returns the commands for the next step. The caller of {@code Simulation.step} sets them before
    * each step.
    */
   public Input input() {
@@ -159,7 +164,7 @@ public final class Player extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Sets the view delay, clamped to 0..255 ticks. The caller of {@link Simulation#step} sets it
+   * Sets the view delay, clamped to 0..255 ticks. The caller of {@code Simulation.step} sets it
    * before each step.
    */
   public void viewDelay(int steps) {
@@ -174,16 +179,16 @@ public final class Player extends FieldHolder<Entity, Player> {
   /**
    * Sets the points.
    *
-   * @throws IllegalStateException on {@link Role#PREDICTION}
+   * @throws IllegalStateException on {@code Role.PREDICTION}
    */
   public void score(int points) {
-    simulation.requireAuthority("score");
+    authority.accept("score");
     score = points;
   }
 
   /**
    * Returns the team, a number with a meaning of the game's own; 0 by default, {@link #NO_TEAM} for
-   * spectators. Clients are told it in the roster, but {@link Role#PREDICTION} doesn't know it.
+   * spectators. Clients are told it in the roster, but {@code Role.PREDICTION} doesn't know it.
    */
   public int team() {
     return team;
@@ -192,10 +197,10 @@ public final class Player extends FieldHolder<Entity, Player> {
   /**
    * Sets the team.
    *
-   * @throws IllegalStateException on {@link Role#PREDICTION}
+   * @throws IllegalStateException on {@code Role.PREDICTION}
    */
   public void team(int value) {
-    simulation.requireAuthority("team");
+    authority.accept("team");
     team = value;
   }
 

@@ -1,11 +1,13 @@
-package carom.sim;
+package carom.sim.ruling;
 
 import carom.physics.BodyType;
 import carom.physics.rows.BodyRow;
-import carom.sim.ruling.Findings;
-import carom.sim.ruling.Habit;
-import carom.sim.ruling.Ruling;
-import carom.sim.ruling.RulingLog;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityTable;
+import carom.sim.entity.Player;
+import carom.sim.entity.PlayerTable;
+import carom.sim.finding.Findings;
+import carom.sim.finding.Habit;
 import java.util.Arrays;
 
 /**
@@ -28,7 +30,7 @@ import java.util.Arrays;
  *
  * <p>Only watched entities are compared, so the others cost nothing; the bodies of players are
  * always compared, see {@link #lastTick(Player)}. The log is no part of the simulation's state. It
- * is filled on {@link Role#AUTHORITY} only. One thread; allocates only to grow.
+ * is filled on {@code Role.AUTHORITY} only. One thread; allocates only to grow.
  */
 public final class InterferenceLog {
   /** Holds what is known of one entity or one player. */
@@ -67,7 +69,7 @@ public final class InterferenceLog {
   /** Whether the state before the rules is noted, and that after them isn't. */
   private boolean rulesRun;
 
-  InterferenceLog(EntityTable entities, PlayerTable players, Findings findings) {
+  public InterferenceLog(EntityTable entities, PlayerTable players, Findings findings) {
     this.findings = findings;
     this.entities = entities;
     this.players = players;
@@ -103,7 +105,7 @@ public final class InterferenceLog {
   /**
    * Returns the last tick in which the game did something to an entity that is no {@link Ruling},
    * while it was watched, or -1: it put it to sleep, changed fields of it or of its player outside
-   * of {@link Game#input}, or made, destroyed or changed one of its joints.
+   * of {@code Game.input}, or made, destroyed or changed one of its joints.
    */
   public int lastUntoldTick(Entity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
@@ -128,7 +130,7 @@ public final class InterferenceLog {
   /**
    * Returns the last tick whose state of a player's body doesn't follow from input and physics
    * alone, because the game moved, pushed or exchanged the body, or wrote the player's fields; or
-   * -1. A push in {@link Game#afterStep} shows a tick later, so it counts for the tick after.
+   * -1. A push in {@code Game.afterStep} shows a tick later, so it counts for the tick after.
    */
   public int lastTick(Player player) {
     Mark mark = find(ofPlayers, player.id(), player);
@@ -137,10 +139,10 @@ public final class InterferenceLog {
 
   /**
    * Notes the state of all watched bodies before the game's rules run. A second call before they
-   * end has no effect: {@link Game#join}, {@link Game#leave} and {@link Game#beforeStep} together
+   * end has no effect: {@code Game.join}, {@code Game.leave} and {@code Game.beforeStep} together
    * are the rules before a step, and a body is told one ruling of them.
    */
-  void beginRules() {
+  public void beginRules() {
     if (rulesRun) {
       return;
     }
@@ -149,7 +151,7 @@ public final class InterferenceLog {
     for (int id = 0; id < players.limit(); id++) {
       Player player = players.get(id);
       if (player != null) {
-        claim(ofPlayers, id, player).stamp = player.body == null ? 0 : bodyStamp(player);
+        claim(ofPlayers, id, player).stamp = player.body() == null ? 0 : bodyStamp(player);
       }
     }
     for (int i = 0; i < watchedCount; i++) {
@@ -165,13 +167,13 @@ public final class InterferenceLog {
     entity.body().readRow(mark.row, 0);
   }
 
-  /** Notes what {@link Game#beforeStep} changed in the tick that is being computed. */
-  void endRulesBeforeStep(int tick) {
+  /** Notes what {@code Game.beforeStep} changed in the tick that is being computed. */
+  public void endRulesBeforeStep(int tick) {
     endRules(tick, tick, true);
   }
 
-  /** Notes what {@link Game#afterStep} changed, and ends the watch. */
-  void endRulesAfterStep(int tick) {
+  /** Notes what {@code Game.afterStep} changed, and ends the watch. */
+  public void endRulesAfterStep(int tick) {
     endRules(tick, tick + 1, false);
     for (int i = 0; i < watchedCount; i++) {
       ofEntities[watched[i].id()].watched = false;
@@ -185,13 +187,13 @@ public final class InterferenceLog {
     ofPlayers = grown(ofPlayers, players.limit());
     for (int id = 0; id < players.limit(); id++) {
       Player player = players.get(id);
-      if (player != null && player.body != null) {
+      if (player != null && player.body() != null) {
         Mark mark = claim(ofPlayers, id, player);
         if (bodyStamp(player) != mark.stamp) {
           mark.lastTick = Math.max(mark.lastTick, shownTick);
         }
-        if (ruled(player.body) != mark.ruled) {
-          mark.ruled = ruled(player.body);
+        if (ruled(player.body()) != mark.ruled) {
+          mark.ruled = ruled(player.body());
           mark.lastTick = Math.max(mark.lastTick, tick);
         }
       }
@@ -239,7 +241,7 @@ public final class InterferenceLog {
   /** Counts what the rules wrote to an entity's fields and to those of the player it is of. */
   private long ruled(Entity entity) {
     Player owner = players.get(entity.ownerId());
-    boolean isBody = owner != null && owner.body == entity;
+    boolean isBody = owner != null && owner.body() == entity;
     return entity.fieldValues().ruled() + (isBody ? owner.fieldValues().ruled() : 0);
   }
 
@@ -286,7 +288,7 @@ public final class InterferenceLog {
   }
 
   private static long bodyStamp(Player player) {
-    return player.body.body().stamp();
+    return player.body().body().stamp();
   }
 
   private static long stamp(Entity entity) {
