@@ -1,5 +1,6 @@
 package carom.server;
 
+import carom.game.GuardedGame;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
@@ -13,25 +14,30 @@ import carom.server.lobby.Lobby;
 import carom.server.match.HandedInMatch;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
-import carom.server.session.Seats;
 import carom.server.threads.LoaderThread;
+import carom.server.threads.Watchdog;
 import carom.server.threads.Worker;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
@@ -74,7 +80,13 @@ public final class Server implements AutoCloseable {
   /** Threads that help rooms to step their worlds, or null. */
   private final WorkerThreads helpers;
 
-  private final List<Room> rooms;
+  /** Changed only by {@link #hanging}. */
+  private final List<Room> rooms = new CopyOnWriteArrayList<>();
+
+  private final List<Room> roomsShown = Collections.unmodifiableList(rooms);
+  private final RoomBuilder builder;
+  private final HangingRooms hanging;
+  private final Watchdog watchdog = new Watchdog(GuardedGame.class);
   private final Lobby lobby;
   private final StatusLine status;
   private final List<ShownRecordings> recordings = new ArrayList<>();
@@ -82,7 +94,11 @@ public final class Server implements AutoCloseable {
   private final LoaderThread loader = new LoaderThread();
   private final SlotDisk disk = new SlotDisk();
   private CheckpointLock checkpointLock;
-  private final List<Worker> workers = new ArrayList<>();
+  private Path checkpoints;
+  private int checkpointS;
+  private Consumer<Room> roomBegins = room -> {};
+  private volatile boolean gaveUp;
+  private final List<Worker> workers = new CopyOnWriteArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
   private boolean statusScheduled;
@@ -139,21 +155,26 @@ public final class Server implements AutoCloseable {
     this.clock = clock;
     this.helpers =
         config.threads() == 1 ? null : new WorkerThreads(config.threads(), System::nanoTime);
-    SecureRandom random = new SecureRandom();
     RoomDirectory directory = new RoomDirectory();
+    builder =
+        new RoomBuilder(
+            config,
+            List.copyOf(roomConfigs),
+            library,
+            loader,
+            clock,
+            directory,
+            helpers,
+            new SecureRandom());
     List<Room> built = new ArrayList<>();
-    for (RoomConfig each : roomConfigs) {
-      Seats seats = new Seats(each.places(), random::nextLong);
-      boolean alone = roomConfigs.size() == 1;
-      int number = built.size() + 1;
-      Room room = new Room(config, number, alone, each, library, loader, clock, seats, directory);
-      room.helpedBy(helpers);
-      built.add(room);
+    for (int i = 0; i < roomConfigs.size(); i++) {
+      built.add(builder.build(i, new Counters()));
     }
-    this.rooms = List.copyOf(built);
-    directory.open(rooms);
-    this.lobby = new Lobby(config, transport, rooms, directory);
-    this.status = new StatusLine(rooms, clock.getAsLong());
+    rooms.addAll(built);
+    directory.open(roomsShown);
+    hanging = new HangingRooms(rooms, this::again, this::begin, this::giveUp);
+    this.lobby = new Lobby(config, transport, roomsShown, directory);
+    this.status = new StatusLine(roomsShown, clock.getAsLong());
   }
 
   /**
@@ -171,6 +192,8 @@ public final class Server implements AutoCloseable {
           "seconds=" + seconds + " is outside 1.." + MAX_CHECKPOINT_S);
     }
     checkpointLock = CheckpointLock.of(folder);
+    checkpoints = folder;
+    checkpointS = seconds;
     for (Room room : rooms) {
       room.checkpoint(disk, folder.resolve(room.name()), seconds);
     }
@@ -321,17 +344,56 @@ public final class Server implements AutoCloseable {
     started = true;
     loader.start();
     workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
-    long nowNs = clock.getAsLong();
-    for (Room room : rooms) {
-      // The rooms' ticks are spread over a tick's time, so that they don't compete for the cores.
-      long beginNs = nowNs + (room.number() - 1) * config.tickNs() / rooms.size();
-      String name = "carom-room-" + room.number();
-      workers.add(new Worker(name, new RoomDuty(room, beginNs), clock, this::workerEnded));
-    }
     workers.get(0).start(Thread.NORM_PRIORITY);
-    for (int i = 1; i < workers.size(); i++) {
-      workers.get(i).start(Thread.MAX_PRIORITY);
+    rooms.forEach(this::begin);
+    watchdog.start();
+  }
+
+  /** Gives a room a thread. */
+  private synchronized void begin(Room room) {
+    if (closed) {
+      return;
     }
+    // The rooms' ticks are spread over a tick's time, so that they don't compete for the cores.
+    long beginNs = clock.getAsLong() + (room.number() - 1) * config.tickNs() / rooms.size();
+    String name = "carom-room-" + room.number();
+    Worker worker = new Worker(name, new RoomDuty(room, beginNs), clock, this::workerEnded);
+    workers.add(worker);
+    worker.start(Thread.MAX_PRIORITY);
+    watchdog.watch(
+        worker,
+        new Watchdog.Watched() {
+          @Override
+          public int progress() {
+            return room.age();
+          }
+
+          @Override
+          public void hangs(String callback, String stack) {
+            workers.remove(worker);
+            hanging.abandon(room, worker, callback, stack);
+          }
+        });
+    roomBegins.accept(room);
+  }
+
+  /** Builds a room again, from its last checkpoint if there is one. */
+  private Room again(int index) {
+    Room room = builder.build(index, rooms.get(index).counters());
+    if (checkpoints != null) {
+      disk.flush();
+      try {
+        room.checkpoint(disk, checkpoints.resolve(room.name()), checkpointS);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+    return room;
+  }
+
+  private void giveUp() {
+    gaveUp = true;
+    workerEnded();
   }
 
   /**
@@ -384,6 +446,19 @@ public final class Server implements AutoCloseable {
     }
   }
 
+  /**
+   * Sets who hears of each room that gets a thread: all by {@link #start}, and later those that
+   * take the place of a room whose game hangs. Before {@link #start}.
+   */
+  public void roomBegins(Consumer<Room> listener) {
+    roomBegins = listener;
+  }
+
+  /** Waits for the end as {@link #awaitStop()} does, and returns whether it came in time. */
+  public boolean awaitStop(long time, TimeUnit unit) throws InterruptedException {
+    return ended.await(time, unit);
+  }
+
   /** Waits until the server has ended, because of {@link #close} or a failure. */
   public void awaitStop() throws InterruptedException {
     ended.await();
@@ -400,6 +475,7 @@ public final class Server implements AutoCloseable {
       return;
     }
     closed = true;
+    watchdog.close();
     if (started) {
       long endNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(JOIN_MS);
       workers.forEach(Worker::stop);
@@ -428,10 +504,10 @@ public final class Server implements AutoCloseable {
 
   /**
    * Returns whether errors, which are in the log, have ended the server: all rooms or the lobby
-   * have failed.
+   * have failed, or too many threads hang in games.
    */
   public boolean hasFailed() {
-    return lobbyFailed || rooms.stream().allMatch(Room::hasFailed);
+    return lobbyFailed || gaveUp || rooms.stream().allMatch(Room::hasFailed);
   }
 
   /** Returns the port for reliable messages, as the transport opened it. */
@@ -455,11 +531,12 @@ public final class Server implements AutoCloseable {
   }
 
   /**
-   * Returns the rooms in the order of their numbers; the list never changes. While threads drive
-   * the server, use only what the documentation of {@link Room} allows from any thread.
+   * Returns the rooms in the order of their numbers. A room whose game hangs is replaced by another
+   * one of the same number and name; the list shows that. While threads drive the server, use only
+   * what the documentation of {@link Room} allows from any thread.
    */
   public List<Room> rooms() {
-    return rooms;
+    return roomsShown;
   }
 
   /** Returns the sum of a counter over all rooms. Any thread. */

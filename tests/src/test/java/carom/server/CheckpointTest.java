@@ -237,6 +237,27 @@ class CheckpointTest {
   }
 
   @Test
+  void aRoomThatFailsAgainAndAgainBeginsAnewInTheEnd() throws Exception {
+    Path path = folder.resolve("kept0");
+    List<String> levels = List.of("chain");
+    int[] failEvery = {0};
+    MatchLibrary library = with(game -> game.failEvery = failEvery[0]);
+    KeptServer kept = new KeptServer(library, levels, path, START_NS);
+    kept.runTo(100);
+    kept.close();
+    failEvery[0] = 1;
+    for (int run = 0; run < 4; run++) {
+      kept = new KeptServer(library, levels, path, START_NS);
+      assertEquals(run < 3 ? 1 : 0, kept.server.count(Counter.ROOMS_RESUMED), "run=" + run);
+      for (int i = 0; i < 70; i++) {
+        kept.step();
+      }
+      assertTrue(kept.server.hasFailed());
+      kept.close();
+    }
+  }
+
+  @Test
   void twoServersDoNotShareAFolder() {
     Path path = folder.resolve("kept0");
     KeptServer kept = new KeptServer(KeptServer.library(), List.of("chain"), path, START_NS);

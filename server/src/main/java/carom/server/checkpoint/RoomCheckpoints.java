@@ -45,6 +45,12 @@ public final class RoomCheckpoints {
 
   private static final long NS_PER_MS = 1_000_000;
 
+  /** Failures in a row after which the checkpoints aren't resumed: they lead to the next one. */
+  private static final int MAX_FAILURES = 3;
+
+  /** A room that has played for so long after it was resumed has not failed because of that. */
+  private static final int HEALTHY_S = 60;
+
   /**
    * The room that is kept.
    *
@@ -73,6 +79,7 @@ public final class RoomCheckpoints {
   private RoomCourse course;
   private long roomSeed;
   private int lastSlot;
+  private long healthyNs;
 
   /** The last slot that the disk has. The disk's thread only. */
   private int safeSlot;
@@ -82,6 +89,7 @@ public final class RoomCheckpoints {
 
   private RecordingHeader header;
   private volatile SlotFile slot;
+  private volatile boolean abandoned;
   private int slotTick;
   private long slotHash;
   private SavedEvents events;
@@ -116,8 +124,9 @@ public final class RoomCheckpoints {
   public ResumedRoom resume(MatchLoader loader, long nowNs) throws IOException {
     folder.create();
     List<Integer> slots = folder.slots();
-    for (int number : slots) {
-      lastSlot = Math.max(lastSlot, number);
+    lastSlot = slots.isEmpty() ? 0 : slots.get(0);
+    boolean mayResume = folder.failures() < MAX_FAILURES;
+    for (int number : mayResume ? slots : List.<Integer>of()) {
       RoomResume resume = new RoomResume(folder, number, room, loader, nowNs);
       try {
         ResumedRoom resumed = resume.run();
@@ -129,9 +138,16 @@ public final class RoomCheckpoints {
         LOG.warn("{}checkpoint {} is refused: {}", room.label(), number, e.getMessage());
       }
     }
+    if (!mayResume) {
+      LOG.error(
+          "{}the room has failed {} times in a row soon after its checkpoints",
+          room.label(),
+          MAX_FAILURES);
+    }
     for (int number : slots) {
       folder.refuse(number);
     }
+    folder.forgetFailures();
     if (!slots.isEmpty()) {
       LOG.error(
           "{}no checkpoint can be used, the room begins anew; {} keeps them as *.refused",
@@ -150,11 +166,15 @@ public final class RoomCheckpoints {
   public void begin(RoomCourse newCourse, long newRoomSeed, long nowNs) {
     course = newCourse;
     roomSeed = newRoomSeed;
+    healthyNs = nowNs + HEALTHY_S * 1_000 * NS_PER_MS;
     beginMatch(nowNs);
   }
 
   /** Keeps another match from now on, which has begun with its players. */
   public void beginMatch(long nowNs) {
+    if (abandoned) {
+      return;
+    }
     Simulation s = course.match().simulation();
     if (s.game().keepsMore()) {
       LOG.error(
@@ -183,7 +203,7 @@ public final class RoomCheckpoints {
 
   /** Begins a slot if one is due, and writes the seats if they have changed; once per tick. */
   public void tickEnds(long nowNs) {
-    if (header == null) {
+    if (header == null || abandoned) {
       return;
     }
     int tick = course.match().simulation().tick();
@@ -248,9 +268,13 @@ public final class RoomCheckpoints {
     events = SavedEvents.of(course.match().capture().frames().events(), room.bySeat());
     writeSeats(nowNs);
     int number = next.number();
+    boolean healthy = nowNs - healthyNs >= 0;
     next.sync(
         () -> {
           deleteBelow(number);
+          if (healthy) {
+            forgetFailures();
+          }
           safeSlot = number;
         });
     room.counters().add(Counter.CHECKPOINTS, 1);
@@ -273,6 +297,22 @@ public final class RoomCheckpoints {
       }
     } catch (IOException e) {
       LOG.warn("{}old checkpoints can't be deleted: {}", room.label(), e.toString());
+    }
+  }
+
+  private void forgetFailures() {
+    try {
+      folder.forgetFailures();
+    } catch (IOException e) {
+      LOG.warn("{}old failures can't be forgotten: {}", room.label(), e.toString());
+    }
+  }
+
+  private void addFailure() {
+    try {
+      folder.addFailure();
+    } catch (IOException e) {
+      LOG.warn("{}the failure can't be noted: {}", room.label(), e.toString());
     }
   }
 
@@ -323,21 +363,30 @@ public final class RoomCheckpoints {
    *     checkpoint
    */
   public void end(boolean good, long nowNs) {
-    if (header == null) {
+    if (header == null || abandoned) {
       return;
     }
     if (good && recorder != null && course.match().simulation().tick() > slotTick) {
       beginSlot(nowNs);
     }
+    if (!good) {
+      addFailure();
+    }
     endMatch(good ? "STOPPED" : "FAILED");
     header = null;
   }
 
-  /** Makes the present slot take nothing more; from any thread. */
-  public void cut(String why) {
+  /**
+   * Keeps nothing more, because the room's thread doesn't come back: what it does if it comes back
+   * after all belongs to no slot. From any thread.
+   */
+  public void abandon(String why) {
+    abandoned = true;
+    addFailure();
     SlotFile present = slot;
     if (present != null) {
       present.cut(why);
+      present.close();
     }
   }
 }

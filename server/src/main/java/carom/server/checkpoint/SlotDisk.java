@@ -1,5 +1,6 @@
 package carom.server.checkpoint;
 
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
@@ -41,6 +42,22 @@ public final class SlotDisk implements AutoCloseable {
   /** Syncs after all that was asked for before. */
   void sync(Runnable task) {
     syncs.execute(task);
+  }
+
+  /**
+   * Waits for at most 5 s until all that was asked for is written, so that it can be read.
+   *
+   * @return whether it is
+   */
+  public boolean flush() {
+    CountDownLatch written = new CountDownLatch(1);
+    writes.execute(written::countDown);
+    try {
+      return written.await(CLOSE_S, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
   }
 
   /** Waits for at most 5 s until all that was asked for is on the disk, and ends the threads. */

@@ -102,6 +102,25 @@ record SlotFolder(Path path) {
     moveIfThere(log(slot), slot + ".log.refused");
   }
 
+  /** Returns how often in a row the room has failed soon after it was resumed. */
+  int failures() throws IOException {
+    return Files.exists(failed()) ? (int) Files.size(failed()) : 0;
+  }
+
+  /** Notes that the room has failed. */
+  void addFailure() throws IOException {
+    Files.write(failed(), new byte[] {'x'}, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+  }
+
+  /** Forgets failures, because the room has played for long enough. */
+  void forgetFailures() throws IOException {
+    Files.deleteIfExists(failed());
+  }
+
+  private Path failed() {
+    return path.resolve("failed");
+  }
+
   private void moveIfThere(Path file, String name) throws IOException {
     if (Files.exists(file)) {
       Files.move(file, path.resolve(name), StandardCopyOption.REPLACE_EXISTING);

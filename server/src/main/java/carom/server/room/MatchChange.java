@@ -186,6 +186,10 @@ final class MatchChange implements RoomCourse {
       return new Loaded(wanted, load(named), null);
     } catch (MatchLoader.Unplayable e) {
       return new Loaded(wanted, null, e);
+    } catch (Error e) { // such as too little memory for the level; the match goes on
+      LOG.error(
+          "{}can't build game=\"{}\" level=\"{}\"", room.label(), named.game(), named.level(), e);
+      return new Loaded(wanted, null, null);
     }
   }
 

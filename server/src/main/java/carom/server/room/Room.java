@@ -84,7 +84,7 @@ public final class Room {
   private final int number;
   private final RoomConfig settings;
   private final LongSupplier clock;
-  private final Counters counters = new Counters();
+  private final Counters counters;
   private final RoomRecording recording;
   private final TickLoop loop;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
@@ -100,7 +100,7 @@ public final class Room {
   private final OperatorCommands operator;
 
   /** Null if the room isn't kept. */
-  private RoomCheckpoints checkpoints;
+  private volatile RoomCheckpoints checkpoints;
 
   private final Consumer<String> sendNotice;
   private final BiConsumer<Session, Broadcast> sendTo;
@@ -122,6 +122,7 @@ public final class Room {
    * @param clock nanoseconds, to measure how long ticks take
    * @param seats this room's seats, shared with the lobby
    * @param directory the server's rooms
+   * @param counters those of a room whose place this one takes, or new ones
    * @throws IllegalArgumentException when the first match can't be played; the message says why
    */
   public Room(
@@ -133,8 +134,10 @@ public final class Room {
       Executor loads,
       LongSupplier clock,
       Seats seats,
-      RoomDirectory directory) {
+      RoomDirectory directory,
+      Counters counters) {
     this.number = number;
+    this.counters = counters;
     this.settings = settings;
     this.clock = clock;
     String label = alone ? "" : "room " + settings.name() + ": ";
@@ -419,6 +422,21 @@ public final class Room {
     }
     departures.endAll(reason, text, nowNs);
     arrivals.refuseAll(reason, text, nowNs);
+  }
+
+  /**
+   * Gives the room up because its thread doesn't come back from the game: closes all links, and
+   * makes it keep nothing more. From any thread. The room's own ends when it comes back.
+   *
+   * @param why for logs
+   */
+  public void abandon(String why) {
+    closed = true;
+    if (checkpoints != null) {
+      checkpoints.abandon(why);
+    }
+    arrivals.closeLinks(why);
+    sessions.closeLinks(why);
   }
 
   /** Returns whether all links have said goodbye. */

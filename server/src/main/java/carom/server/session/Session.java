@@ -71,7 +71,7 @@ public final class Session implements LinkHandler {
   private final InputDatagram datagram = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
   private SessionState state = SessionState.LOADING;
-  private Link link;
+  private volatile Link link;
   private int datagramKey;
   private int viewDelay;
   private final LogInterval divergenceLines = new LogInterval();
@@ -234,6 +234,14 @@ public final class Session implements LinkHandler {
     link = null;
     replication.end();
     return old;
+  }
+
+  /** Closes the link, if there is one; from any thread. */
+  public void closeLink(String why) {
+    Link present = link;
+    if (present != null) {
+      present.close(why);
+    }
   }
 
   /** Takes what has arrived, at most {@link #MAX_POLL} messages and datagrams. */

@@ -130,7 +130,7 @@ final class DatagramPort implements Runnable {
         if (received >= CROWD) {
           LockSupport.parkNanos(GATHER_NANOS);
         }
-      } catch (IOException | RuntimeException x) {
+      } catch (IOException | RuntimeException | Error x) { // the thread serves all clients
         if (!closing) {
           counters.error(x);
           LockSupport.parkNanos(GATHER_NANOS);
