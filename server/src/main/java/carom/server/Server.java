@@ -8,6 +8,7 @@ import carom.physics.threads.WorkerThreads;
 import carom.server.access.EntryRule;
 import carom.server.checkpoint.CheckpointLock;
 import carom.server.checkpoint.SlotDisk;
+import carom.server.command.StatusLine;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
