@@ -20,6 +20,7 @@ import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
+import carom.server.room.HangingRooms;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.threads.LoaderThread;

@@ -1,7 +1,6 @@
-package carom.server;
+package carom.server.room;
 
 import carom.server.metrics.Counter;
-import carom.server.room.Room;
 import carom.server.threads.Worker;
 import java.util.List;
 import java.util.function.Consumer;
@@ -18,9 +17,9 @@ import org.slf4j.LoggerFactory;
  * <p>With {@value #MOST} abandoned threads, the server ends, so that its supervisor starts it
  * again.
  */
-final class HangingRooms {
+public final class HangingRooms {
   /** Abandoned threads with which the server ends. */
-  static final int MOST = 2;
+  public static final int MOST = 2;
 
   private static final Logger LOG = LoggerFactory.getLogger(HangingRooms.class);
 
@@ -38,7 +37,7 @@ final class HangingRooms {
    * @param begin gives a room a thread
    * @param giveUp ends the server
    */
-  HangingRooms(
+  public HangingRooms(
       List<Room> rooms, IntFunction<Room> replacement, Consumer<Room> begin, Runnable giveUp) {
     this.rooms = rooms;
     this.replacement = replacement;
@@ -47,7 +46,7 @@ final class HangingRooms {
   }
 
   /** Abandons a room's thread. On the watchdog's thread. */
-  synchronized void abandon(Room room, Worker worker, String callback, String stack) {
+  public synchronized void abandon(Room room, Worker worker, String callback, String stack) {
     abandoned++;
     room.counters().add(Counter.CALLBACKS_ABANDONED, 1);
     LOG.error(
