@@ -157,6 +157,8 @@ class CheckpointTest {
     bob.input.hold(Input.ACTION, true);
     kept.runTo(kept.tick() + 10);
     bob.input.hold(Input.ACTION, false);
+    kept.runTo(150);
+    KeptServer.settle(folder.resolve("kept0")); // so that another checkpoint may begin
     kept.runTo(300);
     Path crashed = crash();
     kept.close();
