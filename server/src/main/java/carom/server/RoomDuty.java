@@ -10,6 +10,9 @@ record RoomDuty(Room room, long beginNs) implements Worker.Duty {
   /** Longest nap, ns. The thread also empties the inboxes between ticks. */
   private static final long NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
 
+  /** Nap while the room waits for its first player, ns: the most that a player waits for it. */
+  private static final long IDLE_NAP_NS = TimeUnit.MILLISECONDS.toNanos(50);
+
   @Override
   public void turn(long nowNs) {
     if (nowNs - beginNs >= 0) {

@@ -72,6 +72,9 @@ public final class Server implements AutoCloseable {
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
 
+  /** Nap of the lobby while it waits for the first player, ns: the most that a player waits. */
+  private static final long IDLE_NAP_NS = TimeUnit.MILLISECONDS.toNanos(50);
+
   /** Longest time between checkpoints, s. */
   public static final int MAX_CHECKPOINT_S = 600;
 
@@ -421,7 +424,7 @@ public final class Server implements AutoCloseable {
 
     @Override
     public long napNs(long nowNs) {
-      return LOBBY_NAP_NS;
+      return lobby.isDeserted() ? IDLE_NAP_NS : LOBBY_NAP_NS;
     }
 
     @Override
