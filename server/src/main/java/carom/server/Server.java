@@ -462,11 +462,6 @@ public final class Server implements AutoCloseable {
     roomBegins = listener;
   }
 
-  /** Waits for the end as {@link #awaitStop()} does, and returns whether it came in time. */
-  public boolean awaitStop(long time, TimeUnit unit) throws InterruptedException {
-    return ended.await(time, unit);
-  }
-
   /** Waits until the server has ended, because of {@link #close} or a failure. */
   public void awaitStop() throws InterruptedException {
     ended.await();
