@@ -13,18 +13,7 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 
-/**
- * Builds the rooms of a server. Any thread.
- *
- * @param config the settings that all rooms share
- * @param rooms their own
- * @param library finds games and levels
- * @param loads builds further matches
- * @param clock monotonic nanoseconds
- * @param directory the server's rooms
- * @param helpers help to step worlds, or null
- * @param random gives secrets
- */
+/** Builds the rooms of a server from what they share and what is their own. Any thread. */
 record RoomBuilder(
     ServerConfig config,
     List<RoomConfig> rooms,
