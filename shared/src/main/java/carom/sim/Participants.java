@@ -41,13 +41,11 @@ final class Participants {
   Player join(int id, String name, int team, int score) {
     parts.calls.requireAuthority("join");
     players.requireFree(id);
-    if (parts.journal != null) {
-      if (team != 0 || score != 0) {
-        throw new IllegalStateException(
-            "a journal can't tell what " + name + " brings: team=" + team + " score=" + score);
-      }
-      parts.journal.joining(simulation, id, name);
+    if (!parts.journals.isEmpty() && (team != 0 || score != 0)) {
+      throw new IllegalStateException(
+          "a journal can't tell what " + name + " brings: team=" + team + " score=" + score);
     }
+    parts.journals.joining(simulation, id, name);
     boolean full = players.count() >= parts.game.maxPlayers();
     Player player = players.add(id, name);
     if (full) {
@@ -65,9 +63,7 @@ final class Participants {
   Player joinAsSpectator(int id, String name) {
     parts.calls.requireAuthority("joinAsSpectator");
     players.requireFree(id);
-    if (parts.journal != null) {
-      parts.journal.watching(simulation, id, name);
-    }
+    parts.journals.watching(simulation, id, name);
     Player player = players.add(id, name);
     players.become(player, PlayerRole.SPECTATOR);
     return player;
@@ -82,8 +78,8 @@ final class Participants {
     if (players.participant(participant.id()) != participant || participant.role() == role) {
       return;
     }
-    if (parts.journal != null && !parts.inTick && inGame == 0) {
-      parts.journal.changing(simulation, participant.id(), role);
+    if (!parts.inTick && inGame == 0) {
+      parts.journals.changing(simulation, participant.id(), role);
     }
     if (role == PlayerRole.PLAYER) {
       players.become(participant, role);
@@ -108,9 +104,7 @@ final class Participants {
       return;
     }
     parts.received.forget(id);
-    if (parts.journal != null) {
-      parts.journal.leaving(simulation, id);
-    }
+    parts.journals.leaving(simulation, id);
     if (parts.role == Role.AUTHORITY && !player.isSpectator()) {
       retire(player);
     }

@@ -5,6 +5,7 @@ import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.sim.area.AreaForces;
 import carom.sim.entity.AllFields;
+import carom.sim.entity.CallRules;
 import carom.sim.entity.Entity;
 import carom.sim.entity.EntityTable;
 import carom.sim.entity.PlayerTable;
@@ -84,8 +85,8 @@ final class SimParts {
   /** Whether a step runs. */
   boolean inTick;
 
-  /** Receives what enters; may be null. */
-  Journal journal;
+  /** Receive what enters. */
+  final Journals journals = new Journals();
 
   /** What is known of the server's rules, on PREDICTION; may be null. */
   Rulings rulings;
@@ -100,7 +101,7 @@ final class SimParts {
     this.tickRate = tickRate;
     this.role = role;
     boolean decides = role == Role.AUTHORITY;
-    calls = new CallRules(role);
+    calls = new CallRules(decides);
     random = new SimRandom(seed);
     worldDef = game.world(level);
     world = new World<>(worldDef);

@@ -113,9 +113,17 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return Schema.of(MatchClock.fieldsOf(game));
   }
 
-  /** Sets what receives everything that enters from now on, or null. No part of the state. */
-  public void journal(Journal newJournal) {
-    parts.journal = newJournal;
+  /**
+   * Adds a journal, which receives everything that enters from now on. Journals are not part of the
+   * state.
+   */
+  public void addJournal(Journal journal) {
+    parts.journals.add(journal);
+  }
+
+  /** Removes a journal; nothing happens if it isn't there. */
+  public void removeJournal(Journal journal) {
+    parts.journals.remove(journal);
   }
 
   /** Returns what takes over the server's state; of use on {@link Role#PREDICTION} only. */

@@ -7,6 +7,7 @@ import carom.physics.Joint;
 import carom.physics.JointListener;
 import carom.physics.QueryFilter;
 import carom.physics.math.Aabb;
+import carom.sim.entity.CallRules;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.field.FieldStore;
@@ -71,9 +72,7 @@ final class Tick {
 
   /** Computes the tick after the present one. */
   void step() {
-    if (parts.journal != null) {
-      parts.journal.stepping(simulation);
-    }
+    parts.journals.stepping(simulation);
     parts.tick++;
     parts.inTick = true;
     try {
@@ -83,9 +82,7 @@ final class Tick {
       fields.end();
     }
     parts.capturePoses();
-    if (parts.journal != null) {
-      parts.journal.stepped(simulation);
-    }
+    parts.journals.stepped(simulation);
   }
 
   private void compute() {
