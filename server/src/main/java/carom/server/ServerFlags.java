@@ -300,6 +300,49 @@ final class ServerFlags {
   List<String> webHosts = List.of();
 
   @Option(
+      names = "--query",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "true",
+      description = "Answer A2S status queries of server lists and local networks (UDP).")
+  boolean query;
+
+  @Option(
+      names = "--query-port",
+      paramLabel = "N",
+      defaultValue = "27015",
+      description = "Port for status queries, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
+  int queryPort;
+
+  @Option(
+      names = "--rcon",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "false",
+      description =
+          "Take commands by Source RCON (TCP, not encrypted); the password is in rcon.password of"
+              + " the data folder.")
+  boolean rcon;
+
+  @Option(
+      names = "--rcon-port",
+      paramLabel = "N",
+      defaultValue = "27015",
+      description = "Port for RCON, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
+  int rconPort;
+
+  @Option(
+      names = "--rcon-bind",
+      paramLabel = "ADDRESS",
+      defaultValue = "127.0.0.1",
+      description = "Address of this machine for RCON (${DEFAULT-VALUE}).")
+  private String rconBind;
+
+  @Option(
       names = "--console",
       paramLabel = "true|false",
       arity = "0..1",
@@ -382,6 +425,8 @@ final class ServerFlags {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
     requireRange("--web-port", webPort, MAX_PORT);
+    requireRange("--query-port", queryPort, MAX_PORT);
+    requireRange("--rcon-port", rconPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
     requireRange("--log-keep", logKeep, MAX_LOGS);
     if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
@@ -500,6 +545,11 @@ final class ServerFlags {
   /** Returns the address to listen on, or null for all. */
   InetAddress bindAddress() {
     return bind == null ? null : address("--bind", bind);
+  }
+
+  /** Returns the address for RCON. */
+  InetAddress rconAddress() {
+    return address("--rcon-bind", rconBind);
   }
 
   /** Returns the address for HTTP. */

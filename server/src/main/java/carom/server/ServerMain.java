@@ -19,7 +19,12 @@ import carom.server.console.LogTail;
 import carom.server.console.ReadyLine;
 import carom.server.jmx.CommandInspector;
 import carom.server.jmx.RoomInspector;
+import carom.server.login.LoginThrottle;
+import carom.server.login.Secret;
 import carom.server.metrics.Counter;
+import carom.server.query.RemoteConsole;
+import carom.server.query.StatusFacts;
+import carom.server.query.StatusQuery;
 import carom.server.web.WebServer;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
@@ -296,6 +301,7 @@ public final class ServerMain implements Callable<Integer> {
     if (flags.console) {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
     }
+    openProtocols(server, commands, log);
     // Players needn't wait for it: its libraries load for as long as all the rest.
     web.set(new WebStart(flags, settings(), log).open(server, commands, logTail, title(server)));
     server.awaitStop();
@@ -312,6 +318,35 @@ public final class ServerMain implements Callable<Integer> {
     ServerCommands.add(
         commands, server::status, settings(), ServerMain::replay, ServerMain::stopSoon);
     return commands;
+  }
+
+  /**
+   * Opens the ports of the standard protocols. One that is busy but wasn't named is done without.
+   */
+  private void openProtocols(Server server, CommandRegistry commands, Logger log)
+      throws StartFailure {
+    try {
+      if (flags.rcon) {
+        Secret password = Secret.of(flags.dataFolder().rconPassword());
+        LoginThrottle throttle = new LoginThrottle(System::nanoTime);
+        RemoteConsole rcon =
+            new RemoteConsole(flags.rconAddress(), flags.rconPort, commands, password, throttle);
+        log.info("rcon: tcp {}, password in {}", rcon.port(), flags.dataFolder().rconPassword());
+      }
+      if (flags.query) {
+        String name = server.config().serverName();
+        StatusFacts facts =
+            new StatusFacts(name, version(), server.tcpPort(), server.udpPort(), server.rooms());
+        StatusQuery query = new StatusQuery(flags.bindAddress(), flags.queryPort, facts);
+        log.info("status queries: udp {}", query.port());
+      }
+    } catch (IOException e) {
+      if (flags.rcon || settings().find("query-port").orElseThrow().isSet()) {
+        server.close();
+        throw new StartFailure(e.getMessage(), e);
+      }
+      log.warn("no status queries: {}", e.getMessage());
+    }
   }
 
   private static String replay(String file) {
