@@ -18,6 +18,7 @@ import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
+import carom.server.schedule.LoaderThread;
 import carom.server.session.Seats;
 import carom.sim.Game;
 import carom.sim.level.Level;

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Timeout;
 
 /**
  * Goal: stock tools read the answers, and nobody can use them against others. Method: the bytes of
- * python-a2s 1.4.1, which was checked by hand against a running server, and forged ones.
+ * python-a2s 1.4.2, which was checked by hand against a running server, and forged ones.
  */
 @Timeout(60)
 final class StatusQueryTest {
