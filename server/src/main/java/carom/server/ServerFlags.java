@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.game.Games;
 import carom.net.kryo.KryoLimits;
+import carom.net.seal.Encryption;
 import carom.net.transport.Impairment;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions;
@@ -60,8 +61,8 @@ final class ServerFlags {
       paramLabel = "FOLDER",
       defaultValue = "data",
       description =
-          "Folder of the server's own files: carom.conf, bans.txt, allow.txt, levels, recordings,"
-              + " logs"
+          "Folder of the server's own files: carom.conf, bans.txt, allow.txt, server.key, levels,"
+              + " recordings, logs"
               + " (${DEFAULT-VALUE}).")
   private Path data;
 
@@ -84,6 +85,15 @@ final class ServerFlags {
       defaultValue = "54777",
       description = "Port for datagrams, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
   int udpPort;
+
+  @Option(
+      names = "--encryption",
+      paramLabel = "on|off",
+      defaultValue = "on",
+      description =
+          "Encrypt everything between server and players; off is for looking at packets, and"
+              + " players need --encryption off, too (${DEFAULT-VALUE}).")
+  Encryption encryption;
 
   @Option(
       names = "--game",

@@ -15,6 +15,7 @@ import carom.server.config.Settings;
 import carom.server.config.SettingsLayers;
 import carom.server.console.Console;
 import carom.server.console.LogFiles;
+import carom.server.console.LogLimit;
 import carom.server.console.LogTail;
 import carom.server.console.ReadyLine;
 import carom.server.jmx.CommandInspector;
@@ -226,6 +227,7 @@ public final class ServerMain implements Callable<Integer> {
    * not if the operator named one.
    */
   private void openData(LoggerContext logging, Logger log) throws StartFailure {
+    LogLimit.begin(logging);
     DataFolder data = flags.dataFolder();
     try {
       data.create();

@@ -2,9 +2,12 @@ package carom.client.app;
 
 import carom.client.ClientConfig;
 import carom.client.link.ServerAddress;
+import carom.net.frame.Trust;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.Limits;
 import carom.net.protocol.RoomName;
+import carom.net.seal.Encryption;
+import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
@@ -77,6 +80,15 @@ public final class NetworkOptions {
       defaultValue = "warn")
   LogLevel logLevel = LogLevel.WARN;
 
+  @Option(
+      names = "--encryption",
+      paramLabel = "on|off",
+      description =
+          "Encrypt what is sent; off only for a server that runs with --encryption off, in a"
+              + " network you trust (${DEFAULT-VALUE}).",
+      defaultValue = "on")
+  Encryption encryption = Encryption.ON;
+
   @Mixin NetworkConditions conditions = new NetworkConditions();
 
   /** Creates the defaults; the command line changes them. */
@@ -114,6 +126,11 @@ public final class NetworkOptions {
    */
   public Impairment impairment() {
     return conditions.impairment();
+  }
+
+  /** Returns what a server must be like to be played on. */
+  public Trust trust(KnownServers known) {
+    return new Trust(encryption, known);
   }
 
   /** Wraps a transport with the simulated bad network. */

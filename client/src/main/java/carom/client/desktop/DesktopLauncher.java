@@ -39,7 +39,7 @@ public final class DesktopLauncher implements Window {
     window.disableAudio(!hasSound);
     try (ClientTransport transport =
         new ImpairedClientTransport(
-            new KryoClientTransport(),
+            new KryoClientTransport(options.trust()),
             options.impairment(),
             new KryoMessageCodec(),
             System::nanoTime)) {
