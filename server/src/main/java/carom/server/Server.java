@@ -19,6 +19,7 @@ import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.schedule.LoaderThread;
+import carom.server.schedule.Worker;
 import carom.server.session.Seats;
 import carom.sim.Game;
 import carom.sim.level.Level;

@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.schedule;
 
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -11,16 +11,16 @@ import org.slf4j.LoggerFactory;
  * stopped or its duty has failed, and then says farewell. An exception that reaches this class is a
  * bug. The thread logs it and goes on, unless {@value #MAX_FAILURES_IN_A_ROW} turns in a row fail.
  */
-final class Worker {
+public final class Worker {
   /** Longest farewell, ms. Links stay open for so long that the last message arrives. */
-  static final long FAREWELL_MS = 400;
+  public static final long FAREWELL_MS = 400;
 
   private static final Logger LOG = LoggerFactory.getLogger(Worker.class);
   private static final long FAREWELL_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
   private static final int MAX_FAILURES_IN_A_ROW = 100;
 
   /** The work of a worker. The worker's thread calls every method. */
-  interface Duty {
+  public interface Duty {
     /** Does the work that is due. */
     void turn(long nowNs);
 
@@ -55,7 +55,7 @@ final class Worker {
    * @param name name of the thread
    * @param onEnd called as the thread's last act, however it ends
    */
-  Worker(String name, Duty duty, LongSupplier clock, Runnable onEnd) {
+  public Worker(String name, Duty duty, LongSupplier clock, Runnable onEnd) {
     this.duty = duty;
     this.clock = clock;
     this.onEnd = onEnd;
@@ -63,19 +63,19 @@ final class Worker {
   }
 
   /** Starts the thread. It is no daemon thread, so it keeps the JVM alive. */
-  void start(int priority) {
+  public void start(int priority) {
     thread.setPriority(priority);
     thread.start();
   }
 
   /** Asks the thread to end and doesn't wait. */
-  void stop() {
+  public void stop() {
     stopping = true;
     LockSupport.unpark(thread);
   }
 
   /** Waits until the thread ends, or until {@code endNs} in the time of {@link System#nanoTime}. */
-  void join(long endNs) {
+  public void join(long endNs) {
     try {
       thread.join(Math.max(1, TimeUnit.NANOSECONDS.toMillis(endNs - System.nanoTime())));
     } catch (InterruptedException e) {
