@@ -1,5 +1,11 @@
+<<<<<<<< HEAD:server/src/main/java/carom/server/schedule/Worker.java
 package carom.server.schedule;
+========
+package carom.server.threads;
+>>>>>>>> main:server/src/main/java/carom/server/threads/Worker.java
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongSupplier;
@@ -84,6 +90,37 @@ public final class Worker {
     if (thread.isAlive()) {
       LOG.warn("thread {} did not end in time", thread.getName());
     }
+  }
+
+  /** Returns the name of the thread. */
+  public String name() {
+    return thread.getName();
+  }
+
+  /** Returns what the thread is doing, the innermost call first. */
+  StackTraceElement[] stack() {
+    return thread.getStackTrace();
+  }
+
+  /** Returns whether the thread waits or sleeps. */
+  boolean waits() {
+    Thread.State state = thread.getState();
+    return state != Thread.State.RUNNABLE && state != Thread.State.NEW;
+  }
+
+  /** Returns the time for which the thread has had a processor, ns; -1 if it can't be measured. */
+  long cpuNs() {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    return threads.isThreadCpuTimeSupported() ? threads.getThreadCpuTime(thread.getId()) : -1;
+  }
+
+  /**
+   * Gives the thread up, which doesn't come back from its turn: it gets the lowest priority, and
+   * ends if it ever comes back.
+   */
+  public void abandon() {
+    thread.setPriority(Thread.MIN_PRIORITY);
+    stopping = true;
   }
 
   private void run() {
