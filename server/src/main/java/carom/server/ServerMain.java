@@ -21,12 +21,8 @@ import carom.server.console.LogTail;
 import carom.server.console.ReadyLine;
 import carom.server.jmx.CommandInspector;
 import carom.server.jmx.RoomInspector;
-import carom.server.login.LoginThrottle;
-import carom.server.login.Secret;
 import carom.server.metrics.Counter;
-import carom.server.query.RemoteConsole;
 import carom.server.query.StatusFacts;
-import carom.server.query.StatusQuery;
 import carom.server.web.WebServer;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
@@ -304,9 +300,8 @@ public final class ServerMain implements Callable<Integer> {
     }
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
-    openProtocols(server, commands, log);
     // Players needn't wait for it: its libraries load for as long as all the rest.
-    web.set(new WebStart(flags, settings(), log).open(server, commands, logTail, title(server)));
+    web.set(openPorts(server, commands));
     String page = web.get() == null ? null : web.get().url();
     ReadyLine.printHints(System.out, server.tcpPort(), server.udpPort(), page);
     if (flags.console) {
@@ -328,32 +323,26 @@ public final class ServerMain implements Callable<Integer> {
     return commands;
   }
 
-  /**
-   * Opens the ports of the standard protocols. One that is busy but wasn't named is done without.
-   */
-  private void openProtocols(Server server, CommandRegistry commands, Logger log)
-      throws StartFailure {
+  /** Opens the ports of the standard protocols and that for HTTP; returns the latter, or null. */
+  private WebServer openPorts(Server server, CommandRegistry commands) throws StartFailure {
+    String name = server.config().serverName();
+    DataFolder data = flags.dataFolder();
+    StatusFacts facts =
+        new StatusFacts(name, version(), server.tcpPort(), server.udpPort(), server.rooms());
     try {
-      if (flags.rcon) {
-        Secret password = Secret.of(flags.dataFolder().rconPassword());
-        LoginThrottle throttle = new LoginThrottle(System::nanoTime);
-        RemoteConsole rcon =
-            new RemoteConsole(flags.rconAddress(), flags.rconPort, commands, password, throttle);
-        log.info("rcon: tcp {}, password in {}", rcon.port(), flags.dataFolder().rconPassword());
-      }
-      if (flags.query) {
-        String name = server.config().serverName();
-        StatusFacts facts =
-            new StatusFacts(name, version(), server.tcpPort(), server.udpPort(), server.rooms());
-        StatusQuery query = new StatusQuery(flags.bindAddress(), flags.queryPort, facts);
-        log.info("status queries: udp {}", query.port());
-      }
+      flags.protocols.open(flags.bindAddress(), data, settings(), commands, facts);
+      return flags.web.open(
+          server.rooms(),
+          server.networkCounters(),
+          data,
+          flags.record,
+          settings(),
+          commands,
+          logTail,
+          name + " " + version());
     } catch (IOException e) {
-      if (flags.rcon || settings().find("query-port").orElseThrow().isSet()) {
-        server.close();
-        throw new StartFailure(e.getMessage(), e);
-      }
-      log.warn("no status queries: {}", e.getMessage());
+      server.close();
+      throw new StartFailure(e.getMessage(), e);
     }
   }
 
@@ -371,10 +360,6 @@ public final class ServerMain implements Callable<Integer> {
 
   private Settings settings() {
     return layers.settings(spec.commandLine().getParseResult());
-  }
-
-  private static String title(Server server) {
-    return server.config().serverName() + " " + version();
   }
 
   private static String version() {

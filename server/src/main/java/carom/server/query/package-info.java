@@ -3,8 +3,9 @@
  * server lists and local networks find a server, and Source RCON over TCP, a remote console.
  *
  * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.server.command}, {@code
- * carom.server.login}, {@code carom.server.room}, {@code carom.server.session}, slf4j, the JDK.
- * Read first: {@link carom.server.query.StatusQuery}, {@link carom.server.query.StatusAnswers},
- * {@link carom.server.query.RemoteConsole}.
+ * carom.server.config}, {@code carom.server.login}, {@code carom.server.room}, {@code
+ * carom.server.session}, picocli, slf4j, the JDK. Read first: {@link
+ * carom.server.query.StatusQuery}, {@link carom.server.query.StatusAnswers}, {@link
+ * carom.server.query.RemoteConsole}.
  */
 package carom.server.query;

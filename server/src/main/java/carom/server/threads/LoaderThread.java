@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:server/src/main/java/carom/server/schedule/LoaderThread.java
-package carom.server.schedule;
-========
 package carom.server.threads;
->>>>>>>> main:server/src/main/java/carom/server/threads/LoaderThread.java
 
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
@@ -16,11 +12,7 @@ public final class LoaderThread implements Executor, AutoCloseable {
   private ExecutorService thread;
   private volatile boolean hasThread;
 
-<<<<<<<< HEAD:server/src/main/java/carom/server/schedule/LoaderThread.java
-  /** Creates a loader without a thread. */
-========
   /** Creates an executor that runs tasks on the calling thread. */
->>>>>>>> main:server/src/main/java/carom/server/threads/LoaderThread.java
   public LoaderThread() {}
 
   /** From now on tasks run on a thread of their own, which the first one starts. */

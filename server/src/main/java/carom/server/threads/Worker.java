@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:server/src/main/java/carom/server/schedule/Worker.java
-package carom.server.schedule;
-========
 package carom.server.threads;
->>>>>>>> main:server/src/main/java/carom/server/threads/Worker.java
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
