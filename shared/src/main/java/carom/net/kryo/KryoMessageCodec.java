@@ -28,6 +28,8 @@ import com.esotericsoftware.kryo.Serializer;
 import com.esotericsoftware.kryo.io.Input;
 import com.esotericsoftware.kryo.io.KryoBufferUnderflowException;
 import com.esotericsoftware.kryo.io.Output;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -529,7 +531,12 @@ public final class KryoMessageCodec implements MessageCodec {
   /** Reads a text, which may come to a screen or a terminal: without what can't be shown there. */
   private static String readText(Input in, String name, int maxBytes) {
     int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
-    return Texts.clean(new String(readBytes(in, length), StandardCharsets.UTF_8));
+    ByteBuffer bytes = ByteBuffer.wrap(readBytes(in, length));
+    try {
+      return Texts.clean(StandardCharsets.UTF_8.newDecoder().decode(bytes).toString());
+    } catch (CharacterCodingException e) {
+      throw new IllegalArgumentException(name + " is no UTF-8", e);
+    }
   }
 
   private static byte[] readBytes(Input in, int length) {
