@@ -107,6 +107,7 @@ final class JoinedGame {
     inbox = new SnapshotInbox(decoder, stats);
     clock = new TickClock(tickRate);
     renderClock = new RenderClock(tickRate);
+    renderClock.leastDelay(config.minInterpolationMs() / 1_000.0);
     prediction =
         config.prediction() == PredictionMode.NONE
             ? null

@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.game.Games;
 import carom.net.kryo.KryoLimits;
+import carom.net.seal.Encryption;
 import carom.net.transport.Impairment;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions;
@@ -60,8 +61,8 @@ final class ServerFlags {
       paramLabel = "FOLDER",
       defaultValue = "data",
       description =
-          "Folder of the server's own files: carom.conf, bans.txt, allow.txt, levels, recordings,"
-              + " logs"
+          "Folder of the server's own files: carom.conf, bans.txt, allow.txt, server.key, levels,"
+              + " recordings, logs"
               + " (${DEFAULT-VALUE}).")
   private Path data;
 
@@ -84,6 +85,15 @@ final class ServerFlags {
       defaultValue = "54777",
       description = "Port for datagrams, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
   int udpPort;
+
+  @Option(
+      names = "--encryption",
+      paramLabel = "on|off",
+      defaultValue = "on",
+      description =
+          "Encrypt everything between server and players; off is for looking at packets, and"
+              + " players need --encryption off, too (${DEFAULT-VALUE}).")
+  Encryption encryption;
 
   @Option(
       names = "--game",
@@ -270,7 +280,8 @@ final class ServerFlags {
       fallbackValue = "true",
       defaultValue = "true",
       description =
-          "Answer /healthz, /readyz and /metrics (Prometheus) over HTTP; --no-web doesn't.")
+          "Show the live page and answer /healthz, /readyz and /metrics (Prometheus) over HTTP;"
+              + " --no-web doesn't.")
   boolean web;
 
   @Option(
@@ -285,8 +296,18 @@ final class ServerFlags {
       paramLabel = "ADDRESS",
       defaultValue = "127.0.0.1",
       description =
-          "Address of this machine for HTTP; whoever reaches it can read it (${DEFAULT-VALUE}).")
+          "Address of this machine for HTTP. On a loopback address whoever reaches it may watch, on"
+              + " another only who knows the token in admin.token of the data folder"
+              + " (${DEFAULT-VALUE}).")
   private String webBind;
+
+  @Option(
+      names = "--web-host",
+      paramLabel = "NAME",
+      description =
+          "Name under which browsers may open the page, beside addresses and localhost; give it"
+              + " once for each name.")
+  List<String> webHosts = List.of();
 
   @Option(
       names = "--console",

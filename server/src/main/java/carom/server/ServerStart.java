@@ -4,10 +4,14 @@ import carom.net.kryo.KryoLimits;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.PortUnavailableException;
+import carom.net.kryo.ServerIdentity;
+import carom.net.seal.Encryption;
+import carom.net.seal.ServerKey;
 import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
+import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
@@ -71,7 +75,8 @@ final class ServerStart {
     try {
       KryoLimits limits = flags.limits(RoomConfig.places(rooms));
       transport =
-          new KryoServerTransport(flags.bindAddress(), flags.tcpPort, flags.udpPort, limits);
+          new KryoServerTransport(
+              flags.bindAddress(), flags.tcpPort, flags.udpPort, limits, identity());
     } catch (IllegalArgumentException e) {
       throw flags.bad("--room: " + e.getMessage());
     } catch (PortUnavailableException e) {
@@ -84,6 +89,26 @@ final class ServerStart {
     log.warn("network: made bad on purpose, each way: {}", impairment);
     return new ImpairedServerTransport(
         transport, impairment, new KryoMessageCodec(), System::nanoTime);
+  }
+
+  /** Returns the key in the data folder and whether links are encrypted, and logs both. */
+  private ServerIdentity identity() throws StartFailure {
+    if (flags.encryption == Encryption.OFF) {
+      log.warn(
+          "encryption: off; whoever sees the packets can read and change them, take over players"
+              + " and pose as this server");
+    }
+    DataFolder data = flags.dataFolder();
+    ServerIdentity identity = ServerIdentity.temporary(flags.encryption);
+    if (data.isWritable()) {
+      try {
+        identity = new ServerIdentity(flags.encryption, ServerKey.load(data.serverKey()));
+      } catch (IOException e) {
+        throw new StartFailure(e.getMessage(), e);
+      }
+    }
+    log.info("identity: players know this server by {}", identity.fingerprint());
+    return identity;
   }
 
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {

@@ -315,6 +315,7 @@ final class ArchitectureTest {
     allow("carom.json", "carom.text");
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
     allow("carom.net.seal");
+    allow("carom.net.datagram");
     allow("carom.net.frame", "carom.net.protocol", "carom.net.transport", "carom.net.seal");
     allow(
         "carom.net.kryo",
@@ -322,6 +323,7 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.seal",
+        "carom.net.datagram",
         "carom.net.frame",
         "carom.net.codec",
         "carom.values");
@@ -343,6 +345,7 @@ final class ArchitectureTest {
         "carom.options",
         "carom.values",
         "carom.text",
+        "carom.json", // what pages in browsers send
         "carom.replay",
         "carom.sim..",
         "carom.game",

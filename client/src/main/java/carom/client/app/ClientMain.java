@@ -8,10 +8,13 @@ import carom.client.link.ConnectionPhase;
 import carom.client.link.RoomBrowser;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.SpectatorThread;
+import carom.client.settings.SettingsFile;
 import carom.client.stats.NetStats;
 import carom.client.view.ClientView;
+import carom.net.frame.Trust;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
+import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
 import carom.sim.scene.catalog.Scenes;
@@ -43,9 +46,15 @@ public final class ClientMain implements Callable<Integer> {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      description = "Player's name (${DEFAULT-VALUE}).",
+      description = "Player's name (in a window that of the settings, else ${DEFAULT-VALUE}).",
       defaultValue = "player")
   private String name = "player";
+
+  @Option(
+      names = "--settings",
+      paramLabel = "FILE",
+      description = "The player's settings, for a window (in the user's folder of settings).")
+  private Path settings = SettingsFile.usual();
 
   @Option(
       names = "--headless",
@@ -90,9 +99,8 @@ public final class ClientMain implements Callable<Integer> {
   @Option(
       names = "--volume",
       paramLabel = "PERCENT",
-      description = "Loudness of the sounds, 0..100; 0 = silent (${DEFAULT-VALUE}).",
-      defaultValue = "25")
-  private int volume = 25;
+      description = "Loudness of the sounds, 0..100; 0 = silent (as in the settings).")
+  private Integer volume;
 
   @Option(
       names = "--scene",
@@ -149,7 +157,7 @@ public final class ClientMain implements Callable<Integer> {
       problem = "--name: " + PlayerName.problem(name);
     } else if (!(seconds >= 0 && seconds <= 1e6)) {
       problem = "--seconds=" + seconds + " is outside 0..1000000";
-    } else if (problem == null && (volume < 0 || volume > 100)) {
+    } else if (problem == null && volume != null && (volume < 0 || volume > 100)) {
       problem = "--volume=" + volume + " is outside 0..100";
     }
     if (problem == null && replay != null) {
@@ -181,7 +189,7 @@ public final class ClientMain implements Callable<Integer> {
     }
     if (headless) {
       try (StopSignal stop = new StopSignal();
-          ClientTransport transport = network.impair(new KryoClientTransport());
+          ClientTransport transport = network.impair(new KryoClientTransport(trust()));
           GameClient client = new GameClient(config, transport, InputSource.IDLE)) {
         return playHeadless(client, stop);
       }
@@ -189,20 +197,33 @@ public final class ClientMain implements Callable<Integer> {
     return openWindow(config, replay, null);
   }
 
+  /** Returns what a server must be like; the known ones are in a file beside the settings. */
+  private Trust trust() {
+    return network.trust(KnownServers.in(settings.resolveSibling("known_servers")));
+  }
+
   private int openWindow(ClientConfig config, Path recording, SpectatorThread spectator) {
     boolean named =
         spec.commandLine().getParseResult().hasMatchedOption("--host")
             || spec.commandLine().getParseResult().hasMatchedOption("--tcp-port");
+    SettingsFile kept = new SettingsFile(settings);
+    kept.load();
+    if (!kept.problem().isEmpty()) {
+      System.err.println("carom-client: " + kept.problem());
+    }
     ClientOptions options =
         new ClientOptions(
             config,
             network.impairment(),
+            trust(),
             named,
             seconds,
             netGraph,
             debug,
             screenshot,
-            volume / 100f,
+            volume == null ? -1 : volume,
+            kept,
+            spec.commandLine().getParseResult().hasMatchedOption("--name"),
             recording,
             spectator,
             scene.isEmpty() ? null : Scenes.get(scene));
@@ -215,7 +236,7 @@ public final class ClientMain implements Callable<Integer> {
 
   /** Prints the server's rooms; returns 1 if it doesn't tell them. */
   private int listRooms() {
-    try (ClientTransport transport = network.impair(new KryoClientTransport());
+    try (ClientTransport transport = network.impair(new KryoClientTransport(trust()));
         RoomBrowser browser = new RoomBrowser(network.address(), transport)) {
       while (!browser.isDone()) {
         browser.update(System.nanoTime());
@@ -234,7 +255,7 @@ public final class ClientMain implements Callable<Integer> {
 
   private int watch(ClientConfig config) {
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(new KryoClientTransport());
+        ClientTransport transport = network.impair(new KryoClientTransport(trust()));
         SpectatorThread spectator = new SpectatorThread(config, watch, transport)) {
       Path file = spectator.await();
       if (file == null) {

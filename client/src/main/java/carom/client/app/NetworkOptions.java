@@ -2,9 +2,12 @@ package carom.client.app;
 
 import carom.client.ClientConfig;
 import carom.client.link.ServerAddress;
+import carom.net.frame.Trust;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.Limits;
 import carom.net.protocol.RoomName;
+import carom.net.seal.Encryption;
+import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
@@ -45,14 +48,14 @@ public final class NetworkOptions {
       paramLabel = "N",
       description = "Server's TCP port (${DEFAULT-VALUE}).",
       defaultValue = "54555")
-  int tcpPort = ClientConfig.DEFAULT_TCP_PORT;
+  int tcpPort = ServerAddress.DEFAULT_TCP_PORT;
 
   @Option(
       names = "--udp-port",
       paramLabel = "N",
       description = "Server's UDP port (${DEFAULT-VALUE}).",
       defaultValue = "54777")
-  int udpPort = ClientConfig.DEFAULT_UDP_PORT;
+  int udpPort = ServerAddress.DEFAULT_UDP_PORT;
 
   @Option(
       names = "--room",
@@ -76,6 +79,15 @@ public final class NetworkOptions {
       description = "How much is logged: error, warn, info or debug (${DEFAULT-VALUE}).",
       defaultValue = "warn")
   LogLevel logLevel = LogLevel.WARN;
+
+  @Option(
+      names = "--encryption",
+      paramLabel = "on|off",
+      description =
+          "Encrypt what is sent; off only for a server that runs with --encryption off, in a"
+              + " network you trust (${DEFAULT-VALUE}).",
+      defaultValue = "on")
+  Encryption encryption = Encryption.ON;
 
   @Mixin NetworkConditions conditions = new NetworkConditions();
 
@@ -114,6 +126,11 @@ public final class NetworkOptions {
    */
   public Impairment impairment() {
     return conditions.impairment();
+  }
+
+  /** Returns what a server must be like to be played on. */
+  public Trust trust(KnownServers known) {
+    return new Trust(encryption, known);
   }
 
   /** Wraps a transport with the simulated bad network. */

@@ -68,7 +68,7 @@ record AccessEntry(AddressRange range, String name, Instant until, String reason
     }
     return range != null
         ? address != null && range.contains(address)
-        : player != null && PlayerName.folded(name).equals(PlayerName.folded(player));
+        : player != null && PlayerName.looksLike(name, player);
   }
 
   /** Returns whether this is about the same name or addresses as another. */

@@ -22,9 +22,24 @@ public record DataFolder(Path root) {
     return root.resolve("logs");
   }
 
+  /** Returns the file of the key by which players know the server. */
+  public Path serverKey() {
+    return root.resolve("server.key");
+  }
+
+  /** Returns whether the folder is there and takes files. */
+  public boolean isWritable() {
+    return Files.isDirectory(root) && Files.isWritable(root);
+  }
+
   /** Returns the folder in which recordings begin that are given no other place. */
   public Path recordings() {
     return root.resolve("recordings");
+  }
+
+  /** Returns the file of the page's token. */
+  public Path adminToken() {
+    return root.resolve("admin.token");
   }
 
   /** Returns the folder in which levels are found by their name. */

@@ -21,6 +21,7 @@ public final class Seats {
 
   private final Seat[] taken;
   private final Set<String> foldedNames = new HashSet<>();
+  private final Set<String> skeletons = new HashSet<>();
   private int takenCount;
   private final LongSupplier secrets;
 
@@ -37,7 +38,7 @@ public final class Seats {
 
   /**
    * Takes the free seat with the lowest id and claims it under the wanted name. A name that is
-   * taken gets a number behind it: {@code Ann (2)}. Names are compared without regard to case.
+   * taken, or that looks like a taken one, gets a number behind it: {@code Ann (2)}.
    *
    * @param wantedName a legal name
    * @return the seat, or null when all are taken
@@ -66,6 +67,7 @@ public final class Seats {
         Seat seat = new Seat(id, wantedName, freeName(wantedName), secret);
         seat.claims = 1;
         foldedNames.add(PlayerName.folded(seat.name));
+        skeletons.add(PlayerName.skeleton(seat.name));
         taken[id] = seat;
         takenCount++;
         return seat;
@@ -154,6 +156,7 @@ public final class Seats {
       taken[seat.id] = null;
       takenCount--;
       foldedNames.remove(PlayerName.folded(seat.name));
+      skeletons.remove(PlayerName.skeleton(seat.name));
     }
   }
 
@@ -177,11 +180,16 @@ public final class Seats {
 
   private String freeName(String wanted) {
     String name = wanted;
-    for (int number = 2; foldedNames.contains(PlayerName.folded(name)); number++) {
+    for (int number = 2; isTaken(name); number++) {
       String suffix = " (" + number + ")";
       name = shortened(wanted, Limits.MAX_NAME_BYTES - suffix.length()) + suffix;
     }
     return name;
+  }
+
+  private boolean isTaken(String name) {
+    return foldedNames.contains(PlayerName.folded(name))
+        || skeletons.contains(PlayerName.skeleton(name));
   }
 
   /**

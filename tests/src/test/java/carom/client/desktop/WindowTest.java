@@ -165,6 +165,7 @@ final class WindowTest {
     command.add("-cp");
     command.add(System.getProperty("java.class.path"));
     command.add(ClientMain.class.getName());
+    command.addAll(List.of("--settings", folder.resolve("player.conf").toString()));
     command.addAll(List.of(flags));
     return new ProcessBuilder(command)
         .redirectErrorStream(true)

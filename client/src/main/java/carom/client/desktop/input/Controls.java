@@ -1,10 +1,10 @@
-package carom.client.desktop;
+package carom.client.desktop.input;
 
 import carom.client.desktop.paint.ViewCamera;
+import carom.client.settings.KeyAction;
 import carom.sim.entity.Input;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Buttons;
-import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.controllers.Controller;
 import com.badlogic.gdx.controllers.ControllerMapping;
 import com.badlogic.gdx.controllers.Controllers;
@@ -15,14 +15,20 @@ import com.badlogic.gdx.math.Vector3;
  * Reads keyboard, mouse and controller into the player's input. All devices work at once; the one
  * used last decides where the player aims. Render thread only.
  */
-final class Controls {
+public final class Controls {
   /** Stick travel that counts as none, 0..1: cheap sticks rest up to here. */
   private static final float DEAD_ZONE = 0.2f;
 
+  private final KeyMap keys;
   private float aimRad;
   private int lastMouseX;
   private int lastMouseY;
   private boolean mouseAims;
+
+  /** Creates controls over the keys that the player has chosen. */
+  public Controls(KeyMap keys) {
+    this.keys = keys;
+  }
 
   /**
    * Reads the devices.
@@ -32,14 +38,14 @@ final class Controls {
    * @param x the player's drawn position, metres; aiming starts there
    * @param y the player's drawn position, metres
    */
-  void sample(Input out, ViewCamera camera, float x, float y) {
-    float moveX = axis(Keys.D, Keys.RIGHT) - axis(Keys.A, Keys.LEFT);
-    float moveY = axis(Keys.W, Keys.UP) - axis(Keys.S, Keys.DOWN);
+  public void sample(Input out, ViewCamera camera, float x, float y) {
+    float moveX = axis(KeyAction.RIGHT) - axis(KeyAction.LEFT);
+    float moveY = axis(KeyAction.UP) - axis(KeyAction.DOWN);
     // One key for whatever a game does most: games use one of the two.
-    boolean both = down(Keys.SPACE) || Gdx.input.isButtonPressed(Buttons.LEFT);
-    boolean jump = both || down(Keys.W) || down(Keys.UP);
-    boolean action = both || down(Keys.SHIFT_LEFT) || down(Keys.SHIFT_RIGHT);
-    boolean second = down(Keys.E) || Gdx.input.isButtonPressed(Buttons.RIGHT);
+    boolean both = keys.isDown(KeyAction.MAIN) || Gdx.input.isButtonPressed(Buttons.LEFT);
+    boolean jump = both || keys.isDown(KeyAction.JUMP) || keys.isDown(KeyAction.UP);
+    boolean action = both || keys.isDown(KeyAction.ACTION);
+    boolean second = keys.isDown(KeyAction.SECOND) || Gdx.input.isButtonPressed(Buttons.RIGHT);
     float stickAimX = 0;
     float stickAimY = 0;
 
@@ -96,12 +102,8 @@ final class Controls {
     }
   }
 
-  private static float axis(int key, int otherKey) {
-    return down(key) || down(otherKey) ? 1 : 0;
-  }
-
-  private static boolean down(int key) {
-    return Gdx.input.isKeyPressed(key);
+  private float axis(KeyAction action) {
+    return keys.isDown(action) ? 1 : 0;
   }
 
   private static float pressed(Controller pad, int button) {

@@ -1,6 +1,5 @@
-package carom.net.kryo;
+package carom.net.datagram;
 
-import carom.net.frame.Frame;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.StandardSocketOptions;
@@ -9,6 +8,7 @@ import java.nio.channels.DatagramChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 
 /**
  * The server's UDP socket with the daemon thread that reads it. KryoNet reads one datagram per
@@ -17,12 +17,12 @@ import java.util.concurrent.locks.LockSupport;
  *
  * <p>Any thread may send. Sending waits for nothing and allocates nothing.
  */
-final class DatagramPort implements Runnable {
+public final class DatagramPort implements Runnable {
 
   /**
    * Receiver of datagrams, called on the port's thread. The port counts what it throws and goes on.
    */
-  interface Receiver {
+  public interface Receiver {
     /**
      * Takes a datagram.
      *
@@ -57,9 +57,9 @@ final class DatagramPort implements Runnable {
   private final DatagramChannel channel;
   private final Selector selector;
   private final Receiver receiver;
-  private final KryoServerCounters counters;
-  private final ByteBuffer in = ByteBuffer.allocateDirect(Frame.SERVER_BUFFER_BYTES);
-  private final ByteBuffer out = ByteBuffer.allocateDirect(Frame.SERVER_BUFFER_BYTES);
+  private final Consumer<Throwable> errors;
+  private final ByteBuffer in;
+  private final ByteBuffer out;
   private final Thread thread = new Thread(this, "carom-server-datagrams");
   private volatile boolean closing;
 
@@ -68,12 +68,18 @@ final class DatagramPort implements Runnable {
    *
    * @param address an address of this machine, or the wildcard address, and a port number; 0 takes
    *     a free port
+   * @param maxBytes bytes of the longest datagram; of a longer one the rest is cut off
+   * @param receiver takes the datagrams
+   * @param errors learns of failures, which the port survives; any thread
    * @throws IOException when the port can't be opened; nothing stays open then
    */
-  DatagramPort(InetSocketAddress address, Receiver receiver, KryoServerCounters counters)
+  public DatagramPort(
+      InetSocketAddress address, int maxBytes, Receiver receiver, Consumer<Throwable> errors)
       throws IOException {
     this.receiver = receiver;
-    this.counters = counters;
+    this.errors = errors;
+    in = ByteBuffer.allocateDirect(maxBytes);
+    out = ByteBuffer.allocateDirect(maxBytes);
     thread.setDaemon(true);
     selector = Selector.open();
     DatagramChannel opened = null;
@@ -94,22 +100,23 @@ final class DatagramPort implements Runnable {
     channel = opened;
   }
 
-  void start() {
+  /** Begins to read. */
+  public void start() {
     thread.start();
   }
 
   /** Returns the port's number. */
-  int number() {
+  public int number() {
     return channel.socket().getLocalPort();
   }
 
   /**
-   * Sends a tag and its fields. Returns false when the system doesn't take them now. Any thread may
-   * call it.
+   * Sends the first bytes of an array. Returns false when the system doesn't take them now. Any
+   * thread may call it.
    */
-  boolean send(InetSocketAddress to, byte tag, byte[] bytes, int offset, int length) {
+  public boolean send(InetSocketAddress to, byte[] bytes, int length) {
     synchronized (out) {
-      out.clear().put(tag).put(bytes, offset, length).flip();
+      out.clear().put(bytes, 0, length).flip();
       try {
         return channel.send(out, to) > 0;
       } catch (IOException | RuntimeException x) {
@@ -132,7 +139,7 @@ final class DatagramPort implements Runnable {
         }
       } catch (IOException | RuntimeException x) {
         if (!closing) {
-          counters.error(x);
+          errors.accept(x);
           LockSupport.parkNanos(GATHER_NANOS);
         }
       } finally {
@@ -153,20 +160,20 @@ final class DatagramPort implements Runnable {
       try {
         receiver.datagram(from, in.flip(), System.nanoTime());
       } catch (RuntimeException x) {
-        counters.error(x);
+        errors.accept(x);
       }
     }
     return received;
   }
 
   /** Closes the port and waits for the thread, if it was started. A second call does nothing. */
-  void close() {
+  public void close() {
     closing = true;
     try {
       channel.close();
       selector.close(); // wakes the thread
     } catch (IOException x) {
-      counters.error(x);
+      errors.accept(x);
     }
     boolean interrupted = false;
     while (thread.isAlive()) {

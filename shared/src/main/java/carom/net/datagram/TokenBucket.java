@@ -1,10 +1,10 @@
-package carom.net.kryo;
+package carom.net.datagram;
 
 /**
  * Token bucket in one number, with a limit on the events per second and on the events at once. Use
  * it from one thread.
  */
-final class TokenBucket {
+public final class TokenBucket {
   private final long intervalNanos;
   private final long burstNanos;
   private long paidUntil;
@@ -16,7 +16,7 @@ final class TokenBucket {
    * @param perSecond events per second on average, at least 1
    * @param burst events at once, at least 1
    */
-  TokenBucket(int perSecond, int burst) {
+  public TokenBucket(int perSecond, int burst) {
     intervalNanos = Math.max(1, 1_000_000_000L / perSecond);
     burstNanos = intervalNanos * burst;
   }
@@ -24,7 +24,7 @@ final class TokenBucket {
   /**
    * Takes one event at a time of {@link System#nanoTime}. Returns false when the bucket is empty.
    */
-  boolean take(long now) {
+  public boolean take(long now) {
     if (!used || now - paidUntil > 0) {
       used = true;
       paidUntil = now;
