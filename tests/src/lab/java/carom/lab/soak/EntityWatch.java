@@ -94,14 +94,14 @@ final class EntityWatch {
       int shown = heard && history.alive(0) ? history.generation(0) + 1 : 0;
       if (shown != known[slot]) {
         throw new AssertionError(
-            "%s shows generation %d in slot=%d, the server has had %d since tick=%d, now %d: %s"
+            "%s slot=%d has generation=%d at the server since tick=%d, now %d; told: %s; %s"
                 .formatted(
                     shown == 0 ? "a body is lost:" : "a ghost:",
-                    shown - 1,
                     slot,
                     known[slot] - 1,
                     since[slot],
                     newest.tick(),
+                    heard ? shown - 1 + " of tick=" + history.tick(0) : "never",
                     client));
       }
       compared++;

@@ -3,6 +3,13 @@ package carom.lab.soak;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.ClientConfig;
+import carom.client.PredictionMode;
+import carom.net.transport.Impairment;
+import carom.server.room.Room;
+import carom.testkit.Scripts;
+import carom.testkit.SimulatedClient;
+import carom.testkit.Stepper;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
@@ -26,6 +33,44 @@ final class SoakTest {
   @Test
   void aServerAndSixteenClientsLiveThroughThreeMinutes() throws Exception {
     soak(new Soak.Settings(SEED + 1, 180, 16, false, folder));
+  }
+
+  /** Found by a soak: headers and own state took all that such a line lets through. */
+  @Test
+  void onASlowLineEveryBodyIsHeardOfWithinTwoSeconds() {
+    try (Stepper stepper = Stepper.of("arena")) {
+      for (int i = 0; i < 9; i++) {
+        stepper.join("p" + i, Impairment.NONE, Scripts.wander(i));
+      }
+      Impairment line = Impairment.NONE.withLatency(60, 5).withBandwidth(24);
+      ClientConfig config =
+          ClientConfig.of("slow")
+              .withServer("localhost", stepper.tcpPort(), stepper.udpPort())
+              .withPrediction(PredictionMode.NONE);
+      SimulatedClient slow = stepper.add(config, line, Scripts.wander(9));
+      EntityWatch watch = new EntityWatch();
+      long compared = 0;
+      int tick = 0;
+      int guests = 0;
+      double begunS = stepper.nowNs() * 1e-9;
+      while (stepper.nowNs() * 1e-9 - begunS < 25) {
+        stepper.step();
+        Room room = stepper.room();
+        if (room.tick() == tick) {
+          continue;
+        }
+        tick = room.tick();
+        watch.tick(room.frames().newest(), room.match());
+        compared += watch.check(slow);
+        if (tick % 150 == 0) {
+          SimulatedClient guest = stepper.clients().get(guests % 9);
+          guest.leave(); // its body goes, and that of a newcomer appears
+          stepper.remove(guest);
+          stepper.add(config.withName("guest" + guests++), Impairment.NONE, Scripts.wander(guests));
+        }
+      }
+      assertTrue(guests > 5 && compared > 10_000, "guests=" + guests + " compared=" + compared);
+    }
   }
 
   private static void soak(Soak.Settings settings) throws Exception {
