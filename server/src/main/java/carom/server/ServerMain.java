@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
+import carom.options.VectorApi;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.command.CommandRegistry;
@@ -104,6 +105,7 @@ public final class ServerMain implements Callable<Integer> {
 
   /** Runs the server until it is stopped; see {@code --help}. */
   public static void main(String[] args) {
+    VectorApi.load();
     if (System.getProperty(LOG_CONFIG_PROPERTY) == null) {
       System.setProperty(LOG_CONFIG_PROPERTY, LOG_CONFIG); // before the first logger
     }
@@ -295,11 +297,13 @@ public final class ServerMain implements Callable<Integer> {
     }
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
+    // Players needn't wait for it: its libraries load for as long as all the rest.
+    web.set(new WebStart(flags, settings(), log).open(server, commands, logTail, title(server)));
+    String page = web.get() == null ? null : web.get().url();
+    ReadyLine.printHints(System.out, server.tcpPort(), server.udpPort(), page);
     if (flags.console) {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
     }
-    // Players needn't wait for it: its libraries load for as long as all the rest.
-    web.set(new WebStart(flags, settings(), log).open(server, commands, logTail, title(server)));
     server.awaitStop();
     if (server.hasFailed()) {
       log.error("the server ended because of the errors above");

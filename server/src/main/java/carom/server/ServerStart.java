@@ -15,6 +15,7 @@ import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
+import carom.server.session.SessionMemory;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.util.List;
@@ -60,6 +61,7 @@ final class ServerStart {
   Server open() throws StartFailure {
     List<RoomConfig> rooms = choice.rooms(config);
     Server server = openRooms(rooms, openTransport(rooms));
+    SessionMemory.touch(RoomConfig.places(rooms));
     try {
       record(server);
       show(server);
