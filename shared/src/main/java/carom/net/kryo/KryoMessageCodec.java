@@ -29,13 +29,13 @@ import com.esotericsoftware.kryo.io.Input;
 import com.esotericsoftware.kryo.io.KryoBufferUnderflowException;
 import com.esotericsoftware.kryo.io.Output;
 import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Codec of the protocol's messages: Kryo for those from the server, the fixed layout of {@link
@@ -531,12 +531,8 @@ public final class KryoMessageCodec implements MessageCodec {
   /** Reads a text, which may come to a screen or a terminal: without what can't be shown there. */
   private static String readText(Input in, String name, int maxBytes) {
     int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
-    ByteBuffer bytes = ByteBuffer.wrap(readBytes(in, length));
-    try {
-      return Texts.clean(StandardCharsets.UTF_8.newDecoder().decode(bytes).toString());
-    } catch (CharacterCodingException e) {
-      throw new IllegalArgumentException(name + " is no UTF-8", e);
-    }
+    String text = Texts.ofUtf8(ByteBuffer.wrap(readBytes(in, length)));
+    return Texts.clean(Objects.requireNonNull(text, name));
   }
 
   private static byte[] readBytes(Input in, int length) {
