@@ -70,7 +70,7 @@ final class RecordingTarget implements FuzzTarget {
               Pieces.add(out, type.ordinal(), java.util.Arrays.copyOf(bytes, length));
               return true;
             });
-    s.journal(recorder);
+    s.addJournal(recorder);
     for (int tick = 0; tick < 70; tick++) {
       if (tick == 5) {
         s.join("player");

@@ -118,16 +118,8 @@ public final class KryoMessageCodec implements MessageCodec {
       return null;
     }
     return bytes[offset] < FIRST_SERVER_BYTE
-        ? decodeFromClient(bytes, offset, length)
+        ? ClientMessageCodec.decode(bytes, offset, length)
         : decodeFromServer(bytes, offset, length);
-  }
-
-  /**
-   * Reads a message on the server as {@link #decode} does, but accepts only client messages and
-   * uses no Kryo.
-   */
-  ClientMessage decodeFromClient(byte[] bytes, int offset, int length) {
-    return ClientMessageCodec.decode(bytes, offset, length);
   }
 
   /** Reads a message on the client as {@link #decode} does, but accepts only server messages. */
@@ -533,8 +525,8 @@ public final class KryoMessageCodec implements MessageCodec {
   /** Reads a text, which may come to a screen or a terminal: without what can't be shown there. */
   private static String readText(Input in, String name, int maxBytes) {
     int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
-    String text = Texts.ofUtf8(ByteBuffer.wrap(readBytes(in, length)));
-    return Texts.clean(Objects.requireNonNull(text, name));
+    ByteBuffer bytes = ByteBuffer.wrap(readBytes(in, length));
+    return Texts.clean(Objects.requireNonNull(Texts.ofUtf8(bytes), name));
   }
 
   private static byte[] readBytes(Input in, int length) {
