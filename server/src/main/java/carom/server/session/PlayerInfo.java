@@ -11,8 +11,10 @@ import java.util.Locale;
  * @param state {@code playing}, {@code watching}, {@code loading} or {@code grace}
  * @param team the player's team
  * @param score the player's score
+ * @param playedTicks ticks for which the player has played over its present link
  */
-public record PlayerInfo(int id, String name, String remote, String state, int team, int score) {
+public record PlayerInfo(
+    int id, String name, String remote, String state, int team, int score, int playedTicks) {
   /** Describes a session. The room's thread. */
   public static PlayerInfo of(Session session) {
     boolean watches = session.player().isSpectator();
@@ -22,6 +24,7 @@ public record PlayerInfo(int id, String name, String remote, String state, int t
         session.remote(),
         watches ? "watching" : session.state().name().toLowerCase(Locale.ROOT),
         session.player().team(),
-        session.player().score());
+        session.player().score(),
+        session.playedTicks());
   }
 }
