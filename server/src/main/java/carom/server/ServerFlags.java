@@ -273,6 +273,14 @@ final class ServerFlags {
   boolean allowList;
 
   @Option(
+      names = "--join-key",
+      paramLabel = "FILE",
+      description =
+          "Let only players in whose join token is signed by the private key of this public one:"
+              + " Ed25519, PEM (everybody may join).")
+  Path joinKey;
+
+  @Option(
       names = "--web",
       paramLabel = "true|false",
       arity = "0..1",

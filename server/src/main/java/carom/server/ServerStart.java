@@ -11,12 +11,14 @@ import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
+import carom.server.access.JoinTokens;
 import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.time.InstantSource;
 import java.util.List;
 import org.slf4j.Logger;
 
@@ -59,7 +61,10 @@ final class ServerStart {
    */
   Server open() throws StartFailure {
     List<RoomConfig> rooms = choice.rooms(config);
-    Server server = openRooms(rooms, openTransport(rooms));
+    ServerIdentity identity = identity();
+    JoinTokens tokens = joinTokens(identity);
+    Server server = openRooms(rooms, openTransport(rooms, identity));
+    server.demandTokens(tokens);
     try {
       record(server);
       show(server);
@@ -70,13 +75,14 @@ final class ServerStart {
     }
   }
 
-  private ServerTransport openTransport(List<RoomConfig> rooms) throws StartFailure {
+  private ServerTransport openTransport(List<RoomConfig> rooms, ServerIdentity identity)
+      throws StartFailure {
     ServerTransport transport;
     try {
       KryoLimits limits = flags.limits(RoomConfig.places(rooms));
       transport =
           new KryoServerTransport(
-              flags.bindAddress(), flags.tcpPort, flags.udpPort, limits, identity());
+              flags.bindAddress(), flags.tcpPort, flags.udpPort, limits, identity);
     } catch (IllegalArgumentException e) {
       throw flags.bad("--room: " + e.getMessage());
     } catch (PortUnavailableException e) {
@@ -109,6 +115,20 @@ final class ServerStart {
     }
     log.info("identity: players know this server by {}", identity.fingerprint());
     return identity;
+  }
+
+  private JoinTokens joinTokens(ServerIdentity identity) throws StartFailure {
+    if (flags.joinKey == null) {
+      return null;
+    }
+    try {
+      JoinTokens tokens =
+          JoinTokens.load(flags.joinKey, identity.fingerprint(), InstantSource.system());
+      log.info("join tokens: demanded, signed by the key of {}", flags.joinKey);
+      return tokens;
+    } catch (IOException e) {
+      throw new StartFailure("--join-key=" + e.getMessage(), e);
+    }
   }
 
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {

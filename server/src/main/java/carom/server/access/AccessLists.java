@@ -59,16 +59,16 @@ public final class AccessLists implements EntryRule {
   }
 
   @Override
-  public Refusal refusal(String name, String remote) {
+  public Refusal refusal(String name, String account, String remote) {
     byte[] address = AddressRange.addressOf(remote).orElse(null);
     for (AccessEntry ban : bans.entries()) {
-      if (ban.covers(name, address, clock.instant())) {
+      if (ban.covers(name, account, address, clock.instant())) {
         return new Refusal(RefusalReason.BANNED, describe(ban));
       }
     }
     if (onlyAllowed
         && allowed.entries().stream()
-            .noneMatch(entry -> entry.covers(name, address, clock.instant()))) {
+            .noneMatch(entry -> entry.covers(name, account, address, clock.instant()))) {
       return new Refusal(RefusalReason.NOT_ALLOWED, "");
     }
     return null;
