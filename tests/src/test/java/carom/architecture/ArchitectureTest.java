@@ -345,6 +345,7 @@ final class ArchitectureTest {
         "carom.options",
         "carom.values",
         "carom.text",
+        "carom.json", // what pages in browsers send
         "carom.replay",
         "carom.sim..",
         "carom.game",

@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.command;
 
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
@@ -7,17 +7,18 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Function;
+import java.util.function.IntFunction;
 
 /**
  * Writes the rooms' counters for an operator: one line for each room, and one for all rooms
  * together if there are several.
  */
-final class StatusLine {
+public final class StatusLine {
   private static final double NS_PER_S = 1e9;
 
   private final List<Room> rooms;
   private final List<Reading> start = new ArrayList<>();
+  private final List<Counters.TickReader> tickTimes;
   private List<Reading> last;
 
   /** The values of all counters at one moment. */
@@ -83,24 +84,30 @@ final class StatusLine {
     }
   }
 
-  StatusLine(List<Room> rooms, long startNs) {
+  /**
+   * Begins to count.
+   *
+   * @param startNs monotonic time
+   */
+  public StatusLine(List<Room> rooms, long startNs) {
     this.rooms = rooms;
     for (int i = 0; i < rooms.size(); i++) {
       start.add(new Reading(startNs));
     }
     this.last = start;
+    this.tickTimes = rooms.stream().map(room -> room.counters().tickReader()).toList();
   }
 
   /** Returns the lines for the time since the last call of this method. */
-  synchronized List<String> next(long nowNs) {
+  public synchronized List<String> next(long nowNs) {
     List<Reading> from = last;
     last = read(nowNs);
-    return lines(from, last, Counters::takeInterval);
+    return lines(from, last, i -> tickTimes.get(i).take());
   }
 
   /** Returns the lines for the whole time since the start. Doesn't affect {@link #next}. */
-  synchronized List<String> sinceStart(long nowNs) {
-    return lines(start, read(nowNs), Counters::total);
+  public synchronized List<String> sinceStart(long nowNs) {
+    return lines(start, read(nowNs), i -> rooms.get(i).counters().total());
   }
 
   private List<Reading> read(long nowNs) {
@@ -108,11 +115,11 @@ final class StatusLine {
   }
 
   private List<String> lines(
-      List<Reading> from, List<Reading> to, Function<Counters, Counters.TickTimes> times) {
+      List<Reading> from, List<Reading> to, IntFunction<Counters.TickTimes> times) {
     List<String> lines = new ArrayList<>();
     for (int i = 0; i < rooms.size(); i++) {
       Room room = rooms.get(i);
-      Counters.TickTimes took = times.apply(room.counters());
+      Counters.TickTimes took = times.apply(i);
       String label = rooms.size() == 1 ? "" : "room " + room.name() + ": ";
       lines.add(
           label.isEmpty() || !room.hasFailed()
