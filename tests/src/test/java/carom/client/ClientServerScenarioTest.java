@@ -21,7 +21,6 @@ import carom.server.config.ServerConfig;
 import carom.sim.entity.Entity;
 import carom.sim.level.Level;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -71,7 +70,8 @@ final class ClientServerScenarioTest {
             ClientConfig.of("player" + clients.size()).withServer("memory", 0, 0),
             new ImpairedClientTransport(
                 remember, impairment.withSeed(seed), new KryoMessageCodec(), () -> now),
-            input);
+            input,
+            () -> 0);
     clients.add(client);
     return client;
   }
@@ -243,21 +243,25 @@ final class ClientServerScenarioTest {
     GameClient late = join(Impairment.NONE.withLatency(30, 0), InputSource.IDLE);
     run(1);
     assertEquals(6, late.view().players().size());
-    // The picture is late, so a body that the game has replaced may still be in it.
-    for (int wait = 0; wait < 20 && !eachHasOneBody(late); wait++) {
-      run(0.1);
+    for (int picture = 0; picture < 60; picture++) {
+      run(1 / 60.0);
+      eachPlayerHasOneBody(late);
     }
-    assertTrue(eachHasOneBody(late));
   }
 
-  private static boolean eachHasOneBody(GameClient client) {
-    int[] bodies = new int[6];
-    for (int i = 0; i < client.view().entityCount(); i++) {
-      int owner = client.view().entity(i).ownerId();
-      if (owner >= 0 && owner < bodies.length) {
-        bodies[owner]++;
+  /** Requires of a picture that it has each player's body once; sparks belong to players, too. */
+  private void eachPlayerHasOneBody(GameClient late) {
+    for (int player = 0; player < 6; player++) {
+      List<Integer> bodies = new ArrayList<>();
+      for (int i = 0; i < late.view().entityCount(); i++) {
+        ClientView.Drawn drawn = late.view().entity(i);
+        boolean spark = drawn.archetype().name().equals("spark");
+        if (drawn.ownerId() == player && !spark) {
+          bodies.add(drawn.id());
+        }
       }
+      Entity body = server.rooms().get(0).simulation().player(player).body();
+      assertEquals(List.of(body.id()), bodies, "bodies of player " + player);
     }
-    return Arrays.stream(bodies).allMatch(count -> count == 1);
   }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.link.ConnectionPhase;
+import carom.game.arena.ArenaGame;
 import carom.net.transport.Impairment;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
@@ -13,6 +14,7 @@ import carom.server.metrics.Counter;
 import carom.sim.Game;
 import carom.sim.MatchClock;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.level.LevelException;
 import carom.sim.match.MatchPhase;
 import carom.sim.match.NextMatch;
@@ -20,6 +22,7 @@ import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.lang.reflect.Proxy;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -149,6 +152,38 @@ class MatchScenarioTest {
       assertEquals(1, stepper.count(Counter.MATCHES));
       assertEquals(MatchPhase.PLAYING, MatchClock.phase(stepper.room().simulation()));
     }
+  }
+
+  @Test
+  void afterFiveGoalsANewMatchOfTheArenaBeginsFromNothing() {
+    try (Stepper stepper = Stepper.of("arena")) {
+      SimulatedClient ann = stepper.join("Ann", BAD, Scripts.hold(0, 0));
+      Simulation match = stepper.room().simulation();
+      for (int goal = 0; goal < ArenaGame.GOALS_TO_WIN; goal++) {
+        assertEquals(goal, named(match, "lamp.Red").size());
+        stepper.run(2.2);
+        named(match, "ball").get(0).teleport(18.8f, 0, 0);
+        stepper.run(0.1);
+      }
+      assertEquals(ArenaGame.GOALS_TO_WIN, named(match, "lamp.Red").size());
+      stepper.runUntil("a new match", () -> stepper.room().simulation() != match, 8);
+      Simulation next = stepper.room().simulation();
+      stepper.runUntil("Ann has a body", () -> stepper.body(ann) != null, 3);
+      stepper.runUntil("the kickoff", () -> !named(next, "ball").isEmpty(), 3);
+      assertEquals(0, named(next, "lamp.Red").size());
+      assertEquals(0, stepper.player(ann).score());
+    }
+  }
+
+  private static List<Entity> named(Simulation s, String archetype) {
+    List<Entity> found = new ArrayList<>();
+    for (int id = 0; id < s.entityCapacity(); id++) {
+      Entity e = s.entity(id);
+      if (e != null && e.archetype().name().equals(archetype)) {
+        found.add(e);
+      }
+    }
+    return found;
   }
 
   @Test

@@ -129,6 +129,29 @@ final class Corrector {
     return true;
   }
 
+  /**
+   * Removes the entities that a list of the server lacks, and what joints and contacts they have.
+   *
+   * @param near lists some of the simulation's entities, in the order of the world
+   */
+  void dropUnlisted(NearState near) {
+    current.readAll(simulation);
+    next.clear();
+    reserve();
+    for (int i = 0; i < current.count(); i++) {
+      int place = next.count();
+      boolean listed = place < near.count() && near.key(place) == current.key(i);
+      newPlace[i] = listed ? place : DROPPED;
+      if (listed) {
+        add(current.rows().bodies(), i);
+      }
+    }
+    keepJoints();
+    keepContacts();
+    keepFields();
+    next.write(simulation, records);
+  }
+
   private void add(Rows from, int row) {
     next.rows().add(RowKind.BODY, from.ints(), from.at(row));
   }

@@ -51,6 +51,15 @@ final class PendingUpdates {
     return newest.isReady();
   }
 
+  /** Returns whether an update can be applied that has the exact state of all, the own body too. */
+  boolean haveWhole(int ownKey) {
+    return isWhole(earlier, ownKey) || isWhole(newest, ownKey);
+  }
+
+  private boolean isWhole(NearUpdate update, int ownKey) {
+    return update.isReady() && update.isWhole() && update.contains(ownKey) && isUsable(update);
+  }
+
   /** Drops complete updates that were made for an earlier body of the player. */
   void dropForeign(int ownKey) {
     dropForeign(earlier, ownKey);

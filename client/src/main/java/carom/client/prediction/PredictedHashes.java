@@ -1,5 +1,6 @@
 package carom.client.prediction;
 
+import carom.net.snapshot.exact.NearState;
 import carom.sim.near.Neighbourhood;
 
 /**
@@ -37,6 +38,15 @@ final class PredictedHashes {
       awake[slot][i] = bodies.awake(i);
     }
     count[slot] = n;
+  }
+
+  /** Returns whether a list has some of a slot's bodies, in their order, and no others. */
+  boolean hasMore(int slot, NearState near) {
+    int found = 0;
+    for (int i = 0; i < count[slot] && found < near.count(); i++) {
+      found += keys[slot][i] == near.key(found) ? 1 : 0;
+    }
+    return found == near.count() && found < count[slot];
   }
 
   /** Copies a slot before a rollback overwrites it; the counts below compare with this copy. */

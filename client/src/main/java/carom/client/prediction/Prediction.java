@@ -4,6 +4,7 @@ import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
+import carom.client.prediction.received.PlayerInputs;
 import carom.client.prediction.received.ReceivedRulings;
 import carom.client.prediction.received.SnapshotRecords;
 import carom.client.prediction.received.SpawnMatches;
@@ -57,7 +58,7 @@ import java.util.function.LongSupplier;
  * nothing.
  */
 public final class Prediction {
-  /** States for which the joints of a new own body are waited for; some may have broken. */
+  /** States for which the exact state of a new own machine is waited for; its joints may break. */
   private static final int MOST_WAITED = 30;
 
   private final Simulation simulation;
@@ -248,7 +249,7 @@ public final class Prediction {
       return false; // its record is still on the way
     }
     if (!isAssemblyKnown() && waited++ < MOST_WAITED) {
-      return false; // its joints are on the way; without them it would fall apart
+      return false; // without its joints it would fall apart, without its velocities be torn
     }
     waited = 0;
     poses.begin(server.slot(), server.generation());
@@ -256,11 +257,14 @@ public final class Prediction {
   }
 
   /**
-   * Returns whether all joints of the own assembly are known, if the own body is the root of one.
+   * Returns whether the own body, if it is the root of an assembly, can be predicted exactly: all
+   * joints of the assembly are known, and an update with its bodies is here.
    */
   private boolean isAssemblyKnown() {
     Assembly assembly = simulation.assemblies().of(records.archetype(server.slot()));
-    return assembly == null || corrector.assembly().isKnown(assembly, server.slot());
+    int key = Neighbourhood.key(server.slot(), server.generation());
+    return assembly == null
+        || (corrector.assembly().isKnown(assembly, server.slot()) && updates.haveWhole(key));
   }
 
   private void deactivate() {

@@ -1,6 +1,7 @@
 package carom.client.prediction;
 
 import carom.client.field.OwnWords;
+import carom.client.prediction.received.PlayerInputs;
 import carom.client.prediction.received.ReceivedRulings;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
@@ -100,7 +101,7 @@ final class Reconciler {
       correctTick(false);
       from = tick;
     } else {
-      from = compare(settle(from));
+      from = compare(leave(settle(from)));
       if (ruled <= tick) {
         tell(tick);
       }
@@ -139,6 +140,27 @@ final class Reconciler {
     settler.settle(server.spawned());
     timeline.saveCorrection();
     result.exact = result.compared && timeline.own(stateTick).sameAs(server); // means other ids
+    return from < 0 ? stateTick : from;
+  }
+
+  /**
+   * Removes the entities that have left the predicted set at the state's tick. The update that says
+   * since when may be lost, and the list is in each snapshot: so the loss costs nothing, unless one
+   * of them touched another in between.
+   *
+   * @param from the tick of a rollback that has happened, or -1
+   * @return the tick to replay from, or -1 if nothing has changed
+   */
+  private int leave(int from) {
+    NearState near = server.near();
+    if (!near.present() || !timeline.isSaved(stateTick) || !timeline.hasMore(stateTick, near)) {
+      return from;
+    }
+    if (timeline.tick() != stateTick) {
+      timeline.restore(stateTick);
+    }
+    corrector.dropUnlisted(near);
+    timeline.saveCorrection();
     return from < 0 ? stateTick : from;
   }
 

@@ -2,6 +2,7 @@ package carom.client.prediction;
 
 import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
+import carom.client.prediction.received.PlayerInputs;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
@@ -156,6 +157,11 @@ final class Timeline {
   /** Returns the hash of the predicted set after a saved tick. */
   int hash(int savedAt) {
     return hash[savedAt & MASK];
+  }
+
+  /** Returns whether the server lists some of the bodies of a saved tick and no others. */
+  boolean hasMore(int savedAt, NearState near) {
+    return hashes.hasMore(savedAt & MASK, near);
   }
 
   /** Returns the own body after a saved tick. */

@@ -89,6 +89,11 @@ final class ExactUpdate {
     return underWay && !incomplete;
   }
 
+  /** Returns whether the exact state of an entity was told, or follows from what was told. */
+  boolean isKnown(int key) {
+    return known.find(key, 0) >= 0;
+  }
+
   /** Returns whether the update under way is too old to be of use. */
   boolean isTooOld() {
     return underWay && simulation.tick() - baseTick > MAX_AGE;

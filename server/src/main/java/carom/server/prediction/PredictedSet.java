@@ -93,7 +93,7 @@ public final class PredictedSet {
     } else {
       chooser.choose(player, all, update.members(), limits.entities());
       takeRulings();
-      updateIfNeeded(disagreedTick);
+      updateIfNeeded(player, disagreedTick);
     }
     readState(updates + disagreements != before);
     relayInputs(player, out);
@@ -142,13 +142,14 @@ public final class PredictedSet {
     return chooser.isChosen(Neighbourhood.id(ruling.key));
   }
 
-  private void updateIfNeeded(int disagreedTick) {
+  private void updateIfNeeded(Player player, int disagreedTick) {
     boolean disagreed = mayTellDisagreement(disagreedTick);
     boolean interfered = mayTellInterference();
     if (!disagreed && !interfered && update.members().isOf(chooser.chosen())) {
       return;
     }
-    update.begin(chooser.chosen(), disagreed || mustTellAll);
+    boolean isOtherBody = !update.isKnown(EntityList.key(player.body())); // the client begins anew
+    update.begin(chooser.chosen(), disagreed || mustTellAll || isOtherBody);
     mustTellAll = false;
     if (disagreed) {
       disagreements++;

@@ -13,12 +13,12 @@ class SteadyStepTest {
   private static final int WINDOW = 20;
 
   /** Arrays that double, and vector kernels until they are compiled, end well before. */
-  private static final int MOST_WINDOWS = 600;
+  private static final int MOST_WINDOWS = 150;
 
   /** From this window on each waits a little, as a busy machine may compile nothing meanwhile. */
   private static final int PATIENT = 50;
 
-  private static final long WAIT_MS = 10;
+  private static final long WAIT_MS = 50;
 
   static Stream<Scene> scenes() {
     return Stream.of(

@@ -188,7 +188,7 @@ final class RecordCodecTest {
     assertTrue(track.falls);
     falling.predict(track, 0, predicted);
     assertEquals(30, predicted.x);
-    assertEquals(fallen(6), predicted.y, 3);
+    assertEquals(fallen(6), predicted.y);
   }
 
   /** Steps that a body has fallen after ticks that it began with 1 m/s upwards. */

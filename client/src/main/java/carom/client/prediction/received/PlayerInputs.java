@@ -1,6 +1,5 @@
-package carom.client.prediction;
+package carom.client.prediction.received;
 
-import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.relay.RelayedInputs;
 import carom.sim.Simulation;
 import carom.sim.entity.Input;
@@ -12,7 +11,7 @@ import java.util.Arrays;
  * server relayed them, and predicted ones until it does. One prediction's; allocates once for each
  * other player.
  */
-final class PlayerInputs {
+public final class PlayerInputs {
   /** Time for which a player's last known input is repeated, fading, ticks. */
   private static final int REPEAT_TICKS = 30;
 
@@ -35,7 +34,7 @@ final class PlayerInputs {
    * @param player the own one
    * @param ticks to keep; a power of two
    */
-  PlayerInputs(Simulation simulation, Player player, SnapshotRecords records, int ticks) {
+  public PlayerInputs(Simulation simulation, Player player, SnapshotRecords records, int ticks) {
     this.simulation = simulation;
     this.player = player;
     this.records = records;
@@ -46,7 +45,7 @@ final class PlayerInputs {
   }
 
   /** Stores the own input of a tick. */
-  void put(int tick, long input) {
+  public void put(int tick, long input) {
     own[tick & mask] = input;
     ownTick[tick & mask] = tick;
     last = input;
@@ -55,17 +54,17 @@ final class PlayerInputs {
   }
 
   /** Returns whether the own input of exactly this tick was sampled. */
-  boolean has(int tick) {
+  public boolean has(int tick) {
     return ownTick[tick & mask] == tick;
   }
 
   /** Returns the own input of a tick; for a tick without one, the last input. */
-  long at(int tick) {
+  public long at(int tick) {
     return has(tick) ? own[tick & mask] : tick < first ? 0 : last;
   }
 
   /** Returns the newest tick with an own input, or -1. */
-  int newest() {
+  public int newest() {
     return newest;
   }
 
@@ -75,7 +74,7 @@ final class PlayerInputs {
    * @param input the own one
    * @param repeat whether others get the inputs with which the tick was simulated before
    */
-  void apply(int tick, long input, boolean repeat) {
+  public void apply(int tick, long input, boolean repeat) {
     player.input().unpack(input);
     for (int id = 0; id < simulation.playerCapacity(); id++) {
       Player other = simulation.player(id);
@@ -108,7 +107,7 @@ final class PlayerInputs {
    * Returns whether a tick was simulated with the real inputs of all players that have a body, as
    * far as they are known by now: none of them was predicted.
    */
-  boolean areConfirmed(int tick) {
+  public boolean areConfirmed(int tick) {
     RelayedInputs relayed = records.inputs();
     for (int id = 0; id < simulation.playerCapacity(); id++) {
       Player other = simulation.player(id);
@@ -131,7 +130,7 @@ final class PlayerInputs {
    * @param upTo last tick to look at
    * @return the tick, or {@link Integer#MAX_VALUE} if there is none
    */
-  int firstMispredicted(int after, int upTo) {
+  public int firstMispredicted(int after, int upTo) {
     RelayedInputs relayed = records.inputs();
     int first = Integer.MAX_VALUE;
     for (int id = 0; id < simulation.playerCapacity(); id++) {
