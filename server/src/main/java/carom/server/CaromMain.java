@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.options.BadFlag;
 import carom.options.LabCommand;
+import carom.options.VectorApi;
 import java.io.PrintWriter;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -22,6 +23,7 @@ public final class CaromMain implements Runnable {
 
   /** Runs the command and exits the JVM with its exit code, which is 2 for bad flags. */
   public static void main(String[] args) {
+    VectorApi.load();
     System.exit(commandLine().execute(args));
   }
 

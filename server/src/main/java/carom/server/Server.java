@@ -61,6 +61,10 @@ public final class Server implements AutoCloseable {
   private static final long ROOM_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
+
+  /** Nap of a thread that waits for the first player, ns: the most that a player waits for it. */
+  private static final long IDLE_NAP_NS = TimeUnit.MILLISECONDS.toNanos(50);
+
   private static final long JOIN_MS = 1_000;
   private static final long TROUBLES_GAP_NS = TimeUnit.SECONDS.toNanos(10);
 
@@ -340,9 +344,10 @@ public final class Server implements AutoCloseable {
 
     @Override
     public long napNs(long nowNs) {
-      return nowNs - beginNs < 0
-          ? beginNs - nowNs
-          : Math.min(room.nextDeadlineNs() - nowNs, ROOM_NAP_NS);
+      if (nowNs - beginNs < 0) {
+        return beginNs - nowNs;
+      }
+      return room.isPaused() ? IDLE_NAP_NS : Math.min(room.nextDeadlineNs() - nowNs, ROOM_NAP_NS);
     }
 
     @Override
@@ -380,7 +385,7 @@ public final class Server implements AutoCloseable {
 
     @Override
     public long napNs(long nowNs) {
-      return LOBBY_NAP_NS;
+      return lobby.isDeserted() ? IDLE_NAP_NS : LOBBY_NAP_NS;
     }
 
     @Override

@@ -261,6 +261,15 @@ final class ServerFlags {
   private int statusIntervalS;
 
   @Option(
+      names = "--idle",
+      paramLabel = "pause|run",
+      defaultValue = "pause",
+      description =
+          "What a room does while nobody plays or watches and nothing is recorded: pause until a"
+              + " player comes, or run on (${DEFAULT-VALUE}).")
+  private Idle idle;
+
+  @Option(
       names = "--allow-list",
       paramLabel = "true|false",
       arity = "0..1",
@@ -358,6 +367,12 @@ final class ServerFlags {
       description = "Shows the version.")
   @SuppressWarnings("unused") // picocli shows the version
   private boolean version;
+
+  /** The values of {@code --idle}. */
+  private enum Idle {
+    PAUSE,
+    RUN
+  }
 
   /** The values of {@code --log-level}, from nothing to everything. */
   enum LogLevel {
@@ -494,7 +509,8 @@ final class ServerFlags {
           .withGraceMs(graceS * 1_000)
           .withInputHoldTicks(tickRate / 2)
           .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)
-          .withStatusIntervalS(statusIntervalS);
+          .withStatusIntervalS(statusIntervalS)
+          .withPausesIdleRooms(idle == Idle.PAUSE);
     } catch (IllegalArgumentException e) {
       throw bad(e.getMessage());
     }

@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
+import carom.options.VectorApi;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.command.CommandRegistry;
@@ -104,6 +105,7 @@ public final class ServerMain implements Callable<Integer> {
 
   /** Runs the server until it is stopped; see {@code --help}. */
   public static void main(String[] args) {
+    VectorApi.load();
     if (System.getProperty(LOG_CONFIG_PROPERTY) == null) {
       System.setProperty(LOG_CONFIG_PROPERTY, LOG_CONFIG); // before the first logger
     }

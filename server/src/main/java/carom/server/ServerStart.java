@@ -16,6 +16,7 @@ import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
+import carom.server.session.SessionMemory;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.time.InstantSource;
@@ -65,6 +66,7 @@ final class ServerStart {
     JoinTokens tokens = joinTokens(identity);
     Server server = openRooms(rooms, openTransport(rooms, identity));
     server.demandTokens(tokens);
+    SessionMemory.touch(RoomConfig.places(rooms));
     try {
       record(server);
       show(server);

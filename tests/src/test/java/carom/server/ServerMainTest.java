@@ -191,6 +191,31 @@ class ServerMainTest {
   }
 
   @Test
+  void anIdleServerPausesUnlessToldToRun() throws Exception {
+    assertTrue(stateOfTheRoom("--log-level", "off").contains("paused"));
+    assertTrue(stateOfTheRoom("--idle", "run").contains("runs"));
+  }
+
+  /**
+   * Returns what the command {@code rooms} says of a server without players after half a second.
+   */
+  private String stateOfTheRoom(String... flags) throws Exception {
+    List<String> all = new ArrayList<>(List.of("--tcp-port", "0", "--udp-port", "0"));
+    all.addAll(List.of(flags));
+    Process process = startWithInput(all.toArray(String[]::new));
+    BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
+    assertTrue(READY.matcher(String.valueOf(out.readLine())).matches(), err());
+    Thread.sleep(500);
+    try (Writer in = process.outputWriter(StandardCharsets.UTF_8)) {
+      in.write("rooms\nstop\n");
+    }
+    assertTrue(out.readLine().startsWith("room "), "a heading");
+    String room = out.readLine();
+    assertTrue(process.waitFor(10, TimeUnit.SECONDS));
+    return room;
+  }
+
+  @Test
   void printsItsSettingsAsAFile() throws Exception {
     Process process = start("--print-config", "--grace", "1 min");
     String printed = rest(process.getInputStream());

@@ -3,6 +3,7 @@ package carom.server.config;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -72,6 +73,24 @@ public record DataFolder(Path root) {
   /** Returns the file of a level of the folder, or the name itself if there is none. */
   public String level(String name) {
     return levelNames().contains(name) ? levels().resolve(name + LEVEL).toString() : name;
+  }
+
+  /**
+   * Writes a file in the place of one that is there, in one step: after a crash it is the old one
+   * or the new one. When the disk is full, the old one stays, and nothing of the new one.
+   *
+   * @throws IOException if it can't be written
+   */
+  public static void replace(Path file, byte[] bytes) throws IOException {
+    Path fresh = file.resolveSibling(file.getFileName() + ".new");
+    Files.createDirectories(file.toAbsolutePath().getParent());
+    try {
+      Files.write(fresh, bytes);
+      Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (IOException e) {
+      Files.deleteIfExists(fresh);
+      throw e;
+    }
   }
 
   /**

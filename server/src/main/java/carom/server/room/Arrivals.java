@@ -64,6 +64,11 @@ final class Arrivals {
     return queue.offer(admission);
   }
 
+  /** Returns whether no player waits; from any thread. */
+  boolean isEmpty() {
+    return queue.isEmpty();
+  }
+
   /** Takes a player back out of the queue, from any thread. Returns false if it isn't there. */
   boolean withdraw(Admission admission) {
     return queue.remove(admission);

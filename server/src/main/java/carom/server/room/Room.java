@@ -62,9 +62,10 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #name},
  * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters}, {@link #stages},
- * {@link #pictures} and {@link #hasFailed} may be called from any thread; the rest belongs to the
- * thread that calls {@link #doWork}. A tick in the steady state allocates next to nothing. A client
- * can hurt only its own session, and a game only its own room: rooms share nothing that changes.
+ * {@link #pictures}, {@link #isPaused} and {@link #hasFailed} may be called from any thread; the
+ * rest belongs to the thread that calls {@link #doWork}. A tick in the steady state allocates next
+ * to nothing. A client can hurt only its own session, and a game only its own room: rooms share
+ * nothing that changes.
  *
  * <p><b>Length.</b> Just above 500 lines: what a room does in a turn is told in one place, and each
  * part of it is a class of its own.
@@ -105,6 +106,7 @@ public final class Room {
   private volatile String phase;
   private volatile boolean failed;
   private volatile boolean closed;
+  private volatile boolean paused;
 
   /**
    * Builds the level and sets up the game of the first match.
@@ -235,18 +237,30 @@ public final class Room {
       return partings.doWork(nowNs);
     }
     int work = pollAll(nowNs) + partings.doWork(nowNs);
-    int due = loop.due(nowNs);
+    paused = isIdle();
+    if (paused) {
+      loop.pause();
+    }
+    int due = paused ? 0 : loop.due(nowNs);
     warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
     for (int left = due; left > 0 && !closed; left--) {
       guardedTick(nowNs, left <= MAX_SENDS_PER_BURST);
     }
-    if (due > 0 && pictures.isWanted()) {
+    if ((due > 0 || paused) && pictures.isWanted()) {
       stages.begin();
       pictures.take(context.match().info(), context.simulation(), sessions.bySeat());
       stages.end(Stage.PICTURE);
     }
     return work + due;
+  }
+
+  private boolean isIdle() {
+    return context.config().pausesIdleRooms()
+        && context.age() > 0
+        && sessions.count() == 0
+        && arrivals.isEmpty()
+        && !recording.isOn();
   }
 
   /**
@@ -468,6 +482,14 @@ public final class Room {
    */
   public boolean hasFailed() {
     return failed;
+  }
+
+  /**
+   * Returns whether the room doesn't tick because nobody needs it, see {@link
+   * ServerConfig#pausesIdleRooms}; from any thread.
+   */
+  public boolean isPaused() {
+    return paused;
   }
 
   /** Returns the seats, shared with the lobby. */

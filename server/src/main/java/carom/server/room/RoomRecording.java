@@ -47,6 +47,11 @@ final class RoomRecording {
     this.room = room;
   }
 
+  /** Returns whether the room is recorded. */
+  boolean isOn() {
+    return recorder != null;
+  }
+
   /** Begins to record to a sink; see {@link Room#record(BlockSink)}. */
   void begin(BlockSink newSink) {
     Simulation simulation = room.simulation();

@@ -23,10 +23,9 @@ final class CrowdFigures {
       List.of(
           "-Xms192m",
           "-Xmn8m",
-          "-XX:+AlwaysPreTouch",
           "-XX:+UseSerialGC",
-          "--add-modules",
-          "jdk.incubator.vector");
+          "--add-exports",
+          "java.base/jdk.internal.module=ALL-UNNAMED");
   private static final List<String> PRIORITIES =
       List.of("-XX:ThreadPriorityPolicy=1", "-XX:CompilerThreadPriority=10", "-XX:-PrintWarnings");
   private static final Pattern TICK = Pattern.compile("tick p50 \\S+ p99 (\\S+) max");

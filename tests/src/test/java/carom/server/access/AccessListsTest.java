@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.net.protocol.RefusalReason;
 import carom.server.config.DataFolder;
@@ -49,6 +50,22 @@ final class AccessListsTest {
     Files.delete(bans());
     assertTrue(lists.reloadIfChanged());
     assertEquals(List.of(), lists.bans().entries());
+  }
+
+  @Test
+  void onAFullDiskABanIsRefusedAndTheOthersStay() throws IOException {
+    Path full = Path.of("/dev/full");
+    assumeTrue(Files.exists(full), "a device of Linux");
+    AccessLists lists = lists(false);
+    lists.bans().add(AccessEntry.parse("name mallory"));
+    String before = Files.readString(bans());
+    Files.createSymbolicLink(bans().resolveSibling("bans.txt.new"), full);
+    AccessEntry more = AccessEntry.parse("name trudy");
+    IOException e = assertThrows(IOException.class, () -> lists.bans().add(more));
+    assertTrue(e.getMessage().contains("nothing has changed"), e.getMessage());
+    assertEquals(before, Files.readString(bans()));
+    lists.bans().add(more);
+    assertTrue(Files.readString(bans()).contains("trudy"));
   }
 
   @Test
