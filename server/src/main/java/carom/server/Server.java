@@ -5,7 +5,6 @@ import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.access.EntryRule;
-import carom.server.access.JoinTokens;
 import carom.server.command.StatusLine;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
@@ -242,15 +241,6 @@ public final class Server implements AutoCloseable {
    */
   public void admit(EntryRule rule) {
     lobby.admit(rule);
-  }
-
-  /**
-   * Lets only players in whose join token is good, from now on. Any thread.
-   *
-   * @param tokens checks them, or null to let all in
-   */
-  public void demandTokens(JoinTokens tokens) {
-    lobby.demandTokens(tokens);
   }
 
   /**

@@ -11,7 +11,7 @@ import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
-import carom.server.access.JoinTokens;
+import carom.server.access.AccessLists;
 import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
@@ -19,7 +19,6 @@ import carom.server.recording.RotationLimit;
 import carom.server.session.SessionMemory;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
-import java.time.InstantSource;
 import java.util.List;
 import org.slf4j.Logger;
 
@@ -32,12 +31,15 @@ final class ServerStart {
   private final ServerFlags flags;
   private final GameChoice choice;
   private final ServerConfig config;
+  private final AccessLists access;
   private final Logger log;
 
-  ServerStart(ServerFlags flags, GameChoice choice, ServerConfig config, Logger log) {
+  ServerStart(
+      ServerFlags flags, GameChoice choice, ServerConfig config, AccessLists access, Logger log) {
     this.flags = flags;
     this.choice = choice;
     this.config = config;
+    this.access = access;
     this.log = log;
   }
 
@@ -62,10 +64,7 @@ final class ServerStart {
    */
   Server open() throws StartFailure {
     List<RoomConfig> rooms = choice.rooms(config);
-    ServerIdentity identity = identity();
-    JoinTokens tokens = joinTokens(identity);
-    Server server = openRooms(rooms, openTransport(rooms, identity));
-    server.demandTokens(tokens);
+    Server server = openRooms(rooms, openTransport(rooms));
     SessionMemory.touch(RoomConfig.places(rooms));
     try {
       record(server);
@@ -77,14 +76,13 @@ final class ServerStart {
     }
   }
 
-  private ServerTransport openTransport(List<RoomConfig> rooms, ServerIdentity identity)
-      throws StartFailure {
+  private ServerTransport openTransport(List<RoomConfig> rooms) throws StartFailure {
     ServerTransport transport;
     try {
       KryoLimits limits = flags.limits(RoomConfig.places(rooms));
       transport =
           new KryoServerTransport(
-              flags.bindAddress(), flags.tcpPort, flags.udpPort, limits, identity);
+              flags.bindAddress(), flags.tcpPort, flags.udpPort, limits, identity());
     } catch (IllegalArgumentException e) {
       throw flags.bad("--room: " + e.getMessage());
     } catch (PortUnavailableException e) {
@@ -108,29 +106,16 @@ final class ServerStart {
     }
     DataFolder data = flags.dataFolder();
     ServerIdentity identity = ServerIdentity.temporary(flags.encryption);
-    if (data.isWritable()) {
-      try {
+    try {
+      if (data.isWritable()) {
         identity = new ServerIdentity(flags.encryption, ServerKey.load(data.serverKey()));
-      } catch (IOException e) {
-        throw new StartFailure(e.getMessage(), e);
       }
+      access.demandTokens(flags.joinKey, identity.fingerprint());
+    } catch (IOException e) {
+      throw new StartFailure(e.getMessage(), e);
     }
     log.info("identity: players know this server by {}", identity.fingerprint());
     return identity;
-  }
-
-  private JoinTokens joinTokens(ServerIdentity identity) throws StartFailure {
-    if (flags.joinKey == null) {
-      return null;
-    }
-    try {
-      JoinTokens tokens =
-          JoinTokens.load(flags.joinKey, identity.fingerprint(), InstantSource.system());
-      log.info("join tokens: demanded, signed by the key of {}", flags.joinKey);
-      return tokens;
-    } catch (IOException e) {
-      throw new StartFailure("--join-key=" + e.getMessage(), e);
-    }
   }
 
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {

@@ -8,7 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
-import carom.server.access.JoinTokens;
+import carom.server.access.AccessLists;
+import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -17,9 +18,7 @@ import java.security.KeyPair;
 import java.security.KeyPairGenerator;
 import java.security.Signature;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.Base64;
-import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -36,7 +35,9 @@ final class JoinTokenTest {
 
   @BeforeEach
   void demandTokens() throws Exception {
-    backend = KeyPairGenerator.getInstance("Ed25519").generateKeyPair();
+    if (backend == null) {
+      backend = KeyPairGenerator.getInstance("Ed25519").generateKeyPair();
+    }
     Path file = folder.resolve("join.pem");
     byte[] key = backend.getPublic().getEncoded();
     Files.writeString(
@@ -44,7 +45,10 @@ final class JoinTokenTest {
         "-----BEGIN PUBLIC KEY-----\n"
             + Base64.getEncoder().encodeToString(key)
             + "\n-----END PUBLIC KEY-----\n");
-    rig.server.demandTokens(JoinTokens.load(file, "us", () -> Instant.ofEpochSecond(now)));
+    AccessLists lists =
+        new AccessLists(new DataFolder(folder), false, () -> Instant.ofEpochSecond(now));
+    lists.demandTokens(file, "us");
+    rig.server.admit(lists);
   }
 
   @AfterEach
@@ -88,14 +92,10 @@ final class JoinTokenTest {
       rig.step();
     }
     assertEquals("Ann", ann.roster.entries().get(0).name());
-    List<String> asked = new ArrayList<>();
-    rig.server.admit(
-        (name, account, remote) -> {
-          asked.add(name + " " + account);
-          return null;
-        });
-    join("Bob", token("{\"sub\":\"8\",\"exp\":1800000060}"), 0);
-    assertEquals(List.of("Bob 8"), asked);
+    Files.writeString(folder.resolve("bans.txt"), "account 8 cheats\n");
+    demandTokens();
+    FakeClient bob = join("Bob", token("{\"sub\":\"8\",\"exp\":1800000060}"), 0);
+    assertEquals(RefusalReason.BANNED, bob.refused.reason());
   }
 
   @Test

@@ -24,4 +24,9 @@ public interface EntryRule {
    * @param remote address and port, as the link tells them
    */
   Refusal refusal(String name, String account, String remote);
+
+  /** Returns the check of join tokens that players must pass first, or null if they need none. */
+  default JoinTokens tokens() {
+    return null;
+  }
 }

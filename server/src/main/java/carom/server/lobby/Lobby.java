@@ -77,7 +77,6 @@ public final class Lobby {
   private final AdmissionRate rate;
   private final Spectators spectators;
   private volatile EntryRule entryRule = EntryRule.OPEN;
-  private volatile JoinTokens joinTokens;
   private long nowNs;
 
   /**
@@ -178,11 +177,6 @@ public final class Lobby {
   /** Sets who may come in, for players and spectators; any thread. */
   public void admit(EntryRule rule) {
     entryRule = rule;
-  }
-
-  /** Lets only players in whose join token is good, or all again by null; any thread. */
-  public void demandTokens(JoinTokens tokens) {
-    joinTokens = tokens;
   }
 
   /**
@@ -414,6 +408,7 @@ public final class Lobby {
      */
     private Wish wish(ClientMessage.Hello hello) {
       String name = hello.name().strip();
+      JoinTokens joinTokens = entryRule.tokens();
       if (joinTokens == null || chooser.expecting(hello.resumeSecret()) != null) {
         return new Wish(name, "", hello.room(), hello.game(), hello.resumeSecret());
       }
