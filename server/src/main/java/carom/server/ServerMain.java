@@ -297,11 +297,13 @@ public final class ServerMain implements Callable<Integer> {
     }
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
+    // Players needn't wait for it: its libraries load for as long as all the rest.
+    web.set(new WebStart(flags, settings(), log).open(server, commands, logTail, title(server)));
+    String page = web.get() == null ? null : web.get().url();
+    ReadyLine.printHints(System.out, server.tcpPort(), server.udpPort(), page);
     if (flags.console) {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
     }
-    // Players needn't wait for it: its libraries load for as long as all the rest.
-    web.set(new WebStart(flags, settings(), log).open(server, commands, logTail, title(server)));
     server.awaitStop();
     if (server.hasFailed()) {
       log.error("the server ended because of the errors above");

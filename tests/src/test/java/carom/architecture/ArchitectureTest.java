@@ -362,6 +362,17 @@ final class ArchitectureTest {
         "carom.sim..",
         "carom.game",
         "carom.physics..");
+    // The one that knows both: it starts a server in the client's process.
+    allow(
+        "carom.launcher",
+        "carom.server..",
+        "carom.client",
+        "carom.client.app",
+        "carom.client.bots",
+        "carom.net.kryo",
+        "carom.net.transport",
+        "carom.sim.level",
+        "carom.physics.threads");
   }
 
   /** Allows what a stage of the step may use; names are those below {@code carom.physics}. */

@@ -62,6 +62,8 @@ public final class ReplayClient implements AutoCloseable {
   private boolean paused;
   private boolean ended;
   private boolean waiting;
+  private boolean patient;
+  private int lastTick;
   private String problem = "";
 
   /** Ticks that are due, with their fraction. */
@@ -100,6 +102,12 @@ public final class ReplayClient implements AutoCloseable {
     view.pools(s.pools());
     mark();
     show();
+    lastTick = RecordingLength.lastTick(file, s.tick());
+  }
+
+  /** Computes all that is due in each update, however long it takes: for films, not for windows. */
+  public void patient(boolean always) {
+    patient = always;
   }
 
   /**
@@ -118,7 +126,7 @@ public final class ReplayClient implements AutoCloseable {
       long stopNs = System.nanoTime() + WORK_NS;
       while (due >= 1 && next()) {
         due--;
-        if (System.nanoTime() > stopNs) {
+        if (!patient && System.nanoTime() > stopNs) {
           due = Math.min(due, 1); // this machine is too slow: it plays as fast as it can
         }
       }
@@ -338,6 +346,11 @@ public final class ReplayClient implements AutoCloseable {
     followed = -1;
   }
 
+  /** Makes the camera follow a player by id, while that player has a body; -1 for nobody. */
+  public void follow(int playerId) {
+    followed = playerId;
+  }
+
   /** Returns the name of the player that is followed, or an empty string. */
   public String followed() {
     return view().playerName(followed);
@@ -348,9 +361,9 @@ public final class ReplayClient implements AutoCloseable {
     return replay.simulation().tick();
   }
 
-  /** Returns the newest tick computed so far. */
-  public int newestTick() {
-    return newestTick;
+  /** Returns the last tick of the recording, as far as it was written when it was opened. */
+  public int lastTick() {
+    return Math.max(lastTick, newestTick);
   }
 
   /** Returns whether the recording's end is reached. */
