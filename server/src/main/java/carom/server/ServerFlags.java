@@ -61,8 +61,7 @@ final class ServerFlags {
       paramLabel = "FOLDER",
       defaultValue = "data",
       description =
-          "Folder of the server's own files: carom.conf, bans.txt, allow.txt, server.key, levels,"
-              + " recordings, logs"
+          "Folder of the server's own files: settings, key, bans, levels, recordings, logs"
               + " (${DEFAULT-VALUE}).")
   private Path data;
 
@@ -91,8 +90,7 @@ final class ServerFlags {
       paramLabel = "on|off",
       defaultValue = "on",
       description =
-          "Encrypt everything between server and players; off is for looking at packets, and"
-              + " players need --encryption off, too (${DEFAULT-VALUE}).")
+          "Encrypt the links; off is for debugging, and players need it, too (${DEFAULT-VALUE}).")
   Encryption encryption;
 
   @Option(

@@ -100,9 +100,7 @@ final class ServerStart {
   /** Returns the key in the data folder and whether links are encrypted, and logs both. */
   private ServerIdentity identity() throws StartFailure {
     if (flags.encryption == Encryption.OFF) {
-      log.warn(
-          "encryption: off; whoever sees the packets can read and change them, take over players"
-              + " and pose as this server");
+      log.warn("encryption: off; who sees packets can read them, change them and be any player");
     }
     DataFolder data = flags.dataFolder();
     ServerIdentity identity = ServerIdentity.temporary(flags.encryption);
