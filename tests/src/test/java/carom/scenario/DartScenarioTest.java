@@ -183,7 +183,8 @@ class DartScenarioTest {
   @Test
   void shotsThatTheRulesForbidGoWithoutAGhost() {
     // Method: every two seconds the rules disarm the player for one. The client hears of it a
-    // round trip later and has thrown a dart or two.
+    // round trip later and has thrown a dart or two. One of these is heard and taken back between
+    // two pictures, so it was never shown.
     try (Stepper stepper = play(120)) {
       SimulatedClient ann = stepper.join("Ann", FAR, thrower());
       stepper.run(1);
