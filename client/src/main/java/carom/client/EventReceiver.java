@@ -48,7 +48,7 @@ final class EventReceiver {
             prediction == null ? key -> Origin.NONE : prediction.spawns()::origin,
             simulation.tickRate(),
             listener);
-    simulation.journal(reconciler);
+    simulation.addJournal(reconciler);
   }
 
   /** Takes in the events that the last snapshot completed. */

@@ -214,6 +214,16 @@ final class ServerFlags {
   private int graceS;
 
   @Option(
+      names = "--checkpoint",
+      paramLabel = "S",
+      defaultValue = "0",
+      description =
+          "Seconds between checkpoints in the data folder, 0..600; a server that was killed goes on"
+              + " from the last one when it starts again, and players get their bodies back; 0 ="
+              + " none (${DEFAULT-VALUE}).")
+  int checkpointS;
+
+  @Option(
       names = "--record",
       paramLabel = "FILE",
       description =
@@ -414,6 +424,7 @@ final class ServerFlags {
     requireRange("--udp-port", udpPort, MAX_PORT);
     requireRange("--web-port", webPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
+    requireRange("--checkpoint", checkpointS, Server.MAX_CHECKPOINT_S);
     requireRange("--log-keep", logKeep, MAX_LOGS);
     if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
       throw bad("--record=" + record + " is no folder; rooms=" + roomCount() + " need one");

@@ -265,6 +265,8 @@ public final class ServerMain implements Callable<Integer> {
 
   private int run(Server server, LoggerContext logging) throws InterruptedException, StartFailure {
     Logger log = LoggerFactory.getLogger(ServerMain.class);
+    Thread.setDefaultUncaughtExceptionHandler(
+        (thread, error) -> log.error("thread {} ended by an error", thread.getName(), error));
     AtomicReference<Console> console = new AtomicReference<>();
     AtomicReference<WebServer> web = new AtomicReference<>();
     Thread hook =
@@ -290,8 +292,8 @@ public final class ServerMain implements Callable<Integer> {
     Runtime.getRuntime().addShutdownHook(hook);
     CommandRegistry commands = commands(server);
     CommandInspector.show(commands);
+    server.roomBegins(RoomInspector::show);
     server.start();
-    server.rooms().forEach(RoomInspector::show);
     while (server.count(Counter.TICKS) == 0 && !server.hasFailed()) {
       Thread.sleep(1); // the first tick of a large level takes as long as many later ones
     }

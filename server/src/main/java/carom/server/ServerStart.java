@@ -19,6 +19,7 @@ import carom.server.recording.RotationLimit;
 import carom.server.session.SessionMemory;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Path;
 import java.util.List;
 import org.slf4j.Logger;
 
@@ -67,6 +68,7 @@ final class ServerStart {
     Server server = openRooms(rooms, openTransport(rooms));
     SessionMemory.touch(RoomConfig.places(rooms));
     try {
+      keep(server);
       record(server);
       show(server);
       return server;
@@ -122,6 +124,19 @@ final class ServerStart {
     } catch (IllegalArgumentException e) {
       transport.close();
       throw flags.bad("--level: " + e.getMessage());
+    }
+  }
+
+  private void keep(Server server) throws StartFailure {
+    if (flags.checkpointS == 0) {
+      return;
+    }
+    Path folder = flags.dataFolder().checkpoints();
+    try {
+      server.checkpoint(folder, flags.checkpointS);
+      log.info("checkpoints: {}, every {} s", folder, flags.checkpointS);
+    } catch (IOException e) {
+      throw new StartFailure("--checkpoint: " + e.getMessage(), e);
     }
   }
 

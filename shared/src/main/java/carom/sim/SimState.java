@@ -19,6 +19,13 @@ import carom.sim.pool.PoolsState;
  * to the simulation that filled it, and its contents are internal.
  */
 public final class SimState {
+  /**
+   * Version of the layout of {@link #write}, that of the world included. Every change of the layout
+   * raises it. It says nothing about arithmetic: a build that computes otherwise may read the state
+   * and go on from it.
+   */
+  public static final int LAYOUT = 1;
+
   final Simulation owner;
   final SavedFields fields;
   final SavedEntities entities;

@@ -142,7 +142,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   /** Who is becoming a spectator; null mostly. */
   private Player retiring;
 
-  private Journal journal;
+  private final Journals journals = new Journals();
   private NextMatch nextMatch;
 
   /** What is known of the server's rules, on PREDICTION; may be null. */
@@ -257,13 +257,16 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Sets the journal, which receives everything that enters from now on. It is not part of the
+   * Adds a journal, which receives everything that enters from now on. Journals are not part of the
    * state.
-   *
-   * @param newJournal null for none
    */
-  public void journal(Journal newJournal) {
-    journal = newJournal;
+  public void addJournal(Journal journal) {
+    journals.add(journal);
+  }
+
+  /** Removes a journal; nothing happens if it isn't there. */
+  public void removeJournal(Journal journal) {
+    journals.remove(journal);
   }
 
   /**
@@ -887,13 +890,11 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public Player join(int id, String name, int team, int score) {
     calls.requireAuthority("join");
     requireFree(id);
-    if (journal != null) {
-      if (team != 0 || score != 0) {
-        throw new IllegalStateException(
-            "a journal can't tell what " + name + " brings: team=" + team + " score=" + score);
-      }
-      journal.joining(this, id, name);
+    if (!journals.isEmpty() && (team != 0 || score != 0)) {
+      throw new IllegalStateException(
+          "a journal can't tell what " + name + " brings: team=" + team + " score=" + score);
     }
+    journals.joining(this, id, name);
     boolean full = players.count() >= game.maxPlayers();
     Player player = players.add(id, name);
     if (full) {
@@ -915,9 +916,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public Player joinAsSpectator(int id, String name) {
     calls.requireAuthority("joinAsSpectator");
     requireFree(id);
-    if (journal != null) {
-      journal.watching(this, id, name);
-    }
+    journals.watching(this, id, name);
     Player player = players.add(id, name);
     players.become(player, PlayerRole.SPECTATOR);
     return player;
@@ -941,8 +940,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (players.participant(participant.id()) != participant || participant.role() == role) {
       return;
     }
-    if (journal != null && !inTick && inGame == 0) {
-      journal.changing(this, participant.id(), role);
+    if (!inTick && inGame == 0) {
+      journals.changing(this, participant.id(), role);
     }
     if (role == PlayerRole.PLAYER) {
       players.become(participant, role);
@@ -1011,9 +1010,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       return;
     }
     received.forget(id);
-    if (journal != null) {
-      journal.leaving(this, id);
-    }
+    journals.leaving(this, id);
     if (role == Role.AUTHORITY && !player.isSpectator()) {
       retire(player);
     }
@@ -1167,9 +1164,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * Computes the next tick from each player's {@link Player#input} and {@link Player#viewDelay}.
    */
   public void step() {
-    if (journal != null) {
-      journal.stepping(this);
-    }
+    journals.stepping(this);
     tick++;
     inTick = true;
     try {
@@ -1181,9 +1176,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (history != null) {
       history.capture(tick);
     }
-    if (journal != null) {
-      journal.stepped(this);
-    }
+    journals.stepped(this);
   }
 
   private void computeTick() {

@@ -206,6 +206,8 @@ class ProtocolDocTest {
                 60,
                 "cup",
                 1,
+                0x55667788,
+                990,
                 1000,
                 42,
                 "arena",

@@ -42,7 +42,7 @@ final class MessageReplayTest {
     Simulation s = arena();
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     Player[] players = {s.join("Ann"), s.join("Bob")};
     List<String> played = new ArrayList<>();
     for (int tick = 1; tick <= 200; tick++) {
@@ -76,7 +76,7 @@ final class MessageReplayTest {
     Simulation s = arena();
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     Player ann = s.join("Ann");
     s.receive(ann, BuiltInKinds.SAY.of(false, "hello there"));
     s.step();

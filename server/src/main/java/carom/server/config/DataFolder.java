@@ -48,6 +48,11 @@ public record DataFolder(Path root) {
     return root.resolve("levels");
   }
 
+  /** Returns the folder of checkpoints, which has a folder for each room. */
+  public Path checkpoints() {
+    return root.resolve("checkpoints");
+  }
+
   /** Returns the file of a saved match. */
   public Path saved(String name) {
     return root.resolve("saves").resolve(name + ".carom-save");

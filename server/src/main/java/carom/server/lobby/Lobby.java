@@ -510,7 +510,14 @@ public final class Lobby {
       deadlineNs = nowNs + config.loadTimeoutMs() * NS_PER_MS;
       state = state.become(SessionState.LOADING);
       link.send(
-          match.welcome(seat.secret(), seat.id(), datagramKey, config.tickRateHz(), room.tick()));
+          match.welcome(
+              seat.secret(),
+              seat.id(),
+              datagramKey,
+              config.tickRateHz(),
+              room.tick(),
+              room.seats().incarnation(),
+              seat.courseTick()));
     }
 
     private void enterRoom() {

@@ -13,6 +13,7 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
+import java.util.function.LongConsumer;
 
 /**
  * Sends one session's snapshots over one link, and decides when and how much.
@@ -131,6 +132,16 @@ public final class SnapshotSender {
   public void takeOver(SnapshotSender before) {
     nextEvent = before.nextEvent;
     encoder.takeOverEvents(before.encoder);
+  }
+
+  /** Passes on the numbers of the events that the player may not have heard of. */
+  public void forEachUnacknowledged(LongConsumer reader) {
+    encoder.forEachUnacknowledged(reader);
+  }
+
+  /** Offers an event of the ring that the player may not have heard of. */
+  public void offer(long number) {
+    encoder.offer(number);
   }
 
   /** Takes a client's acks as they are; see {@link SnapshotEncoder#receiveAck}. */

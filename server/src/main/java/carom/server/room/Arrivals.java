@@ -156,6 +156,13 @@ final class Arrivals {
     sessions.updateGauges();
   }
 
+  /** Closes the links of the players that still wait; from any thread. */
+  void closeLinks(String why) {
+    for (Admission a; (a = queue.poll()) != null; ) {
+      a.link().close(why);
+    }
+  }
+
   /** Sends the players away that still wait, because the room closes. */
   void refuseAll(GoodbyeReason reason, String text, long nowNs) {
     for (Admission a; (a = queue.poll()) != null; ) {

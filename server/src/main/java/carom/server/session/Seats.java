@@ -24,6 +24,8 @@ public final class Seats {
   private final Set<String> skeletons = new HashSet<>();
   private int takenCount;
   private final LongSupplier secrets;
+  private final int incarnation;
+  private int version;
 
   /**
    * Creates free seats.
@@ -34,6 +36,40 @@ public final class Seats {
   public Seats(int count, LongSupplier secrets) {
     this.taken = new Seat[count];
     this.secrets = secrets;
+    incarnation = (int) secrets.getAsLong();
+  }
+
+  /**
+   * Returns an unpredictable number that stands for this run of the room. A room that was resumed
+   * from a checkpoint has another.
+   */
+  public int incarnation() {
+    return incarnation;
+  }
+
+  /** Returns a number that changes whenever a player may have come or gone. */
+  public synchronized int version() {
+    return version;
+  }
+
+  /**
+   * Gives a player of an earlier run of the room the seat back. It counts as occupied.
+   *
+   * @param courseTick as {@link Seat#courseTick}
+   * @return the seat, or null if there is no such seat, or it is taken
+   */
+  public synchronized Seat restore(
+      int id, String wantedName, String name, long secret, int courseTick) {
+    if (id >= taken.length || taken[id] != null || secret == 0) {
+      return null;
+    }
+    Seat seat = new Seat(id, wantedName, name, secret);
+    seat.courseTick = courseTick;
+    seat.occupied = true;
+    foldedNames.add(PlayerName.folded(name));
+    taken[id] = seat;
+    takenCount++;
+    return seat;
   }
 
   /**
@@ -134,6 +170,7 @@ public final class Seats {
   public synchronized void occupy(Seat seat) {
     seat.claims--;
     seat.occupied = true;
+    version++;
   }
 
   /** Notes that the player is gone. The seat becomes free unless a link claims it. */
@@ -164,6 +201,7 @@ public final class Seats {
     if (seat.claims == 0 && !seat.occupied && taken[seat.id] == seat) {
       taken[seat.id] = null;
       takenCount--;
+      version++;
       foldedNames.remove(PlayerName.folded(seat.name));
       skeletons.remove(PlayerName.skeleton(seat.name));
     }
@@ -215,6 +253,9 @@ public final class Seats {
 
   /** One place in a room. */
   public static final class Seat {
+    /** Stands for a player that has heard of the room's present course alone. */
+    public static final int SAME_COURSE = Integer.MAX_VALUE;
+
     private final int id;
     private final String wantedName;
     private final String name;
@@ -224,6 +265,7 @@ public final class Seats {
     private boolean occupied;
     private boolean resumed;
     private long resumedNs;
+    private volatile int courseTick = SAME_COURSE;
     private boolean muted; // only the thread of the player's room uses it
 
     Seat(int id, String wantedName, String name, String account, long secret) {
@@ -235,18 +277,37 @@ public final class Seats {
     }
 
     /** Mutes the player, whose chat and emotes are then dropped, or ends that. */
-    void mute(boolean on) {
+    public void mute(boolean on) {
       muted = on;
     }
 
     /** Returns whether the player is muted, which lasts until the player leaves the server. */
-    boolean isMuted() {
+    public boolean isMuted() {
       return muted;
     }
 
     /** Returns the player's id, 0..1,023. */
     public int id() {
       return id;
+    }
+
+    /**
+     * Returns the last tick that the room's present course shares with the one that the player has
+     * heard of, or {@link #SAME_COURSE}. A room that is resumed goes back a little, and what comes
+     * after that tick is another course. Any thread.
+     */
+    public int courseTick() {
+      return courseTick;
+    }
+
+    /** Notes that the room has gone back to a tick. */
+    public void returnsTo(int tick) {
+      courseTick = Math.min(courseTick, tick);
+    }
+
+    /** Notes that the player hears of the present course. */
+    void follows() {
+      courseTick = SAME_COURSE;
     }
 
     /** Returns the name that the player asked for. */

@@ -137,7 +137,7 @@ public final class DatagramPort implements Runnable {
         if (received >= CROWD) {
           LockSupport.parkNanos(GATHER_NANOS);
         }
-      } catch (IOException | RuntimeException x) {
+      } catch (IOException | RuntimeException | Error x) { // the thread serves all clients
         if (!closing) {
           errors.accept(x);
           LockSupport.parkNanos(GATHER_NANOS);

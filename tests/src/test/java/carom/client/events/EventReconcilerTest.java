@@ -53,7 +53,7 @@ class EventReconcilerTest {
     s = new Simulation(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
     me = s.joinAs(ME, "me");
     kind = s.eventKinds().get(0);
-    s.journal(reconciler);
+    s.addJournal(reconciler);
     states.put(0, s.save(null));
   }
 

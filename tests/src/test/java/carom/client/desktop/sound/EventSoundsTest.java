@@ -158,7 +158,7 @@ class EventSoundsTest {
   void whatIsForeseenComputedAgainAndToldIsHeardOnce() {
     EventReconciler reconciler = new EventReconciler(1, true, key -> 0, 60, sounds);
     Player me = arena.joinAs(1, "me");
-    arena.journal(reconciler);
+    arena.addJournal(reconciler);
     SimState start = arena.save(null);
     EventKind zap = kind(Sound.ZAP);
     for (int again = 0; again < 3; again++) {

@@ -1,5 +1,6 @@
-package carom.server.room;
+package carom.server.room.match;
 
+import carom.replay.RecordingHeader;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.LoadedLevel;
@@ -7,6 +8,7 @@ import carom.server.match.MatchLibrary;
 import carom.server.match.SavedMatch;
 import carom.server.metrics.Counters;
 import carom.sim.Game;
+import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.match.NextMatch;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -15,7 +17,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  * Builds the matches of a room: finds game and level, builds the world and sets the game up. That
  * takes a large level many ticks, so that any thread may do it while the room plays.
  */
-final class MatchLoader {
+public final class MatchLoader {
   /** From match to match the seed grows by the most rooms, so that no two matches share one. */
   private static final int SEED_STEP = 64;
 
@@ -25,9 +27,10 @@ final class MatchLoader {
   private final String label;
   private final Counters counters;
   private final AtomicInteger built = new AtomicInteger();
+  private volatile long firstSeed;
 
   /** Says in one line why a match can't be played. */
-  static final class Unplayable extends Exception {
+  public static final class Unplayable extends Exception {
     private static final long serialVersionUID = 1;
 
     Unplayable(String why, Throwable cause) {
@@ -40,17 +43,18 @@ final class MatchLoader {
    *
    * @param label begins each log line
    */
-  MatchLoader(
+  public MatchLoader(
       ServerConfig config, RoomConfig room, MatchLibrary library, String label, Counters counters) {
     this.config = config;
     this.room = room;
     this.library = library;
     this.label = label;
     this.counters = counters;
+    firstSeed = room.seed();
   }
 
   /** Returns the match that the room begins with. */
-  Match first() throws Unplayable {
+  public Match first() throws Unplayable {
     String level = room.levels().isEmpty() ? "" : room.levels().get(0);
     return load(new NextMatch(room.game(), level, false, false));
   }
@@ -61,7 +65,7 @@ final class MatchLoader {
    * @param wanted names a game, a level or both
    * @throws Unplayable when the game or level isn't there, or the game can't be played in it
    */
-  Match load(NextMatch wanted) throws Unplayable {
+  public Match load(NextMatch wanted) throws Unplayable {
     try {
       Game game = wanted.game().isEmpty() ? null : library.game(wanted.game());
       String levelName = wanted.level().isEmpty() ? game.defaultLevel() : wanted.level();
@@ -89,7 +93,7 @@ final class MatchLoader {
    *
    * @throws Unplayable when the game isn't there, or the state doesn't fit it
    */
-  Match load(SavedMatch saved) throws Unplayable {
+  public Match load(SavedMatch saved) throws Unplayable {
     try {
       Match match = match(library.game(saved.game()), saved.level(), saved.seed());
       saved.restore(match.simulation());
@@ -99,11 +103,48 @@ final class MatchLoader {
     }
   }
 
+  /**
+   * Builds a match of an earlier run of the room again, at tick 0.
+   *
+   * @param header names the game, and has the level and the seed
+   * @param number the match's number in that run
+   * @throws Unplayable when the game isn't there, or can't be played in the level
+   */
+  public Match again(RecordingHeader header, int number) throws Unplayable {
+    try {
+      LoadedLevel level = new LoadedLevel(Level.parse(header.levelName(), header.level()));
+      return match(library.game(header.game()), level, number, header.seed());
+    } catch (LevelException e) {
+      throw new Unplayable(e.getMessage(), null);
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
+      throw new Unplayable(e.getMessage(), e);
+    }
+  }
+
+  /** Returns the seed of the room's first match. */
+  public long firstSeed() {
+    return firstSeed;
+  }
+
+  /**
+   * Goes on behind a match of an earlier run of the room.
+   *
+   * @param number the match's number
+   * @param seed seed of that run's first match
+   */
+  public void goOn(int number, long seed) {
+    built.set(number);
+    firstSeed = seed;
+  }
+
   /** Builds a match; a seed of 0 is the next one. */
   private Match match(Game game, LoadedLevel level, long seed) {
     int number = built.incrementAndGet();
-    long next = room.seed() + (long) SEED_STEP * (number - 1);
-    long chosen = seed == 0 ? next : seed;
-    return new Match(room.name(), number, game, level, chosen, config, label, counters);
+    long next = firstSeed + (long) SEED_STEP * (number - 1);
+    return match(game, level, number, seed == 0 ? next : seed);
+  }
+
+  private Match match(Game game, LoadedLevel level, int number, long seed) {
+    return new Match(room.name(), number, game, level, seed, config, label, counters);
   }
 }

@@ -1,4 +1,4 @@
-package carom.server.room;
+package carom.server.room.match;
 
 import carom.game.GuardedGame;
 import carom.net.field.Declarations;
@@ -20,9 +20,10 @@ import carom.sim.entity.Player;
  * One game in one level in a room, from tick 0 on: the simulation and what sessions are told from.
  * A room that changes its game or level gets another match, in which everything here is new.
  *
- * <p>Any thread may build a match. From {@link MatchChange} on it belongs to the room's thread.
+ * <p>Any thread may build a match. From the room's {@code MatchChange} on it belongs to the room's
+ * thread.
  */
-final class Match {
+public final class Match {
   private final MatchInfo info;
   private final GameFailures failures;
   private final Simulation simulation;
@@ -40,7 +41,7 @@ final class Match {
    * @param label begins each log line
    * @throws IllegalArgumentException when the game can't be played in the level
    */
-  Match(
+  public Match(
       String room,
       int number,
       Game rules,
@@ -67,25 +68,25 @@ final class Match {
   }
 
   /** Returns what clients must know to play. */
-  MatchInfo info() {
+  public MatchInfo info() {
     return info;
   }
 
   /** Returns the exceptions of the game. */
-  GameFailures failures() {
+  public GameFailures failures() {
     return failures;
   }
 
-  Simulation simulation() {
+  public Simulation simulation() {
     return simulation;
   }
 
-  FrameCapture capture() {
+  public FrameCapture capture() {
     return capture;
   }
 
   /** Returns the number of events that the simulation has dropped since the last call. */
-  long takeDroppedEvents() {
+  public long takeDroppedEvents() {
     long now = simulation.droppedEvents();
     long dropped = now - droppedEvents;
     droppedEvents = now;
@@ -93,12 +94,12 @@ final class Match {
   }
 
   /** Creates the messages of the game between a player and the match. */
-  SessionMessages messagesOf(Player player) {
+  public SessionMessages messagesOf(Player player) {
     return new SessionMessages(simulation, player, counters);
   }
 
   /** Creates what tells the client of a player about the match. */
-  SessionReplication replicationTo(Player player) {
+  public SessionReplication replicationTo(Player player) {
     return new SessionReplication(player, config, capture, ownCapture, counters);
   }
 }

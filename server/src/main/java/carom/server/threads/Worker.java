@@ -1,5 +1,7 @@
-package carom.server;
+package carom.server.threads;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongSupplier;
@@ -11,16 +13,16 @@ import org.slf4j.LoggerFactory;
  * stopped or its duty has failed, and then says farewell. An exception that reaches this class is a
  * bug. The thread logs it and goes on, unless {@value #MAX_FAILURES_IN_A_ROW} turns in a row fail.
  */
-final class Worker {
+public final class Worker {
   /** Longest farewell, ms. Links stay open for so long that the last message arrives. */
-  static final long FAREWELL_MS = 400;
+  public static final long FAREWELL_MS = 400;
 
   private static final Logger LOG = LoggerFactory.getLogger(Worker.class);
   private static final long FAREWELL_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
   private static final int MAX_FAILURES_IN_A_ROW = 100;
 
   /** The work of a worker. The worker's thread calls every method. */
-  interface Duty {
+  public interface Duty {
     /** Does the work that is due. */
     void turn(long nowNs);
 
@@ -55,7 +57,7 @@ final class Worker {
    * @param name name of the thread
    * @param onEnd called as the thread's last act, however it ends
    */
-  Worker(String name, Duty duty, LongSupplier clock, Runnable onEnd) {
+  public Worker(String name, Duty duty, LongSupplier clock, Runnable onEnd) {
     this.duty = duty;
     this.clock = clock;
     this.onEnd = onEnd;
@@ -63,19 +65,19 @@ final class Worker {
   }
 
   /** Starts the thread. It is no daemon thread, so it keeps the JVM alive. */
-  void start(int priority) {
+  public void start(int priority) {
     thread.setPriority(priority);
     thread.start();
   }
 
   /** Asks the thread to end and doesn't wait. */
-  void stop() {
+  public void stop() {
     stopping = true;
     LockSupport.unpark(thread);
   }
 
   /** Waits until the thread ends, or until {@code endNs} in the time of {@link System#nanoTime}. */
-  void join(long endNs) {
+  public void join(long endNs) {
     try {
       thread.join(Math.max(1, TimeUnit.NANOSECONDS.toMillis(endNs - System.nanoTime())));
     } catch (InterruptedException e) {
@@ -84,6 +86,37 @@ final class Worker {
     if (thread.isAlive()) {
       LOG.warn("thread {} did not end in time", thread.getName());
     }
+  }
+
+  /** Returns the name of the thread. */
+  public String name() {
+    return thread.getName();
+  }
+
+  /** Returns what the thread is doing, the innermost call first. */
+  StackTraceElement[] stack() {
+    return thread.getStackTrace();
+  }
+
+  /** Returns whether the thread waits or sleeps. */
+  boolean waits() {
+    Thread.State state = thread.getState();
+    return state != Thread.State.RUNNABLE && state != Thread.State.NEW;
+  }
+
+  /** Returns the time for which the thread has had a processor, ns; -1 if it can't be measured. */
+  long cpuNs() {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    return threads.isThreadCpuTimeSupported() ? threads.getThreadCpuTime(thread.getId()) : -1;
+  }
+
+  /**
+   * Gives the thread up, which doesn't come back from its turn: it gets the lowest priority, and
+   * ends if it ever comes back.
+   */
+  public void abandon() {
+    thread.setPriority(Thread.MIN_PRIORITY);
+    stopping = true;
   }
 
   private void run() {

@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.threads;
 
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
@@ -8,12 +8,15 @@ import java.util.concurrent.Executors;
  * Builds the matches that rooms go on with: on a thread of its own, so that no tick waits, or at
  * once on the caller's thread while no threads drive the server. Any thread.
  */
-final class LoaderThread implements Executor, AutoCloseable {
+public final class LoaderThread implements Executor, AutoCloseable {
   private ExecutorService thread;
   private volatile boolean hasThread;
 
+  /** Creates an executor that runs tasks on the calling thread. */
+  public LoaderThread() {}
+
   /** From now on tasks run on a thread of their own, which the first one starts. */
-  void start() {
+  public void start() {
     hasThread = true;
   }
 
