@@ -63,10 +63,11 @@ public final class Seats {
     if (id >= taken.length || taken[id] != null || secret == 0) {
       return null;
     }
-    Seat seat = new Seat(id, wantedName, name, secret);
+    Seat seat = new Seat(id, wantedName, name, "", secret); // slots keep no accounts
     seat.courseTick = courseTick;
     seat.occupied = true;
     foldedNames.add(PlayerName.folded(name));
+    skeletons.add(PlayerName.skeleton(name));
     taken[id] = seat;
     takenCount++;
     return seat;
