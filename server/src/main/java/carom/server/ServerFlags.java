@@ -293,8 +293,7 @@ final class ServerFlags {
       names = "--join-key",
       paramLabel = "FILE",
       description =
-          "Let only players in whose join token is signed by the private key of this public one:"
-              + " Ed25519, PEM (everybody may join).")
+          "Demand join tokens that belong to this public key: Ed25519, PEM (everybody may join).")
   Path joinKey;
 
   @Option(

@@ -5,7 +5,6 @@ import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.PortUnavailableException;
 import carom.net.kryo.ServerIdentity;
-import carom.net.seal.Encryption;
 import carom.net.seal.ServerKey;
 import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
@@ -101,9 +100,6 @@ final class ServerStart {
 
   /** Returns the key in the data folder and whether links are encrypted, and logs both. */
   private ServerIdentity identity() throws StartFailure {
-    if (flags.encryption == Encryption.OFF) {
-      log.warn("encryption: off; who sees packets can read them, change them and be any player");
-    }
     DataFolder data = flags.dataFolder();
     ServerIdentity identity = ServerIdentity.temporary(flags.encryption);
     try {
@@ -114,7 +110,10 @@ final class ServerStart {
     } catch (IOException e) {
       throw new StartFailure(e.getMessage(), e);
     }
-    log.info("identity: players know this server by {}", identity.fingerprint());
+    log.info(
+        "identity: players know this server by {}; {}",
+        identity.fingerprint(),
+        flags.encryption.meaning());
     return identity;
   }
 
