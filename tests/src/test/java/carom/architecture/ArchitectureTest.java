@@ -218,6 +218,15 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.spawn");
     allow(
+        "carom.sim.outbox",
+        "carom.physics",
+        "carom.sim.entity",
+        "carom.sim.event",
+        "carom.sim.level",
+        "carom.sim.match",
+        "carom.sim.message",
+        "carom.sim.spawn");
+    allow(
         "carom.sim.ruling",
         "carom.physics..",
         "carom.sim.entity",
@@ -240,7 +249,8 @@ final class ArchitectureTest {
         "carom.sim.spawn",
         "carom.sim.entity",
         "carom.sim.finding",
-        "carom.sim.match");
+        "carom.sim.match",
+        "carom.sim.outbox");
     allow(
         "carom.sim.near",
         "carom.physics..",
@@ -392,6 +402,7 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.entity",
         "carom.sim.match",
+        "carom.sim.outbox",
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",

@@ -32,7 +32,8 @@ final class MessageReplayTest {
   }
 
   private static void note(Simulation s, List<String> to) {
-    s.drainMessages(d -> to.add(s.tick() + " " + d.message() + " " + d.recipients() + d.id()));
+    s.outbox()
+        .drainMessages(d -> to.add(s.tick() + " " + d.message() + " " + d.recipients() + d.id()));
   }
 
   @Test

@@ -154,7 +154,7 @@ class DartScenarioTest {
   }
 
   private static void requireNothingLeft(SimulatedClient client, String about) {
-    assertEquals(0, client.view().predictedWorld().provisionalCount(), about);
+    assertEquals(0, client.view().predictedWorld().mirror().provisionalCount(), about);
     for (int i = 0; i < client.view().entityCount(); i++) {
       assertNotEquals("dart", client.view().entity(i).archetype().name(), about);
     }

@@ -78,7 +78,7 @@ class SpawnScenarioTest {
   /** Requires that no client has or draws a rocket. */
   private static void requireNothingLeft(Stepper stepper, String about) {
     for (SimulatedClient client : stepper.clients()) {
-      assertEquals(0, client.view().predictedWorld().provisionalCount(), about);
+      assertEquals(0, client.view().predictedWorld().mirror().provisionalCount(), about);
       for (int i = 0; i < client.view().entityCount(); i++) {
         assertNotEquals("rocket", client.view().entity(i).archetype().name(), about);
       }
@@ -237,7 +237,8 @@ class SpawnScenarioTest {
       int fires = ann.view().tick() + 1;
       ann.play((view, tick, out) -> out.hold(Input.ACTION, tick == fires).aim(1.5f));
       watch.run(0.1);
-      assertEquals(1, ann.view().predictedWorld().provisionalCount(), "it is there at once");
+      assertEquals(
+          1, ann.view().predictedWorld().mirror().provisionalCount(), "it is there at once");
       watch.run(0.2 + 0.15 + 0.1);
       String about = about(stepper, watch, ann);
       assertEquals(0, watch.spawned(), about);

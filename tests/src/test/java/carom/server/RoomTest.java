@@ -21,6 +21,7 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.match.NextMatch;
+import carom.sim.outbox.Outbox;
 import java.lang.reflect.Field;
 import java.util.List;
 import java.util.Random;
@@ -624,7 +625,7 @@ class RoomTest {
   @Test
   void eventsBeyondTheMostOfATickAreCountedAsLost() {
     try (Rig rig = new Rig()) {
-      for (int i = 0; i < Simulation.MAX_EVENTS + 6; i++) {
+      for (int i = 0; i < Outbox.MAX_EVENTS + 6; i++) {
         rig.room.simulation().emit(rig.game.shout);
       }
       rig.step();

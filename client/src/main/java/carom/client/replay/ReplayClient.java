@@ -13,10 +13,10 @@ import carom.physics.Body;
 import carom.replay.Divergence;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
-import carom.sim.Event;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
+import carom.sim.outbox.Event;
 import carom.sim.scene.SceneGame;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -134,7 +134,7 @@ public final class ReplayClient implements AutoCloseable {
         due = Math.min(due, 1);
       }
     }
-    replay.simulation().drainNotices(text -> view.notice(text, nowNs));
+    replay.simulation().outbox().drainNotices(text -> view.notice(text, nowNs));
     show();
   }
 
@@ -163,7 +163,7 @@ public final class ReplayClient implements AutoCloseable {
       problem = e.getMessage();
       return false;
     }
-    replay.simulation().drainEvents(fireEvent);
+    replay.simulation().outbox().drainEvents(fireEvent);
     newestTick = Math.max(newestTick, replay.simulation().tick());
     mark();
     return !ended && !waiting;

@@ -176,7 +176,7 @@ final class RoomResume {
     for (Session session : sessions) {
       session.replication().listen();
     }
-    NextMatch wanted = match.simulation().takeNextMatch();
+    NextMatch wanted = match.simulation().outbox().takeNextMatch();
     pending = pending == null ? wanted : pending;
   }
 

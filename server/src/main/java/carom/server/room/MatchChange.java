@@ -137,7 +137,7 @@ final class MatchChange implements RoomCourse {
 
   /** Fulfils what the game asked for in the tick that ends, as soon as it is loaded. */
   void tickEnds(long nowNs) {
-    NextMatch asked = room.simulation().takeNextMatch();
+    NextMatch asked = room.simulation().outbox().takeNextMatch();
     NextMatch wanted = asked == null ? pending : asked;
     if (wanted != null && !loading) {
       request(wanted, nowNs);

@@ -353,7 +353,7 @@ public final class Room {
         stages.end(Stage.SNAPSHOTS);
       }
       post.send();
-      simulation.drainNotices(sendNotice);
+      simulation.outbox().drainNotices(sendNotice);
       match.failures().tell(simulation.findings());
       roster.send(sessions.bySeat(), nowNs, sendTo);
     }

@@ -15,11 +15,11 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.sim.Game;
 import carom.sim.MatchClock;
-import carom.sim.OneWay;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
+import carom.sim.entity.OneWay;
 import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
@@ -321,7 +321,7 @@ public final class PlatformerGame implements Game {
         || drops(s, c.other().user(), c.self().user())) {
       return false;
     }
-    return OneWay.responds(s, c);
+    return OneWay.responds(s.tickSeconds(), c);
   }
 
   private static boolean drops(Simulation s, Entity rider, Entity platform) {

@@ -1,6 +1,7 @@
 package carom.lab.figures;
 
 import carom.client.bots.BotsMain;
+import carom.lab.measure.Figure;
 import carom.server.ServerMain;
 import java.io.File;
 import java.io.IOException;

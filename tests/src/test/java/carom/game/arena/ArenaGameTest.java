@@ -28,7 +28,7 @@ class ArenaGameTest {
   private void run(int ticks) {
     for (int i = 0; i < ticks; i++) {
       s.step();
-      s.drainNotices(notices::add);
+      s.outbox().drainNotices(notices::add);
     }
   }
 
@@ -155,9 +155,9 @@ class ArenaGameTest {
     assertEquals(1, MatchClock.winningTeam(s));
     run(200);
     assertNull(ball());
-    assertNull(s.takeNextMatch());
+    assertNull(s.outbox().takeNextMatch());
     run(200);
-    assertEquals(NextMatch.OF_ROTATION, s.takeNextMatch());
+    assertEquals(NextMatch.OF_ROTATION, s.outbox().takeNextMatch());
   }
 
   @Test

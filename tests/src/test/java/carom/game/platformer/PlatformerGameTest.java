@@ -364,7 +364,7 @@ class PlatformerGameTest {
     assertEquals(MatchPhase.OVER, MatchClock.phase(s));
     assertEquals(ann.id(), MatchClock.winner(s));
     run(s, 8 * 60 + 2);
-    assertEquals(NextMatch.OF_ROTATION, s.takeNextMatch());
+    assertEquals(NextMatch.OF_ROTATION, s.outbox().takeNextMatch());
     assertEquals(PlatformerGame.POINTS_TO_WIN, ann.score(), "nothing counts any more");
   }
 

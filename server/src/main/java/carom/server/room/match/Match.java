@@ -87,7 +87,7 @@ public final class Match {
 
   /** Returns the number of events that the simulation has dropped since the last call. */
   public long takeDroppedEvents() {
-    long now = simulation.droppedEvents();
+    long now = simulation.outbox().droppedEvents();
     long dropped = now - droppedEvents;
     droppedEvents = now;
     return dropped;

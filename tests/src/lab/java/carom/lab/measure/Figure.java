@@ -1,6 +1,5 @@
-package carom.lab.figures;
+package carom.lab.measure;
 
-import carom.lab.measure.JsonLine;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.Locale;
@@ -16,10 +15,10 @@ import java.util.Locale;
  * @param reach the limit; NaN without one
  * @param note conditions and further values, or empty
  */
-record Figure(
+public record Figure(
     String job, String what, double value, String unit, Goal goal, double reach, String note) {
   /** The comparison of a value with its limit. */
-  enum Goal {
+  public enum Goal {
     /** The value must not be larger than the limit. */
     AT_MOST,
     /** The value must not be smaller than the limit. */
@@ -29,36 +28,38 @@ record Figure(
   }
 
   /** Returns a figure that must not be larger than a limit. */
-  static Figure atMost(double reach, String what, double value, String unit) {
+  public static Figure atMost(double reach, String what, double value, String unit) {
     return new Figure("", what, value, unit, Goal.AT_MOST, reach, "");
   }
 
   /** Returns a figure that must not be smaller than a limit. */
-  static Figure atLeast(double reach, String what, double value, String unit) {
+  public static Figure atLeast(double reach, String what, double value, String unit) {
     return new Figure("", what, value, unit, Goal.AT_LEAST, reach, "");
   }
 
   /** Returns a figure without a limit. */
-  static Figure shown(String what, double value, String unit) {
+  public static Figure shown(String what, double value, String unit) {
     return new Figure("", what, value, unit, Goal.NONE, Double.NaN, "");
   }
 
   /** Returns the figure of a job that failed. It counts as missed. */
-  static Figure failed(String job, String why) {
+  public static Figure failed(String job, String why) {
     return new Figure(job, job, Double.NaN, "", Goal.AT_LEAST, Double.NaN, why);
   }
 
-  Figure withNote(String format, Object... arguments) {
+  /** Returns a copy with a note, formatted as {@link String#format} does. */
+  public Figure withNote(String format, Object... arguments) {
     return new Figure(
         job, what, value, unit, goal, reach, String.format(Locale.ROOT, format, arguments));
   }
 
-  Figure of(String newJob) {
+  /** Returns a copy that belongs to a job. */
+  public Figure of(String newJob) {
     return new Figure(newJob, what, value, unit, goal, reach, note);
   }
 
   /** Returns whether the limit is kept; true where there is none. */
-  boolean reached() {
+  public boolean reached() {
     return switch (goal) {
       case AT_MOST -> value <= reach;
       case AT_LEAST -> value >= reach;
@@ -67,12 +68,12 @@ record Figure(
   }
 
   /** Returns "reached", "missed", or an empty text without a limit. */
-  String verdict() {
+  public String verdict() {
     return goal == Goal.NONE ? "" : reached() ? "reached" : "missed";
   }
 
   /** Returns the limit as a text for people. */
-  String limit() {
+  public String limit() {
     return switch (goal) {
       case AT_MOST -> "<= " + number(reach);
       case AT_LEAST -> ">= " + number(reach);
@@ -81,7 +82,7 @@ record Figure(
   }
 
   /** Returns a number as a text with three significant digits. */
-  static String number(double value) {
+  public static String number(double value) {
     if (!Double.isFinite(value)) {
       return "";
     }
@@ -94,7 +95,7 @@ record Figure(
   }
 
   /** Returns the figure as one JSON object in one line. NaN is null. */
-  String toJson() {
+  public String toJson() {
     return new JsonLine.Writer()
         .text("job", job)
         .text("what", what)
@@ -112,7 +113,7 @@ record Figure(
    *
    * @throws IOException if it is something else
    */
-  static Figure ofJson(String json) throws IOException {
+  public static Figure ofJson(String json) throws IOException {
     JsonLine line = JsonLine.read(json);
     String goal = line.text("goal");
     if (Arrays.stream(Goal.values()).noneMatch(known -> known.name().equals(goal))) {

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.outbox;
 
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
@@ -6,7 +6,7 @@ import carom.sim.message.Message;
 import java.util.Objects;
 
 /**
- * A message of the game on its way to clients, begun by {@link Simulation#send}. Without a call of
+ * A message of the game on its way to clients, begun by {@code Simulation.send}. Without a call of
  * {@code to} nobody gets it. It never matters to the simulation.
  */
 public final class Delivery {

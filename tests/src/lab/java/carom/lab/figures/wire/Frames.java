@@ -1,4 +1,4 @@
-package carom.lab.figures;
+package carom.lab.figures.wire;
 
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;

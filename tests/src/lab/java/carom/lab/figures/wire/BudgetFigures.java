@@ -1,5 +1,6 @@
-package carom.lab.figures;
+package carom.lab.figures.wire;
 
+import carom.lab.measure.Figure;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
@@ -11,13 +12,14 @@ import carom.testkit.Stepper;
 import java.util.List;
 
 /** Measures whether a session keeps to its budget and to its line when more moves than fits. */
-final class BudgetFigures {
+public final class BudgetFigures {
   private static final int BUDGET_KBIT = 200;
   private static final int LINE_KBIT = 64;
 
   private BudgetFigures() {}
 
-  static List<Figure> measure(boolean quick) {
+  /** Measures the figures, roughly if {@code quick}. */
+  public static List<Figure> measure(boolean quick) {
     double seconds = quick ? 3 : 10;
     ServerConfig config =
         ServerConfig.defaults().withViewMetres(25).withSnapshotBitsPerSecond(BUDGET_KBIT * 1_000);

@@ -1,4 +1,4 @@
-package carom.lab.figures;
+package carom.lab.figures.wire;
 
 import carom.physics.Body;
 import com.esotericsoftware.kryo.Kryo;

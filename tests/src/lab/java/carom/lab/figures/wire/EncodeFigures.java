@@ -1,5 +1,6 @@
-package carom.lab.figures;
+package carom.lab.figures.wire;
 
+import carom.lab.measure.Figure;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.physics.Body;
@@ -18,7 +19,7 @@ import java.util.List;
  * second, acks come after 67 to 267 ms, and every change is sent. The time includes acks, selection
  * and encoding.
  */
-final class EncodeFigures {
+public final class EncodeFigures {
   private static final int BODIES = 1_000;
   private static final int CHURNING = 600;
   private static final int CLIENTS = 200;
@@ -31,7 +32,8 @@ final class EncodeFigures {
 
   private EncodeFigures() {}
 
-  static List<Figure> measure(boolean quick) {
+  /** Measures the figures, roughly if {@code quick}. */
+  public static List<Figure> measure(boolean quick) {
     List<Figure> figures = new ArrayList<>();
     for (int percent : new int[] {10, 50, 100}) {
       measure(percent, quick ? 10 : 40); // compiles

@@ -1,5 +1,6 @@
-package carom.lab.figures;
+package carom.lab.figures.wire;
 
+import carom.lab.measure.Figure;
 import carom.net.snapshot.frame.FrameRing;
 import carom.physics.Body;
 import carom.physics.BodyType;
@@ -14,7 +15,7 @@ import java.util.List;
  * it, first in a gas of moving and colliding bodies, then with the same bodies at rest. Payload, 60
  * Hz, acks after 100 ms, everything in sight. Only the first frames use up the budget.
  */
-final class BroadcastFigures {
+public final class BroadcastFigures {
   private static final int[] BODIES = {10, 100, 1_000, 10_000};
   private static final int LAG = 6;
   private static final int WARM_UP = 120;
@@ -22,7 +23,8 @@ final class BroadcastFigures {
 
   private BroadcastFigures() {}
 
-  static List<Figure> measure(boolean quick) {
+  /** Measures the figures, roughly if {@code quick}. */
+  public static List<Figure> measure(boolean quick) {
     List<Figure> figures = new ArrayList<>();
     for (int bodies : BODIES) {
       figures.addAll(measure(bodies, quick ? 30 : 300));

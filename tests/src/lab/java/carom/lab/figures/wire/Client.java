@@ -1,4 +1,4 @@
-package carom.lab.figures;
+package carom.lab.figures.wire;
 
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.InputFeedback;

@@ -1,13 +1,10 @@
-package carom.sim;
+package carom.sim.level;
 
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.World;
+import carom.physics.WorldDef;
 import carom.physics.math.Trig;
-import carom.sim.entity.Entity;
-import carom.sim.level.Archetype;
-import carom.sim.level.Archetypes;
-import carom.sim.level.Level;
 import carom.sim.pool.Pools;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,15 +14,15 @@ import java.util.List;
  * are on their paths or spin whatever the game does with them. A function of the level and the tick
  * alone, in a world of its own.
  */
-final class PoolGround {
-  private final World<Entity> world;
+public final class PoolGround {
+  private final World<Object> world;
   private final int tickRate;
-  private final List<Body<Entity>> moving = new ArrayList<>();
+  private final List<Body<Object>> moving = new ArrayList<>();
   private final List<Archetype> kinds = new ArrayList<>();
   private final List<Level.Placement> places = new ArrayList<>();
 
-  private PoolGround(Game game, Level level, Archetypes archetypes, int tickRate) {
-    world = new World<>(game.world(level));
+  private PoolGround(WorldDef def, Level level, Archetypes archetypes, int tickRate) {
+    world = new World<>(def);
     this.tickRate = tickRate;
     for (Level.Placement p : level.statics()) {
       world.createBody(archetypes.get(p.archetype()).body(p.x(), p.y(), p.angle()), null);
@@ -41,12 +38,13 @@ final class PoolGround {
   }
 
   /** Ends the declaration of pools, and gives them the ground of a level. */
-  static void begin(Pools pools, Game game, Level level, Archetypes archetypes, int tickRate) {
+  public static void begin(
+      Pools pools, WorldDef def, Level level, Archetypes archetypes, int tickRate) {
     if (pools.count() == 0) {
       pools.begin(null, tick -> {}, false);
       return;
     }
-    PoolGround ground = new PoolGround(game, level, archetypes, tickRate);
+    PoolGround ground = new PoolGround(def, level, archetypes, tickRate);
     pools.begin(ground.world, ground::drive, ground.moves());
   }
 
@@ -61,7 +59,7 @@ final class PoolGround {
 
   private void drive(int tick) {
     for (int i = 0; i < moving.size(); i++) {
-      Body<Entity> body = moving.get(i);
+      Body<Object> body = moving.get(i);
       Archetype kind = kinds.get(i);
       if (kind.spin() != 0) {
         int turn = Math.max(1, Math.round(tickRate * 2 * Trig.PI / Math.abs(kind.spin())));

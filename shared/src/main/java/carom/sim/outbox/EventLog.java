@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.outbox;
 
 import carom.sim.event.EventKind;
 import java.util.function.Consumer;
@@ -8,9 +8,9 @@ import java.util.function.Consumer;
  * reused.
  */
 final class EventLog {
-  private static final int MASK = Simulation.MAX_EVENTS - 1;
+  private static final int MASK = Outbox.MAX_EVENTS - 1;
 
-  private final Event[] events = new Event[Simulation.MAX_EVENTS];
+  private final Event[] events = new Event[Outbox.MAX_EVENTS];
   private long made;
   private long taken;
   private long dropped;

@@ -1,5 +1,6 @@
-package carom.lab.figures;
+package carom.lab.figures.wire;
 
+import carom.lab.measure.Figure;
 import carom.lab.trace.SceneTrace;
 import carom.lab.trace.Trace;
 import carom.lab.trace.TraceCodec;
@@ -11,12 +12,13 @@ import java.util.List;
  * no server or client uses: baseline 100 ms old, poses only, payload. {@link SnapshotFigures}
  * measures the snapshots that servers send.
  */
-final class TraceFigures {
+public final class TraceFigures {
   private static final String LABEL = "lab: TraceCodec, poses alone, ";
 
   private TraceFigures() {}
 
-  static List<Figure> measure(boolean quick) {
+  /** Measures the figures, roughly if {@code quick}. */
+  public static List<Figure> measure(boolean quick) {
     Trace above = SceneTrace.of("plough_above", 20);
     Trace side = SceneTrace.of("plough", 20);
     Trace churn = SceneTrace.of("churn", 15);

@@ -1,9 +1,10 @@
-package carom.lab.figures;
+package carom.lab.figures.wire;
 
 import carom.client.ClientConfig;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.client.link.ConnectionPhase;
+import carom.lab.measure.Figure;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -20,7 +21,7 @@ import java.util.List;
  * for one client that only watches and sees everything. The round trip takes 100 ms, so baselines
  * are that old. The client decodes, and its states are compared with the server's. Virtual time.
  */
-final class SnapshotFigures {
+public final class SnapshotFigures {
   /** Size of the IPv4 and UDP headers and the frame's tag, bytes. */
   private static final int HEADER_BYTES = 29;
 
@@ -33,7 +34,8 @@ final class SnapshotFigures {
 
   private SnapshotFigures() {}
 
-  static List<Figure> measure(boolean quick) {
+  /** Measures the figures, roughly if {@code quick}. */
+  public static List<Figure> measure(boolean quick) {
     double seconds = quick ? 1 : 20;
     List<Figure> figures = new ArrayList<>();
     add(figures, "plough_above", "901 bodies ploughed through on a table", seconds);

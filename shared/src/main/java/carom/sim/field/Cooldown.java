@@ -1,6 +1,4 @@
-package carom.sim;
-
-import carom.sim.field.Countdown;
+package carom.sim.field;
 
 /**
  * A wait that clients show around the own body while it runs, such as the time until the next dash.

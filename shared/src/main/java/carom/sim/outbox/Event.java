@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.outbox;
 
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
@@ -9,7 +9,7 @@ import java.util.function.IntUnaryOperator;
 
 /**
  * An event happens at one moment and is worth a sound, a flash or a line of text: a hit, a goal, a
- * jump. A game makes one with {@link Simulation#emit} and fills it in. The server sends it to each
+ * jump. A game makes one with {@code Simulation.emit} and fills it in. The server sends it to each
  * client that may know of it, and each client shows it exactly once.
  *
  * <p>Events are output only. They are no part of the state, are neither hashed nor saved, and

@@ -1,7 +1,6 @@
-package carom.sim;
+package carom.sim.entity;
 
 import carom.physics.Collision;
-import carom.sim.entity.Entity;
 
 /**
  * The rule of one-way platforms: they carry bodies that stand or land on them, and let everything
@@ -24,16 +23,16 @@ public final class OneWay {
   /**
    * Returns whether two touching bodies push each other.
    *
-   * @param s the simulation that computes the tick
+   * @param tickSeconds from tick to tick, seconds
    * @param c a contact about to be solved
    * @return false when one of the two is a one-way platform that lets the other pass
    */
-  public static boolean responds(Simulation s, Collision<Entity> c) {
+  public static boolean responds(float tickSeconds, Collision<Entity> c) {
     if (c.other().user().archetype().oneWay()) {
-      return holds(s, c, -c.normalY());
+      return holds(tickSeconds, c, -c.normalY());
     }
     if (c.self().user().archetype().oneWay()) {
-      return holds(s, c, c.normalY());
+      return holds(tickSeconds, c, c.normalY());
     }
     return true;
   }
@@ -43,7 +42,7 @@ public final class OneWay {
    *
    * @param up the upward part of the normal from the platform to the other body
    */
-  private static boolean holds(Simulation s, Collision<Entity> c, float up) {
+  private static boolean holds(float tickSeconds, Collision<Entity> c, float up) {
     if (up < MIN_UP) {
       return false;
     }
@@ -52,7 +51,7 @@ public final class OneWay {
       if (c.warmImpulse(i) > 0) {
         return true;
       }
-      float fallen = Math.max(0, -c.normalSpeed(i)) * s.tickSeconds();
+      float fallen = Math.max(0, -c.normalSpeed(i)) * tickSeconds;
       shallow &= -c.separation(i) <= TOLERANCE + fallen;
     }
     return shallow;
