@@ -5,13 +5,11 @@ import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.PortUnavailableException;
 import carom.net.kryo.ServerIdentity;
-import carom.net.seal.ServerKey;
 import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
 import carom.server.access.AccessLists;
-import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
@@ -100,21 +98,16 @@ final class ServerStart {
 
   /** Returns the key in the data folder and whether links are encrypted, and logs both. */
   private ServerIdentity identity() throws StartFailure {
-    DataFolder data = flags.dataFolder();
-    ServerIdentity identity = ServerIdentity.temporary(flags.encryption);
     try {
-      if (data.isWritable()) {
-        identity = new ServerIdentity(flags.encryption, ServerKey.load(data.serverKey()));
-      }
-      access.demandTokens(flags.joinKey, identity.fingerprint());
+      ServerIdentity identity = flags.dataFolder().identity(flags.encryption);
+      String fingerprint = identity.fingerprint();
+      access.demandTokens(flags.joinKey, fingerprint);
+      String meaning = flags.encryption.meaning();
+      log.info("identity: players know this server by {}; {}", fingerprint, meaning);
+      return identity;
     } catch (IOException e) {
       throw new StartFailure(e.getMessage(), e);
     }
-    log.info(
-        "identity: players know this server by {}; {}",
-        identity.fingerprint(),
-        flags.encryption.meaning());
-    return identity;
   }
 
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {
