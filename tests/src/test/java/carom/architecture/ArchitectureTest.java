@@ -319,7 +319,7 @@ final class ArchitectureTest {
         "carom.net.snapshot.frame",
         "carom.physics.rows"); // what a joint was made with
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
-    allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
+    allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows", "carom.text");
     allow("carom.values");
     allow("carom.text");
     allow("carom.json", "carom.text");

@@ -211,8 +211,17 @@ public final class SnapshotSender {
       // tick.
       due =
           ticksSinceSent >= mostTicksWithout(news, late)
-              || (news && bucket > 0 && pace.allowance() > 0);
+              || (news && bucket > 0 && budgetBytes() >= leastBytes());
     }
+  }
+
+  /**
+   * Returns the least budget that a snapshot is worth. While records wait, it holds as much of them
+   * as of what goes ahead of them: on a slow line, snapshots that are sent as soon as their headers
+   * fit would never tell of a body.
+   */
+  private int leastBytes() {
+    return encoder.waiting() == 0 ? 1 : Math.min(2 * overheadBytes(), pace.mostAllowance());
   }
 
   /** Returns the most ticks between two snapshots. */

@@ -28,12 +28,14 @@ import com.esotericsoftware.kryo.Serializer;
 import com.esotericsoftware.kryo.io.Input;
 import com.esotericsoftware.kryo.io.KryoBufferUnderflowException;
 import com.esotericsoftware.kryo.io.Output;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Codec of the protocol's messages: Kryo for those from the server, the fixed layout of {@link
@@ -116,16 +118,8 @@ public final class KryoMessageCodec implements MessageCodec {
       return null;
     }
     return bytes[offset] < FIRST_SERVER_BYTE
-        ? decodeFromClient(bytes, offset, length)
+        ? ClientMessageCodec.decode(bytes, offset, length)
         : decodeFromServer(bytes, offset, length);
-  }
-
-  /**
-   * Reads a message on the server as {@link #decode} does, but accepts only client messages and
-   * uses no Kryo.
-   */
-  ClientMessage decodeFromClient(byte[] bytes, int offset, int length) {
-    return ClientMessageCodec.decode(bytes, offset, length);
   }
 
   /** Reads a message on the client as {@link #decode} does, but accepts only server messages. */
@@ -531,7 +525,8 @@ public final class KryoMessageCodec implements MessageCodec {
   /** Reads a text, which may come to a screen or a terminal: without what can't be shown there. */
   private static String readText(Input in, String name, int maxBytes) {
     int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
-    return Texts.clean(new String(readBytes(in, length), StandardCharsets.UTF_8));
+    ByteBuffer bytes = ByteBuffer.wrap(readBytes(in, length));
+    return Texts.clean(Objects.requireNonNull(Texts.ofUtf8(bytes), name));
   }
 
   private static byte[] readBytes(Input in, int length) {

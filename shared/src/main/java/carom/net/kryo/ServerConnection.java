@@ -6,6 +6,7 @@ import carom.net.datagram.TokenBucket;
 import carom.net.frame.Frame;
 import carom.net.frame.FramedLink;
 import carom.net.protocol.ClientMessage;
+import carom.net.protocol.ClientMessageCodec;
 import carom.net.seal.DatagramOpener;
 import carom.net.seal.DatagramSealer;
 import carom.net.seal.Encryption;
@@ -494,7 +495,7 @@ final class ServerConnection extends Connection {
 
   private void readMessage(byte tag, byte[] bytes, int offset, int length) {
     ClientMessage message =
-        tag == Frame.MESSAGE ? network.codec.decodeFromClient(bytes, offset, length) : null;
+        tag == Frame.MESSAGE ? ClientMessageCodec.decode(bytes, offset, length) : null;
     if (message == null) {
       link.counters().malformed.incrementAndGet();
       expel("the client sent an invalid message (tag=" + tag + " length=" + length + ")");

@@ -4,8 +4,8 @@ import static carom.net.protocol.ClientMessage.Diverged.BODY_INTS;
 import static carom.net.protocol.ClientMessage.Diverged.MAX_BODIES;
 import static carom.net.protocol.ClientMessage.Diverged.MAX_WORDS;
 
+import carom.text.Texts;
 import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -159,11 +159,7 @@ public final class ClientMessageCodec {
     }
     ByteBuffer bytes = buffer.slice(buffer.position(), length);
     buffer.position(buffer.position() + length);
-    try {
-      return StandardCharsets.UTF_8.newDecoder().decode(bytes).toString();
-    } catch (CharacterCodingException e) {
-      return null;
-    }
+    return Texts.ofUtf8(bytes);
   }
 
   /**
