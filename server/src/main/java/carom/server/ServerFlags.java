@@ -8,7 +8,9 @@ import carom.options.BadFlag;
 import carom.options.NetworkConditions;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
+import carom.server.query.ProtocolFlags;
 import carom.server.recording.RotationLimit;
+import carom.server.web.WebFlags;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
@@ -260,6 +262,7 @@ final class ServerFlags {
   int spectatorDelayS;
 
   @Mixin private final NetworkConditions network = new NetworkConditions();
+  @Mixin final ProtocolFlags protocols = new ProtocolFlags();
 
   @Option(
       names = "--status-interval",
@@ -296,42 +299,7 @@ final class ServerFlags {
           "Demand join tokens that belong to this public key: Ed25519, PEM (everybody may join).")
   Path joinKey;
 
-  @Option(
-      names = "--web",
-      paramLabel = "true|false",
-      arity = "0..1",
-      negatable = true,
-      fallbackValue = "true",
-      defaultValue = "true",
-      description =
-          "Show the live page and answer /healthz, /readyz and /metrics (Prometheus) over HTTP;"
-              + " --no-web doesn't.")
-  boolean web;
-
-  @Option(
-      names = "--web-port",
-      paramLabel = "N",
-      defaultValue = "8090",
-      description = "Port for HTTP, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
-  int webPort;
-
-  @Option(
-      names = "--web-bind",
-      paramLabel = "ADDRESS",
-      defaultValue = "127.0.0.1",
-      description =
-          "Address of this machine for HTTP. On a loopback address whoever reaches it may watch, on"
-              + " another only who knows the token in admin.token of the data folder"
-              + " (${DEFAULT-VALUE}).")
-  private String webBind;
-
-  @Option(
-      names = "--web-host",
-      paramLabel = "NAME",
-      description =
-          "Name under which browsers may open the page, beside addresses and localhost; give it"
-              + " once for each name.")
-  List<String> webHosts = List.of();
+  @Mixin final WebFlags web = new WebFlags();
 
   @Option(
       names = "--console",
@@ -421,7 +389,12 @@ final class ServerFlags {
   void check() {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
-    requireRange("--web-port", webPort, MAX_PORT);
+    if (web.problem() != null) {
+      throw bad(web.problem());
+    }
+    if (protocols.problem() != null) {
+      throw bad(protocols.problem());
+    }
     requireRange("--grace", graceS, MAX_GRACE_S);
     requireRange("--checkpoint", checkpointS, Server.MAX_CHECKPOINT_S);
     requireRange("--log-keep", logKeep, MAX_LOGS);
@@ -542,11 +515,6 @@ final class ServerFlags {
   /** Returns the address to listen on, or null for all. */
   InetAddress bindAddress() {
     return bind == null ? null : address("--bind", bind);
-  }
-
-  /** Returns the address for HTTP. */
-  InetAddress webAddress() {
-    return address("--web-bind", webBind);
   }
 
   private InetAddress address(String flag, String text) {

@@ -22,6 +22,7 @@ import carom.server.console.ReadyLine;
 import carom.server.jmx.CommandInspector;
 import carom.server.jmx.RoomInspector;
 import carom.server.metrics.Counter;
+import carom.server.query.StatusFacts;
 import carom.server.web.WebServer;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
@@ -300,7 +301,7 @@ public final class ServerMain implements Callable<Integer> {
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
     // Players needn't wait for it: its libraries load for as long as all the rest.
-    web.set(new WebStart(flags, settings(), log).open(server, commands, logTail, title(server)));
+    web.set(openPorts(server, commands));
     String page = web.get() == null ? null : web.get().url();
     ReadyLine.printHints(System.out, server.tcpPort(), server.udpPort(), page);
     if (flags.console) {
@@ -322,6 +323,29 @@ public final class ServerMain implements Callable<Integer> {
     return commands;
   }
 
+  /** Opens the ports of the standard protocols and that for HTTP; returns the latter, or null. */
+  private WebServer openPorts(Server server, CommandRegistry commands) throws StartFailure {
+    String name = server.config().serverName();
+    DataFolder data = flags.dataFolder();
+    StatusFacts facts =
+        new StatusFacts(name, version(), server.tcpPort(), server.udpPort(), server.rooms());
+    try {
+      flags.protocols.open(flags.bindAddress(), data, settings(), commands, facts);
+      return flags.web.open(
+          server.rooms(),
+          server.networkCounters(),
+          data,
+          flags.record,
+          settings(),
+          commands,
+          logTail,
+          name + " " + version());
+    } catch (IOException e) {
+      server.close();
+      throw new StartFailure(e.getMessage(), e);
+    }
+  }
+
   private static String replay(String file) {
     StringWriter text = new StringWriter();
     PrintWriter out = new PrintWriter(text);
@@ -336,10 +360,6 @@ public final class ServerMain implements Callable<Integer> {
 
   private Settings settings() {
     return layers.settings(spec.commandLine().getParseResult());
-  }
-
-  private static String title(Server server) {
-    return server.config().serverName() + " " + version();
   }
 
   private static String version() {

@@ -58,6 +58,7 @@ class ServerMainTest {
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().put("CAROM_DATA", folder.resolve("data").toString());
     builder.environment().put("CAROM_WEB_PORT", "0");
+    builder.environment().put("CAROM_QUERY_PORT", "0");
     Process process = builder.redirectError(folder.resolve("err").toFile()).start();
     started.add(process);
     return process;

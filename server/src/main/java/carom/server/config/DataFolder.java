@@ -48,6 +48,11 @@ public record DataFolder(Path root) {
     return root.resolve("admin.token");
   }
 
+  /** Returns the file of the remote console's password. */
+  public Path rconPassword() {
+    return root.resolve("rcon.password");
+  }
+
   /** Returns the folder in which levels are found by their name. */
   public Path levels() {
     return root.resolve("levels");

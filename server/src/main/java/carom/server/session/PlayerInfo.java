@@ -12,9 +12,17 @@ import java.util.Locale;
  * @param state {@code playing}, {@code watching}, {@code loading} or {@code grace}
  * @param team the player's team
  * @param score the player's score
+ * @param playedTicks ticks for which the player has played over its present link
  */
 public record PlayerInfo(
-    int id, String name, String account, String remote, String state, int team, int score) {
+    int id,
+    String name,
+    String account,
+    String remote,
+    String state,
+    int team,
+    int score,
+    int playedTicks) {
   /** Describes a session. The room's thread. */
   public static PlayerInfo of(Session session) {
     boolean watches = session.player().isSpectator();
@@ -25,6 +33,7 @@ public record PlayerInfo(
         session.remote(),
         watches ? "watching" : session.state().name().toLowerCase(Locale.ROOT),
         session.player().team(),
-        session.player().score());
+        session.player().score(),
+        session.playedTicks());
   }
 }
