@@ -549,9 +549,11 @@ class RoomTest {
   void roomClosesInGoodOrderBeforeItsTicksRunOut() throws Exception {
     try (Rig rig = new Rig()) {
       FakeClient client = rig.join("a");
-      Field tick = Simulation.class.getDeclaredField("tick"); // nobody waits for 413 days
+      Field parts = Simulation.class.getDeclaredField("parts"); // nobody waits for 413 days
+      parts.setAccessible(true);
+      Field tick = parts.getType().getDeclaredField("tick");
       tick.setAccessible(true);
-      tick.setInt(rig.room.simulation(), Integer.MAX_VALUE - (1 << 20) - 30);
+      tick.setInt(parts.get(rig.room.simulation()), Integer.MAX_VALUE - (1 << 20) - 30);
       rig.seconds(3);
       assertTrue(rig.room.hasFailed());
       assertTrue(client.closed, "players are told");
