@@ -126,6 +126,7 @@ public final class GameClient implements AutoCloseable {
             config.name(),
             config.room(),
             config.game(),
+            config.token(),
             config.reconnect(),
             transport,
             new ConnectionListener(),

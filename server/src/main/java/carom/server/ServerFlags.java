@@ -63,8 +63,7 @@ final class ServerFlags {
       paramLabel = "FOLDER",
       defaultValue = "data",
       description =
-          "Folder of the server's own files: carom.conf, bans.txt, allow.txt, server.key, levels,"
-              + " recordings, logs"
+          "Folder of the server's own files: settings, key, bans, levels, recordings, logs"
               + " (${DEFAULT-VALUE}).")
   private Path data;
 
@@ -93,8 +92,7 @@ final class ServerFlags {
       paramLabel = "on|off",
       defaultValue = "on",
       description =
-          "Encrypt everything between server and players; off is for looking at packets, and"
-              + " players need --encryption off, too (${DEFAULT-VALUE}).")
+          "Encrypt the links; off is for debugging, and players need it, too (${DEFAULT-VALUE}).")
   Encryption encryption;
 
   @Option(
@@ -293,6 +291,13 @@ final class ServerFlags {
           "Let only players in that allow.txt of the data folder names; the command 'allow' adds"
               + " to it.")
   boolean allowList;
+
+  @Option(
+      names = "--join-key",
+      paramLabel = "FILE",
+      description =
+          "Demand join tokens that belong to this public key: Ed25519, PEM (everybody may join).")
+  Path joinKey;
 
   @Mixin final WebFlags web = new WebFlags();
 

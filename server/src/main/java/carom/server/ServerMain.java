@@ -201,7 +201,7 @@ public final class ServerMain implements Callable<Integer> {
     logTail = LogTail.begin(logging);
     openData(logging, log);
     access = openAccess();
-    ServerStart start = new ServerStart(flags, choice, config, log);
+    ServerStart start = new ServerStart(flags, choice, config, access, log);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
     start.warmUp();

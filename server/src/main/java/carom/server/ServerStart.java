@@ -5,13 +5,11 @@ import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.PortUnavailableException;
 import carom.net.kryo.ServerIdentity;
-import carom.net.seal.Encryption;
-import carom.net.seal.ServerKey;
 import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
-import carom.server.config.DataFolder;
+import carom.server.access.AccessLists;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
@@ -31,12 +29,15 @@ final class ServerStart {
   private final ServerFlags flags;
   private final GameChoice choice;
   private final ServerConfig config;
+  private final AccessLists access;
   private final Logger log;
 
-  ServerStart(ServerFlags flags, GameChoice choice, ServerConfig config, Logger log) {
+  ServerStart(
+      ServerFlags flags, GameChoice choice, ServerConfig config, AccessLists access, Logger log) {
     this.flags = flags;
     this.choice = choice;
     this.config = config;
+    this.access = access;
     this.log = log;
   }
 
@@ -97,22 +98,16 @@ final class ServerStart {
 
   /** Returns the key in the data folder and whether links are encrypted, and logs both. */
   private ServerIdentity identity() throws StartFailure {
-    if (flags.encryption == Encryption.OFF) {
-      log.warn(
-          "encryption: off; whoever sees the packets can read and change them, take over players"
-              + " and pose as this server");
+    try {
+      ServerIdentity identity = flags.dataFolder().identity(flags.encryption);
+      String fingerprint = identity.fingerprint();
+      access.demandTokens(flags.joinKey, fingerprint);
+      String meaning = flags.encryption.meaning();
+      log.info("identity: players know this server by {}; {}", fingerprint, meaning);
+      return identity;
+    } catch (IOException e) {
+      throw new StartFailure(e.getMessage(), e);
     }
-    DataFolder data = flags.dataFolder();
-    ServerIdentity identity = ServerIdentity.temporary(flags.encryption);
-    if (data.isWritable()) {
-      try {
-        identity = new ServerIdentity(flags.encryption, ServerKey.load(data.serverKey()));
-      } catch (IOException e) {
-        throw new StartFailure(e.getMessage(), e);
-      }
-    }
-    log.info("identity: players know this server by {}", identity.fingerprint());
-    return identity;
   }
 
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {

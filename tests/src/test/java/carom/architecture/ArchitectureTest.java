@@ -363,6 +363,7 @@ final class ArchitectureTest {
     allow(
         "carom.client..",
         "carom.client..",
+        "carom.json",
         "carom.net..",
         "carom.options",
         "carom.values",

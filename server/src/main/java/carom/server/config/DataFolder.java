@@ -1,5 +1,8 @@
 package carom.server.config;
 
+import carom.net.kryo.ServerIdentity;
+import carom.net.seal.Encryption;
+import carom.net.seal.ServerKey;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,14 +26,16 @@ public record DataFolder(Path root) {
     return root.resolve("logs");
   }
 
-  /** Returns the file of the key by which players know the server. */
-  public Path serverKey() {
-    return root.resolve("server.key");
-  }
-
-  /** Returns whether the folder is there and takes files. */
-  public boolean isWritable() {
-    return Files.isDirectory(root) && Files.isWritable(root);
+  /**
+   * Returns the identity by which players know the server, which {@code server.key} keeps. It is
+   * made if it isn't there, and a temporary one if the folder can't be written.
+   *
+   * @throws IOException if the file can't be used; the message says what to do
+   */
+  public ServerIdentity identity(Encryption encryption) throws IOException {
+    return Files.isDirectory(root) && Files.isWritable(root)
+        ? new ServerIdentity(encryption, ServerKey.load(root.resolve("server.key")))
+        : ServerIdentity.temporary(encryption);
   }
 
   /** Returns the folder in which recordings begin that are given no other place. */

@@ -14,7 +14,6 @@ import picocli.CommandLine.Option;
 
 /** The server's flags about standard protocols. Picocli fills them in. */
 public final class ProtocolFlags {
-  private static final Logger LOG = LoggerFactory.getLogger(ProtocolFlags.class);
   private static final int MAX_PORT = 65_535;
 
   @Option(
@@ -97,21 +96,23 @@ public final class ProtocolFlags {
       CommandRegistry commands,
       StatusFacts facts)
       throws IOException {
+    // Not a constant: this class is loaded while the log starts.
+    Logger log = LoggerFactory.getLogger(ProtocolFlags.class);
     if (rcon) {
       Secret password = Secret.of(data.rconPassword());
       LoginThrottle throttle = new LoginThrottle(System::nanoTime);
       InetAddress rconAddress = InetAddress.getByName(rconBind);
       int port = new RemoteConsole(rconAddress, rconPort, commands, password, throttle).port();
-      LOG.info("rcon: tcp {}, password in {}", port, data.rconPassword());
+      log.info("rcon: tcp {}, password in {}", port, data.rconPassword());
     }
     if (query) {
       try {
-        LOG.info("status queries: udp {}", new StatusQuery(address, queryPort, facts).port());
+        log.info("status queries: udp {}", new StatusQuery(address, queryPort, facts).port());
       } catch (IOException e) {
         if (settings.find("query-port").orElseThrow().isSet()) {
           throw e;
         }
-        LOG.warn("no status queries: {}", e.getMessage());
+        log.warn("no status queries: {}", e.getMessage());
       }
     }
   }

@@ -63,10 +63,11 @@ public final class Seats {
     if (id >= taken.length || taken[id] != null || secret == 0) {
       return null;
     }
-    Seat seat = new Seat(id, wantedName, name, secret);
+    Seat seat = new Seat(id, wantedName, name, "", secret); // slots keep no accounts
     seat.courseTick = courseTick;
     seat.occupied = true;
     foldedNames.add(PlayerName.folded(name));
+    skeletons.add(PlayerName.skeleton(name));
     taken[id] = seat;
     takenCount++;
     return seat;
@@ -80,7 +81,16 @@ public final class Seats {
    * @return the seat, or null when all are taken
    */
   public synchronized Seat take(String wantedName) {
-    return take(wantedName, freshSecret());
+    return take(wantedName, "");
+  }
+
+  /**
+   * Takes a seat as {@link #take(String)} does.
+   *
+   * @param account the player's account by its join token, or empty
+   */
+  public synchronized Seat take(String wantedName, String account) {
+    return take(wantedName, account, freshSecret());
   }
 
   /**
@@ -90,17 +100,17 @@ public final class Seats {
    * @param from the seat in the other room
    */
   public synchronized Seat takeFor(Seat from) {
-    Seat seat = take(from.wantedName, from.secret);
+    Seat seat = take(from.wantedName, from.account, from.secret);
     if (seat != null) {
       seat.muted = from.muted;
     }
     return seat;
   }
 
-  private Seat take(String wantedName, long secret) {
+  private Seat take(String wantedName, String account, long secret) {
     for (int id = 0; id < taken.length; id++) {
       if (taken[id] == null) {
-        Seat seat = new Seat(id, wantedName, freeName(wantedName), secret);
+        Seat seat = new Seat(id, wantedName, freeName(wantedName), account, secret);
         seat.claims = 1;
         foldedNames.add(PlayerName.folded(seat.name));
         skeletons.add(PlayerName.skeleton(seat.name));
@@ -250,6 +260,7 @@ public final class Seats {
     private final int id;
     private final String wantedName;
     private final String name;
+    private final String account;
     private final long secret;
     private int claims; // guarded by the seats' lock, like occupied
     private boolean occupied;
@@ -258,10 +269,11 @@ public final class Seats {
     private volatile int courseTick = SAME_COURSE;
     private boolean muted; // only the thread of the player's room uses it
 
-    Seat(int id, String wantedName, String name, long secret) {
+    Seat(int id, String wantedName, String name, String account, long secret) {
       this.id = id;
       this.wantedName = wantedName;
       this.name = name;
+      this.account = account;
       this.secret = secret;
     }
 
@@ -307,6 +319,11 @@ public final class Seats {
     /** Returns the player's name, unique in the room. */
     public String name() {
       return name;
+    }
+
+    /** Returns the player's account by its join token, or an empty text. */
+    public String account() {
+      return account;
     }
 
     /** Returns the secret by which a returning client proves its identity; never 0. */

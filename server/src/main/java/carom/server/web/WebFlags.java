@@ -25,7 +25,6 @@ import picocli.CommandLine.Option;
 
 /** The server's flags about HTTP: the live page, health and metrics. Picocli fills them in. */
 public final class WebFlags {
-  private static final Logger LOG = LoggerFactory.getLogger(WebFlags.class);
   private static final int MAX_PORT = 65_535;
 
   @Option(
@@ -106,6 +105,8 @@ public final class WebFlags {
       LogTail tail,
       String title)
       throws IOException {
+    // Not a constant: this class is loaded while the log starts.
+    Logger log = LoggerFactory.getLogger(WebFlags.class);
     if (!web) {
       return null;
     }
@@ -134,7 +135,7 @@ public final class WebFlags {
     try {
       WebServer server =
           new WebServer(address, webPort, rooms, network, new LivePage(config, rooms));
-      LOG.info(
+      log.info(
           "page: {} ({})",
           server.url(),
           kept ? "admin token in " + file : "admin token until the stop: " + token.text());
@@ -143,7 +144,7 @@ public final class WebFlags {
       if (settings.find("web-port").orElseThrow().isSet()) {
         throw e;
       }
-      LOG.warn("no page, /healthz and /metrics: {}", e.getMessage());
+      log.warn("no page, /healthz and /metrics: {}", e.getMessage());
       return null;
     }
   }
