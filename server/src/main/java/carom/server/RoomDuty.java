@@ -22,7 +22,10 @@ record RoomDuty(Room room, long beginNs) implements Worker.Duty {
 
   @Override
   public long napNs(long nowNs) {
-    return nowNs - beginNs < 0 ? beginNs - nowNs : Math.min(room.nextDeadlineNs() - nowNs, NAP_NS);
+    if (nowNs - beginNs < 0) {
+      return beginNs - nowNs;
+    }
+    return room.isPaused() ? IDLE_NAP_NS : Math.min(room.nextDeadlineNs() - nowNs, NAP_NS);
   }
 
   @Override

@@ -32,6 +32,7 @@ final class StatusAnswers {
   private final StatusFacts facts;
   private final Map<Byte, Made> made = new LinkedHashMap<>();
 
+  @SuppressWarnings("ArrayRecordComponent") // Never compared; nobody changes them.
   private record Made(long timeNs, byte[] bytes) {}
 
   StatusAnswers(StatusFacts facts) {

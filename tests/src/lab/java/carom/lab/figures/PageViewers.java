@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * Measures what open pages cost a running server's ticks: windows without viewers and with them
@@ -29,7 +30,7 @@ public final class PageViewers {
   private final List<double[]> seconds = new CopyOnWriteArrayList<>();
   private volatile List<String> columns = List.of();
   private volatile String room = "";
-  private volatile long pictureBytes;
+  private final AtomicLong pictureBytes = new AtomicLong();
 
   private PageViewers(String url) {
     this.url = url;
@@ -68,7 +69,7 @@ public final class PageViewers {
 
     @Override
     public CompletionStage<?> onBinary(WebSocket from, ByteBuffer data, boolean last) {
-      pictureBytes += data.remaining();
+      pictureBytes.addAndGet(data.remaining());
       from.request(1);
       return null;
     }
@@ -82,7 +83,7 @@ public final class PageViewers {
     } else if (message.fields.get("t").text.equals("second")) {
       Json row = rooms.items.get(0).fields.get("row");
       seconds.add(row.items.stream().mapToDouble(value -> value.number).toArray());
-      from.sendText(ALIVE, true);
+      var unused = from.sendText(ALIVE, true);
     }
   }
 
@@ -142,7 +143,7 @@ public final class PageViewers {
         pairs,
         median(ratios, 0),
         median(ratios, 1),
-        pages.pictureBytes >> 10);
+        pages.pictureBytes.get() >> 10);
     observer.abort();
   }
 }

@@ -375,7 +375,7 @@ class PlatformerGameTest {
     final Player ben = s.join("ben");
     ann.score(1);
     ben.score(2);
-    run(s, (int) PlatformerGame.MATCH_SECONDS * 60 + 1);
+    run(s, (int) (PlatformerGame.MATCH_SECONDS * 60) + 1);
     assertEquals(MatchPhase.OVER, MatchClock.phase(s));
     assertEquals(ben.id(), MatchClock.winner(s));
   }

@@ -13,7 +13,7 @@ final class FloodMeterTest {
   private static boolean floods(FloodMeter meter, long startMs, int perSecond, int seconds) {
     boolean flood = false;
     for (int i = 0; i < perSecond * seconds; i++) {
-      flood |= meter.count(startMs * MS + i * 1_000 * MS / perSecond);
+      flood |= meter.count(startMs * MS + i * 1_000L * MS / perSecond);
     }
     return flood;
   }

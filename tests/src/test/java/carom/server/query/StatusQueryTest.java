@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.testkit.Stepper;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
@@ -95,11 +96,11 @@ final class StatusQueryTest {
   }
 
   private static String text(ByteBuffer from) {
-    int begin = from.position();
-    while (from.get() != 0) {
-      // to the end of the text
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    for (byte next = from.get(); next != 0; next = from.get()) {
+      bytes.write(next);
     }
-    return new String(from.array(), begin, from.position() - 1 - begin, StandardCharsets.UTF_8);
+    return bytes.toString(StandardCharsets.UTF_8);
   }
 
   @Test

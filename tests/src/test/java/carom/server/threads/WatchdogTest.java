@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -16,7 +17,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(60)
 class WatchdogTest {
   private volatile boolean ends;
-  private volatile int progress;
+  private final AtomicInteger progress = new AtomicInteger();
   private Watchdog watchdog;
   private Worker worker;
   private final CompletableFuture<String> found = new CompletableFuture<>();
@@ -83,7 +84,7 @@ class WatchdogTest {
         new Watchdog.Watched() {
           @Override
           public int progress() {
-            return progress;
+            return progress.get();
           }
 
           @Override
@@ -143,7 +144,7 @@ class WatchdogTest {
             Guard.call(
                 () -> {
                   while (!ends) {
-                    progress++;
+                    progress.incrementAndGet();
                     LockSupport.parkNanos(20_000_000L);
                   }
                 }));
