@@ -291,6 +291,8 @@ public final class Chromium implements AutoCloseable {
   @Override
   public void close() {
     socket.abort();
+    // Its helpers outlive it for a moment, and write to the profile that the test then deletes.
+    List<ProcessHandle> helpers = process.descendants().toList();
     process.destroy();
     try {
       if (!process.waitFor(10, TimeUnit.SECONDS)) {
@@ -298,6 +300,10 @@ public final class Chromium implements AutoCloseable {
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+    for (ProcessHandle helper : helpers) {
+      helper.destroyForcibly();
+      helper.onExit().orTimeout(10, TimeUnit.SECONDS).exceptionally(e -> helper).join();
     }
   }
 
