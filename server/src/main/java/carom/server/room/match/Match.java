@@ -77,10 +77,12 @@ public final class Match {
     return failures;
   }
 
+  /** Returns the simulation that the room steps. The room's thread. */
   public Simulation simulation() {
     return simulation;
   }
 
+  /** Returns what captures the simulation's frames for the sessions. The room's thread. */
   public FrameCapture capture() {
     return capture;
   }
