@@ -406,13 +406,16 @@ public final class Lobby {
 
     /**
      * Returns what the player wants and may want by its join token, or refuses and returns null. A
-     * player who comes back proves by the session's secret that the token was good.
+     * player who comes back proves by the session's secret that the token was good, and keeps the
+     * account.
      */
     private JoinRequest requestOf(ClientMessage.Hello hello) {
       String name = hello.name().strip();
       JoinTokens joinTokens = entryRule.tokens();
-      if (joinTokens == null || chooser.expecting(hello.resumeSecret()) != null) {
-        return new JoinRequest(name, "", hello.room(), hello.game(), hello.resumeSecret());
+      Room expecting = chooser.expecting(hello.resumeSecret());
+      if (joinTokens == null || expecting != null) {
+        String account = expecting == null ? "" : expecting.seats().accountOf(hello.resumeSecret());
+        return new JoinRequest(name, account, hello.room(), hello.game(), hello.resumeSecret());
       }
       try {
         JoinToken token = joinTokens.check(hello.token());
