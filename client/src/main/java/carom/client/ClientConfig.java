@@ -23,8 +23,8 @@ import carom.values.Records;
  *     number of datagrams and adds a tick of lag
  * @param reconnect whether the client reconnects by itself when the link is lost
  * @param room name of the room in which to play; empty for any
- * @param game name of the game to play if the room is any; empty for any. It is a wish: the server
- *     may have no place in such a room
+ * @param game name of the game to play if the room is any; empty for any. It is a request: the
+ *     server may have no place in such a room
  * @param minInterpolationMs least time by which other players' bodies are drawn late, 0..300 ms; 0
  *     = as little as the connection allows
  * @param token join token, for servers whose operator demands one; empty for none
@@ -123,7 +123,7 @@ public record ClientConfig(
     return Records.with(this, "room", room);
   }
 
-  /** Returns a copy that wishes to play this game; empty for any. */
+  /** Returns a copy that asks for this game; empty for any. */
   public ClientConfig withGame(String game) {
     return Records.with(this, "game", game);
   }

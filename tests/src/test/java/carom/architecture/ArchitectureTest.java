@@ -326,7 +326,12 @@ final class ArchitectureTest {
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
     allow("carom.net.seal");
     allow("carom.net.datagram");
-    allow("carom.net.frame", "carom.net.protocol", "carom.net.transport", "carom.net.seal");
+    allow(
+        "carom.net.frame",
+        "carom.net.protocol",
+        "carom.net.transport",
+        "carom.net.seal",
+        "carom.text");
     allow(
         "carom.net.kryo",
         "carom.text",

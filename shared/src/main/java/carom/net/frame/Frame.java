@@ -4,6 +4,7 @@ import carom.net.protocol.Limits;
 import carom.net.seal.DatagramSealer;
 import carom.net.seal.Encryption;
 import carom.net.seal.ExchangeKey;
+import carom.text.Texts;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
@@ -154,10 +155,12 @@ public final class Frame {
     return ByteBuffer.allocate(8).putLong(nonce).array();
   }
 
-  /** Returns the text of a BYE whose tag has been read, as one line without control characters. */
+  /**
+   * Returns the text of a BYE whose tag has been read, as one line without invisible characters.
+   */
   public static String byeText(ByteBuffer buffer) {
     byte[] bytes = new byte[Math.min(buffer.remaining(), Limits.MAX_TEXT_BYTES)];
     buffer.get(bytes);
-    return new String(bytes, StandardCharsets.UTF_8).replaceAll("\\p{Cntrl}", " ").strip();
+    return Texts.clean(new String(bytes, StandardCharsets.UTF_8)).strip();
   }
 }
