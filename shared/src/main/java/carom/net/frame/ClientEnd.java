@@ -1,5 +1,6 @@
 package carom.net.frame;
 
+import carom.net.admission.WorkProof;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.DatagramOpener;
 import carom.net.seal.DatagramSealer;
@@ -42,6 +43,7 @@ public abstract class ClientEnd extends FramedLink {
   private long token;
   private int toldUdpPort;
   private byte[] serverKey;
+  private volatile long solution;
   private KeyExchange.Offer offer;
   private boolean tcpRegistered;
   private boolean udpRegistered;
@@ -112,6 +114,11 @@ public abstract class ClientEnd extends FramedLink {
    */
   protected final long token() {
     return token;
+  }
+
+  /** Returns the work that the server has asked for. It is valid as {@link #token} is. */
+  protected final long solution() {
+    return solution;
   }
 
   /** Returns whether the server has sent a frame of the Carom protocol. */
@@ -223,9 +230,18 @@ public abstract class ClientEnd extends FramedLink {
     token = fields.getLong();
     toldUdpPort = Short.toUnsignedInt(fields.getShort());
     byte mode = fields.get();
+    int workBits = fields.get();
     serverKey = new byte[ExchangeKey.BYTES];
     fields.get(serverKey);
     tcpRegistered = true;
+    if (workBits < 0 || workBits > WorkProof.MAX_BITS) {
+      lose(
+          "the server demands too much work: workBits="
+              + workBits
+              + " must be in 0.."
+              + WorkProof.MAX_BITS);
+      return;
+    }
     if (mode != trust.encryption().code()) {
       lose(
           trust.encryption() == Encryption.ON
@@ -240,7 +256,9 @@ public abstract class ClientEnd extends FramedLink {
             : trust.servers().problem(remote(), ServerKey.fingerprint(serverKey));
     if (problem != null) {
       lose(problem);
+      return;
     }
+    solution = new WorkProof().solve(id, token, workBits);
   }
 
   private void offerKey() {

@@ -296,7 +296,7 @@ final class ClientLink extends ClientEnd {
 
     @Override
     void writeRegistration(Connection connection, ByteBuffer buffer, Object registration) {
-      buffer.putInt(id()).putLong(token());
+      buffer.putInt(id()).putLong(token()).putLong(solution());
     }
 
     @Override

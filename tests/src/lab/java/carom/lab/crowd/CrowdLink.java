@@ -148,7 +148,12 @@ final class CrowdLink extends ClientEnd {
   /** Tells the server this link's UDP address, again and again until the server confirms. */
   private void register(long now) {
     registerAt = now + REGISTER_NANOS;
-    byte[] fields = ByteBuffer.allocate(12).putInt(id()).putLong(token()).array();
+    byte[] fields =
+        ByteBuffer.allocate(Frame.REGISTRATION_BYTES - 1)
+            .putInt(id())
+            .putLong(token())
+            .putLong(solution())
+            .array();
     transmitDatagram(Frame.REGISTER_UDP, fields, 0, fields.length);
   }
 
