@@ -41,7 +41,7 @@ public final class GuardedGame implements Game {
     void failed(String callback, Simulation s, Throwable failure);
   }
 
-  /** What a player is told whose wish made the game fail. */
+  /** What a player is told whose request made the game fail. */
   private static final String FAILED = "That is not possible now.";
 
   private final Game game;

@@ -47,7 +47,7 @@ final class TestGame implements Game {
   /** All balls begin around the first player's body, in touch with each other. */
   boolean crowded;
 
-  /** Two teams that don't see each other; who presses the action emits an event. */
+  /** Two teams that don't see each other; a player that acts emits an event. */
   boolean teamsHide;
 
   boolean relaysAhead = true;

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: a game that uses fields so that clients can't foresee them is told which, where and how.
+ * Goal: a game that uses fields so that clients can't predict them is told which, where and how.
  */
 final class FieldUseTest {
   private static final Ratio NITRO = Field.ratio("nitro").to(Audience.OWNER).startsAt(1);

@@ -51,8 +51,8 @@ public final class WebFlags {
       paramLabel = "ADDRESS",
       defaultValue = "127.0.0.1",
       description =
-          "Address of this machine for HTTP. On a loopback address whoever reaches it may watch, on"
-              + " another only who knows the token in admin.token of the data folder"
+          "Address of this machine for HTTP. On a loopback address any visitor may watch, on"
+              + " another only visitors that know the token in admin.token of the data folder"
               + " (${DEFAULT-VALUE}).")
   private String webBind;
 

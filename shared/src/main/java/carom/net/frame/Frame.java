@@ -147,6 +147,15 @@ public final class Frame {
         .array();
   }
 
+  /** Returns the fields of a client's REGISTER_UDP. */
+  public static byte[] registration(int link, long token, long solution) {
+    return ByteBuffer.allocate(REGISTRATION_BYTES - 1)
+        .putInt(link)
+        .putLong(token)
+        .putLong(solution)
+        .array();
+  }
+
   /** Returns the fields of CHALLENGE or ANSWER. */
   public static byte[] nonce(long nonce) {
     return ByteBuffer.allocate(8).putLong(nonce).array();

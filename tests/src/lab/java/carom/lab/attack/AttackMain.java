@@ -133,7 +133,9 @@ public final class AttackMain implements Callable<Integer> {
     command.addAll(
         List.of("--data", data.toString(), "--no-console", "--bind", "127.0.0.1", "--log-keep=0"));
     command.addAll(List.of("--tcp-port=" + tcp, "--udp-port=" + udp));
-    Arrays.stream(serverArgs.trim().split(" +", -1)).filter(a -> !a.isEmpty()).forEach(command::add);
+    Arrays.stream(serverArgs.trim().split(" +", -1))
+        .filter(a -> !a.isEmpty())
+        .forEach(command::add);
     return new ProcessBuilder(command).redirectErrorStream(true).start();
   }
 

@@ -179,7 +179,7 @@ final class FieldStateTest {
   }
 
   @Test
-  void aClientTakesOnlyTheWritesThatItCanForesee() {
+  void aClientTakesOnlyTheWritesThatItCanPredict() {
     Simulation s = start(game, Role.PREDICTION);
     Player own = s.mirror().join(0, "ann");
     Player other = s.mirror().join(1, "bob");

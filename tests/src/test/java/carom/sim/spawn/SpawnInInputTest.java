@@ -121,7 +121,7 @@ final class SpawnInInputTest {
   private static OwnSpawns told(int key) {
     return new OwnSpawns() {
       @Override
-      public boolean foresees(int playerId) {
+      public boolean predicts(int playerId) {
         return playerId == 0;
       }
 
