@@ -80,6 +80,7 @@ public final class AttackMain implements Callable<Integer> {
 
   private final Map<String, Integer> reasons = new TreeMap<>();
   private int retries;
+  private long floodBegan;
 
   private AttackMain() {}
 
@@ -100,6 +101,7 @@ public final class AttackMain implements Callable<Integer> {
       for (int i = 0; i < 5; i++) {
         join(tcp, udp); // warms up both ends
       }
+      floodBegan = System.nanoTime();
       InetSocketAddress target = new InetSocketAddress(InetAddress.getLoopbackAddress(), tcp);
       int threads = rate > 5_000 ? 2 : 1;
       for (int i = 0; i < threads && rate > 0; i++) {
@@ -165,7 +167,11 @@ public final class AttackMain implements Callable<Integer> {
   private static final ConcurrentLinkedQueue<String> LOG = new ConcurrentLinkedQueue<>();
 
   private static void drain(BufferedReader lines) {
-    lines.lines().forEach(LOG::add);
+    try {
+      lines.lines().forEach(LOG::add);
+    } catch (java.io.UncheckedIOException e) {
+      LOG.add("(the server's output ends)");
+    }
   }
 
   private List<Double> honestJoins(int tcp, int udp) throws InterruptedException {
@@ -246,7 +252,7 @@ public final class AttackMain implements Callable<Integer> {
         retries);
     long tried = attackers.stream().mapToLong(a -> a.tried.get()).sum();
     long greeted = attackers.stream().mapToLong(a -> a.greeted.get()).sum();
-    double seconds = joins * intervalMs * 1e-3 + 2;
+    double seconds = (System.nanoTime() - floodBegan) * 1e-9;
     System.out.printf(
         "hostile: %d connects of %d addresses (%.0f/s), %d greeted (%.0f/s)%n",
         tried, addresses, tried / seconds, greeted, greeted / seconds);

@@ -124,8 +124,9 @@ final class LinkSetupTest {
       int link = ByteBuffer.wrap(greeting).getInt();
       assertEquals(network.server.udpPort(), ByteBuffer.wrap(greeting).getShort(12) & 0xffff);
       assertEquals(1, greeting[14], "encryption");
-      byte[] lasting = Arrays.copyOfRange(greeting, 15, 47);
-      udp.write(ByteBuffer.allocate(13).put((byte) 2).put(greeting, 0, 12).flip());
+      assertEquals(0, greeting[15], "bits of work");
+      byte[] lasting = Arrays.copyOfRange(greeting, 16, 48);
+      udp.write(ByteBuffer.allocate(21).put((byte) 2).put(greeting, 0, 12).putLong(0).flip());
       assertArrayEquals(new byte[] {0, 0, 0, 1, 2}, tcp.getInputStream().readNBytes(5));
 
       KeyPair fresh = KeyPairGenerator.getInstance("X25519").generateKeyPair();
