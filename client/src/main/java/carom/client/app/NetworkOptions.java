@@ -14,6 +14,7 @@ import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
 import carom.options.NetworkConditions;
+import carom.options.Sockets;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.LoggerContext;
@@ -115,11 +116,12 @@ public final class NetworkOptions {
 
   /** Returns what is wrong with the flags (flag, value, range), or null if nothing is. */
   public String problem() {
-    if (tcpPort < 1 || tcpPort > 65_535) {
-      return "--tcp-port=" + tcpPort + " is outside 1..65535";
-    }
-    if (udpPort < 1 || udpPort > 65_535) {
-      return "--udp-port=" + udpPort + " is outside 1..65535";
+    String port =
+        Sockets.first(
+            Sockets.portProblem("--tcp-port", tcpPort, 1),
+            Sockets.portProblem("--udp-port", udpPort, 1));
+    if (port != null) {
+      return port;
     }
     if (!room.isEmpty() && RoomName.problem(room) != null) {
       return "--room: " + RoomName.problem(room);
