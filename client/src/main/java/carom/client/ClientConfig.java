@@ -11,7 +11,7 @@ import carom.values.Records;
  * @param host name or address of the server
  * @param tcpPort the server's TCP port, 1..65,535; 0 for an in-process transport, which has no
  *     ports
- * @param udpPort the server's UDP port, as the TCP port
+ * @param udpPort the server's UDP port, 0..65,535; 0 for the one that it tells over TCP
  * @param name the player's name, see {@link carom.net.protocol.PlayerName}
  * @param prediction what is simulated ahead of the server
  * @param maxRollbackTicks longest replay, 1..120 ticks; the oldest ticks of a longer one are left
@@ -69,7 +69,7 @@ public record ClientConfig(
     return new ClientConfig(
         /* host= */ "localhost",
         /* tcpPort= */ ServerAddress.DEFAULT_TCP_PORT,
-        /* udpPort= */ ServerAddress.DEFAULT_UDP_PORT,
+        /* udpPort= */ ServerAddress.TOLD_UDP_PORT,
         /* name= */ name,
         /* prediction= */ PredictionMode.ISLAND,
         /* maxRollbackTicks= */ 60,

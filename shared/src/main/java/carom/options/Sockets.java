@@ -3,7 +3,7 @@ package carom.options;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 
-/** Checks of the flags that say where a socket listens or leads. */
+/** Checks of the flags that say where a socket listens. */
 public final class Sockets {
   /** Highest port. */
   public static final int MAX_PORT = 65_535;
@@ -14,13 +14,10 @@ public final class Sockets {
    * Returns what is wrong with a port, or null.
    *
    * @param flag name of the flag, such as {@code --tcp-port}
-   * @param port its value
-   * @param least 0 if any free port may be asked for, else 1
+   * @param port its value; 0 asks for any free port
    */
-  public static String portProblem(String flag, int port, int least) {
-    return port >= least && port <= MAX_PORT
-        ? null
-        : flag + "=" + port + " is outside " + least + ".." + MAX_PORT;
+  public static String portProblem(String flag, int port) {
+    return port >= 0 && port <= MAX_PORT ? null : flag + "=" + port + " is outside 0.." + MAX_PORT;
   }
 
   /** Returns what is wrong with an address or host name of this machine, or null. */

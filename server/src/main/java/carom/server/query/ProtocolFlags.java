@@ -63,8 +63,8 @@ public final class ProtocolFlags {
   /** Returns what is wrong with the flags, or null. */
   public String problem() {
     return Sockets.first(
-        Sockets.portProblem("--query-port", queryPort, 0),
-        Sockets.portProblem("--rcon-port", rconPort, 0),
+        Sockets.portProblem("--query-port", queryPort),
+        Sockets.portProblem("--rcon-port", rconPort),
         Sockets.addressProblem("--rcon-bind", rconBind));
   }
 

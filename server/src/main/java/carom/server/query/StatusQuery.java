@@ -27,6 +27,9 @@ import org.slf4j.LoggerFactory;
  * rest of the second's are dropped.
  */
 public final class StatusQuery implements AutoCloseable {
+  /** Port at which server lists look. */
+  public static final int DEFAULT_PORT = 27_015;
+
   /** Asks for the server's name, level and number of players. */
   static final byte INFO = 'T';
 

@@ -68,7 +68,7 @@ public final class WebFlags {
   /** Returns what is wrong with the flags, or null. */
   public String problem() {
     return Sockets.first(
-        Sockets.portProblem("--web-port", webPort, 0),
+        Sockets.portProblem("--web-port", webPort),
         Sockets.addressProblem("--web-bind", webBind));
   }
 

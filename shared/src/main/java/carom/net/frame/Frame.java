@@ -145,6 +145,11 @@ public final class Frame {
         .array();
   }
 
+  /** Returns the fields of a client's REGISTER_UDP. */
+  public static byte[] registration(int link, long token) {
+    return ByteBuffer.allocate(REGISTRATION_BYTES - 1).putInt(link).putLong(token).array();
+  }
+
   /** Returns the fields of CHALLENGE or ANSWER. */
   public static byte[] nonce(long nonce) {
     return ByteBuffer.allocate(8).putLong(nonce).array();
