@@ -33,7 +33,7 @@ class SleepTest {
     assertEquals(0, w.profile().awake(), "still awake");
   }
 
-  private static String contactsOf(Body<String> body) {
+  static String contactsOf(Body<String> body) {
     StringBuilder text = new StringBuilder();
     body.forEachContact(
         (other, nx, ny, impulse) ->

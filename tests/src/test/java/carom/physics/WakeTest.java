@@ -5,6 +5,7 @@ import static carom.physics.Scenes.box;
 import static carom.physics.Scenes.disc;
 import static carom.physics.Scenes.steps;
 import static carom.physics.SleepTest.M;
+import static carom.physics.SleepTest.contactsOf;
 import static carom.physics.SleepTest.sleepingStack;
 import static carom.physics.SleepTest.untilAsleep;
 import static org.junit.jupiter.api.Assertions.assertEquals;

@@ -1,5 +1,6 @@
 package carom.server;
 
+import static carom.server.RoomTest.CONFIG;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;

@@ -20,7 +20,7 @@ import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
 class RoomTest {
-  private static final ServerConfig CONFIG = ServerConfig.defaults();
+  static final ServerConfig CONFIG = ServerConfig.defaults();
 
   @Test
   void clientsSeeExactlyTheFrameStateOfTheServer() {
