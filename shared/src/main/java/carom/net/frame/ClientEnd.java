@@ -1,5 +1,6 @@
 package carom.net.frame;
 
+import carom.net.admission.WorkProof;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.DatagramOpener;
 import carom.net.seal.DatagramSealer;
@@ -43,6 +44,7 @@ public abstract class ClientEnd extends FramedLink {
   private long token;
   private int toldUdpPort;
   private byte[] serverKey;
+  private long solution;
   private KeyExchange.Offer offer;
   private boolean tcpRegistered;
   private boolean udpRegistered;
@@ -123,7 +125,7 @@ public abstract class ClientEnd extends FramedLink {
     }
     registrations++;
     registeredAt = now;
-    byte[] fields = Frame.registration(id, token);
+    byte[] fields = Frame.registration(id, token, solution);
     transmitDatagram(Frame.REGISTER_UDP, fields, 0, fields.length);
   }
 
@@ -236,9 +238,18 @@ public abstract class ClientEnd extends FramedLink {
     token = fields.getLong();
     toldUdpPort = Short.toUnsignedInt(fields.getShort());
     byte mode = fields.get();
+    int workBits = fields.get();
     serverKey = new byte[ExchangeKey.BYTES];
     fields.get(serverKey);
     tcpRegistered = true;
+    if (workBits < 0 || workBits > WorkProof.MAX_BITS) {
+      lose(
+          "the server demands too much work: workBits="
+              + workBits
+              + " must be in 0.."
+              + WorkProof.MAX_BITS);
+      return;
+    }
     if (mode != trust.encryption().code()) {
       lose(
           trust.encryption() == Encryption.ON
@@ -253,7 +264,9 @@ public abstract class ClientEnd extends FramedLink {
             : trust.servers().problem(remote(), ServerKey.fingerprint(serverKey));
     if (problem != null) {
       lose(problem);
+      return;
     }
+    solution = new WorkProof().solve(id, token, workBits);
   }
 
   private void offerKey() {

@@ -92,7 +92,7 @@ final class RawPeer implements AutoCloseable {
 
   void register(int asId, long withToken) throws IOException {
     ByteBuffer bytes = ByteBuffer.allocate(Frame.REGISTRATION_BYTES);
-    bytes.put(Frame.REGISTER_UDP).putInt(asId).putLong(withToken).flip();
+    bytes.put(Frame.REGISTER_UDP).putInt(asId).putLong(withToken).putLong(0).flip();
     udp.write(bytes);
   }
 
