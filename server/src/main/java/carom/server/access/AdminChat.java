@@ -72,7 +72,7 @@ public final class AdminChat implements ChatCommands {
 
   private void run(PlayerInfo player, String line) {
     LOG.info("{} ({} {}) runs: {}", player.name(), player.account(), player.remote(), line);
-    String verb = line.split(" ", 2)[0];
+    String verb = CommandRegistry.verb(line);
     String answer =
         CONSOLE_ONLY.contains(verb)
             ? verb + " works at the server's console only"

@@ -61,7 +61,7 @@ public final class CommandRegistry {
       return new Answer(false, "the line has more than " + MAX_LINE + " characters");
     }
     CommandWords words = CommandWords.parse(text);
-    String name = words.all().get(0).toLowerCase(Locale.ROOT);
+    String name = name(words.all());
     Command command = commands.get(name);
     if (command == null) {
       String near = Suggestion.didYouMean(name, commands.keySet());
@@ -78,6 +78,16 @@ public final class CommandRegistry {
     }
   }
 
+  /** Returns the name of the command that a line would run, or "" if it has no words. */
+  public static String verb(String line) {
+    List<String> words = CommandWords.split(line);
+    return words.isEmpty() ? "" : name(words);
+  }
+
+  private static String name(List<String> words) {
+    return words.get(0).toLowerCase(Locale.ROOT);
+  }
+
   private static Answer answer(boolean ok, String text) {
     return new Answer(ok, Printable.text(text));
   }
@@ -91,7 +101,7 @@ public final class CommandRegistry {
     if (words.isEmpty()) {
       return new ArrayList<>(commands.keySet());
     }
-    Command command = commands.get(words.get(0).toLowerCase(Locale.ROOT));
+    Command command = commands.get(name(words));
     long rooms = words.stream().skip(1).filter(word -> word.startsWith("@")).count();
     return command == null
         ? List.of()
