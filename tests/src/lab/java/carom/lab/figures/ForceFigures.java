@@ -61,7 +61,8 @@ final class ForceFigures {
       final long exact = p.stats().exactBodies();
       int same = 0;
       int compared = 0;
-      for (int i = 0; i < (quick ? 600 : 3600); i++) {
+      long endNs = stepper.nowNs() + (quick ? 10 : 60) * 1_000_000_000L;
+      while (stepper.nowNs() < endNs) {
         stepper.step();
         for (SimulatedClient client : List.of(p, q)) {
           Pools pools = client.view().pools();
