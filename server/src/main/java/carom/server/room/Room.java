@@ -302,8 +302,8 @@ public final class Room {
   }
 
   /**
-   * An exception that gets through every inner guard is a bug. Counted by ticks, not by turns: most
-   * turns have no tick to do and succeed.
+   * Steps the room and guards it. An exception that gets through every inner guard is a bug.
+   * Counted by ticks, not by turns: most turns have no tick to do and succeed.
    */
   private void guardedTick(long nowNs, boolean sends) {
     try {
