@@ -166,7 +166,7 @@ public final class Room {
     operator =
         new OperatorCommands(
             context, number, sessions, departures, recording, changes, clock, () -> closed);
-    post = new Post(context, sessions);
+    post = new Post(context, sessions, directory);
     sendNotice = announcer::notice;
     sendTo = sessions::sendTo;
     context.match().capture().capture();

@@ -463,9 +463,9 @@ public final class Session implements LinkHandler {
     return link != null && link.send(message);
   }
 
-  /** Hands the messages of the player to the next tick. */
-  public void deliverMessages() {
-    messages.deliver(seat.isMuted());
+  /** Hands the messages of the player to the next tick, but for commands. */
+  public void deliverMessages(ChatCommands commands) {
+    messages.deliver(this, commands);
   }
 
   /** Sends the messages of the game that are queued, when there is a link. */
