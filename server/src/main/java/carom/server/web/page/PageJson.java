@@ -6,7 +6,7 @@ import carom.server.command.CommandRegistry;
 import carom.server.command.Printable;
 import carom.server.console.LogTail;
 import carom.server.match.MatchInfo;
-import carom.server.metrics.Stage;
+import carom.server.metrics.TurnStage;
 import carom.server.picture.BodyLook;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
@@ -61,7 +61,7 @@ final class PageJson {
           }
           g.writeEndArray();
           g.writeObjectFieldStart("stages");
-          for (Stage stage : Stage.values()) {
+          for (TurnStage stage : TurnStage.values()) {
             g.writeStringField(stage.name().toLowerCase(Locale.ROOT), stage.help());
           }
           g.writeEndObject();
