@@ -165,6 +165,9 @@ public abstract class ContactColumns {
   /** Whether any row ever resisted rolling. */
   boolean rolls;
 
+  /** Whether any row ever had restitution. */
+  boolean bouncy;
+
   /** How rows move while others come or go. */
   final RowMoves moves = new RowMoves();
 
@@ -342,6 +345,11 @@ public abstract class ContactColumns {
     return Arrays.binarySearch(key, 0, count, pair);
   }
 
+  /** Returns whether any row may have restitution. */
+  public final boolean mightBounce() {
+    return bouncy;
+  }
+
   /** Lists the rows that touch, ascending; returns how many. */
   public final int touching(int[] to) {
     int found = 0;
@@ -488,6 +496,7 @@ public abstract class ContactColumns {
     to.count = count;
     to.bind();
     to.rolls = rolls;
+    to.bouncy = bouncy;
     to.version++;
   }
 

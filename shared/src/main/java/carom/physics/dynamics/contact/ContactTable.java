@@ -204,9 +204,13 @@ public final class ContactTable extends ContactColumns {
     if (rolling != 0) {
       rolls = true; // not |=, which could undo what another worker did meanwhile
     }
+    float restitution = Math.max(parts.restitution[a], parts.restitution[b]);
+    if (restitution != 0) {
+      bouncy = true; // not |=, as above
+    }
     int at = row * MATERIAL;
     material[at + FRICTION] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
-    material[at + RESTITUTION] = Math.max(parts.restitution[a], parts.restitution[b]);
+    material[at + RESTITUTION] = restitution;
     material[at + ROLLING] = rolling;
     material[at + SURFACE] = parts.tangentSpeed[a] + parts.tangentSpeed[b];
     material[at + ROUND_A] = roundA;
@@ -268,6 +272,7 @@ public final class ContactTable extends ContactColumns {
       kept.forget(now);
     }
     rolls |= from.rolls;
+    bouncy |= from.bouncy;
   }
 
   // ---------------------------------------------------------------- kept manifolds
