@@ -145,9 +145,9 @@ final class ImpactTest {
   }
 
   /**
-   * A box that lands tilted on one corner, or both, keeps its energy. It gains at most 6 %, by
-   * being pushed out of the ground while it hardly moves (18 % when bounces were decided once a
-   * step).
+   * A box that lands tilted on one corner, or both, keeps its energy. In a minute it gains at most
+   * 10 %, by being pushed out of the ground while it hardly moves (18 % when bounces were decided
+   * once a step).
    */
   @ParameterizedTest
   @ValueSource(doubles = {0, .02, .1, .3, .5, .7853})
@@ -159,7 +159,7 @@ final class ImpactTest {
     for (int i = 0; i < 3600; i++) {
       w.step(DT);
       double now = energy(w) / before;
-      assertTrue(now < 1.06, "tick=" + i + " energy=" + now);
+      assertTrue(now < 1.1, "tick=" + i + " energy=" + now);
     }
     assertTrue(energy(w) > .95 * before, "left: " + energy(w) / before);
   }
