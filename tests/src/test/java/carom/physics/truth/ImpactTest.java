@@ -144,11 +144,7 @@ final class ImpactTest {
     return sum[0];
   }
 
-  /**
-   * A box that lands tilted on one corner, or both, keeps its energy. In a minute it gains at most
-   * 10 %, by being pushed out of the ground while it hardly moves (18 % when bounces were decided
-   * once a step).
-   */
+  /** A box that lands tilted on one corner, or both, keeps its energy for a minute. */
   @ParameterizedTest
   @ValueSource(doubles = {0, .02, .1, .3, .5, .7853})
   void aTiltedBoxKeepsItsEnergy(double angle) {
@@ -159,17 +155,15 @@ final class ImpactTest {
     for (int i = 0; i < 3600; i++) {
       w.step(DT);
       double now = energy(w) / before;
-      assertTrue(now < 1.1, "tick=" + i + " energy=" + now);
+      assertTrue(now < 1.001, "tick=" + i + " energy=" + now);
     }
-    assertTrue(energy(w) > .95 * before, "left: " + energy(w) / before);
+    assertTrue(energy(w) > .98 * before, "left: " + energy(w) / before);
   }
 
-  /**
-   * Forty boxes that bounce among each other in a bin for a minute gain at most 15 % (was 32 %).
-   */
+  /** Forty boxes that bounce among each other in a bin for a minute gain nothing. */
   @ParameterizedTest
   @CsvSource({"0,1", ".5,2"})
-  void bouncingBoxesGainLittleEnergy(float friction, long seed) {
+  void bouncingBoxesGainNoEnergy(float friction, long seed) {
     World<String> w = Lab.floor(new Material(1, friction, 0));
     Material m = new Material(1, friction, 1);
     Lab.fixed(w, new Box(1, 30), -6, 30, 0, ELASTIC);
@@ -185,7 +179,7 @@ final class ImpactTest {
       w.step(DT);
       most = Math.max(most, energy(w) / before);
     }
-    assertTrue(most <= 1.15, "most=" + most);
+    assertTrue(most <= 1.005, "most=" + most);
     assertTrue(friction > 0 || energy(w) > .8 * before, "left: " + energy(w) / before);
   }
 }
