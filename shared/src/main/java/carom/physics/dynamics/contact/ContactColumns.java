@@ -30,8 +30,7 @@ import java.util.Arrays;
  * writes pays. Therefore a method that writes must first call {@link #beginUpdate} (for "touches")
  * or {@link #beginRowChange} (for both); the stages of a step do so once for all rows.
  *
- * <p>The arrays are public to the stages and are replaced when the table grows or is copied; nobody
- * keeps one across stages.
+ * <p>The arrays are replaced when the table grows or is copied; nobody keeps one across stages.
  */
 public abstract class ContactColumns {
   /** Flag: the parts touch. Unless one is a sensor, the manifold has points. */
@@ -162,10 +161,9 @@ public abstract class ContactColumns {
   /** The manifolds of earlier steps. They change no result, so they aren't saved. */
   public final KeptManifolds kept = new KeptManifolds();
 
-  /** Whether any row ever resisted rolling. */
+  /** Whether any row ever resisted rolling, or had restitution. */
   boolean rolls;
 
-  /** Whether any row ever had restitution. */
   boolean bouncy;
 
   /** How rows move while others come or go. */
@@ -343,11 +341,6 @@ public abstract class ContactColumns {
   /** Returns the row of a pair, negative if there is none. */
   public final int find(long pair) {
     return Arrays.binarySearch(key, 0, count, pair);
-  }
-
-  /** Returns whether any row may have restitution. */
-  public final boolean mightBounce() {
-    return bouncy;
   }
 
   /** Lists the rows that touch, ascending; returns how many. */

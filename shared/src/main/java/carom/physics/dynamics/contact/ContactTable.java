@@ -146,6 +146,11 @@ public final class ContactTable extends ContactColumns {
     flags[row] = (byte) ((flags[row] & ~(FRESH | WAS_TOUCHING)) | touched | DORMANT);
   }
 
+  /** Returns whether any row may have restitution. */
+  public boolean mightBounce() {
+    return bouncy;
+  }
+
   /** Takes the manifold of this step away again: the parts don't touch. */
   public void end(int row) {
     flags[row] &= ~TOUCHING;
