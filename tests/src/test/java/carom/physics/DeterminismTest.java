@@ -34,19 +34,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE 2d52e81b22d83855 d184ebb8d5c2ca24
+      PILE cbd3d4452919a91f 7dff4be505a1cb45
       GAS 7359ccc56fe4acd5 a1414a47a096a0d
-      SPIN 64b3c78c270162f1 85532de51080b0bd
+      SPIN 2f845dd9420c4cd8 67b91e40813d47ad
       NET b4b495a92dedba4e 11
-      JOINTS 80b19e03b9731f60 174e40929081a468
+      JOINTS 9f0a3ccb0acf9b31 d05098ff6e974322
       BELTS c7a02fc57719df5d d7167c5349820625
-      CHAINS 5b8163b53e2afee4 cd7c49a0e5631193
-      ROUND 3bc44649401dcda7 5bdb1a7036735e8
+      CHAINS b58d66d3f1a3af08 9770d08d5275dbb9
+      ROUND fbf98f866a6af790 cbdb366bcd1439f9
       BULLETS bdfe08da1dde8e00 dfbba536858591c7
-      SLEEPERS a40147dace32bbcc ace7c76ac7c26bfc
-      EDITS 875fa151838a5637 791af58f266126bc
-      WATER 85cac1ccd9a2a439 81ca1f5165739d67
-      EULER 314e2f73b1c5e5d1 2264b669beaef314
+      SLEEPERS b4ac86a13ccb66c0 506fbe276414fd82
+      EDITS 26b279d6dd1d31e9 fad5c4a2000344e8
+      WATER 4e8c3e17412f7561 8f1b9dc75851aaaf
+      EULER 703c93e0a17a89c5 85cdcd0fec507bb3
       """;
 
   @Test

@@ -162,10 +162,15 @@ final class ContactRestitution {
     }
   }
 
-  private boolean isPossible(int block, int i) {
+  /**
+   * Returns whether impacts of a contact are possible in the rest of this step: it bounces, and
+   * approached fast when the step began, or a body of it was struck since.
+   */
+  boolean isPossible(int block, int i) {
     int more = block * EXTRA + i;
     int lane = block * LANES + i;
-    return blocks.extra[more + COEFFICIENT] != 0
+    return (blocks.traits[block] & RESTITUTION) != 0
+        && blocks.extra[more + COEFFICIENT] != 0
         && (blocks.extra[more + FAST] != 0
             || struck[blocks.bodyA[lane] / STRIDE]
             || struck[blocks.bodyB[lane] / STRIDE]);

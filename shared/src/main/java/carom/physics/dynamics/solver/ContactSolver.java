@@ -163,8 +163,8 @@ public final class ContactSolver {
   /** Least speed of an impact, m/s. */
   float threshold;
 
-  /** Whether impacts are possible in this step. */
-  boolean bouncing;
+  /** Whether impacts are possible anywhere in this step. */
+  private boolean bouncing;
 
   /** Overlap that isn't pushed apart, m. */
   public float slop;
@@ -308,6 +308,14 @@ public final class ContactSolver {
     }
     bouncing = mightBounce && restitution.begin(solverBodies, h, threshold);
     return bouncing;
+  }
+
+  /**
+   * Returns whether impacts of a contact are possible in this step. It depends on nothing but the
+   * contact and what its bodies met: others far away mustn't change how it is solved.
+   */
+  boolean bounces(int block, int i) {
+    return bouncing && restitution.isPossible(block, i);
   }
 
   /** Solves the impacts of a substep. No phases may be left to run. */

@@ -1,6 +1,5 @@
 package carom.physics.dynamics.solver;
 
-import static carom.physics.dynamics.solver.ContactBlocks.COEFFICIENT;
 import static carom.physics.dynamics.solver.ContactBlocks.CROSS;
 import static carom.physics.dynamics.solver.ContactBlocks.EXTRA;
 import static carom.physics.dynamics.solver.ContactBlocks.FIRST;
@@ -21,7 +20,6 @@ import static carom.physics.dynamics.solver.ContactBlocks.NY;
 import static carom.physics.dynamics.solver.ContactBlocks.RADIUS_A;
 import static carom.physics.dynamics.solver.ContactBlocks.RADIUS_B;
 import static carom.physics.dynamics.solver.ContactBlocks.RECORD;
-import static carom.physics.dynamics.solver.ContactBlocks.RESTITUTION;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLL;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLLING;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLLS;
@@ -256,15 +254,9 @@ final class ScalarContacts {
     if (!(gap > 0)) {
       return 0;
     }
-    return bounces(block, i) && -normalSpeed(block * LANES + i, point) > solver.threshold
+    return solver.bounces(block, i) && -normalSpeed(block * LANES + i, point) > solver.threshold
         ? ANY_SPEED
         : gap * solver.inverseH;
-  }
-
-  private boolean bounces(int block, int i) {
-    return solver.bouncing
-        && (blocks.traits[block] & RESTITUTION) != 0
-        && blocks.extra[block * EXTRA + i + COEFFICIENT] != 0;
   }
 
   private void addToTotals(int p) {
@@ -310,7 +302,7 @@ final class ScalarContacts {
     if (gap > 0) {
       return gap * solver.inverseH;
     }
-    if (bounces(block, i) && normalSpeed(block * LANES + i, point) > solver.threshold) {
+    if (solver.bounces(block, i) && normalSpeed(block * LANES + i, point) > solver.threshold) {
       return 0;
     }
     float overlap = gap + solver.slop;
