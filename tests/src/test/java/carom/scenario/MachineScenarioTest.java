@@ -437,8 +437,9 @@ final class MachineScenarioTest {
       assertTrue(awakeBodies > 1_000, about);
       assertTrue(right >= 99, about);
       assertEquals(0, corrected, about);
-      // The first poses come without velocities, so the first exact state moves the car by 2 mm.
-      assertTrue(client.stats().correctionMaxMetres() < 0.003, about + ", at the start");
+      // The first poses come without velocities, so the first exact state moves the car by 2 to 4
+      // mm.
+      assertTrue(client.stats().correctionMaxMetres() < 0.005, about + ", at the start");
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
     }
   }
