@@ -34,6 +34,7 @@ final class BanTest {
   private final CommandRegistry commands = new CommandRegistry();
   private final KryoClientTransport transport = new KryoClientTransport();
   private Server server;
+  private Thread watch;
 
   @BeforeEach
   void start() throws IOException {
@@ -47,12 +48,13 @@ final class BanTest {
             System::nanoTime);
     AccessLists lists = new AccessLists(new DataFolder(folder), false, InstantSource.system());
     server.admit(lists);
-    AccessCommands.add(commands, lists, server.rooms());
+    watch = AccessCommands.add(commands, lists, server.rooms());
     server.start();
   }
 
   @AfterEach
   void stop() {
+    watch.interrupt();
     transport.close();
     server.close();
   }

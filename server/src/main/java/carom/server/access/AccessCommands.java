@@ -39,8 +39,12 @@ public final class AccessCommands {
     this.rooms = rooms;
   }
 
-  /** Adds the commands to a registry, and starts the thread, which ends with the process. */
-  public static void add(CommandRegistry registry, AccessLists lists, List<Room> rooms) {
+  /**
+   * Adds the commands to a registry, and starts the thread that looks for changes of the files.
+   *
+   * @return the thread, which ends with the process or when it is interrupted
+   */
+  public static Thread add(CommandRegistry registry, AccessLists lists, List<Room> rooms) {
     AccessCommands all = new AccessCommands(lists, rooms);
     registry.add(
         new Command(
@@ -74,6 +78,7 @@ public final class AccessCommands {
     Thread thread = new Thread(all::watch, "carom-access");
     thread.setDaemon(true);
     thread.start();
+    return thread;
   }
 
   private static List<String> values(AccessFile file) {
