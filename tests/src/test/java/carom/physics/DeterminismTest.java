@@ -34,19 +34,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE f4f82460b3f181d0 88d3aba7796f5380
-      GAS c0c610f591943f4 b2bf88269a94facd
-      SPIN a4c4e5bf9218572d f9f5085f30978756
+      PILE cbd3d4452919a91f 7dff4be505a1cb45
+      GAS 7359ccc56fe4acd5 a1414a47a096a0d
+      SPIN 2f845dd9420c4cd8 67b91e40813d47ad
       NET b4b495a92dedba4e 11
-      JOINTS f98bc431a52f3576 e6020dccf5d9a78
-      BELTS adb5a27bede8c9aa b98c309a7312afe6
-      CHAINS 8af92c7f0d0cae7c 3df11dec5926c9b1
-      ROUND c7d36c6080917a87 c979a5417d435c8
-      BULLETS 41c6c2abf42a6877 ed569a6b02ecb994
-      SLEEPERS 7070ec0c3680b54b b26b9abd94b750d
-      EDITS 433dc1f37733c5a1 f7f90216973ca47c
-      WATER 631b53fa3e7f9be1 7239916d48d8d6bb
-      EULER 99fdb6ae472190d2 e414b17e9518fa1b
+      JOINTS 9f0a3ccb0acf9b31 d05098ff6e974322
+      BELTS c7a02fc57719df5d d7167c5349820625
+      CHAINS b58d66d3f1a3af08 9770d08d5275dbb9
+      ROUND fbf98f866a6af790 cbdb366bcd1439f9
+      BULLETS bdfe08da1dde8e00 dfbba536858591c7
+      SLEEPERS b4ac86a13ccb66c0 506fbe276414fd82
+      EDITS 26b279d6dd1d31e9 fad5c4a2000344e8
+      WATER 4e8c3e17412f7561 8f1b9dc75851aaaf
+      EULER 703c93e0a17a89c5 85cdcd0fec507bb3
       """;
 
   @Test

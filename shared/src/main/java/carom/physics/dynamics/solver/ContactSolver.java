@@ -74,7 +74,10 @@ import carom.physics.settings.Settings;
  *
  * <p><b>Relax.</b> The spring leaves a velocity behind that is only there to remove overlap. After
  * positions moved, the same constraints are solved again rigidly and without bias, so that it is
- * gone and no energy enters. Restitution comes last, once per step.
+ * gone and no energy enters.
+ *
+ * <p><b>Restitution</b> comes first in a substep: impacts are blows between two bodies each, and
+ * what they leave parts already when it is pushed. See {@link ContactRestitution}.
  *
  * <p><b>Speculative.</b> A point with a gap s > 0 may approach with s / h, just closing it.
  *
@@ -143,6 +146,8 @@ public final class ContactSolver {
   private final DomainPhases.Phase pushing;
   private final DomainPhases.Phase relaxing;
 
+  private SolverBodies solverBodies;
+
   /** {@link SolverBodies#state}. */
   private float[] v;
 
@@ -154,6 +159,12 @@ public final class ContactSolver {
 
   /** Most speed at which overlap is pushed apart, m/s. */
   public float maxPushSpeed;
+
+  /** Least speed of an impact, m/s. */
+  float threshold;
+
+  /** Whether impacts are possible anywhere in this step. */
+  private boolean bouncing;
 
   /** Overlap that isn't pushed apart, m. */
   public float slop;
@@ -179,7 +190,7 @@ public final class ContactSolver {
     relaxing = blocks.phase(this::relaxBlocks);
     scalar = new ScalarContacts(this, blocks);
     packer = new ContactPacker(blocks, scalar, lanes);
-    restitution = new ContactRestitution(blocks, scalar);
+    restitution = new ContactRestitution(blocks, scalar, parallel);
   }
 
   /** Returns the number of blocks. */
@@ -201,11 +212,13 @@ public final class ContactSolver {
     inverseH = 1 / substep;
     maxPushSpeed = constants.maxPushSpeed();
     slop = constants.slop();
+    threshold = constants.restitutionThreshold();
     chooseSoftness(constants);
     if (lanes != null && scratch.length != parallel.count()) {
       scratch = new float[parallel.count()][lanes.scratchSize()];
     }
     blocks.build(contacts, bodyStore, solverBodies, lanes);
+    this.solverBodies = solverBodies;
     v = solverBodies.state;
     scalar.begin(v);
     packer.begin(contacts, bodyStore, solverBodies, constants, substep);
@@ -285,9 +298,29 @@ public final class ContactSolver {
     }
   }
 
-  /** Adds the phases in which contacts bounce that came together fast. */
-  public void restitution(DomainPhases phases) {
-    restitution.solve(phases, v, h);
+  /**
+   * Returns whether impacts are possible in this step. If any contact of the table might bounce,
+   * all phases added so far are run, because packing tells.
+   */
+  public boolean bounces(DomainPhases phases, boolean mightBounce) {
+    if (mightBounce) {
+      phases.run();
+    }
+    bouncing = mightBounce && restitution.begin(solverBodies, h, threshold);
+    return bouncing;
+  }
+
+  /**
+   * Returns whether impacts of a contact are possible in this step. It depends on nothing but the
+   * contact and what its bodies met: others far away mustn't change how it is solved.
+   */
+  boolean bounces(int block, int i) {
+    return bouncing && restitution.isPossible(block, i);
+  }
+
+  /** Solves the impacts of a substep. No phases may be left to run. */
+  public void solveImpacts(DomainPhases phases) {
+    restitution.solve(phases);
   }
 
   /** Adds the phase that hands the impulses back to the table, but for those that overflowed. */
