@@ -184,6 +184,7 @@ public final class ContinuousCollision {
     float split = search.time();
     f.whole.at(split, hitPose);
     int body = parts.body[search.part()];
+    boolean bounces = bounces(f.body, search.part());
     target.of(body);
     endPose.set(hitPose);
     if (target.moves()) {
@@ -199,7 +200,9 @@ public final class ContinuousCollision {
     f.first.part(f.whole, 0, split);
     f.second.between(hitPose, endPose);
     f.split = split;
-    keepEnergy(f.body, (1 - split) * stepS);
+    if (bounces) {
+      keepEnergy(f.body, (1 - split) * stepS);
+    }
     bodies.x[f.body] = endPose.x;
     bodies.y[f.body] = endPose.y;
     float inverse = 1 / (float) Math.sqrt(endPose.cos * endPose.cos + endPose.sin * endPose.sin);
@@ -208,6 +211,16 @@ public final class ContinuousCollision {
     if (fast.movingTargets()) {
       strayed(f);
     }
+  }
+
+  /** Returns whether a body may bounce off a part; what doesn't loses its energy there anyway. */
+  private boolean bounces(int body, int part) {
+    boolean any = parts.restitution[part] != 0;
+    int first = bodies.firstPart[body];
+    for (int own = first; own < first + bodies.partCount[body]; own++) {
+      any |= parts.restitution[own] != 0;
+    }
+    return any;
   }
 
   /** Takes off what gravity added to the speed on the way that the body is put back. */

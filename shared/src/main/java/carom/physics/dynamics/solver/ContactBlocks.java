@@ -173,8 +173,11 @@ public final class ContactBlocks {
   /** Not 0 if the surfaces meet or part faster than the threshold when the step begins. */
   static final int FAST = COEFFICIENT + LANES;
 
+  /** Not 0 if the surfaces meet or part faster than the threshold after a substep's impacts. */
+  static final int FREE = FAST + LANES;
+
   /** Normal impulses of impacts so far, N s: of the first point, then of the second. */
-  static final int IMPACT_NORMAL = FAST + LANES;
+  static final int IMPACT_NORMAL = FREE + LANES;
 
   /** Friction impulses of impacts so far, N s: of the first point, then of the second. */
   static final int IMPACT_TANGENT = IMPACT_NORMAL + 2 * LANES;
@@ -207,6 +210,9 @@ public final class ContactBlocks {
 
   /** Trait: vector kernels solve the block. */
   static final int WIDE = 64;
+
+  /** Trait: vector kernels solve the block, but not in this substep, as some contact is free. */
+  static final int NARROWED = 128;
 
   /** Traits that softness depends on. */
   static final int SOFTNESS = TWO | FIXED;
@@ -450,15 +456,6 @@ public final class ContactBlocks {
     if ((traits[block] & trait) == 0) {
       traits[block] |= (byte) trait;
       Arrays.fill(extra, block * EXTRA + from, block * EXTRA + to, 0);
-    }
-  }
-
-  /** Takes the blocks with a trait from the vector kernels. */
-  void narrow(int trait) {
-    for (int block = 0; block < count; block++) {
-      if ((traits[block] & trait) != 0) {
-        traits[block] &= ~WIDE;
-      }
     }
   }
 }

@@ -6,6 +6,7 @@ import static carom.physics.dynamics.solver.ContactBlocks.CROSS;
 import static carom.physics.dynamics.solver.ContactBlocks.EXTRA;
 import static carom.physics.dynamics.solver.ContactBlocks.FAST;
 import static carom.physics.dynamics.solver.ContactBlocks.FIRST;
+import static carom.physics.dynamics.solver.ContactBlocks.FREE;
 import static carom.physics.dynamics.solver.ContactBlocks.FRICTION;
 import static carom.physics.dynamics.solver.ContactBlocks.GAP;
 import static carom.physics.dynamics.solver.ContactBlocks.IMPACT_NORMAL;
@@ -17,6 +18,7 @@ import static carom.physics.dynamics.solver.ContactBlocks.LANES;
 import static carom.physics.dynamics.solver.ContactBlocks.MASS_A;
 import static carom.physics.dynamics.solver.ContactBlocks.MASS_B;
 import static carom.physics.dynamics.solver.ContactBlocks.MOVING_SURFACE;
+import static carom.physics.dynamics.solver.ContactBlocks.NARROWED;
 import static carom.physics.dynamics.solver.ContactBlocks.NORMAL_ARM_A;
 import static carom.physics.dynamics.solver.ContactBlocks.NORMAL_ARM_B;
 import static carom.physics.dynamics.solver.ContactBlocks.NX;
@@ -31,6 +33,7 @@ import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_MASS;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_NORMAL;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_TANGENT;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
+import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
 import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
 import static carom.physics.dynamics.solver.SolverBodies.VX;
 import static carom.physics.dynamics.solver.SolverBodies.VY;
@@ -79,8 +82,14 @@ final class ContactRestitution {
 
   private float threshold;
 
-  /** Per slot: whether the body was struck in this step. */
-  private boolean[] struck = new boolean[0];
+  /** Per slot: the last round of this step in which the body was struck, or 0. */
+  private int[] struck = new int[0];
+
+  /** Number of the present round within the step, from 1 on. */
+  private int round;
+
+  /** Number of the first round of this substep. */
+  private int firstRound;
 
   /** Per worker: whether it found an impact in this round. */
   private boolean[] found = new boolean[1];
@@ -111,10 +120,10 @@ final class ContactRestitution {
     threshold = leastSpeed;
     int slots = v.length / STRIDE;
     if (struck.length < slots) {
-      struck = new boolean[slots];
+      struck = new int[slots];
     }
-    Arrays.fill(struck, 0, slots, false);
-    blocks.narrow(RESTITUTION);
+    Arrays.fill(struck, 0, slots, 0);
+    round = 0;
     if (found.length < parallel.count()) {
       found = new boolean[parallel.count()];
     }
@@ -138,7 +147,9 @@ final class ContactRestitution {
   /** Solves the impacts of a substep. No phases may be left to run. */
   void solve(DomainPhases phases) {
     boolean more = true;
-    for (int round = 0; round < MOST_ROUNDS && more; round++) {
+    firstRound = round + 1;
+    while (more && round + 1 - firstRound < MOST_ROUNDS) {
+      round++;
       Arrays.fill(found, false);
       blocks.addColours(phases, solving);
       phases.run();
@@ -147,6 +158,40 @@ final class ContactRestitution {
         more |= any;
       }
     }
+    findFree();
+  }
+
+  /**
+   * Finds the contacts that impacts alone answer in this substep, and takes their blocks from the
+   * vector kernels, which know of none.
+   */
+  private void findFree() {
+    for (int block = 0; block < blocks.count(); block++) {
+      if ((blocks.traits[block] & RESTITUTION) == 0) {
+        continue;
+      }
+      boolean any = false;
+      for (int i = 0; i < blocks.used[block]; i++) {
+        boolean free = isPossible(block, i) && isFastNow(block, i);
+        blocks.extra[block * EXTRA + FREE + i] = free ? 1 : 0;
+        any |= free;
+      }
+      if ((blocks.traits[block] & (any ? WIDE : NARROWED)) != 0) {
+        blocks.traits[block] ^= (byte) (WIDE | NARROWED);
+      }
+    }
+  }
+
+  private boolean isFastNow(int block, int i) {
+    int lane = block * LANES + i;
+    return Math.abs(scalar.normalSpeed(lane, FIRST)) > threshold
+        || ((blocks.traits[block] & TWO) != 0
+            && Math.abs(scalar.normalSpeed(lane, SECOND)) > threshold);
+  }
+
+  /** Returns whether the surfaces of a contact meet or part so fast that impacts alone answer. */
+  boolean isFree(int block, int i) {
+    return (blocks.traits[block] & RESTITUTION) != 0 && blocks.extra[block * EXTRA + FREE + i] != 0;
   }
 
   private void solveBlocks(int from, int to, int worker) {
@@ -154,7 +199,7 @@ final class ContactRestitution {
     for (int block = from; block < to; block++) {
       int end = (blocks.traits[block] & RESTITUTION) != 0 ? blocks.used[block] : 0;
       for (int i = 0; i < end; i++) {
-        any |= isPossible(block, i) && solve(block, i);
+        any |= isPossible(block, i) && hasNews(block, i) && solve(block, i);
       }
     }
     if (any) {
@@ -166,14 +211,25 @@ final class ContactRestitution {
    * Returns whether impacts of a contact are possible in the rest of this step: it bounces, and
    * approached fast when the step began, or a body of it was struck since.
    */
-  boolean isPossible(int block, int i) {
+  private boolean isPossible(int block, int i) {
     int more = block * EXTRA + i;
     int lane = block * LANES + i;
     return (blocks.traits[block] & RESTITUTION) != 0
         && blocks.extra[more + COEFFICIENT] != 0
         && (blocks.extra[more + FAST] != 0
-            || struck[blocks.bodyA[lane] / STRIDE]
-            || struck[blocks.bodyB[lane] / STRIDE]);
+            || struck[blocks.bodyA[lane] / STRIDE] != 0
+            || struck[blocks.bodyB[lane] / STRIDE] != 0);
+  }
+
+  /**
+   * Returns whether a contact must be looked at in this round: in the first one of a substep, or
+   * because a body of it was struck in this round or the one before.
+   */
+  private boolean hasNews(int block, int i) {
+    int lane = block * LANES + i;
+    return round == firstRound
+        || struck[blocks.bodyA[lane] / STRIDE] >= round - 1
+        || struck[blocks.bodyB[lane] / STRIDE] >= round - 1;
   }
 
   /** Solves the impact of a contact, if there is one; returns whether there was. */
@@ -275,11 +331,11 @@ final class ContactRestitution {
       }
     }
     if (d[at + MASS_A] != 0) {
-      struck[a / STRIDE] = true;
+      struck[a / STRIDE] = round;
       bodies.countOut(a / STRIDE, v[a + VX] - ax, v[a + VY] - ay, v[a + W] - aw);
     }
     if (d[at + MASS_B] != 0) {
-      struck[b / STRIDE] = true;
+      struck[b / STRIDE] = round;
       bodies.countOut(b / STRIDE, v[b + VX] - bx, v[b + VY] - by, v[b + W] - bw);
     }
   }

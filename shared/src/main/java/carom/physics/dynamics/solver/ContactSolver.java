@@ -311,11 +311,11 @@ public final class ContactSolver {
   }
 
   /**
-   * Returns whether impacts of a contact are possible in this step. It depends on nothing but the
+   * Returns whether impacts alone answer a contact in this substep. It depends on nothing but the
    * contact and what its bodies met: others far away mustn't change how it is solved.
    */
   boolean bounces(int block, int i) {
-    return bouncing && restitution.isPossible(block, i);
+    return bouncing && restitution.isFree(block, i);
   }
 
   /** Solves the impacts of a substep. No phases may be left to run. */
