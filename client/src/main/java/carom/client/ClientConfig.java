@@ -1,5 +1,6 @@
 package carom.client;
 
+import carom.client.link.ServerAddress;
 import carom.net.protocol.Limits;
 import carom.net.protocol.RoomName;
 import carom.values.Records;
@@ -24,6 +25,8 @@ import carom.values.Records;
  * @param room name of the room in which to play; empty for any
  * @param game name of the game to play if the room is any; empty for any. It is a wish: the server
  *     may have no place in such a room
+ * @param minInterpolationMs least time by which other players' bodies are drawn late, 0..300 ms; 0
+ *     = as little as the connection allows
  */
 public record ClientConfig(
     String host,
@@ -37,13 +40,8 @@ public record ClientConfig(
     int ticksPerInputDatagram,
     boolean reconnect,
     String room,
-    String game) {
-  /** TCP port a server uses unless told otherwise. */
-  public static final int DEFAULT_TCP_PORT = 54_555;
-
-  /** UDP port a server uses unless told otherwise. */
-  public static final int DEFAULT_UDP_PORT = 54_777;
-
+    String game,
+    int minInterpolationMs) {
   /**
    * Checks the ranges.
    *
@@ -55,6 +53,7 @@ public record ClientConfig(
     require("maxRollbackTicks", maxRollbackTicks, 1, 120);
     require("maxReplayMs", maxReplayMs, 1, 1_000);
     require("ticksPerInputDatagram", ticksPerInputDatagram, 1, 8);
+    require("minInterpolationMs", minInterpolationMs, 0, 300);
     String problem = room.isEmpty() ? null : RoomName.problem(room);
     if (problem != null) {
       throw new IllegalArgumentException(problem);
@@ -66,8 +65,8 @@ public record ClientConfig(
   public static ClientConfig of(String name) {
     return new ClientConfig(
         /* host= */ "localhost",
-        /* tcpPort= */ DEFAULT_TCP_PORT,
-        /* udpPort= */ DEFAULT_UDP_PORT,
+        /* tcpPort= */ ServerAddress.DEFAULT_TCP_PORT,
+        /* udpPort= */ ServerAddress.DEFAULT_UDP_PORT,
         /* name= */ name,
         /* prediction= */ PredictionMode.ISLAND,
         /* maxRollbackTicks= */ 60,
@@ -76,7 +75,8 @@ public record ClientConfig(
         /* ticksPerInputDatagram= */ 1,
         /* reconnect= */ true,
         /* room= */ "",
-        /* game= */ "");
+        /* game= */ "",
+        /* minInterpolationMs= */ 0);
   }
 
   /** Returns a copy for this server. */
@@ -122,6 +122,11 @@ public record ClientConfig(
   /** Returns a copy that wishes to play this game; empty for any. */
   public ClientConfig withGame(String game) {
     return Records.with(this, "game", game);
+  }
+
+  /** Returns a copy that draws other players' bodies at least this late. */
+  public ClientConfig withMinInterpolationMs(int minInterpolationMs) {
+    return Records.with(this, "minInterpolationMs", minInterpolationMs);
   }
 
   private static void require(String name, double value, double min, double max) {

@@ -8,7 +8,7 @@ import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.SnapshotDecoder;
-import carom.sim.Player;
+import carom.sim.entity.Player;
 import java.util.Arrays;
 
 /**

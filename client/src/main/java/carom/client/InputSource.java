@@ -1,7 +1,7 @@
 package carom.client;
 
 import carom.client.view.ClientView;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 
 /** Source of a player's input: devices, a bot or a script. Called on the client's thread. */
 @FunctionalInterface

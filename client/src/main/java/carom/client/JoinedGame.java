@@ -18,10 +18,10 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
-import carom.sim.Entity;
-import carom.sim.Input;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import java.util.List;
@@ -107,6 +107,7 @@ final class JoinedGame {
     inbox = new SnapshotInbox(decoder, stats);
     clock = new TickClock(tickRate);
     renderClock = new RenderClock(tickRate);
+    renderClock.leastDelay(config.minInterpolationMs() / 1_000.0);
     prediction =
         config.prediction() == PredictionMode.NONE
             ? null

@@ -5,6 +5,7 @@ import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.access.EntryRule;
+import carom.server.command.StatusLine;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;

@@ -270,7 +270,8 @@ final class ServerFlags {
       fallbackValue = "true",
       defaultValue = "true",
       description =
-          "Answer /healthz, /readyz and /metrics (Prometheus) over HTTP; --no-web doesn't.")
+          "Show the live page and answer /healthz, /readyz and /metrics (Prometheus) over HTTP;"
+              + " --no-web doesn't.")
   boolean web;
 
   @Option(
@@ -285,8 +286,18 @@ final class ServerFlags {
       paramLabel = "ADDRESS",
       defaultValue = "127.0.0.1",
       description =
-          "Address of this machine for HTTP; whoever reaches it can read it (${DEFAULT-VALUE}).")
+          "Address of this machine for HTTP. On a loopback address whoever reaches it may watch, on"
+              + " another only who knows the token in admin.token of the data folder"
+              + " (${DEFAULT-VALUE}).")
   private String webBind;
+
+  @Option(
+      names = "--web-host",
+      paramLabel = "NAME",
+      description =
+          "Name under which browsers may open the page, beside addresses and localhost; give it"
+              + " once for each name.")
+  List<String> webHosts = List.of();
 
   @Option(
       names = "--console",

@@ -15,6 +15,7 @@ import carom.server.config.Settings;
 import carom.server.config.SettingsLayers;
 import carom.server.console.Console;
 import carom.server.console.LogFiles;
+import carom.server.console.LogTail;
 import carom.server.console.ReadyLine;
 import carom.server.jmx.CommandInspector;
 import carom.server.jmx.RoomInspector;
@@ -79,6 +80,7 @@ public final class ServerMain implements Callable<Integer> {
 
   private SettingsLayers layers;
   private AccessLists access;
+  private LogTail logTail;
 
   /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -192,6 +194,7 @@ public final class ServerMain implements Callable<Integer> {
     flags.check();
     ServerConfig config = flags.config(choice.gameName());
     Logger log = LoggerFactory.getLogger(ServerMain.class);
+    logTail = LogTail.begin(logging);
     openData(logging, log);
     access = openAccess();
     ServerStart start = new ServerStart(flags, choice, config, log);
@@ -203,30 +206,6 @@ public final class ServerMain implements Callable<Integer> {
     Server server = start.open();
     server.admit(access);
     return server;
-  }
-
-  /**
-   * Opens the port for HTTP, or returns null if the operator doesn't want one. A server whose usual
-   * port is busy, perhaps by another server, runs without it.
-   */
-  private WebServer openWeb(Server server, Logger log) throws StartFailure {
-    if (!flags.web) {
-      return null;
-    }
-    try {
-      WebServer web =
-          new WebServer(
-              flags.webAddress(), flags.webPort, server.rooms(), server.networkCounters());
-      log.info("web: {}", web.url());
-      return web;
-    } catch (IOException e) {
-      if (settings().find("web-port").orElseThrow().isSet()) {
-        server.close();
-        throw new StartFailure(e.getMessage(), e);
-      }
-      log.warn("no /healthz and /metrics: {}", e.getMessage());
-      return null;
-    }
   }
 
   private AccessLists openAccess() throws StartFailure {
@@ -318,7 +297,7 @@ public final class ServerMain implements Callable<Integer> {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
     }
     // Players needn't wait for it: its libraries load for as long as all the rest.
-    web.set(openWeb(server, log));
+    web.set(new WebStart(flags, settings(), log).open(server, commands, logTail, title(server)));
     server.awaitStop();
     if (server.hasFailed()) {
       log.error("the server ended because of the errors above");
@@ -349,6 +328,10 @@ public final class ServerMain implements Callable<Integer> {
 
   private Settings settings() {
     return layers.settings(spec.commandLine().getParseResult());
+  }
+
+  private static String title(Server server) {
+    return server.config().serverName() + " " + version();
   }
 
   private static String version() {

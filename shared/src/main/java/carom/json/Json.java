@@ -1,5 +1,6 @@
 package carom.json;
 
+import carom.text.Texts;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonParser;
@@ -14,7 +15,8 @@ import java.util.Map;
 
 /**
  * A node of a JSON document that knows where it stood, so that an error can name the line. The
- * reader is strict: no comments, no NaN, no key twice, nothing after the end.
+ * reader is strict: no comments, no NaN, no key twice, nothing after the end, and no character that
+ * can't be seen, as a document's texts end up on terminals and screens.
  *
  * <p>A document may come from a hostile server, so what it can make a reader allocate is bounded:
  * {@value #MAX_NODES} nodes of about a hundred bytes, {@value #MAX_DEPTH} levels, and short names
@@ -119,7 +121,7 @@ public final class Json {
       int line = at == null ? 0 : at.getLineNr();
       int column = at == null ? 0 : at.getColumnNr();
       throw new JsonException(
-          line, column, "", "not JSON: " + withoutSource(e.getOriginalMessage()));
+          line, column, "", "not JSON: " + Texts.clean(withoutSource(e.getOriginalMessage())));
     } catch (IOException e) {
       throw new JsonException(0, 0, "", "not JSON: " + e.getMessage());
     }
@@ -147,6 +149,9 @@ public final class Json {
         throw new JsonException(
             node.line, node.column, "", "the file has more than " + MAX_NODES + " values");
       }
+      if (node.kind == Kind.STRING) {
+        visible(node.text, node);
+      }
       if (node.kind == Kind.OBJECT) {
         readFields(node);
       } else if (node.kind == Kind.ARRAY) {
@@ -161,12 +166,25 @@ public final class Json {
       while (tokens.nextToken() != JsonToken.END_OBJECT) {
         JsonLocation at = tokens.currentTokenLocation();
         String name = tokens.currentName();
+        visible(name, object);
         tokens.nextToken();
         Json field = read(object, name, -1);
         if (object.fields.put(name, field) != null) {
           throw new JsonException(
               at.getLineNr(), at.getColumnNr(), field.path(), " stands here a second time");
         }
+      }
+    }
+
+    /** Refuses a text that would change how a terminal or a screen shows its neighbours. */
+    private static void visible(String text, Json node) throws JsonException {
+      String clean = Texts.clean(text);
+      if (!clean.equals(text)) {
+        throw new JsonException(
+            node.line,
+            node.column,
+            node.path(),
+            " has an invisible character in \"" + clean + "\"; remove it");
       }
     }
 

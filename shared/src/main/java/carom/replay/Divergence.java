@@ -1,7 +1,7 @@
 package carom.replay;
 
-import carom.sim.Entity;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,8 +1,8 @@
 package carom.replay;
 
 import carom.physics.Body;
-import carom.sim.Entity;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import java.util.Arrays;
 
 /**

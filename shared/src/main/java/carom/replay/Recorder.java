@@ -1,11 +1,11 @@
 package carom.replay;
 
 import carom.physics.archive.ArchiveWriter;
-import carom.sim.Entity;
 import carom.sim.Journal;
-import carom.sim.Player;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
 import carom.sim.message.MessageKinds;

@@ -1,8 +1,8 @@
 package carom.replay;
 
 import carom.physics.archive.ArchiveReader;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.message.MessageKind;
 import carom.sim.message.PlayerRole;
 import java.io.IOException;
@@ -464,7 +464,7 @@ public final class RecordingReader implements AutoCloseable {
     return changedIds[i];
   }
 
-  /** Returns a player's packed input, see {@link carom.sim.Input#pack}. */
+  /** Returns a player's packed input, see {@link carom.sim.entity.Input#pack}. */
   public long input(int player) {
     return inputs[player];
   }

@@ -1,9 +1,9 @@
 package carom.replay;
 
 import carom.physics.archive.ArchiveException;
-import carom.sim.Player;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
 import java.io.IOException;

@@ -1,5 +1,7 @@
 package carom.sim;
 
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.message.Message;
 import java.util.Objects;
 

@@ -1,5 +1,7 @@
 package carom.sim;
 
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 import carom.sim.spawn.Origin;

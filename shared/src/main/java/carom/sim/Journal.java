@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.sim.entity.Player;
 import carom.sim.message.PlayerRole;
 
 /**

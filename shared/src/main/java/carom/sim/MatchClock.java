@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
@@ -7,6 +8,8 @@ import carom.sim.field.Field;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.Flag;
 import carom.sim.field.Scope;
+import carom.sim.match.MatchPhase;
+import carom.sim.match.NextMatch;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,6 +1,7 @@
 package carom.sim;
 
 import carom.physics.Collision;
+import carom.sim.entity.Entity;
 
 /**
  * The rule of one-way platforms: they carry bodies that stand or land on them, and let everything

@@ -4,6 +4,7 @@ import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.World;
 import carom.physics.math.Trig;
+import carom.sim.entity.Entity;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;

@@ -13,6 +13,10 @@ import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.math.Aabb;
 import carom.sim.area.AreaForces;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityTable;
+import carom.sim.entity.Player;
+import carom.sim.entity.PlayerTable;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
 import carom.sim.event.NoticeQueue;
@@ -21,9 +25,9 @@ import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldUse;
 import carom.sim.field.FieldValues;
-import carom.sim.field.Ratio;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
+import carom.sim.finding.Findings;
 import carom.sim.history.PoseHistory;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
@@ -34,6 +38,7 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.LevelJoint;
+import carom.sim.match.NextMatch;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind;
 import carom.sim.message.MessageKinds;
@@ -42,7 +47,8 @@ import carom.sim.message.WaitingMessages;
 import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
 import carom.sim.random.SimRandom;
-import carom.sim.ruling.Findings;
+import carom.sim.ruling.ForceCheck;
+import carom.sim.ruling.InterferenceLog;
 import carom.sim.spawn.Origin;
 import carom.sim.spawn.OwnSpawns;
 import java.util.ArrayDeque;
@@ -71,10 +77,10 @@ import java.util.function.Consumer;
  */
 public final class Simulation extends FieldHolder<Entity, Player> {
   /** Most players at a time; ids are 0..1,023. */
-  public static final int MAX_PLAYERS = 1_024;
+  public static final int MAX_PLAYERS = PlayerTable.MAX_PLAYERS;
 
   /** Most entities at a time; ids are 0..65534. */
-  public static final int MAX_ENTITIES = 65_535;
+  public static final int MAX_ENTITIES = EntityTable.MAX_ENTITIES;
 
   /** Most notices that wait for {@link #drainNotices}. More are dropped and counted. */
   public static final int MAX_NOTICES = 16;
@@ -106,7 +112,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   private final FieldValues match;
   private final List<Entity> statics = new ArrayList<>();
-  private final PlayerTable players = new PlayerTable();
+  private final PlayerTable players;
   private final EntityTable entities;
   private final Findings findings = new Findings();
   private final JointTable<Entity> joints;
@@ -191,7 +197,16 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     Schema schema = schemaOf(game);
     joints = new JointTable<>(world, role == Role.AUTHORITY);
     entities =
-        new EntityTable(world, players, areas, assemblies, joints, tickRate, schema, this::tick);
+        new EntityTable(
+            world,
+            areas,
+            assemblies,
+            joints,
+            tickRate,
+            schema,
+            this::tick,
+            calls::requireAuthority);
+    players = entities.players();
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
     fieldUse = role == Role.AUTHORITY ? fields.noteUse(findings, this::nameOf) : null;
@@ -225,7 +240,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
     PoolGround.begin(pools, game, level, archetypes, tickRate);
     archetypes.close();
-    requireDeclaredFields();
+    entities.checkFields(archetypes);
     eventKinds.close();
     messageKinds.close();
     if (role == Role.PREDICTION) {
@@ -499,7 +514,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (entities.get(origin) != null) {
       entities.despawn(entities.get(origin));
     }
-    replaceReferences(EntityRef.word(origin, 0), entity.reference());
+    replaceReferences(EntityRef.word(origin, 0), EntityRef.word(entity.id(), entity.generation()));
     entity.fieldValues().spawner(owner(entity));
     entities.setOrigin(entity, origin);
   }
@@ -682,9 +697,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
         joints.create(key, root, number, a == null ? null : a.body(), b.body(), definition, at);
     if (root >= 0) {
       if (a != null) {
-        a.rootId(root);
+        entities.join(root, a);
       }
-      b.rootId(root);
+      entities.join(root, b);
     }
     return joint;
   }
@@ -748,7 +763,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (entity.isRoot()) {
       for (int i = 0; i < entities.capacity(); i++) {
         Entity member = entities.get(i);
-        if (member != null && member != entity && member.rootId() == entity.id()) {
+        if (member != null && member != entity && member.root() == entity) {
           despawn(member);
         }
       }
@@ -758,7 +773,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /** Returns whether a server, or a client that foresees it, despawns an entity in an input. */
   private boolean mayDespawn(Entity entity) {
-    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body;
+    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body();
     return role == Role.AUTHORITY || isOwn;
   }
 
@@ -880,9 +895,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       journal.joining(this, id, name);
     }
     boolean full = players.count() >= game.maxPlayers();
-    Player player = newPlayer(id, name);
+    Player player = players.add(id, name);
     if (full) {
-      player.become(PlayerRole.SPECTATOR);
+      players.become(player, PlayerRole.SPECTATOR);
       Talk.tell(this, player, Talk.refusalWhenFull(this));
       return player;
     }
@@ -903,8 +918,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (journal != null) {
       journal.watching(this, id, name);
     }
-    Player player = newPlayer(id, name);
-    player.become(PlayerRole.SPECTATOR);
+    Player player = players.add(id, name);
+    players.become(player, PlayerRole.SPECTATOR);
     return player;
   }
 
@@ -930,7 +945,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       journal.changing(this, participant.id(), role);
     }
     if (role == PlayerRole.PLAYER) {
-      participant.become(role);
+      players.become(participant, role);
       enter(participant);
     } else {
       retiring = participant;
@@ -939,7 +954,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       } finally {
         retiring = null;
       }
-      participant.become(role);
+      players.become(participant, role);
       forget(participant.id());
     }
   }
@@ -982,7 +997,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public Player joinAs(int id, String name) {
     calls.requirePrediction("joinAs");
     requireFree(id);
-    return newPlayer(id, name);
+    return players.add(id, name);
   }
 
   /**
@@ -1189,7 +1204,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
     for (int i = 0; i < players.limit(); i++) {
       Player player = players.get(i);
-      if (player != null && player.body != null) {
+      if (player != null && player.isAlive()) {
         takeInput(player);
       }
     }
@@ -1214,7 +1229,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   private void takeInput(Player player) {
-    fields.beginInput(player, player.fieldValues(), player.body.fieldValues());
+    fields.beginInput(player, player.fieldValues(), player.body().fieldValues());
     calls.inInput(true);
     inputOf = player;
     spawnsOfInput = 0;
@@ -1233,21 +1248,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     Player player = players.participant(playerId);
     if (player != null) { // one handled before may have removed it
       Talk.handle(this, player, message);
-    }
-  }
-
-  private void requireDeclaredFields() {
-    for (int i = 0; i < archetypes.size(); i++) {
-      entities.starts(archetypes.get(i));
-      Ratio power = archetypes.get(i).areaPower();
-      if (power != null && !schema().fields().contains(power)) {
-        throw new IllegalArgumentException(
-            "archetype="
-                + archetypes.get(i).name()
-                + ": field "
-                + power.path()
-                + " isn't declared; return it from Game.fields");
-      }
     }
   }
 
@@ -1363,8 +1363,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     s.tick = tick;
     s.random = random.state();
     s.fields.save(match, 0);
-    players.save(s);
-    entities.save(s);
+    players.save(s.players);
+    entities.save(s.entities);
     joints.save(s.joints);
     if (role == Role.AUTHORITY && pools.count() > 0) {
       s.pools = pools.save(s.pools);
@@ -1387,8 +1387,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     tick = s.tick;
     random.state(s.random);
     s.fields.restore(match, 0);
-    players.restore(s);
-    entities.restore(s);
+    players.restore(s.players);
+    entities.restore(s.entities);
     joints.restore(s.joints);
     if (s.pools != null) {
       pools.restore(s.pools);
@@ -1421,10 +1421,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return history != null;
   }
 
-  void requireAuthority(String what) {
-    calls.requireAuthority(what);
-  }
-
   private void requireFree(int playerId) {
     if (playerId < 0 || playerId >= MAX_PLAYERS || players.participant(playerId) != null) {
       throw new IllegalStateException(
@@ -1436,12 +1432,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (s.owner != this) {
       throw new IllegalArgumentException("the state belongs to another simulation");
     }
-  }
-
-  private Player newPlayer(int id, String name) {
-    Player player = new Player(this, id, name);
-    players.add(player);
-    return player;
   }
 
   private final class Listener implements CollisionListener<Entity> {

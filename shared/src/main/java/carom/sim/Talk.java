@@ -10,6 +10,7 @@ import static carom.sim.message.BuiltInKinds.SAY;
 import static carom.sim.message.BuiltInKinds.SERVER;
 import static carom.sim.message.BuiltInKinds.TEAM;
 
+import carom.sim.entity.Player;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;

@@ -6,10 +6,11 @@
  * carom.sim.Role#PREDICTION} to feel its own input without waiting for the network. Nothing here
  * knows a clock, a thread, a socket or a file format other than the level's.
  *
- * <p>Levels, events and the history of poses have packages of their own below this one.
+ * <p>Entities and players, levels, fields, events, messages, joints and the history of poses have
+ * packages of their own below this one.
  *
- * <p>Allowed imports: {@code carom.physics..}, {@code carom.sim.level}, {@code carom.sim.event},
- * {@code carom.sim.history}, the JDK without threads, clocks and randomness.
+ * <p>Allowed imports: {@code carom.physics..}, the packages below this one but {@code near} and
+ * {@code scene}, the JDK without threads, clocks and randomness.
  *
  * <p>Read first: {@link carom.sim.Simulation}, {@link carom.sim.Game}, {@link
  * carom.sim.level.Level}.

@@ -4,8 +4,8 @@ import carom.client.view.ClientView;
 import carom.physics.Joint;
 import carom.physics.JointType;
 import carom.physics.rows.JointDefRow;
-import carom.sim.Entity;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.joint.JointTable;
 import java.util.Arrays;
 

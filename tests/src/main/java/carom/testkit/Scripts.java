@@ -1,7 +1,7 @@
 package carom.testkit;
 
 import carom.client.InputSource;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import carom.sim.random.SimRandom;
 
 /** Input sources that follow a simple rule. */

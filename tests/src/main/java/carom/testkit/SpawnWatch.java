@@ -2,10 +2,10 @@ package carom.testkit;
 
 import carom.client.view.ClientView;
 import carom.physics.Body;
-import carom.sim.Entity;
 import carom.sim.Event;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.spawn.Origin;
 import java.util.HashMap;
 import java.util.HashSet;

@@ -197,7 +197,8 @@ final class ArchitectureTest {
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow("carom.sim.area", "carom.physics..", "carom.sim.level", "carom.sim.field");
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
-    allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
+    allow("carom.sim.finding");
+    allow("carom.sim.match");
     allow("carom.sim.random");
     allow("carom.sim.spawn");
     allow(
@@ -205,8 +206,26 @@ final class ArchitectureTest {
         "carom.physics.math",
         "carom.physics.archive",
         "carom.sim.event",
-        "carom.sim.ruling",
+        "carom.sim.finding",
         "carom.sim.spawn");
+    allow(
+        "carom.sim.entity",
+        "carom.physics..",
+        "carom.sim.area",
+        "carom.sim.field",
+        "carom.sim.history",
+        "carom.sim.joint",
+        "carom.sim.level",
+        "carom.sim.message",
+        "carom.sim.random",
+        "carom.sim.spawn");
+    allow(
+        "carom.sim.ruling",
+        "carom.physics..",
+        "carom.sim.entity",
+        "carom.sim.field",
+        "carom.sim.finding",
+        "carom.sim.level");
     allow(
         "carom.sim",
         "carom.physics..",
@@ -220,11 +239,15 @@ final class ArchitectureTest {
         "carom.sim.joint",
         "carom.sim.pool",
         "carom.sim.ruling",
-        "carom.sim.spawn");
+        "carom.sim.spawn",
+        "carom.sim.entity",
+        "carom.sim.finding",
+        "carom.sim.match");
     allow(
         "carom.sim.near",
         "carom.physics..",
         "carom.sim",
+        "carom.sim.entity",
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
@@ -238,11 +261,18 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.field",
         "carom.sim.pool");
-    allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
+    allow(
+        "carom.sim.scene",
+        "carom.physics..",
+        "carom.sim",
+        "carom.sim.entity",
+        "carom.sim.level",
+        "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",
         "carom.physics..",
         "carom.sim",
+        "carom.sim.entity",
         "carom.sim.level",
         "carom.sim.random",
         "carom.sim.scene",
@@ -284,14 +314,16 @@ final class ArchitectureTest {
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
     allow("carom.values");
     allow("carom.text");
-    allow("carom.json");
+    allow("carom.json", "carom.text");
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
-    allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
+    allow("carom.net.seal");
+    allow("carom.net.frame", "carom.net.protocol", "carom.net.transport", "carom.net.seal");
     allow(
         "carom.net.kryo",
         "carom.text",
         "carom.net.protocol",
         "carom.net.transport",
+        "carom.net.seal",
         "carom.net.frame",
         "carom.net.codec",
         "carom.values");
@@ -299,6 +331,7 @@ final class ArchitectureTest {
     allow(
         "carom.replay",
         "carom.sim",
+        "carom.sim.entity",
         "carom.sim.field",
         "carom.sim.level",
         "carom.sim.message",
@@ -312,6 +345,7 @@ final class ArchitectureTest {
         "carom.options",
         "carom.values",
         "carom.text",
+        "carom.json", // what pages in browsers send
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -344,6 +378,8 @@ final class ArchitectureTest {
         "carom.game." + name,
         "carom.physics..",
         "carom.sim",
+        "carom.sim.entity",
+        "carom.sim.match",
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",

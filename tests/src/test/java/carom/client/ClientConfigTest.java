@@ -18,10 +18,11 @@ class ClientConfigTest {
             .withTicksPerInputDatagram(5)
             .withReconnect(false)
             .withRoom("cup")
-            .withGame("arena");
+            .withGame("arena")
+            .withMinInterpolationMs(6);
     assertEquals(
         new ClientConfig(
-            "host", 1, 2, "b", PredictionMode.NONE, 3, 4, true, 5, false, "cup", "arena"),
+            "host", 1, 2, "b", PredictionMode.NONE, 3, 4, true, 5, false, "cup", "arena", 6),
         other);
   }
 

@@ -18,7 +18,7 @@ import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;

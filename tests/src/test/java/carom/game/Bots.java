@@ -1,8 +1,8 @@
 package carom.game;
 
-import carom.sim.Input;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.random.SimRandom;
 
 /** Inputs for tests: a pure function of seed, tick and player. */

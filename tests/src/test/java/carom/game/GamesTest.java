@@ -8,11 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.Body;
-import carom.sim.Entity;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import com.sun.management.ThreadMXBean;

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import java.io.IOException;
 import java.nio.ByteBuffer;

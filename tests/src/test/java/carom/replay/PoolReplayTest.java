@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 
 import carom.game.Games;
 import carom.net.protocol.Protocol;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;

@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.physics.QueryHit;
-import carom.sim.Entity;
-import carom.sim.Input;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import java.lang.management.ManagementFactory;
 import java.util.Random;

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 
 import carom.game.arena.ArenaGame;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.net.protocol.Protocol;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.PlayerRole;

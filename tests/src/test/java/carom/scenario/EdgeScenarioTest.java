@@ -11,7 +11,7 @@ import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import carom.sim.level.Level;
 import carom.testkit.Condition;
 import carom.testkit.Levels;

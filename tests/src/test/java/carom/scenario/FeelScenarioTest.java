@@ -11,7 +11,7 @@ import carom.client.stats.NetStats;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;

@@ -8,7 +8,7 @@ import carom.client.view.ClientView;
 import carom.net.transport.Impairment;
 import carom.physics.QueryHit;
 import carom.server.session.Session;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import org.junit.jupiter.params.ParameterizedTest;

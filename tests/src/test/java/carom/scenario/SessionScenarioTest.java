@@ -16,7 +16,7 @@ import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import carom.testkit.Condition;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;

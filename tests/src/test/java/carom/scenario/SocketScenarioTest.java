@@ -10,7 +10,7 @@ import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;

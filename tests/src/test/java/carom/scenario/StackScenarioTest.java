@@ -9,7 +9,7 @@ import carom.client.PredictionMode;
 import carom.client.view.ClientView.Drawn;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import carom.sim.level.Appearance.Look;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

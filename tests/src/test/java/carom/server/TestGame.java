@@ -2,12 +2,12 @@ package carom.server;
 
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.Entity;
 import carom.sim.Game;
-import carom.sim.Input;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;

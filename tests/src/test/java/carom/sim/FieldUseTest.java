@@ -8,6 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Field;

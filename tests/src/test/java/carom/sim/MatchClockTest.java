@@ -4,7 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
+import carom.sim.match.MatchPhase;
+import carom.sim.match.NextMatch;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;

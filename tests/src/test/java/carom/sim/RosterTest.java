@@ -15,6 +15,8 @@ import carom.physics.Material;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.field.PlayerRef;

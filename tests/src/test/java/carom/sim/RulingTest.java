@@ -7,6 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.Body;
 import carom.physics.rows.BodyRow;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.ruling.Ruling;
 import carom.sim.ruling.RulingLog;
 import carom.testkit.ForceGame;

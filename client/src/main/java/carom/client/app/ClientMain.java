@@ -8,6 +8,7 @@ import carom.client.link.ConnectionPhase;
 import carom.client.link.RoomBrowser;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.SpectatorThread;
+import carom.client.settings.SettingsFile;
 import carom.client.stats.NetStats;
 import carom.client.view.ClientView;
 import carom.net.kryo.KryoClientTransport;
@@ -43,9 +44,15 @@ public final class ClientMain implements Callable<Integer> {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      description = "Player's name (${DEFAULT-VALUE}).",
+      description = "Player's name (in a window that of the settings, else ${DEFAULT-VALUE}).",
       defaultValue = "player")
   private String name = "player";
+
+  @Option(
+      names = "--settings",
+      paramLabel = "FILE",
+      description = "The player's settings, for a window (in the user's folder of settings).")
+  private Path settings = SettingsFile.usual();
 
   @Option(
       names = "--headless",
@@ -90,9 +97,8 @@ public final class ClientMain implements Callable<Integer> {
   @Option(
       names = "--volume",
       paramLabel = "PERCENT",
-      description = "Loudness of the sounds, 0..100; 0 = silent (${DEFAULT-VALUE}).",
-      defaultValue = "25")
-  private int volume = 25;
+      description = "Loudness of the sounds, 0..100; 0 = silent (as in the settings).")
+  private Integer volume;
 
   @Option(
       names = "--scene",
@@ -149,7 +155,7 @@ public final class ClientMain implements Callable<Integer> {
       problem = "--name: " + PlayerName.problem(name);
     } else if (!(seconds >= 0 && seconds <= 1e6)) {
       problem = "--seconds=" + seconds + " is outside 0..1000000";
-    } else if (problem == null && (volume < 0 || volume > 100)) {
+    } else if (problem == null && volume != null && (volume < 0 || volume > 100)) {
       problem = "--volume=" + volume + " is outside 0..100";
     }
     if (problem == null && replay != null) {
@@ -193,6 +199,11 @@ public final class ClientMain implements Callable<Integer> {
     boolean named =
         spec.commandLine().getParseResult().hasMatchedOption("--host")
             || spec.commandLine().getParseResult().hasMatchedOption("--tcp-port");
+    SettingsFile kept = new SettingsFile(settings);
+    kept.load();
+    if (!kept.problem().isEmpty()) {
+      System.err.println("carom-client: " + kept.problem());
+    }
     ClientOptions options =
         new ClientOptions(
             config,
@@ -202,7 +213,9 @@ public final class ClientMain implements Callable<Integer> {
             netGraph,
             debug,
             screenshot,
-            volume / 100f,
+            volume == null ? -1 : volume,
+            kept,
+            spec.commandLine().getParseResult().hasMatchedOption("--name"),
             recording,
             spectator,
             scene.isEmpty() ? null : Scenes.get(scene));

@@ -2,6 +2,7 @@ package carom.client.app;
 
 import carom.client.ClientConfig;
 import carom.client.replay.SpectatorThread;
+import carom.client.settings.SettingsFile;
 import carom.net.transport.Impairment;
 import carom.sim.scene.Scene;
 import java.nio.file.Path;
@@ -11,13 +12,17 @@ import java.nio.file.Path;
  *
  * @param config server, player and settings
  * @param impairment a simulated bad network; {@code Impairment.NONE} for none
- * @param connectAtOnce whether the server was named; false shows the connect screen first
+ * @param connectAtOnce whether the server was named; false shows the start screen first
  * @param seconds leave after this time; 0 = when the player does
  * @param netGraph whether the window starts with the net graph shown ({@code --net-graph})
  * @param debug whether the window starts with debug drawing ({@code --debug})
  * @param screenshot PNG file for the window's last picture, written when {@code seconds} are over
  *     ({@code --screenshot FILE}); empty = none
- * @param volume of the loudest sound, 0..1 ({@code --volume}); 0 = silent
+ * @param volume of the loudest sound, 0..100 ({@code --volume}); 0 = silent, -1 = as in the
+ *     settings
+ * @param settings the player's settings, loaded
+ * @param named whether the player's name was given ({@code --name}), and that of the settings
+ *     doesn't count
  * @param replay a recording to show instead of playing ({@code --replay FILE}); null to play
  * @param spectator the download by which that recording grows ({@code --watch}), which is shown
  *     from its end on; null for a whole recording
@@ -31,7 +36,9 @@ public record ClientOptions(
     boolean netGraph,
     boolean debug,
     String screenshot,
-    float volume,
+    int volume,
+    SettingsFile settings,
+    boolean named,
     Path replay,
     SpectatorThread spectator,
     Scene scene) {}

@@ -45,14 +45,14 @@ public final class NetworkOptions {
       paramLabel = "N",
       description = "Server's TCP port (${DEFAULT-VALUE}).",
       defaultValue = "54555")
-  int tcpPort = ClientConfig.DEFAULT_TCP_PORT;
+  int tcpPort = ServerAddress.DEFAULT_TCP_PORT;
 
   @Option(
       names = "--udp-port",
       paramLabel = "N",
       description = "Server's UDP port (${DEFAULT-VALUE}).",
       defaultValue = "54777")
-  int udpPort = ClientConfig.DEFAULT_UDP_PORT;
+  int udpPort = ServerAddress.DEFAULT_UDP_PORT;
 
   @Option(
       names = "--room",

@@ -2,7 +2,7 @@ package carom.client.bots;
 
 import carom.client.InputSource;
 import carom.client.view.ClientView;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import carom.sim.level.Appearance.Look;
 import carom.sim.level.Level;
 import carom.sim.random.SimRandom;

@@ -80,6 +80,7 @@ public final class RenderClock {
   private double missingSquares;
 
   private int interval = 1;
+  private double leastDelaySeconds;
   private double position;
 
   /**
@@ -202,6 +203,11 @@ public final class RenderClock {
     }
   }
 
+  /** Sets the delay that the player wants at least, seconds, 0..0.5. */
+  public void leastDelay(double seconds) {
+    leastDelaySeconds = seconds;
+  }
+
   /**
    * Sets how much is lost.
    *
@@ -260,7 +266,8 @@ public final class RenderClock {
     if (loss > HEAVY_LOSS && missing > 0) {
       survive = Math.max(survive, missingSquares / missing);
     }
-    return Math.min(MAX_DELAY_SECONDS * tickRate, interval + survive + lateness);
+    double needed = Math.max(leastDelaySeconds * tickRate, interval + survive + lateness);
+    return Math.min(MAX_DELAY_SECONDS * tickRate, needed);
   }
 
   /** Returns the lateness that 95 % of the snapshots stay below, milliseconds. */

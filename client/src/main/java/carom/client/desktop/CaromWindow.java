@@ -3,8 +3,15 @@ package carom.client.desktop;
 import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.app.ClientOptions;
+import carom.client.app.LocalGames;
+import carom.client.desktop.input.KeyMap;
+import carom.client.desktop.menu.SettingsHost;
+import carom.client.desktop.menu.StartScreen;
+import carom.client.desktop.menu.StartTarget;
+import carom.client.desktop.menu.Widgets;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.Theme;
 import carom.client.desktop.scene.SceneScreen;
 import carom.client.desktop.sound.AudioDevice;
 import carom.client.desktop.sound.EventSounds;
@@ -12,137 +19,167 @@ import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.SpectatorThread;
+import carom.client.settings.PlayerSettings;
 import carom.net.transport.ClientTransport;
+import carom.sim.scene.Scene;
 import com.badlogic.gdx.Application;
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.Screen;
-import com.badlogic.gdx.graphics.Pixmap;
-import com.badlogic.gdx.graphics.PixmapIO;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 
-/** The application: shows one screen at a time. Render thread only. */
-final class CaromWindow extends ApplicationAdapter {
+/**
+ * The application: shows one screen at a time, and keeps what outlives a screen: fonts, sound,
+ * settings, a game of this machine. Render thread only.
+ */
+final class CaromWindow extends ApplicationAdapter implements SettingsHost, StartTarget {
+  /** Time between two looks at a recording that begins to arrive. */
+  private static final float LOOK_SECONDS = 0.1f;
+
   private final ClientOptions options;
-  private final ClientTransport transport;
+  private final ClientTransport sockets;
   private final boolean hasSound;
+  private final LocalGames games = LocalGames.find();
+  private final KeyMap keys;
   private ClientConfig config;
   private Fonts fonts;
+  private Widgets widgets;
   private Canvas canvas;
   private AudioDevice audio;
   private EventSounds sounds;
   private Screen screen;
+  private LocalGames.LocalGame local;
+  private SpectatorThread spectator;
+  private float untilLook;
   private double seconds;
 
   /**
    * Creates it; nothing opens.
    *
+   * @param sockets opens links to servers
    * @param hasSound whether the toolkit was asked for sound
    */
-  CaromWindow(ClientOptions options, ClientTransport transport, boolean hasSound) {
+  CaromWindow(ClientOptions options, ClientTransport sockets, boolean hasSound) {
     this.options = options;
     this.hasSound = hasSound;
-    this.transport = transport;
+    this.sockets = sockets;
     config = options.config();
+    keys = new KeyMap(settings().keys());
   }
 
   @Override
   public void create() {
     Gdx.app.setLogLevel(Application.LOG_ERROR); // the toolkit tells of each device it finds
-    fonts = new Fonts(1);
+    fonts = new Fonts(settings().textSize() / 100f);
     fonts.fit(Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
+    widgets = new Widgets(fonts);
     canvas = new Canvas();
     audio = new AudioDevice(hasSound);
-    sounds = new EventSounds(audio, options.volume());
+    sounds = new EventSounds(audio, volume(options) / 100f);
+    Theme.palette(settings().palette());
+    if (!keys.unknown().isEmpty()) {
+      System.err.println("carom-client: unknown keys in the settings: " + keys.unknown());
+    }
     if (wantsSound(options) && !audio.works()) {
       System.err.println("carom-client: no audio device: plays without sound");
     }
     if (options.replay() != null) {
-      replay();
+      String problem = show(options.replay(), options.spectator(), () -> Gdx.app.exit());
+      if (!problem.isEmpty()) {
+        throw new IllegalStateException(problem); // it could be opened a moment ago
+      }
     } else if (options.scene() != null) {
-      SceneScreen viewer = new SceneScreen(canvas, fonts, () -> Gdx.app.exit());
-      viewer.debug(options.debug());
-      viewer.open(options.scene());
-      show(viewer);
+      show(options.scene(), () -> Gdx.app.exit());
     } else if (options.connectAtOnce()) {
       play();
     } else {
-      ask("");
+      start("");
     }
   }
 
   /** Returns whether there is anything to hear; scenes are silent. */
   static boolean wantsSound(ClientOptions options) {
-    return options.volume() > 0 && options.scene() == null;
+    return volume(options) > 0 && options.scene() == null;
   }
 
-  private void replay() {
-    try {
-      ReplayClient recording = new ReplayClient(options.replay());
-      SpectatorThread spectator = options.spectator();
-      ReplayScreen player =
-          new ReplayScreen(
-              canvas,
-              fonts,
-              sounds,
-              recording,
-              spectator == null ? "REPLAY" : "WATCHING",
-              spectator == null ? () -> "" : spectator::end,
-              () -> Gdx.app.exit());
-      player.debug(options.debug());
-      if (spectator != null) {
-        recording.seek(Integer.MAX_VALUE);
-      }
-      show(player);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e); // it could be opened a moment ago
-    }
+  private static int volume(ClientOptions options) {
+    return options.volume() >= 0 ? options.volume() : options.settings().settings().volume();
   }
 
-  private void ask(String message) {
-    ConnectScreen ask =
-        new ConnectScreen(
-            fonts,
-            new ConnectScreen.Target() {
-              @Override
-              public void connect(ServerAddress server, String name, String room) {
-                config =
-                    config
-                        .withServer(server.host(), server.tcpPort(), server.udpPort())
-                        .withName(name)
-                        .withRoom(room.isEmpty() ? options.config().room() : room);
-                Gdx.app.postRunnable(CaromWindow.this::play);
-              }
+  // ---- screens
 
-              @Override
-              public RoomBrowser browse(ServerAddress server) {
-                return new RoomBrowser(server, transport);
-              }
-            },
-            config.host(),
-            config.tcpPort(),
-            config.udpPort(),
-            config.name());
-    ask.message(message);
-    show(ask);
+  private void start(String message) {
+    endLocalGame();
+    endWatching();
+    ServerAddress server = new ServerAddress(config.host(), config.tcpPort(), config.udpPort());
+    StartScreen start = new StartScreen(widgets, this, this, games, server.toText());
+    start.message(message);
+    show(start);
   }
 
   private void play() {
-    GameScreen game =
-        new GameScreen(canvas, fonts, sounds, reason -> Gdx.app.postRunnable(() -> left(reason)));
-    game.client(new GameClient(config, transport, game.devices()));
+    if (!options.named()) {
+      config = config.withName(settings().name());
+    }
+    ClientConfig visit = config.withMinInterpolationMs(settings().interpolationMs());
+    GameScreen game = new GameScreen(canvas, fonts, sounds, keys, widgets, this, this::leave);
+    ClientTransport transport = local == null ? sockets : local.transport();
+    game.client(new GameClient(visit, transport, game.devices()));
     game.netGraph(options.netGraph());
     game.debug(options.debug());
     show(game);
+    if (local != null && !local.invitation().isEmpty()) {
+      game.announce(local.invitation());
+    }
   }
 
-  private void left(String reason) {
-    if (screen instanceof GameScreen) {
-      ask(reason);
+  /** Leaves a game after the present frame. */
+  private void leave(String reason) {
+    Screen left = screen;
+    Gdx.app.postRunnable(
+        () -> {
+          if (screen == left) {
+            start(reason);
+          }
+        });
+  }
+
+  private void later(Runnable next) {
+    Gdx.app.postRunnable(next);
+  }
+
+  /** Shows a recording. Returns why it can't, or an empty text. */
+  private String show(Path file, SpectatorThread download, Runnable exit) {
+    ReplayClient recording;
+    try {
+      recording = new ReplayClient(file);
+    } catch (IOException e) {
+      return String.valueOf(e.getMessage());
     }
+    ReplayScreen player =
+        new ReplayScreen(
+            canvas,
+            fonts,
+            sounds,
+            recording,
+            download == null ? "REPLAY" : "WATCHING",
+            download == null ? () -> "" : download::end,
+            exit);
+    player.debug(options.debug());
+    if (download != null) {
+      recording.seek(Integer.MAX_VALUE);
+    }
+    later(() -> show(player)); // not while the start screen handles a key
+    return "";
+  }
+
+  private void show(Scene scene, Runnable exit) {
+    SceneScreen viewer = new SceneScreen(canvas, fonts, exit);
+    viewer.debug(options.debug());
+    viewer.open(scene);
+    show(viewer);
   }
 
   private void show(Screen next) {
@@ -155,52 +192,180 @@ final class CaromWindow extends ApplicationAdapter {
     screen.resize(Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
   }
 
+  // ---- what the start screen asks for
+
+  @Override
+  public void play(ServerAddress server, String room) {
+    config =
+        config
+            .withServer(server.host(), server.tcpPort(), server.udpPort())
+            .withName(settings().name())
+            .withRoom(room.isEmpty() ? options.config().room() : room);
+    change(settings().withRecent(server.toText()));
+    later(this::play);
+  }
+
+  @Override
+  public void create(LocalGames.Choice choice) {
+    endLocalGame();
+    local = games.start(choice);
+    later(this::play);
+  }
+
+  @Override
+  public void watch(ServerAddress server, int room) {
+    endWatching();
+    config = config.withServer(server.host(), server.tcpPort(), server.udpPort());
+    try {
+      spectator = new SpectatorThread(config, room, sockets);
+    } catch (IOException e) {
+      start("Can't watch: " + e);
+    }
+  }
+
+  /** Shows what is watched as soon as enough of it is here. */
+  private void lookAtDownload(float delta) {
+    untilLook -= delta;
+    if (spectator == null || !(screen instanceof StartScreen start) || untilLook > 0) {
+      return;
+    }
+    untilLook = LOOK_SECONDS;
+    if (spectator.isReady()) {
+      String problem = show(spectator.file(), spectator, () -> later(() -> start("")));
+      if (!problem.isEmpty()) {
+        start(problem);
+      }
+    } else if (spectator.isOver()) {
+      start.message(spectator.message());
+      endWatching();
+    }
+  }
+
+  @Override
+  public String replay(Path file) {
+    return show(file, null, () -> later(() -> start("")));
+  }
+
+  @Override
+  public void scene(Scene scene) {
+    later(() -> show(scene, () -> later(() -> start(""))));
+  }
+
+  @Override
+  public void quit() {
+    Gdx.app.exit();
+  }
+
+  @Override
+  public RoomBrowser browse(ServerAddress server) {
+    return new RoomBrowser(server, sockets);
+  }
+
+  private void endLocalGame() {
+    if (local != null) {
+      if (screen instanceof GameScreen game) {
+        game.leaveServer();
+      }
+      local.close();
+      local = null;
+    }
+  }
+
+  private void endWatching() {
+    if (spectator != null) {
+      spectator.close();
+      spectator = null;
+    }
+  }
+
+  // ---- settings
+
+  @Override
+  public PlayerSettings settings() {
+    return options.settings().settings();
+  }
+
+  @Override
+  public void change(PlayerSettings changed) {
+    PlayerSettings before = settings();
+    options.settings().save(changed);
+    keys.set(changed.keys());
+    if (changed.volume() != before.volume()) {
+      sounds.volume(changed.volume() / 100f);
+    }
+    Theme.palette(changed.palette());
+    fonts.textSize(changed.textSize() / 100f);
+    if (changed.fullscreen() != before.fullscreen()) {
+      if (changed.fullscreen()) {
+        Gdx.graphics.setFullscreenMode(Gdx.graphics.getDisplayMode());
+      } else {
+        Gdx.graphics.setWindowedMode(changed.windowWidth(), changed.windowHeight());
+      }
+    }
+    later(() -> resize(Gdx.graphics.getWidth(), Gdx.graphics.getHeight()));
+  }
+
+  @Override
+  public String problem() {
+    return options.settings().problem();
+  }
+
+  // ---- frames
+
   @Override
   public void render() {
     float delta = Gdx.graphics.getDeltaTime();
     seconds += delta;
+    lookAtDownload(delta);
     screen.render(delta);
     boolean over = options.seconds() > 0 && seconds >= options.seconds();
     if (Gdx.input.isKeyJustPressed(Keys.F12)) {
-      save("carom-" + System.currentTimeMillis() + ".png");
+      Pictures.save("carom-" + System.currentTimeMillis() + ".png");
     }
     if (over) {
       if (!options.screenshot().isEmpty()) {
-        save(options.screenshot());
+        Pictures.save(options.screenshot());
       }
       Gdx.app.exit();
     }
   }
 
-  /** Writes what the window shows to a PNG file. */
-  private static void save(String file) {
-    Pixmap picture =
-        Pixmap.createFromFrameBuffer(
-            0, 0, Gdx.graphics.getBackBufferWidth(), Gdx.graphics.getBackBufferHeight());
-    Pixmap opaque = new Pixmap(picture.getWidth(), picture.getHeight(), Pixmap.Format.RGB888);
-    opaque.setBlending(
-        Pixmap.Blending.None); // panels are seen through in the window, not in a file
-    opaque.drawPixmap(picture, 0, 0);
-    PixmapIO.writePNG(
-        Gdx.files.absolute(Path.of(file).toAbsolutePath().toString()), opaque, 6, true);
-    opaque.dispose();
-    picture.dispose();
-    System.err.println("screenshot saved: " + file);
-  }
-
   @Override
   public void resize(int width, int height) {
+    if (width == 0 || height == 0) {
+      return; // the window is hidden
+    }
     fonts.fit(width, height);
     screen.resize(width, height);
   }
 
   @Override
   public void dispose() {
+    keepWindow();
     if (screen != null) {
       screen.dispose();
     }
+    if (local != null) {
+      local.close();
+    }
+    endWatching();
     audio.dispose();
     canvas.dispose();
+    widgets.dispose();
     fonts.dispose();
+  }
+
+  /** Keeps the size to which the player has drawn the window. */
+  private void keepWindow() {
+    PlayerSettings s = settings();
+    int width = Gdx.graphics.getWidth();
+    int height = Gdx.graphics.getHeight();
+    if (!s.fullscreen() && (width != s.windowWidth() || height != s.windowHeight())) {
+      try {
+        options.settings().save(s.withWindow(width, height));
+      } catch (IllegalArgumentException e) {
+        System.err.println("carom-client: the window's size is not kept: " + e.getMessage());
+      }
+    }
   }
 }

@@ -3,6 +3,7 @@ package carom.client.desktop;
 import carom.client.app.ClientOptions;
 import carom.client.app.Window;
 import carom.client.desktop.sound.AudioDevice;
+import carom.client.settings.PlayerSettings;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
@@ -13,8 +14,6 @@ import com.badlogic.gdx.utils.GdxRuntimeException;
 
 /** Opens the client's window; found by {@code ServiceLoader} as {@link Window}. */
 public final class DesktopLauncher implements Window {
-  private static final int WIDTH = 1_280;
-  private static final int HEIGHT = 720;
   private static final int MAX_FPS = 144;
 
   /** Creates a launcher; the service loader calls this. */
@@ -27,7 +26,11 @@ public final class DesktopLauncher implements Window {
     }
     Lwjgl3ApplicationConfiguration window = new Lwjgl3ApplicationConfiguration();
     window.setTitle("Carom");
-    window.setWindowedMode(WIDTH, HEIGHT);
+    PlayerSettings settings = options.settings().settings();
+    window.setWindowedMode(settings.windowWidth(), settings.windowHeight());
+    if (settings.fullscreen()) {
+      window.setFullscreenMode(Lwjgl3ApplicationConfiguration.getDisplayMode());
+    }
     window.setWindowSizeLimits(640, 360, -1, -1);
     window.setBackBufferConfig(8, 8, 8, 8, 0, 0, 0); // the canvas smooths edges itself
     window.useVsync(true);

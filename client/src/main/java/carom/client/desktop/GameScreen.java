@@ -9,14 +9,20 @@ import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.KeyHints;
 import carom.client.desktop.hud.NetGraph;
 import carom.client.desktop.hud.RoomPanel;
+import carom.client.desktop.input.Controls;
+import carom.client.desktop.input.KeyMap;
+import carom.client.desktop.menu.PauseMenu;
+import carom.client.desktop.menu.SettingsHost;
+import carom.client.desktop.menu.Widgets;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.sound.EventSounds;
 import carom.client.link.ConnectionPhase;
+import carom.client.settings.KeyAction;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.net.protocol.ServerMessage.RosterEntry;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import carom.sim.message.PlayerRole;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
@@ -39,30 +45,43 @@ final class GameScreen extends ScreenAdapter {
     void leave(String reason);
   }
 
-  private static final String KEYS =
-      "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move  "
-          + "   Tab: players     Enter: chat     1-8: emotes     M: sound     F1: these keys    "
-          + " F2: rooms     F3: net graph     Esc: leave";
-
   private final GamePicture picture;
   private final NetGraph netGraph;
   private final KeyHints hints;
   private final Curtain curtain;
   private final RoomPanel rooms;
-  private final Controls controls = new Controls();
+  private final PauseMenu pause;
+  private final KeyMap keys;
+  private final Controls controls;
   private final Exit exit;
   private final Fonts fonts;
   private GameClient client;
   private Conversation conversation;
   private float secondsPlayed;
 
-  GameScreen(Canvas canvas, Fonts fonts, EventSounds sounds, Exit exit) {
+  /**
+   * Creates a screen without a client; call {@link #client} next.
+   *
+   * @param keys the player's keys
+   * @param widgets for the pause menu
+   * @param host holds the settings that the pause menu shows
+   */
+  GameScreen(
+      Canvas canvas,
+      Fonts fonts,
+      EventSounds sounds,
+      KeyMap keys,
+      Widgets widgets,
+      SettingsHost host,
+      Exit exit) {
     this.exit = exit;
     this.fonts = fonts;
+    this.keys = keys;
+    controls = new Controls(keys);
+    pause = new PauseMenu(widgets, host, new PauseChoice());
     picture = new GamePicture(canvas, fonts, sounds);
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
     hints = new KeyHints(picture.hud(), fonts);
-    hints.keys(KEYS);
     curtain = new Curtain(picture.hud(), canvas);
     rooms =
         new RoomPanel(
@@ -78,12 +97,22 @@ final class GameScreen extends ScreenAdapter {
   void client(GameClient client) {
     this.client = client;
     client.events(picture.events(client.view()));
-    conversation = new Conversation(client, fonts);
+    conversation = new Conversation(client, keys, fonts);
   }
 
   /** Shows the net graph's few lines, or nothing of it. */
   void netGraph(boolean shown) {
     netGraph.size(shown ? NetGraph.Size.SMALL : NetGraph.Size.OFF);
+  }
+
+  /** Shows a line to the player for a while. */
+  void announce(String text) {
+    conversation.announce(text);
+  }
+
+  /** Leaves the server, so that it can be stopped. */
+  void leaveServer() {
+    client.close();
   }
 
   /** Shows or hides the debug layers. */
@@ -96,15 +125,67 @@ final class GameScreen extends ScreenAdapter {
   }
 
   private void sample(ClientView view, Input out) {
-    if (rooms.isOpen() || conversation.isWriting()) {
-      return; // keys choose a room, or are letters
+    if (pause.isOpen() || rooms.isOpen() || conversation.isWriting()) {
+      return; // keys move through a menu, choose a room, or are letters
     }
     Drawn own = view.own();
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
   }
 
+  private final class PauseChoice implements PauseMenu.Choice {
+    @Override
+    public void resume() {
+      show();
+    }
+
+    @Override
+    public void rooms() {
+      rooms.toggle();
+    }
+
+    @Override
+    public void leave() {
+      exit.leave("");
+    }
+
+    @Override
+    public void quit() {
+      Gdx.app.exit();
+    }
+  }
+
+  /** Returns the keys of the game, as one text with room to break it. */
+  private String keyHints() {
+    String move =
+        String.join(
+            ", ",
+            keys.first(KeyAction.UP),
+            keys.first(KeyAction.LEFT),
+            keys.first(KeyAction.DOWN),
+            keys.first(KeyAction.RIGHT));
+    return String.join(
+        "     ",
+        hint(move + ", pad", "move"),
+        hint(keys.first(KeyAction.MAIN) + ", click", KeyAction.MAIN.label()),
+        hint(keys.first(KeyAction.SECOND) + ", right click", KeyAction.SECOND.label()),
+        hint(keys.first(KeyAction.PLAYERS), "players"),
+        hint(keys.first(KeyAction.CHAT), "chat"),
+        hint("1-8", "emotes"),
+        hint(keys.first(KeyAction.MUTE), "sound"),
+        hint("F1", "these keys"),
+        hint("F2", "rooms"),
+        hint("F3", "net graph"),
+        hint("Esc", "menu"));
+  }
+
+  /** Returns a hint whose words stay together. */
+  private static String hint(String key, String what) {
+    return (key + ": " + what).replace(' ', '\u00a0');
+  }
+
   @Override
   public void show() {
+    hints.keys(keyHints());
     Gdx.input.setInputProcessor(
         new InputAdapter() {
           @Override
@@ -126,7 +207,7 @@ final class GameScreen extends ScreenAdapter {
               case Keys.F2 -> rooms.toggle();
               case Keys.F1 -> hints.toggle();
               case Keys.F3 -> netGraph.next();
-              case Keys.ESCAPE -> exit.leave("");
+              case Keys.ESCAPE -> Gdx.input.setInputProcessor(pause.open());
               default -> {
                 return handle(key);
               }
@@ -137,13 +218,20 @@ final class GameScreen extends ScreenAdapter {
   }
 
   private boolean handle(int key) {
-    return (Gdx.input.isKeyPressed(Keys.TAB) && ask(key))
+    if (keys.does(key, KeyAction.MUTE)) {
+      picture.toggleSound();
+      return true;
+    }
+    return (keys.isDown(KeyAction.PLAYERS) && ask(key))
         || (client.view().watchedPlayer() >= 0 && watch(key))
         || conversation.key(key, isDown(Keys.SHIFT_LEFT, Keys.SHIFT_RIGHT))
         || picture.key(key);
   }
 
-  /** Asks the roster, while Tab is held: ready or not, play or watch, a team by its number. */
+  /**
+   * Asks the roster, while the table of players shows: ready or not, play or watch, a team by its
+   * number.
+   */
   private boolean ask(int key) {
     ClientView view = client.view();
     RosterEntry own = view.participant(view.playerId());
@@ -190,7 +278,7 @@ final class GameScreen extends ScreenAdapter {
 
   private void draw(ClientView view, long nowNs, float deltaSeconds) {
     Hud hud = picture.hud();
-    boolean tab = Gdx.input.isKeyPressed(Keys.TAB);
+    boolean tab = !pause.isOpen() && keys.isDown(KeyAction.PLAYERS);
     picture.draw(view, tab, nowNs, deltaSeconds);
     if (view.level() != null) {
       OrthographicCamera shown = picture.camera().gdx();
@@ -217,6 +305,7 @@ final class GameScreen extends ScreenAdapter {
     if (client != null) {
       client.close();
     }
+    pause.dispose();
     picture.dispose();
   }
 }

@@ -82,6 +82,7 @@ final class ReplayScreen extends ScreenAdapter {
       case Keys.MINUS, Keys.NUMPAD_SUBTRACT -> client.speedUp(-1);
       case Keys.EQUALS, Keys.PLUS, Keys.NUMPAD_ADD -> client.speedUp(1);
       case Keys.TAB -> client.followNext();
+      case Keys.M -> picture.toggleSound();
       case Keys.ESCAPE -> exit.run();
       default -> {
         return picture.key(key);

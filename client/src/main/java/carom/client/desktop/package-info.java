@@ -6,7 +6,7 @@
  * simulation, the link or the decoder. All classes run on the render thread.
  *
  * <pre>
- * desktop ──► game ──┬─► hud ──► paint
+ * desktop ──► game ──┬─► hud ──► paint ◄── menu, input ◄── desktop, chat
  *         ──► scene ─┘
  *         ──► sound ◄── game
  * </pre>

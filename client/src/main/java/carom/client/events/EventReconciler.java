@@ -1,10 +1,10 @@
 package carom.client.events;
 
-import carom.sim.Entity;
 import carom.sim.Event;
 import carom.sim.Journal;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.message.PlayerRole;
 import java.util.ArrayList;
 import java.util.List;

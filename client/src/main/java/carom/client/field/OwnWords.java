@@ -1,7 +1,7 @@
 package carom.client.field;
 
 import carom.net.snapshot.exact.OwnState;
-import carom.sim.Player;
+import carom.sim.entity.Player;
 import carom.sim.field.Field;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;

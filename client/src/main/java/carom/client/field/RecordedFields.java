@@ -1,8 +1,8 @@
 package carom.client.field;
 
-import carom.sim.Entity;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Scope;

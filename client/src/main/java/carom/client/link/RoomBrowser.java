@@ -23,6 +23,9 @@ public final class RoomBrowser implements LinkHandler, AutoCloseable {
   private boolean asked;
   private boolean done;
   private long startNs;
+  private long nowNs;
+  private long askedNs;
+  private long roundTripNs;
   private List<RoomEntry> rooms = List.of();
   private String problem = "";
 
@@ -37,7 +40,8 @@ public final class RoomBrowser implements LinkHandler, AutoCloseable {
   }
 
   /** Does what is due. */
-  public void update(long nowNs) {
+  public void update(long timeNs) {
+    nowNs = timeNs;
     if (done) {
       return;
     }
@@ -47,6 +51,7 @@ public final class RoomBrowser implements LinkHandler, AutoCloseable {
     }
     if (!asked && link.state() == Link.State.OPEN) {
       asked = true;
+      askedNs = nowNs;
       link.send(new ClientMessage.ListRooms(Protocol.VERSION));
     }
     link.poll(this, 64);
@@ -70,6 +75,9 @@ public final class RoomBrowser implements LinkHandler, AutoCloseable {
       return;
     }
     if (message instanceof ServerMessage.RoomList list) {
+      if (roundTripNs == 0) {
+        roundTripNs = Math.max(1, nowNs - askedNs);
+      }
       List<RoomEntry> all = listing.add(list);
       if (all != null) {
         rooms = all;
@@ -104,6 +112,14 @@ public final class RoomBrowser implements LinkHandler, AutoCloseable {
   /** Returns the rooms; empty before the answer. */
   public List<RoomEntry> rooms() {
     return rooms;
+  }
+
+  /**
+   * Returns the time from the question to the answer, nanoseconds, as exact as {@link #update} is
+   * often; 0 before it.
+   */
+  public long roundTripNs() {
+    return roundTripNs;
   }
 
   /** Returns why there is no answer, in words for the player; empty if nothing is wrong. */

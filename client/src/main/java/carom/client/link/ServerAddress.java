@@ -8,9 +8,75 @@ package carom.client.link;
  * @param udpPort as the TCP port
  */
 public record ServerAddress(String host, int tcpPort, int udpPort) {
+  /** TCP port a server uses unless told otherwise. */
+  public static final int DEFAULT_TCP_PORT = 54_555;
+
+  /** UDP port a server uses unless told otherwise. */
+  public static final int DEFAULT_UDP_PORT = 54_777;
+
   /** Returns the address for people: the host and, if there is one, the TCP port. */
   @Override
   public String toString() {
     return host + (tcpPort == 0 ? "" : ":" + tcpPort);
+  }
+
+  /**
+   * Returns the address that a text names: {@code host}, {@code host:port} or {@code
+   * host:tcpPort/udpPort}, where a host that has colons stands in brackets. A port that isn't named
+   * is the usual one.
+   *
+   * @throws IllegalArgumentException in words for the player, when the text names no address
+   */
+  public static ServerAddress parse(String text) {
+    String address = text.strip();
+    int close = address.startsWith("[") ? address.indexOf(']') : -1;
+    boolean bare = close < 0 && address.indexOf(':') != address.lastIndexOf(':');
+    int colon = bare ? -1 : address.indexOf(':', Math.max(0, close));
+    String host = colon < 0 ? address : address.substring(0, colon);
+    host = close > 0 ? host.substring(1, close) : host;
+    if (host.isEmpty()
+        || address.contains("//")
+        || host.chars().anyMatch(c -> c <= ' ' || c == ',')) {
+      throw new IllegalArgumentException(
+          "Enter the server's name or address, for instance localhost or play.example.org:54555.");
+    }
+    if (colon < 0) {
+      return new ServerAddress(host, DEFAULT_TCP_PORT, DEFAULT_UDP_PORT);
+    }
+    String[] ports = address.substring(colon + 1).split("/", -1);
+    if (ports.length > 2) {
+      throw badPort(address.substring(colon + 1));
+    }
+    int udp = ports.length == 2 ? port(ports[1]) : DEFAULT_UDP_PORT;
+    return new ServerAddress(host, port(ports[0]), udp);
+  }
+
+  private static int port(String text) {
+    try {
+      int port = Integer.parseInt(text);
+      if (port >= 1 && port <= 65_535) {
+        return port;
+      }
+    } catch (NumberFormatException notANumber) {
+      // told below
+    }
+    throw badPort(text);
+  }
+
+  private static IllegalArgumentException badPort(String text) {
+    return new IllegalArgumentException(
+        "\""
+            + text
+            + "\" is no port: a port is a number from 1 to 65535; the usual ones are 54555"
+            + " (TCP) and 54777 (UDP).");
+  }
+
+  /** Returns the shortest text from which {@link #parse} makes this address. */
+  public String toText() {
+    String shown = host.contains(":") ? "[" + host + "]" : host;
+    if (udpPort != DEFAULT_UDP_PORT) {
+      return shown + ":" + tcpPort + "/" + udpPort;
+    }
+    return tcpPort == DEFAULT_TCP_PORT ? shown : shown + ":" + tcpPort;
   }
 }

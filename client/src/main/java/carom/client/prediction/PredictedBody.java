@@ -3,7 +3,7 @@ package carom.client.prediction;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
 import carom.physics.Body;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 import carom.sim.level.Archetype;
 import carom.sim.spawn.Origin;
 

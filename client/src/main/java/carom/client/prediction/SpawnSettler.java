@@ -3,8 +3,8 @@ package carom.client.prediction;
 import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.exact.SpawnList;
 import carom.physics.rows.BodyRow;
-import carom.sim.Entity;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.field.Scope;
 import carom.sim.near.Neighbourhood;
 

@@ -2,13 +2,14 @@ package carom.client.prediction;
 
 import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
+import carom.client.prediction.received.PlayerInputs;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
-import carom.sim.Entity;
-import carom.sim.Player;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.near.Neighbourhood;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;

@@ -1,8 +1,8 @@
 package carom.client.replay;
 
 import carom.client.interpolation.Pose;
-import carom.sim.Entity;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import java.util.Arrays;
 
 /**

@@ -19,6 +19,7 @@ public final class SpectatorThread implements AutoCloseable {
   private final Path file;
   private final Spectator spectator;
   private final Thread thread;
+  private final long beginNs = System.nanoTime();
   private volatile boolean stop;
   private volatile int delaySeconds;
   private volatile String message = "";
@@ -72,21 +73,35 @@ public final class SpectatorThread implements AutoCloseable {
    * @return the recording's file, or null if there is none; {@link #message} says why
    */
   public Path await() {
-    long beginNs = System.nanoTime();
-    while (!ended && System.nanoTime() - beginNs < (delaySeconds + EXTRA_S) * 1_000_000_000L) {
-      try (RecordingReader reader = RecordingReader.open(file)) {
-        // Without the state that may follow the header, the replay would begin with an empty game.
-        if (reader.next() != RecordingReader.Event.WAIT) {
-          return file;
-        }
-      } catch (IOException e) {
-        // There is no whole header yet.
+    while (!isOver()) {
+      if (isReady()) {
+        return file;
       }
       if (!nap(10 * NAP_MS)) {
         return null;
       }
     }
     return null;
+  }
+
+  /** Returns the recording's file. */
+  public Path file() {
+    return file;
+  }
+
+  /** Returns whether there is something to play. Opens the file, so don't ask in each frame. */
+  public boolean isReady() {
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      // Without the state that may follow the header, the replay would begin with an empty game.
+      return reader.next() != RecordingReader.Event.WAIT;
+    } catch (IOException e) {
+      return false; // there is no whole header yet
+    }
+  }
+
+  /** Returns whether there will be nothing to play; {@link #message} says why. */
+  public boolean isOver() {
+    return ended || System.nanoTime() - beginNs >= (delaySeconds + EXTRA_S) * 1_000_000_000L;
   }
 
   /** Returns why there is nothing to watch, in words for the player. */

@@ -5,6 +5,7 @@ import carom.server.command.Command;
 import carom.server.command.CommandException;
 import carom.server.command.CommandRegistry;
 import carom.server.command.CommandWords;
+import carom.server.command.RoomFinder;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
 import java.io.IOException;
@@ -129,6 +130,9 @@ public final class AccessCommands {
     boolean byName = words.word(0, "PLAYER").equals("name") && words.has(1);
     int next = byName ? 2 : 1;
     String who = words.word(byName ? 1 : 0, "NAME");
+    if (!byName && RoomFinder.isId(who)) {
+      who = new RoomFinder(rooms).player(words, 0).player().name();
+    }
     Instant until = null;
     if (words.has(next)) {
       Matcher time = TIME.matcher(words.word(next, "TIME"));

@@ -6,15 +6,24 @@ import carom.server.session.PlayerInfo;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /** Finds the rooms and players that a line names. */
-final class RoomFinder {
+public final class RoomFinder {
+  private static final Pattern ID = Pattern.compile("#\\d{1,4}");
+
   private final List<Room> rooms;
 
-  /** A player and its room. */
-  record Found(Room room, PlayerInfo player) {}
+  /**
+   * A player and its room.
+   *
+   * @param room the room
+   * @param player the player as it was when it was found
+   */
+  public record Found(Room room, PlayerInfo player) {}
 
-  RoomFinder(List<Room> rooms) {
+  /** Creates a finder in some rooms. */
+  public RoomFinder(List<Room> rooms) {
     this.rooms = rooms;
   }
 
@@ -51,8 +60,18 @@ final class RoomFinder {
     return rooms.stream().map(room -> "@" + room.name()).toList();
   }
 
-  /** Returns the player with a name or id, in the room that the line names or in any. */
-  Found player(CommandWords words, int place) throws CommandException {
+  /** Returns whether a word is surely an id, such as {@code #3}, whatever names players have. */
+  public static boolean isId(String word) {
+    return ID.matcher(word).matches();
+  }
+
+  /**
+   * Returns the player with a name or id, in the room that the line names or in any. A name goes
+   * before an id, unless the id is written as {@code #3}.
+   *
+   * @throws CommandException when there is none, or more than one
+   */
+  public Found player(CommandWords words, int place) throws CommandException {
     String wanted = words.word(place, "PLAYER");
     String folded = PlayerName.folded(wanted);
     List<Found> named = new ArrayList<>();
@@ -61,7 +80,7 @@ final class RoomFinder {
     for (Room room : all(words)) {
       for (PlayerInfo player : room.operator().players()) {
         names.add(player.name());
-        if (PlayerName.folded(player.name()).equals(folded)) {
+        if (isId(wanted) ? wanted.equals("#" + player.id()) : isNamed(player, folded)) {
           named.add(new Found(room, player));
         } else if (wanted.equals(String.valueOf(player.id()))) {
           numbered.add(new Found(room, player));
@@ -82,6 +101,10 @@ final class RoomFinder {
               + names().get(0));
     }
     return found.get(0);
+  }
+
+  private static boolean isNamed(PlayerInfo player, String folded) {
+    return PlayerName.folded(player.name()).equals(folded);
   }
 
   /** Returns the names of all players, for completion. */

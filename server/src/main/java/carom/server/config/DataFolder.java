@@ -27,6 +27,11 @@ public record DataFolder(Path root) {
     return root.resolve("recordings");
   }
 
+  /** Returns the file of the page's token. */
+  public Path adminToken() {
+    return root.resolve("admin.token");
+  }
+
   /** Returns the folder in which levels are found by their name. */
   public Path levels() {
     return root.resolve("levels");

@@ -11,8 +11,7 @@ import org.HdrHistogram.SingleWriterRecorder;
  * A room's counters and tick times. The room's thread writes them without a lock or an allocation,
  * and any other thread may read them.
  *
- * <p>Tick times go into an HdrHistogram from 1 microsecond to 10 seconds with two digits. An
- * interval holds the times recorded since the last call of {@link #takeInterval} or {@link #total}.
+ * <p>Tick times go into an HdrHistogram from 1 microsecond to 10 seconds with two digits.
  */
 public final class Counters {
   private static final Counter[] ALL = Counter.values();
@@ -48,18 +47,41 @@ public final class Counters {
     tickTimes.recordValue(Math.max(0, Math.min(HIGHEST_NS, durationNs)));
   }
 
-  /** Returns the tick times of the interval and begins another one. Any thread, one at a time. */
-  public synchronized TickTimes takeInterval() {
-    interval = tickTimes.getIntervalHistogram(interval);
-    total.add(interval);
-    return TickTimes.of(interval);
-  }
-
   /** Returns the tick times since the start. Any thread, one at a time. */
   public synchronized TickTimes total() {
+    collect();
+    return TickTimes.of(total);
+  }
+
+  /** Returns a reader of intervals, the first of which begins now. Any thread. */
+  public TickReader tickReader() {
+    return new TickReader();
+  }
+
+  private void collect() {
     interval = tickTimes.getIntervalHistogram(interval);
     total.add(interval);
-    return TickTimes.of(total);
+  }
+
+  /** Reads the tick times interval by interval, whatever other readers there are. Any thread. */
+  public final class TickReader {
+    private final Histogram since = new Histogram(LOWEST_NS, HIGHEST_NS, 2);
+    private final Histogram seen = new Histogram(LOWEST_NS, HIGHEST_NS, 2);
+
+    private TickReader() {
+      take();
+    }
+
+    /** Returns the tick times since the last call, and begins another interval. */
+    public TickTimes take() {
+      synchronized (Counters.this) {
+        collect();
+        total.copyInto(since);
+        since.subtract(seen);
+        total.copyInto(seen);
+        return TickTimes.of(since);
+      }
+    }
   }
 
   /**
@@ -69,8 +91,7 @@ public final class Counters {
    * @param limitsNs limits, ns, rising
    */
   public synchronized TickHistogram histogram(long... limitsNs) {
-    interval = tickTimes.getIntervalHistogram(interval);
-    total.add(interval);
+    collect();
     List<Long> atMost =
         Arrays.stream(limitsNs).mapToObj(limit -> total.getCountBetweenValues(0, limit)).toList();
     return new TickHistogram(
@@ -95,7 +116,12 @@ public final class Counters {
    * @param maxNs longest time, ns
    */
   public record TickTimes(long count, long p50Ns, long p99Ns, long maxNs) {
+    private static final TickTimes NONE = new TickTimes(0, 0, 0, 0);
+
     private static TickTimes of(Histogram histogram) {
+      if (histogram.getTotalCount() == 0) {
+        return NONE;
+      }
       return new TickTimes(
           histogram.getTotalCount(),
           histogram.getValueAtPercentile(50),

@@ -1,7 +1,7 @@
 package carom.server.prediction;
 
-import carom.sim.Entity;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 

@@ -2,8 +2,8 @@ package carom.server.prediction;
 
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.exact.OwnState;
-import carom.sim.InterferenceLog;
 import carom.sim.Simulation;
+import carom.sim.ruling.InterferenceLog;
 
 /**
  * The exact update of one session: the state of the predicted set at one tick, the base, told to

@@ -3,10 +3,10 @@ package carom.server.prediction;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.physics.math.Aabb;
-import carom.sim.Entity;
-import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.area.AreaForces;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Scope;
 import java.util.function.Predicate;
@@ -91,7 +91,7 @@ public final class OwnCapture {
 
   /**
    * Returns the last tick whose state of a player's body the game itself changed; see {@link
-   * carom.sim.InterferenceLog#lastTick(Player)}.
+   * carom.sim.ruling.InterferenceLog#lastTick(Player)}.
    */
   public int interferedTick(Player player) {
     return simulation.interference().lastTick(player);

@@ -2,8 +2,8 @@ package carom.server.prediction;
 
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.PlayerSet;
-import carom.sim.Entity;
-import carom.sim.Player;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import java.util.Arrays;
 import java.util.function.Predicate;
 

@@ -6,9 +6,9 @@ import carom.net.snapshot.frame.SlotSet;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.RowAudience;
 import carom.net.snapshot.table.TableOutbox;
-import carom.sim.Entity;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 
 /**
  * What one player's client may know of joints, and of the fields of others: as each field's

@@ -5,7 +5,7 @@ import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.RowAudience;
 import carom.physics.Body;
 import carom.physics.Joint;
-import carom.sim.Entity;
+import carom.sim.entity.Entity;
 
 /** Says which joints one client is told: those of which it sees both bodies. The room's thread. */
 final class JointAudience implements RowAudience {

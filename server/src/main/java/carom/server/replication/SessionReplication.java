@@ -17,8 +17,8 @@ import carom.server.prediction.OwnCapture;
 import carom.server.prediction.PredictedSet;
 import carom.server.prediction.PredictionAudit;
 import carom.server.prediction.PredictionAudit.Finding;
-import carom.sim.Entity;
-import carom.sim.Player;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import java.util.Arrays;
 import java.util.function.Predicate;
 
@@ -65,6 +65,10 @@ public final class SessionReplication {
   /** Offset up to which pieces of the state were sent. */
   private int poolSent;
 
+  /** Ticks with a predicted set, and how often the client had another state in them. */
+  private long predictedTicks;
+
+  private long mispredictions;
   private int preparedTick;
   private boolean touched;
   private final Predicate<Entity> mayKnow = this::mayKnow;
@@ -170,7 +174,9 @@ public final class SessionReplication {
   public void receivePrediction(InputDatagram datagram) {
     wanted = datagram.near;
     if (datagram.disagrees) {
-      disagreedTick = Sequence.expand(datagram.disagreedTick, frames.frames().newest().tick());
+      int tick = Sequence.expand(datagram.disagreedTick, frames.frames().newest().tick());
+      mispredictions += tick > disagreedTick ? 1 : 0;
+      disagreedTick = tick;
     }
   }
 
@@ -238,6 +244,7 @@ public final class SessionReplication {
       counters.add(Counter.NEAR_UPDATES, predictedSet.updates() - updates);
       counters.add(Counter.NEAR_DISAGREEMENTS, predictedSet.disagreements() - disagreements);
       if (own.near().present()) {
+        predictedTicks++;
         audit.keepSet(preparedTick, predictedSet.hasOutsideCause());
       }
     }
@@ -262,6 +269,24 @@ public final class SessionReplication {
   /** Returns the round trip to the client and back, ms; 0 while it isn't known. */
   public int roundTripMs() {
     return sender == null ? 0 : sender.roundTripMs();
+  }
+
+  /** Returns what the line and the client's predictions have done since the link began. */
+  public LinkFigures figures() {
+    return sender == null
+        ? LinkFigures.NONE
+        : new LinkFigures(
+            sender.roundTripMs(),
+            sender.bytesSent(),
+            sender.datagramsSettled(),
+            sender.encoder().ackedDatagrams(),
+            predictedTicks,
+            mispredictions);
+  }
+
+  /** Returns the priority that an entity has collected since it was sent; 0 without a link. */
+  public float collectedPriority(int entityId) {
+    return sender == null ? 0 : sender.encoder().collectedPriority(entityId);
   }
 
   /** Returns whether the client looks at the place of an entity and may know it. */

@@ -1,5 +1,6 @@
 package carom.server.replication;
 
+import carom.net.codec.Sequence;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRing;
@@ -10,8 +11,8 @@ import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.sim.Entity;
-import carom.sim.Player;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 
 /**
  * Sends one session's snapshots over one link, and decides when and how much.
@@ -69,6 +70,9 @@ public final class SnapshotSender {
   private int ticksSinceSent;
   private int ticksSinceHeard;
   private boolean due;
+  private long datagramsSent;
+  private long datagramsSettled;
+  private long bytesSent;
 
   /** Smoothed ticks from sending a snapshot to its acknowledgement; negative before the first. */
   private float roundTripTicks = -1;
@@ -133,12 +137,20 @@ public final class SnapshotSender {
   public void receiveAck(int ackSequence, long ackBits) {
     ticksSinceHeard = 0;
     encoder.receiveAck(ackSequence, ackBits);
+    settle(ackSequence);
     int delay = encoder.ackDelayTicks();
     if (delay >= 0) {
       pace.acked(delay);
       float smooth = roundTripTicks + ROUND_TRIP_WEIGHT * (delay - roundTripTicks);
       roundTripTicks = roundTripTicks < 0 ? delay : smooth;
     }
+  }
+
+  /** Notes how many datagrams have arrived or were overtaken by one that has. */
+  private void settle(int ackSequence) {
+    // Numbers begin at 0; what was never sent counts as the newest one.
+    long newest = Sequence.expand(ackSequence, (int) datagramsSent) + 1L;
+    datagramsSettled = Math.max(datagramsSettled, Math.min(datagramsSent, newest));
   }
 
   /** Takes over what the client says it shows; see {@link SessionView#look}. */
@@ -261,6 +273,8 @@ public final class SnapshotSender {
       counters.add(Counter.SNAPSHOT_BYTES, length);
       datagrams++;
       bytes += length;
+      datagramsSent++;
+      bytesSent += length;
     }
     shareOut(bytes - encoder.aheadBytes());
     return datagrams;
@@ -278,6 +292,16 @@ public final class SnapshotSender {
   /** Returns the round trip to the client and back, ms, or 0 before the first acknowledgement. */
   public int roundTripMs() {
     return roundTripTicks < 0 ? 0 : Math.max(1, Math.round(roundTripTicks * MS_PER_S / tickRateHz));
+  }
+
+  /** Returns the payload bytes sent over the link. */
+  public long bytesSent() {
+    return bytesSent;
+  }
+
+  /** Returns how many datagrams have arrived or were overtaken by one that has. */
+  public long datagramsSettled() {
+    return datagramsSettled;
   }
 
   /** Returns the estimated capacity of the client's line, bytes per second, headers included. */

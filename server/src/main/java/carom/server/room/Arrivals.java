@@ -6,7 +6,7 @@ import carom.net.protocol.SessionState;
 import carom.server.metrics.Counter;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;
-import carom.sim.Player;
+import carom.sim.entity.Player;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;

@@ -12,9 +12,9 @@ import carom.server.replication.FrameCapture;
 import carom.server.replication.SessionReplication;
 import carom.server.session.SessionMessages;
 import carom.sim.Game;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 
 /**
  * One game in one level in a room, from tick 0 on: the simulation and what sessions are told from.

@@ -7,8 +7,8 @@ import carom.server.match.MatchLibrary;
 import carom.server.match.SavedMatch;
 import carom.server.metrics.Counters;
 import carom.sim.Game;
-import carom.sim.NextMatch;
 import carom.sim.level.LevelException;
+import carom.sim.match.NextMatch;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**

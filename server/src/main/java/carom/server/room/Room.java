@@ -15,6 +15,9 @@ import carom.server.match.MatchInfo;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.metrics.Stage;
+import carom.server.metrics.StageTimes;
+import carom.server.picture.Pictures;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.server.schedule.LoadWarnings;
@@ -23,9 +26,9 @@ import carom.server.session.PartingLinks;
 import carom.server.session.RosterNews;
 import carom.server.session.Seats;
 import carom.server.session.Session;
-import carom.sim.Entity;
 import carom.sim.MatchClock;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import java.io.IOException;
 import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
@@ -58,10 +61,13 @@ import org.slf4j.LoggerFactory;
  * </pre>
  *
  * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #name},
- * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters} and {@link
- * #hasFailed} may be called from any thread; the rest belongs to the thread that calls {@link
- * #doWork}. A tick in the steady state allocates next to nothing. A client can hurt only its own
- * session, and a game only its own room: rooms share nothing that changes.
+ * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters}, {@link #stages},
+ * {@link #pictures} and {@link #hasFailed} may be called from any thread; the rest belongs to the
+ * thread that calls {@link #doWork}. A tick in the steady state allocates next to nothing. A client
+ * can hurt only its own session, and a game only its own room: rooms share nothing that changes.
+ *
+ * <p><b>Length.</b> Just above 500 lines: what a room does in a turn is told in one place, and each
+ * part of it is a class of its own.
  */
 public final class Room {
   /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
@@ -77,6 +83,8 @@ public final class Room {
   private final RoomConfig settings;
   private final LongSupplier clock;
   private final Counters counters = new Counters();
+  private final StageTimes stages;
+  private final Pictures pictures = new Pictures();
   private final RoomRecording recording;
   private final TickLoop loop;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
@@ -125,6 +133,7 @@ public final class Room {
     this.number = number;
     this.settings = settings;
     this.clock = clock;
+    stages = new StageTimes(clock);
     String label = alone ? "" : "room " + settings.name() + ": ";
     MatchLoader loader = new MatchLoader(config, settings, library, label, counters);
     context = new RoomContext(config, label, counters, seats, firstMatch(loader));
@@ -232,6 +241,11 @@ public final class Room {
     for (int left = due; left > 0 && !closed; left--) {
       guardedTick(nowNs, left <= MAX_SENDS_PER_BURST);
     }
+    if (due > 0 && pictures.isWanted()) {
+      stages.begin();
+      pictures.take(context.match().info(), context.simulation(), sessions.bySeat());
+      stages.end(Stage.PICTURE);
+    }
     return work + due;
   }
 
@@ -264,6 +278,7 @@ public final class Room {
 
   private void tick(long nowNs, boolean sends) {
     long beginNs = clock.getAsLong();
+    stages.begin();
     arrivals.admit(beginNs, nowNs);
     departures.serve(nowNs);
     moves.serve(nowNs);
@@ -274,12 +289,16 @@ public final class Room {
       sessions.get(i).consumeInput(next);
     }
     post.collect();
+    stages.end(Stage.INPUTS);
     boolean stepped = step();
+    stages.end(Stage.STEP);
     if (stepped) {
       match.capture().capture();
+      stages.end(Stage.CAPTURE);
       counters.add(Counter.EVENTS_LOST, match.takeDroppedEvents());
       if (sends) {
         snapshots.run(beginNs, nowNs);
+        stages.end(Stage.SNAPSHOTS);
       }
       post.send();
       simulation.drainNotices(sendNotice);
@@ -294,6 +313,7 @@ public final class Room {
     }
     tick = context.simulation().tick();
     phase = presentPhase();
+    stages.end(Stage.REST);
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
     if (tookNs > loop.periodNs()) {
@@ -458,6 +478,21 @@ public final class Room {
   /** Returns what the room counts; from any thread. */
   public Counters counters() {
     return counters;
+  }
+
+  /** Returns the number of ticks per second; from any thread. */
+  public int tickRateHz() {
+    return context.config().tickRateHz();
+  }
+
+  /** Returns how long the stages of its turns took; from any thread. */
+  public StageTimes stages() {
+    return stages;
+  }
+
+  /** Returns the pictures of the room for people who watch it; from any thread. */
+  public Pictures pictures() {
+    return pictures;
   }
 
   /** Returns the world and the players of the present match, for reading. */

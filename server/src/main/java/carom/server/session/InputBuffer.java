@@ -1,6 +1,6 @@
 package carom.server.session;
 
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import java.util.Arrays;
 
 /**

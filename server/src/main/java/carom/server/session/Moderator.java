@@ -1,7 +1,7 @@
 package carom.server.session;
 
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.message.PlayerRole;
 
 /**

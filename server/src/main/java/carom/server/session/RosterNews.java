@@ -5,7 +5,7 @@ import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Broadcast;
-import carom.sim.Player;
+import carom.sim.entity.Player;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

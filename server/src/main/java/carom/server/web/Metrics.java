@@ -3,6 +3,7 @@ package carom.server.web;
 import carom.net.transport.NetworkCounter;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.metrics.Stage;
 import carom.server.room.Room;
 import io.micrometer.core.instrument.FunctionCounter;
 import io.micrometer.core.instrument.Gauge;
@@ -88,6 +89,13 @@ final class Metrics {
             .description(counter.help())
             .register(registry);
       }
+    }
+    for (Stage stage : Stage.values()) {
+      FunctionCounter.builder(
+              PREFIX + "stage.seconds", room.stages(), times -> times.totalNs(stage) / NS_PER_S)
+          .tags(tags.and("stage", stage.name().toLowerCase(Locale.ROOT)))
+          .description("Time that the stages of the room's turns have taken.")
+          .register(registry);
     }
     Gauge.builder(PREFIX + "places", room, r -> r.seats().count())
         .tags(tags)

@@ -2,8 +2,10 @@ package carom.server.web;
 
 import carom.net.transport.NetworkCounter;
 import carom.server.room.Room;
+import carom.server.web.page.LivePage;
 import io.undertow.Undertow;
 import io.undertow.UndertowOptions;
+import io.undertow.server.HttpHandler;
 import io.undertow.server.HttpServerExchange;
 import io.undertow.server.handlers.BlockingHandler;
 import io.undertow.util.Headers;
@@ -17,8 +19,8 @@ import java.util.List;
 import org.xnio.Options;
 
 /**
- * Answers {@code /healthz}, {@code /readyz} and {@code /metrics} on a port of its own, on two
- * threads of its own.
+ * Answers {@code /healthz}, {@code /readyz} and {@code /metrics} and serves the {@link LivePage} on
+ * a port of its own, on two threads of its own.
  */
 public final class WebServer implements AutoCloseable {
   private static final int BUFFER_BYTES = 16_384;
@@ -26,6 +28,8 @@ public final class WebServer implements AutoCloseable {
   private static final long MAX_REQUEST_BYTES = 4_096;
 
   private final Undertow undertow;
+  private final LivePage page;
+  private final HttpHandler answers = new BlockingHandler(this::answer);
   private final Health health;
   private final Metrics metrics;
   private volatile boolean stopping;
@@ -37,10 +41,13 @@ public final class WebServer implements AutoCloseable {
    * @param port 1..65,535, or 0 for a free one
    * @param rooms all rooms of the server
    * @param network what the transport counts
+   * @param page the live page, this server's to close from now on; null for none
    * @throws IOException if the port can't be opened; the message says what to do
    */
-  public WebServer(InetAddress address, int port, List<Room> rooms, List<NetworkCounter> network)
+  public WebServer(
+      InetAddress address, int port, List<Room> rooms, List<NetworkCounter> network, LivePage page)
       throws IOException {
+    this.page = page;
     health = new Health(rooms, System::nanoTime);
     metrics = new Metrics(rooms, network);
     undertow =
@@ -53,12 +60,12 @@ public final class WebServer implements AutoCloseable {
             .setServerOption(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MS)
             .setServerOption(UndertowOptions.MAX_ENTITY_SIZE, MAX_REQUEST_BYTES)
             .setWorkerOption(Options.THREAD_DAEMON, true)
-            .setHandler(new BlockingHandler(this::answer))
+            .setHandler(this::route)
             .build();
     try {
       undertow.start();
     } catch (RuntimeException e) {
-      undertow.stop();
+      close();
       String why =
           e.getCause() instanceof BindException ? "it is busy" : String.valueOf(e.getMessage());
       throw new IOException(
@@ -78,6 +85,17 @@ public final class WebServer implements AutoCloseable {
   /** Tells {@code /readyz} that the server takes no more players, because it stops. */
   public void stopping() {
     stopping = true;
+  }
+
+  private void route(HttpServerExchange exchange) throws Exception {
+    boolean isRead =
+        exchange.getRequestMethod().equals(Methods.GET)
+            || exchange.getRequestMethod().equals(Methods.HEAD);
+    if (page != null && isRead && page.serves(exchange.getRequestPath())) {
+      page.handle(exchange);
+    } else {
+      answers.handleRequest(exchange);
+    }
   }
 
   private void answer(HttpServerExchange exchange) {
@@ -122,6 +140,9 @@ public final class WebServer implements AutoCloseable {
 
   @Override
   public void close() {
+    if (page != null) {
+      page.close();
+    }
     undertow.stop();
   }
 }

@@ -1,9 +1,9 @@
 /**
- * What programs ask a server over HTTP: whether it is well, whether players may come, and its
- * metrics. It has a port of its own, and no tick waits for it.
+ * What a server answers over HTTP: whether it is well, whether players may come, its metrics, and
+ * the live page. It has a port of its own, and no tick waits for it.
  *
  * <p>Allowed imports: {@code carom.net.transport}, {@code carom.server.metrics}, {@code
- * carom.server.room}, Micrometer, Undertow, slf4j, the JDK. Read first: {@link
- * carom.server.web.WebServer}, {@link carom.server.web.Metrics}.
+ * carom.server.room}, {@code carom.server.web.page}, Micrometer, Undertow, slf4j, the JDK. Read
+ * first: {@link carom.server.web.WebServer}, {@link carom.server.web.Metrics}.
  */
 package carom.server.web;

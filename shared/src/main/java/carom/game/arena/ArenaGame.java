@@ -16,14 +16,13 @@ import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.sim.Cooldown;
-import carom.sim.Entity;
 import carom.sim.Game;
-import carom.sim.Input;
 import carom.sim.MatchClock;
-import carom.sim.MatchPhase;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.field.Count;
@@ -37,6 +36,7 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.sim.match.MatchPhase;
 import java.util.List;
 
 /**

@@ -356,6 +356,13 @@ public final class SnapshotEncoder {
   }
 
   /**
+   * Returns the priority that a slot has collected since it was sent; 0 if there is no such slot.
+   */
+  public float collectedPriority(int slot) {
+    return selection.weight(slot);
+  }
+
+  /**
    * Explains why the slot's entity was sent with the last snapshot, or was not. For operators and
    * tests; allocates.
    *

@@ -1,6 +1,6 @@
 package carom.sim.field;
 
-import carom.sim.ruling.Findings;
+import carom.sim.finding.Findings;
 import java.util.List;
 import java.util.function.IntSupplier;
 

@@ -1,8 +1,8 @@
 package carom.sim.field;
 
 import carom.sim.event.Audience;
-import carom.sim.ruling.Findings;
-import carom.sim.ruling.Habit;
+import carom.sim.finding.Findings;
+import carom.sim.finding.Habit;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,7 +1,7 @@
 package carom.sim.field;
 
 import carom.physics.math.StateHash;
-import carom.sim.ruling.Habit;
+import carom.sim.finding.Habit;
 
 /**
  * The words of one player, one entity or the match, by the layout of the {@link Schema}. Games use

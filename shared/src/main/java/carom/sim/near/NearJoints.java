@@ -5,8 +5,8 @@ import carom.physics.Joint;
 import carom.physics.rows.ExactRows;
 import carom.physics.rows.JointRow;
 import carom.physics.rows.Rows;
-import carom.sim.Entity;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.joint.JointTable;
 
 /**

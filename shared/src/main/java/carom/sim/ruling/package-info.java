@@ -1,8 +1,11 @@
 /**
- * What a game's rules do to bodies by themselves, as something that can be told: which numbers of a
- * body's state they changed, at which moment of which tick.
+ * What a game's rules do to bodies by themselves, noticed by comparing bodies before and after the
+ * rules: as something that can be told (which numbers of a body's state changed, at which moment of
+ * which tick), and as advice to the game's developer.
  *
- * <p>Allowed imports: {@code carom.physics..}, the JDK. Read first: {@link
- * carom.sim.ruling.Ruling}, {@link carom.sim.ruling.RulingLog}.
+ * <p>Allowed imports: {@code carom.physics..}, {@code carom.sim.entity}, {@code carom.sim.level},
+ * {@code carom.sim.field}, {@code carom.sim.finding}, the JDK. Read first: {@link
+ * carom.sim.ruling.InterferenceLog}, {@link carom.sim.ruling.Ruling}, {@link
+ * carom.sim.ruling.RulingLog}.
  */
 package carom.sim.ruling;

@@ -2,7 +2,7 @@ package carom.lab.figures;
 
 import carom.client.InputSource;
 import carom.net.transport.Impairment;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import carom.testkit.SimulatedClient;
 import carom.testkit.SpawnWatch;
 import carom.testkit.Stepper;

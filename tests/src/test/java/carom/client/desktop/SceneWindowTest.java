@@ -34,6 +34,8 @@ final class SceneWindowTest {
                   "-cp",
                   System.getProperty("java.class.path"),
                   ClientMain.class.getName(),
+                  "--settings",
+                  folder.resolve("player.conf").toString(),
                   "--scene",
                   "pyramid",
                   "--debug",

@@ -10,9 +10,9 @@ import carom.game.Games;
 import carom.net.kryo.KryoServerTransport;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
-import carom.sim.Entity;
-import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.testkit.VirtualDisplay;
 import com.badlogic.gdx.utils.GdxNativesLoader;
@@ -165,6 +165,7 @@ final class WindowTest {
     command.add("-cp");
     command.add(System.getProperty("java.class.path"));
     command.add(ClientMain.class.getName());
+    command.addAll(List.of("--settings", folder.resolve("player.conf").toString()));
     command.addAll(List.of(flags));
     return new ProcessBuilder(command)
         .redirectErrorStream(true)

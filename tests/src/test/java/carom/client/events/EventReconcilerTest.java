@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.arena.ArenaGame;
 import carom.sim.Event;
-import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.level.Level;
 import java.util.ArrayList;

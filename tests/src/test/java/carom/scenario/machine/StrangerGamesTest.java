@@ -9,7 +9,7 @@ import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Game;
-import carom.sim.Input;
+import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.testkit.AnchorGaps;

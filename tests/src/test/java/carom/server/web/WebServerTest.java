@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.transport.NetworkCounter;
 import carom.server.metrics.Counter;
+import carom.server.metrics.Stage;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -14,8 +15,12 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -33,8 +38,11 @@ final class WebServerTest {
   @BeforeEach
   void start() throws IOException {
     stepper = Stepper.of("arena");
-    List<NetworkCounter> network = List.of(new NetworkCounter("opened", "Links.", () -> 42));
-    web = new WebServer(LOOPBACK, 0, stepper.server().rooms(), network);
+    List<NetworkCounter> network =
+        List.of(
+            new NetworkCounter("opened", "Links.", () -> 42),
+            new NetworkCounter("errors", "Errors.", () -> 0));
+    web = new WebServer(LOOPBACK, 0, stepper.server().rooms(), network, null);
   }
 
   @AfterEach
@@ -95,10 +103,28 @@ final class WebServerTest {
     }
     long ticks = stepper.room().counters().get(Counter.TICKS);
     assertTrue(text.contains("carom_ticks_total{room=\"1\"} " + ticks + ".0\n"), text);
+    for (Stage stage : Stage.values()) {
+      String label = "stage=\"" + stage.name().toLowerCase(Locale.ROOT) + "\"";
+      assertTrue(text.contains("carom_stage_seconds_total{room=\"1\"," + label + "} "), text);
+    }
     assertTrue(text.contains("carom_network_opened_total 42.0\n"), text);
     assertTrue(
         text.contains("carom_tick_duration_seconds_bucket{room=\"1\",le=\"+Inf\"} " + ticks), text);
     assertTrue(text.contains("jvm_memory_used_bytes"), text);
+  }
+
+  @Test
+  void theDashboardAsksForMetricsThatAreThere() throws Exception {
+    stepper.run(1);
+    String metrics = get("/metrics").body();
+    String dashboard = Files.readString(Path.of("..", "docs", "grafana.json"));
+    Matcher names = Pattern.compile("\\b(carom|jvm)_[a-z_]+\\b").matcher(dashboard);
+    int count = 0;
+    while (names.find()) {
+      assertTrue(metrics.matches("(?s).*\n" + names.group() + "[{ ].*"), names.group());
+      count++;
+    }
+    assertTrue(count > 20, "names=" + count);
   }
 
   @Test
@@ -109,7 +135,7 @@ final class WebServerTest {
               IOException.class,
               () ->
                   new WebServer(
-                      LOOPBACK, busy.getLocalPort(), stepper.server().rooms(), List.of()));
+                      LOOPBACK, busy.getLocalPort(), stepper.server().rooms(), List.of(), null));
       assertTrue(e.getMessage().contains("it is busy"), e.getMessage());
       assertTrue(e.getMessage().contains("--web-port, or --no-web"), e.getMessage());
     }

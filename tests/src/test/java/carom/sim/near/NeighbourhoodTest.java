@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.physics.rows.BodyRow;
-import carom.sim.Input;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.entity.Input;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.random.SimRandom;

@@ -2,10 +2,12 @@ package carom.client.desktop.chat;
 
 import carom.client.GameClient;
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.input.KeyMap;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.message.MessageListener;
+import carom.client.settings.KeyAction;
 import carom.client.view.ClientView;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Emote;
@@ -13,9 +15,9 @@ import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.graphics.Color;
 
 /**
- * Chat and emotes in the window. Enter begins a line to all, T or Shift and Enter one to the team;
- * Enter sends it, Escape gives it up. Keys 1 to 8 show emotes. Lines fade after some seconds.
- * Render thread only.
+ * Chat and emotes in the window. A key begins a line to all, another one or Shift and the first one
+ * a line to the team; Enter sends it, Escape gives it up. Keys 1 to 8 show emotes. Lines fade after
+ * some seconds. Render thread only.
  */
 public final class Conversation implements MessageListener {
   private static final long SHOWN_NS = 9_000_000_000L;
@@ -27,6 +29,7 @@ public final class Conversation implements MessageListener {
   private static final float WIDTH = 460;
 
   private final GameClient client;
+  private final KeyMap keys;
   private final Fonts fonts;
   private final ChatLog log = new ChatLog();
   private final EmoteBubbles bubbles = new EmoteBubbles();
@@ -34,8 +37,9 @@ public final class Conversation implements MessageListener {
   private boolean swallowsTyped;
 
   /** Creates a conversation over a client, whose messages it hears. */
-  public Conversation(GameClient client, Fonts fonts) {
+  public Conversation(GameClient client, KeyMap keys, Fonts fonts) {
     this.client = client;
+    this.keys = keys;
     this.fonts = fonts;
     client.messages(this);
   }
@@ -49,6 +53,11 @@ public final class Conversation implements MessageListener {
   @Override
   public void emoted(int player, Emote emote) {
     bubbles.show(player, emote, System.nanoTime());
+  }
+
+  /** Shows a line of the program itself. */
+  public void announce(String text) {
+    log.add(new ChatLog.Line("", false, text, System.nanoTime()));
   }
 
   /** Returns whether a line is being written, so that keys are letters. */
@@ -68,11 +77,12 @@ public final class Conversation implements MessageListener {
       return true;
     }
     int emote = key - Keys.NUM_1;
-    if (key == Keys.ENTER || key == Keys.NUMPAD_ENTER) {
+    if (keys.does(key, KeyAction.CHAT)) {
       log.open(shift);
-    } else if (key == Keys.T) {
+      swallowsTyped = key != Keys.ENTER; // a letter follows
+    } else if (keys.does(key, KeyAction.TEAM_CHAT)) {
       log.open(true);
-      swallowsTyped = true; // the letter follows
+      swallowsTyped = true;
     } else if (emote >= 0 && emote < Emote.values().length) {
       client.emote(Emote.values()[emote]);
     } else {

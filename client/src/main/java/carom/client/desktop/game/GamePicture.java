@@ -90,18 +90,17 @@ public final class GamePicture implements Disposable {
 
   /** Handles a key; returns false if the key doesn't concern the picture. */
   public boolean key(int key) {
-    switch (key) {
-      case Keys.F4 -> showDebug = !showDebug;
-      case Keys.M -> {
-        sounds.mute(!sounds.muted());
-        hud.showAnswer(
-            !sounds.audible() ? "No sound here" : sounds.muted() ? "Sound is off" : "Sound is on");
-      }
-      default -> {
-        return false;
-      }
+    if (key == Keys.F4) {
+      showDebug = !showDebug;
     }
-    return true;
+    return key == Keys.F4;
+  }
+
+  /** Switches the sound off or on. */
+  public void toggleSound() {
+    sounds.mute(!sounds.muted());
+    hud.showAnswer(
+        !sounds.audible() ? "No sound here" : sounds.muted() ? "Sound is off" : "Sound is on");
   }
 
   /**

@@ -7,7 +7,7 @@ import carom.client.view.ClientView;
 import carom.game.Games;
 import carom.sim.Game;
 import carom.sim.MatchClock;
-import carom.sim.MatchPhase;
+import carom.sim.match.MatchPhase;
 import com.badlogic.gdx.math.Vector3;
 import java.util.List;
 

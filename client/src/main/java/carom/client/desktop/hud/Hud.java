@@ -302,7 +302,7 @@ public final class Hud implements Disposable {
   }
 
   /** Darkens everything, because the picture isn't the present. */
-  private void veil() {
+  public void veil() {
     beginFigures();
     canvas.rect(0, 0, width, height, Theme.VEIL);
     canvas.end();

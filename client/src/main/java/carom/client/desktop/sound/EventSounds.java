@@ -44,7 +44,7 @@ public final class EventSounds implements EventListener {
   private final Voice[] voices = new Voice[VOICES];
   private final double[] quietUntil = new double[Sound.values().length];
   private final float[] lastLoudness = new float[Sound.values().length];
-  private final float volume;
+  private float volume;
   private boolean muted;
 
   /** Time, seconds; a float would stand still after some days. */
@@ -64,6 +64,11 @@ public final class EventSounds implements EventListener {
     for (int i = 0; i < VOICES; i++) {
       voices[i] = new Voice();
     }
+  }
+
+  /** Sets the volume of the loudest sound, 0..1; sounds that play keep theirs. */
+  public void volume(float loudest) {
+    volume = loudest;
   }
 
   /** Switches the sound off or on; playing sounds stop. */

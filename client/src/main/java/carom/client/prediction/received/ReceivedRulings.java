@@ -2,9 +2,9 @@ package carom.client.prediction.received;
 
 import carom.net.snapshot.exact.NearState;
 import carom.physics.rows.BodyRow;
-import carom.sim.Entity;
 import carom.sim.Rulings;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.near.Neighbourhood;
 import carom.sim.ruling.Ruling;
 

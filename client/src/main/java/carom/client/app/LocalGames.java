@@ -1,0 +1,55 @@
+package carom.client.app;
+
+import carom.net.transport.ClientTransport;
+import java.util.List;
+import java.util.ServiceLoader;
+
+/**
+ * Starts games on this machine, for a client that has no server. The client knows no server: {@link
+ * ServiceLoader} finds the implementation that {@code META-INF/services} names, if this build has
+ * one.
+ */
+public interface LocalGames {
+  /**
+   * What to play.
+   *
+   * @param level name of the level
+   * @param bots players that the machine plays, 0..{@link #MAX_BOTS}
+   * @param open whether others may join, over the network
+   */
+  record Choice(String level, int bots, boolean open) {}
+
+  /** A game that runs, with its server in this process. */
+  interface LocalGame extends AutoCloseable {
+    /** Returns a transport whose links lead to the server, whatever the address. */
+    ClientTransport transport();
+
+    /** Returns how others can join, in words for the player; empty if they can't. */
+    String invitation();
+
+    /** Stops the bots and the server. */
+    @Override
+    void close();
+  }
+
+  /** Most bots of a local game. */
+  int MAX_BOTS = 20;
+
+  /** Returns the names of the levels, the usual one first. */
+  List<String> levels();
+
+  /**
+   * Starts a server with a game.
+   *
+   * @throws IllegalStateException in words for the player, when it can't be started
+   */
+  LocalGame start(Choice choice);
+
+  /** Returns the implementation of this build, or null. */
+  static LocalGames find() {
+    for (LocalGames games : ServiceLoader.load(LocalGames.class)) {
+      return games;
+    }
+    return null;
+  }
+}

@@ -1,0 +1,101 @@
+package carom.client.desktop.menu;
+
+import carom.client.app.LocalGames;
+import com.badlogic.gdx.scenes.scene2d.Actor;
+import com.badlogic.gdx.scenes.scene2d.ui.Table;
+
+/** Starts a game on this machine, alone, with bots or for others. Render thread only. */
+final class CreatePage implements Page {
+  private static final float LABEL_WIDTH = 220;
+  private static final int USUAL_BOTS = 5;
+
+  private final Widgets widgets;
+  private final StartTarget target;
+  private final LocalGames games;
+  private final Runnable rebuild;
+  private String level;
+  private int bots = USUAL_BOTS;
+  private boolean open;
+  private String problem = "";
+
+  /**
+   * Creates a page.
+   *
+   * @param rebuild asks for the page to be built anew
+   */
+  CreatePage(Widgets widgets, StartTarget target, LocalGames games, Runnable rebuild) {
+    this.widgets = widgets;
+    this.target = target;
+    this.games = games;
+    this.rebuild = rebuild;
+    level = games.levels().get(0);
+  }
+
+  @Override
+  public void build(Table into) {
+    into.defaults().space(8).left();
+    into.add(widgets.heading("Play on this machine")).colspan(2).row();
+    into.add(widgets.primary("Start", this::submit))
+        .colspan(2)
+        .height(Widgets.HEIGHT + 8)
+        .growX()
+        .row();
+    if (!problem.isEmpty()) {
+      into.add(widgets.problem(problem)).colspan(2).growX().row();
+    }
+    line(into, "Bots", steps());
+    line(
+        into,
+        "Others on the network",
+        widgets.button(
+            open ? "may join" : "can't join",
+            () -> {
+              open = !open;
+              rebuild.run();
+            }));
+    into.add(widgets.muted("Level")).colspan(2).padTop(8).row();
+    for (String name : games.levels()) {
+      String text = name.equals(level) ? "> " + name : name;
+      into.add(widgets.row(text, () -> choose(name)))
+          .colspan(2)
+          .height(Widgets.HEIGHT)
+          .growX()
+          .row();
+    }
+  }
+
+  private void choose(String name) {
+    level = name;
+    rebuild.run();
+  }
+
+  private Table steps() {
+    Table row = new Table();
+    row.add(widgets.button("-", () -> bots(bots - 1))).size(Widgets.HEIGHT);
+    row.add(widgets.label(Integer.toString(bots))).width(60).padLeft(14);
+    row.add(widgets.button("+", () -> bots(bots + 1))).size(Widgets.HEIGHT);
+    row.add().growX();
+    return row;
+  }
+
+  private void bots(int wanted) {
+    bots = Math.max(0, Math.min(LocalGames.MAX_BOTS, wanted));
+    rebuild.run();
+  }
+
+  private void line(Table into, String label, Actor value) {
+    into.add(widgets.label(label)).width(LABEL_WIDTH);
+    into.add(value).height(Widgets.HEIGHT).growX().row();
+  }
+
+  @Override
+  public void submit() {
+    try {
+      problem = "";
+      target.create(new LocalGames.Choice(level, bots, open));
+    } catch (IllegalStateException e) {
+      problem = e.getMessage();
+      rebuild.run();
+    }
+  }
+}

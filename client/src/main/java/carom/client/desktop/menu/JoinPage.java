@@ -1,0 +1,212 @@
+package carom.client.desktop.menu;
+
+import carom.client.link.RoomBrowser;
+import carom.client.link.ServerAddress;
+import carom.client.settings.PlayerSettings;
+import carom.net.protocol.ServerMessage.RoomEntry;
+import com.badlogic.gdx.scenes.scene2d.ui.Table;
+import com.badlogic.gdx.scenes.scene2d.ui.TextField;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Joins a server: by its address, or from the favourites and those played on lately, with what each
+ * tells of itself. Render thread only.
+ */
+final class JoinPage implements Page {
+  private static final int MAX_ADDRESS_LENGTH = 280;
+  private static final int MAX_NAME_LENGTH = 32;
+  private static final float STAR_WIDTH = 90;
+
+  private final Widgets widgets;
+  private final SettingsHost host;
+  private final StartTarget target;
+  private final Runnable rebuild;
+  private final List<KnownServer> known = new ArrayList<>();
+  private List<RoomEntry> rooms = List.of();
+  private RoomBrowser browser;
+  private TextField name;
+  private TextField address;
+  private String entered;
+  private String message = "";
+
+  /**
+   * Creates a page.
+   *
+   * @param server address that stands in the field
+   * @param rebuild asks for the page to be built anew
+   */
+  JoinPage(
+      Widgets widgets, SettingsHost host, StartTarget target, String server, Runnable rebuild) {
+    this.widgets = widgets;
+    this.host = host;
+    this.target = target;
+    this.rebuild = rebuild;
+    entered = server;
+  }
+
+  /** Shows why the player is here again; an empty text shows nothing. */
+  void message(String text) {
+    message = text;
+  }
+
+  @Override
+  public void build(Table into) {
+    PlayerSettings s = host.settings();
+    if (known.isEmpty()) {
+      ask(s);
+    }
+    into.defaults().space(8).left();
+    into.add(widgets.heading("Join a server")).colspan(2).row();
+    name = widgets.field(name == null ? s.name() : name.getText(), MAX_NAME_LENGTH);
+    into.add(widgets.label("Your name"));
+    into.add(name).height(Widgets.HEIGHT).growX().row();
+    address = widgets.field(address == null ? entered : address.getText(), MAX_ADDRESS_LENGTH);
+    into.add(widgets.label("Server")).padRight(14);
+    into.add(address).height(Widgets.HEIGHT).growX().row();
+    into.add();
+    into.add(widgets.small("host or host:port; host:tcp/udp where both ports are unusual")).row();
+    Table buttons = new Table();
+    buttons.defaults().height(Widgets.HEIGHT + 4).space(8);
+    buttons.add(widgets.primary("Join", () -> join(""))).growX();
+    buttons.add(widgets.button("Show rooms", this::browse)).width(150);
+    buttons.add(widgets.button("Watch", this::watch)).width(110);
+    into.add(buttons).colspan(2).growX().row();
+    if (!message.isEmpty()) {
+      into.add(widgets.problem(message)).colspan(2).growX().row();
+    }
+    rooms(into);
+    for (int i = 0; i < known.size(); i++) {
+      KnownServer server = known.get(i);
+      boolean favourite = i < s.favourites().size();
+      if (i == 0 || i == s.favourites().size()) {
+        String heading = favourite ? "Favourites" : "Played lately";
+        into.add(widgets.muted(heading)).colspan(2).padTop(8).row();
+      }
+      into.add(line(server, s.favourites().contains(server.text()))).colspan(2).growX().row();
+    }
+  }
+
+  private void rooms(Table into) {
+    for (RoomEntry room : rooms) {
+      String text =
+          "%s     %s, %s     %d/%d     %s"
+              .formatted(
+                  room.name(),
+                  room.game(),
+                  room.level(),
+                  room.players(),
+                  room.places(),
+                  room.phase());
+      into.add(widgets.row(text.stripTrailing(), () -> join(room.name())))
+          .colspan(2)
+          .height(Widgets.HEIGHT)
+          .growX()
+          .row();
+    }
+  }
+
+  private Table line(KnownServer server, boolean favourite) {
+    Table line = new Table();
+    line.defaults().height(Widgets.HEIGHT).space(6);
+    String text = server.text() + "     " + server.about();
+    line.add(widgets.row(text, () -> join(server))).growX().minWidth(0);
+    line.add(widgets.button(favourite ? "forget" : "keep", () -> toggle(server))).width(STAR_WIDTH);
+    return line;
+  }
+
+  /** Asks all servers of the lists what they play. */
+  private void ask(PlayerSettings s) {
+    List<String> servers = new ArrayList<>(s.favourites());
+    s.recent().stream().filter(server -> !servers.contains(server)).forEach(servers::add);
+    servers.forEach(server -> known.add(new KnownServer(server, target::browse)));
+  }
+
+  private void join(KnownServer server) {
+    address.setText(server.text());
+    join("");
+  }
+
+  private void toggle(KnownServer server) {
+    host.change(host.settings().withFavouriteToggled(server.text()));
+    known.forEach(KnownServer::close);
+    known.clear();
+    rebuild.run();
+  }
+
+  @Override
+  public void submit() {
+    join("");
+  }
+
+  /** Joins a room, or any if its name is empty. */
+  private void join(String room) {
+    ServerAddress server = server();
+    if (server != null) {
+      target.play(server, room);
+    }
+  }
+
+  private void watch() {
+    ServerAddress server = server();
+    if (server != null) {
+      message = "Asking " + server + " for its game ...";
+      rebuild.run();
+      target.watch(server, 1);
+    }
+  }
+
+  /** Asks the server for its rooms; they show when they arrive. */
+  private void browse() {
+    ServerAddress server = server();
+    if (server != null && browser == null) {
+      message = "Asking " + server + " ...";
+      rooms = List.of();
+      browser = target.browse(server);
+      rebuild.run();
+    }
+  }
+
+  /** Keeps the name, and returns the server, or null after saying what is wrong. */
+  private ServerAddress server() {
+    try {
+      host.change(host.settings().withName(name.getText().strip()));
+      message = "";
+      return ServerAddress.parse(address.getText());
+    } catch (IllegalArgumentException e) {
+      message = e.getMessage();
+      rebuild.run();
+      return null;
+    }
+  }
+
+  @Override
+  public boolean update(long nowNs) {
+    boolean changed = false;
+    for (KnownServer server : known) {
+      changed |= server.update(nowNs);
+    }
+    if (browser != null) {
+      browser.update(nowNs);
+      if (browser.isDone()) {
+        message = browser.problem();
+        rooms = browser.rooms();
+        browser = null;
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
+  @Override
+  public void close() {
+    known.forEach(KnownServer::close);
+    known.clear();
+    rooms = List.of();
+    message = "";
+    if (browser != null) {
+      browser.close();
+      browser = null;
+    }
+  }
+}

@@ -1,0 +1,15 @@
+package carom.client.desktop.menu;
+
+import carom.client.settings.PlayerSettings;
+
+/** Holds the settings that menus show, and applies what the player changes. Render thread only. */
+public interface SettingsHost {
+  /** Returns the present settings. */
+  PlayerSettings settings();
+
+  /** Applies changed settings at once and keeps them. */
+  void change(PlayerSettings changed);
+
+  /** Returns what couldn't be read or kept, in words for the player; empty if nothing. */
+  String problem();
+}

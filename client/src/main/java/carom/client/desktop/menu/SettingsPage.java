@@ -1,0 +1,146 @@
+package carom.client.desktop.menu;
+
+import carom.client.desktop.input.KeyMap;
+import carom.client.settings.KeyAction;
+import carom.client.settings.Palette;
+import carom.client.settings.PlayerSettings;
+import com.badlogic.gdx.Input.Keys;
+import com.badlogic.gdx.scenes.scene2d.Actor;
+import com.badlogic.gdx.scenes.scene2d.ui.Table;
+import com.badlogic.gdx.scenes.scene2d.ui.TextField;
+import java.util.List;
+import java.util.function.IntFunction;
+
+/** The settings, each in a line. A change counts at once and is kept. Render thread only. */
+final class SettingsPage implements Page {
+  private static final float LABEL_WIDTH = 220;
+  private static final int MAX_NAME_LENGTH = 32;
+
+  private final Widgets widgets;
+  private final SettingsHost host;
+  private final MenuStage stage;
+  private final Runnable rebuild;
+  private TextField name;
+  private KeyAction waiting;
+  private String problem = "";
+
+  /**
+   * Creates a page.
+   *
+   * @param stage shows the page, and hands over the key that the player chooses
+   * @param rebuild asks for the page to be built anew
+   */
+  SettingsPage(Widgets widgets, SettingsHost host, MenuStage stage, Runnable rebuild) {
+    this.widgets = widgets;
+    this.host = host;
+    this.stage = stage;
+    this.rebuild = rebuild;
+  }
+
+  @Override
+  public void build(Table into) {
+    PlayerSettings s = host.settings();
+    into.defaults().space(6).left();
+    into.add(widgets.heading("Settings")).colspan(2).padBottom(8).row();
+    name = widgets.field(name == null ? s.name() : name.getText(), MAX_NAME_LENGTH);
+    line(into, "Name in games", name);
+    steps(into, "Volume", s.volume(), 5, 0, 100, v -> s.withVolume(v), " %");
+    steps(into, "Text size", s.textSize(), 25, 75, 200, v -> s.withTextSize(v), " %");
+    steps(
+        into,
+        "Delay of others, at least",
+        s.interpolationMs(),
+        25,
+        0,
+        300,
+        v -> s.withInterpolationMs(v),
+        " ms");
+    line(
+        into,
+        "Window",
+        widgets.button(
+            s.fullscreen() ? "fills the screen" : s.windowWidth() + " x " + s.windowHeight(),
+            () -> change(host.settings().withFullscreen(!s.fullscreen()))));
+    Palette[] palettes = Palette.values();
+    Palette next = palettes[(s.palette().ordinal() + 1) % palettes.length];
+    line(
+        into,
+        "Colours",
+        widgets.button(s.palette().label(), () -> change(host.settings().withPalette(next))));
+    into.add(widgets.muted("Keys")).padTop(10).colspan(2).row();
+    for (KeyAction action : KeyAction.values()) {
+      String keys = KeyMap.all(s.keys().get(action));
+      String text = waiting == action ? "press a key ... (Esc: none)" : keys;
+      line(into, action.label(), widgets.button(text, () -> ask(action)));
+    }
+    line(
+        into,
+        "",
+        widgets.button("All keys as at first", () -> change(host.settings().withDefaultKeys())));
+    String said = problem.isEmpty() ? host.problem() : problem;
+    if (!said.isEmpty()) {
+      into.add(widgets.problem(said)).colspan(2).growX().row();
+    }
+  }
+
+  private void line(Table into, String label, Actor value) {
+    into.add(widgets.label(label)).width(LABEL_WIDTH);
+    into.add(value).height(Widgets.HEIGHT).growX().row();
+  }
+
+  private void steps(
+      Table into,
+      String label,
+      int value,
+      int step,
+      int min,
+      int max,
+      IntFunction<PlayerSettings> with,
+      String unit) {
+    Table row = new Table();
+    Runnable less = () -> change(with.apply(Math.max(min, value - step)));
+    Runnable more = () -> change(with.apply(Math.min(max, value + step)));
+    row.add(widgets.button("-", less)).size(Widgets.HEIGHT);
+    row.add(widgets.label(value + unit)).width(90).padLeft(14);
+    row.add(widgets.button("+", more)).size(Widgets.HEIGHT);
+    row.add().growX();
+    line(into, label, row);
+  }
+
+  private void ask(KeyAction action) {
+    waiting = action;
+    stage.capture(
+        key -> {
+          waiting = null;
+          String chosen = Keys.toString(key);
+          boolean none = key == 0 || chosen == null;
+          change(host.settings().withKeys(action, none ? List.of() : List.of(chosen)));
+        });
+    rebuild.run();
+  }
+
+  private void change(PlayerSettings changed) {
+    host.change(changed);
+    rebuild.run();
+  }
+
+  @Override
+  public void submit() {
+    close();
+    rebuild.run();
+  }
+
+  /** Keeps the name, unless nobody may be called so. */
+  @Override
+  public void close() {
+    String entered = name == null ? host.settings().name() : name.getText().strip();
+    problem = "";
+    try {
+      if (!entered.equals(host.settings().name())) {
+        host.change(host.settings().withName(entered));
+      }
+    } catch (IllegalArgumentException e) {
+      problem = "Not kept: " + e.getMessage() + ".";
+    }
+  }
+}

@@ -1,0 +1,137 @@
+package carom.client.desktop.menu;
+
+import carom.client.app.LocalGames;
+import carom.client.desktop.paint.Theme;
+import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.ScreenAdapter;
+import com.badlogic.gdx.scenes.scene2d.ui.Label;
+import com.badlogic.gdx.scenes.scene2d.ui.Table;
+import com.badlogic.gdx.utils.Align;
+import com.badlogic.gdx.utils.ScreenUtils;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * The first screen: what to do at the left, the page of it at the right. It says, too, why the last
+ * visit to a server ended. Render thread only.
+ */
+public final class StartScreen extends ScreenAdapter {
+  private static final float MENU_WIDTH = 250;
+  private static final float PAGE_WIDTH = 720;
+  private static final float PAD = 20;
+
+  private final Widgets widgets;
+  private final StartTarget target;
+  private final MenuStage stage = new MenuStage(this::submit, this::back);
+  private final Map<String, Page> pages = new LinkedHashMap<>();
+  private final JoinPage join;
+  private Page page;
+  private boolean stale = true;
+  private boolean entering;
+
+  /**
+   * Creates a screen. The widgets and the host stay the property of the caller.
+   *
+   * @param games starts games on this machine; null when this build can't
+   * @param server address that stands in the field to join
+   */
+  public StartScreen(
+      Widgets widgets, SettingsHost host, StartTarget target, LocalGames games, String server) {
+    this.widgets = widgets;
+    this.target = target;
+    Runnable rebuild = () -> stale = true;
+    join = new JoinPage(widgets, host, target, server, rebuild);
+    if (games != null) {
+      pages.put("Play here", new CreatePage(widgets, target, games, rebuild));
+    }
+    pages.put("Join a server", join);
+    pages.put("Replays", new ReplaysPage(widgets, target, Path.of(""), rebuild));
+    pages.put("Scenes", new ScenesPage(widgets, target));
+    pages.put("Settings", new SettingsPage(widgets, host, stage, rebuild));
+    page = join;
+    entering = true;
+  }
+
+  /** Shows why the player is here again; an empty text shows nothing. */
+  public void message(String text) {
+    turn(join);
+    join.message(text);
+  }
+
+  private void turn(Page next) {
+    if (next != page) {
+      page.close();
+      page = next;
+    }
+    entering = true;
+    stale = true;
+  }
+
+  private void submit() {
+    page.submit();
+  }
+
+  /** Goes from a page to the menu, and from the menu out. */
+  private void back() {
+    if (page == join) {
+      target.quit();
+    } else {
+      turn(join);
+    }
+  }
+
+  private void build() {
+    stale = false;
+    Table menu = new Table();
+    menu.defaults().height(Widgets.HEIGHT + 4).growX().space(8);
+    Label title = widgets.title("CAROM");
+    menu.add(title).height(64).center().row();
+    menu.add(widgets.muted("multiplayer physics")).height(20).padBottom(14).row();
+    pages.forEach(
+        (name, shown) ->
+            menu.add(widgets.button(shown == page ? "> " + name : name, () -> turn(shown))).row());
+    menu.add(widgets.button("Quit", target::quit)).row();
+    menu.add(widgets.small("arrows, Tab, Enter, Esc")).center();
+    Table content = new Table();
+    page.build(content.top());
+    Table panel = widgets.panel();
+    panel.add(widgets.scroll(content)).grow().align(Align.topLeft);
+    Table root = new Table();
+    root.pad(PAD);
+    root.add(menu).width(MENU_WIDTH).top().padRight(PAD);
+    root.add(panel).minWidth(MENU_WIDTH).prefWidth(PAGE_WIDTH).growY();
+    stage.show(root);
+    if (entering) {
+      entering = false;
+      stage.focus(pages.size() + 1); // the first part of the page
+    }
+  }
+
+  @Override
+  public void show() {
+    Gdx.input.setInputProcessor(stage.input());
+  }
+
+  @Override
+  public void render(float deltaSeconds) {
+    ScreenUtils.clear(Theme.BACKDROP);
+    stale |= page.update(System.nanoTime());
+    if (stale) {
+      build();
+    }
+    stage.draw(deltaSeconds);
+  }
+
+  @Override
+  public void resize(int width, int height) {
+    stage.resize(width, height, widgets.scale());
+    stale = true;
+  }
+
+  @Override
+  public void dispose() {
+    page.close();
+    stage.dispose();
+  }
+}

@@ -1,0 +1,39 @@
+package carom.client.desktop.menu;
+
+import carom.client.app.LocalGames;
+import carom.client.link.RoomBrowser;
+import carom.client.link.ServerAddress;
+import carom.sim.scene.Scene;
+import java.nio.file.Path;
+
+/** Receives what the player chooses on the start screen. Render thread only. */
+public interface StartTarget {
+  /**
+   * Plays on a server.
+   *
+   * @param room name of the room; empty for any
+   */
+  void play(ServerAddress server, String room);
+
+  /**
+   * Starts a server on this machine and plays there.
+   *
+   * @throws IllegalStateException in words for the player, when it can't be started
+   */
+  void create(LocalGames.Choice choice);
+
+  /** Watches a room of a server, by its number from 1 on. */
+  void watch(ServerAddress server, int room);
+
+  /** Shows a recording. Returns why it can't, in words for the player; empty if it can. */
+  String replay(Path file);
+
+  /** Shows a scene. */
+  void scene(Scene scene);
+
+  /** Quits the program. */
+  void quit();
+
+  /** Asks a server for its rooms. */
+  RoomBrowser browse(ServerAddress server);
+}

@@ -1,0 +1,196 @@
+package carom.client.desktop.menu;
+
+import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.Theme;
+import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.graphics.Pixmap;
+import com.badlogic.gdx.graphics.Texture;
+import com.badlogic.gdx.graphics.g2d.BitmapFont;
+import com.badlogic.gdx.graphics.g2d.NinePatch;
+import com.badlogic.gdx.scenes.scene2d.Actor;
+import com.badlogic.gdx.scenes.scene2d.ui.Label;
+import com.badlogic.gdx.scenes.scene2d.ui.ScrollPane;
+import com.badlogic.gdx.scenes.scene2d.ui.Table;
+import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
+import com.badlogic.gdx.scenes.scene2d.ui.TextField;
+import com.badlogic.gdx.scenes.scene2d.utils.ChangeListener;
+import com.badlogic.gdx.scenes.scene2d.utils.Drawable;
+import com.badlogic.gdx.scenes.scene2d.utils.NinePatchDrawable;
+import com.badlogic.gdx.utils.Align;
+import com.badlogic.gdx.utils.Array;
+import com.badlogic.gdx.utils.Disposable;
+
+/**
+ * Makes the parts of a menu: labels, buttons, fields, panels. A button's action is its user object,
+ * so that a key can run it. The parts hold fonts, so they are made anew when the {@link Fonts}
+ * change. Render thread only.
+ */
+public final class Widgets implements Disposable {
+  /** Height of a field or button. */
+  static final float HEIGHT = 36;
+
+  private final Fonts fonts;
+  private final Array<Disposable> owned = new Array<>();
+  private final Drawable panel;
+  private final Drawable plain;
+  private final Drawable over;
+  private final Drawable accent;
+  private final Drawable accentOver;
+  private final Drawable field;
+  private final Drawable fieldFocused;
+  private final Drawable selection;
+  private final Drawable bar;
+
+  /** Creates the drawables. The fonts stay the property of the caller. */
+  public Widgets(Fonts fonts) {
+    this.fonts = fonts;
+    panel = box(Theme.DIALOG, Theme.PANEL_LINE);
+    plain = box(Theme.rgb(0x1b2534), Theme.PANEL_LINE);
+    over = box(Theme.rgb(0x26354b), Theme.ACCENT);
+    accent = box(Theme.ACCENT, Theme.ACCENT);
+    accentOver = box(Theme.rgb(0xffd08a), Theme.TEXT);
+    field = box(Theme.rgb(0x141b27), Theme.PANEL_LINE);
+    fieldFocused = box(Theme.rgb(0x182234), Theme.ACCENT);
+    selection = box(Theme.rgb(0x2f4d78), Theme.rgb(0x2f4d78));
+    bar = box(Theme.PANEL_LINE, Theme.PANEL_LINE);
+  }
+
+  /** Returns how many pixels a point has. */
+  float scale() {
+    return fonts.scale();
+  }
+
+  /** Returns a line of text. */
+  Label label(String text) {
+    return label(text, fonts.text(), Theme.TEXT);
+  }
+
+  /** Returns a line of text that steps back. */
+  Label muted(String text) {
+    return label(text, fonts.text(), Theme.MUTED);
+  }
+
+  /** Returns a line of small text that steps back. */
+  Label small(String text) {
+    return label(text, fonts.small(), Theme.MUTED);
+  }
+
+  /** Returns a heading. */
+  Label heading(String text) {
+    return label(text, fonts.large(), Theme.TEXT);
+  }
+
+  /** Returns the largest text. */
+  Label title(String text) {
+    return label(text, fonts.title(), Theme.TEXT);
+  }
+
+  /** Returns a text of several lines that says what is wrong. */
+  Label problem(String text) {
+    Label label = label(text, fonts.text(), Theme.BAD);
+    label.setWrap(true);
+    return label;
+  }
+
+  private static Label label(String text, BitmapFont font, Color color) {
+    return new Label(text, new Label.LabelStyle(font, color));
+  }
+
+  /** Returns a button. */
+  TextButton button(String text, Runnable action) {
+    return button(text, fonts.text(), Theme.TEXT, plain, over, action);
+  }
+
+  /** Returns the button that a page is there for. */
+  TextButton primary(String text, Runnable action) {
+    return button(text, fonts.large(), Theme.BACKDROP, accent, accentOver, action);
+  }
+
+  /** Returns a button that is a line of a list. */
+  TextButton row(String text, Runnable action) {
+    TextButton row = button(text, action);
+    row.getLabel().setAlignment(Align.left);
+    row.getLabel().setEllipsis(true);
+    return row;
+  }
+
+  private static TextButton button(
+      String text, BitmapFont font, Color color, Drawable up, Drawable over, Runnable action) {
+    TextButton.TextButtonStyle style = new TextButton.TextButtonStyle();
+    style.font = font;
+    style.fontColor = color;
+    style.up = up;
+    style.over = over;
+    style.focused = over;
+    style.down = over;
+    TextButton button = new TextButton(text, style);
+    button.setUserObject(action);
+    button.addListener(
+        new ChangeListener() {
+          @Override
+          public void changed(ChangeEvent event, Actor actor) {
+            action.run();
+          }
+        });
+    return button;
+  }
+
+  /** Returns a field for a line of text. */
+  TextField field(String text, int maxLength) {
+    TextField.TextFieldStyle style = new TextField.TextFieldStyle();
+    style.font = fonts.text();
+    style.fontColor = Theme.TEXT;
+    style.background = field;
+    style.focusedBackground = fieldFocused;
+    style.cursor = box(Theme.ACCENT, Theme.ACCENT);
+    style.cursor.setMinWidth(2);
+    style.selection = selection;
+    TextField made = new TextField(text, style);
+    made.setMaxLength(maxLength);
+    made.setFocusTraversal(false);
+    return made;
+  }
+
+  /** Returns an empty panel. */
+  Table panel() {
+    Table table = new Table();
+    table.setBackground(panel);
+    table.pad(22);
+    return table;
+  }
+
+  /** Returns a frame that scrolls what is too high for it. */
+  ScrollPane scroll(Actor content) {
+    ScrollPane.ScrollPaneStyle style = new ScrollPane.ScrollPaneStyle();
+    style.vScrollKnob = bar;
+    ScrollPane pane = new ScrollPane(content, style);
+    pane.setFadeScrollBars(false);
+    pane.setScrollingDisabled(true, false);
+    pane.setOverscroll(false, false);
+    return pane;
+  }
+
+  private Drawable box(Color fill, Color line) {
+    Pixmap pixels = new Pixmap(9, 9, Pixmap.Format.RGBA8888);
+    pixels.setBlending(Pixmap.Blending.None);
+    pixels.setColor(line);
+    pixels.fill();
+    pixels.setColor(fill);
+    pixels.fillRectangle(1, 1, 7, 7);
+    for (int corner = 0; corner < 4; corner++) {
+      pixels.drawPixel(corner % 2 * 8, corner / 2 * 8, 0);
+    }
+    Texture texture = new Texture(pixels);
+    pixels.dispose();
+    owned.add(texture);
+    NinePatchDrawable drawable = new NinePatchDrawable(new NinePatch(texture, 3, 3, 3, 3));
+    drawable.setLeftWidth(10);
+    drawable.setRightWidth(10);
+    return drawable;
+  }
+
+  @Override
+  public void dispose() {
+    owned.forEach(Disposable::dispose);
+  }
+}

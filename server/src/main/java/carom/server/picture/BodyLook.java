@@ -1,0 +1,50 @@
+package carom.server.picture;
+
+import carom.physics.Body;
+import carom.physics.BodyType;
+import carom.physics.geometry.Shape;
+import carom.sim.entity.Entity;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What doesn't change about a body. Pictures of the same body hold the same object. Immutable.
+ *
+ * @param slot the body's slot in the world; another body gets it when this one is gone
+ * @param entity id of its entity, {@link Entity#LEVEL} for what the level placed for good
+ * @param owner id of the player that owns it, or {@link Entity#NO_OWNER}
+ * @param kind name of its archetype
+ * @param type whether and how it moves
+ * @param rgb colour, 0xRRGGBB
+ * @param sensor whether all its shapes are sensors
+ * @param shapes shapes in the body's frame
+ */
+public record BodyLook(
+    int slot,
+    int entity,
+    int owner,
+    String kind,
+    BodyType type,
+    int rgb,
+    boolean sensor,
+    List<Shape> shapes) {
+  /** Describes a body. The room's thread. */
+  static BodyLook of(Body<Entity> body) {
+    Entity e = body.user();
+    boolean sensor = body.shapeCount() > 0;
+    List<Shape> shapes = new ArrayList<>(body.shapeCount());
+    for (int i = 0; i < body.shapeCount(); i++) {
+      shapes.add(body.shape(i));
+      sensor &= body.sensor(i);
+    }
+    return new BodyLook(
+        body.index(),
+        e == null ? Entity.LEVEL : e.id(),
+        e == null ? Entity.NO_OWNER : e.ownerId(),
+        e == null ? "" : e.archetype().name(),
+        body.type(),
+        e == null ? 0 : e.archetype().appearance().rgb(),
+        sensor,
+        List.copyOf(shapes));
+  }
+}

@@ -1,0 +1,329 @@
+package carom.server.web.page;
+
+import carom.json.Json;
+import carom.json.JsonException;
+import carom.server.command.CommandRegistry;
+import carom.server.command.CommandWords;
+import carom.server.console.LogTail;
+import carom.server.login.LoginThrottle;
+import carom.server.room.Room;
+import io.undertow.server.HttpServerExchange;
+import io.undertow.util.StatusCodes;
+import io.undertow.websockets.WebSocketProtocolHandshakeHandler;
+import io.undertow.websockets.core.AbstractReceiveListener;
+import io.undertow.websockets.core.BufferedTextMessage;
+import io.undertow.websockets.core.WebSocketChannel;
+import io.undertow.websockets.spi.WebSocketHttpExchange;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The page: its files, its WebSocket at {@value #SOCKET}, and two threads. {@code carom-page} sends
+ * pictures and figures; {@code carom-page-commands} carries out commands, which may take seconds.
+ */
+public final class LivePage implements AutoCloseable {
+  /** Most pages that may be open at once. */
+  static final int MAX_VIEWERS = 32;
+
+  private static final Logger LOG = LoggerFactory.getLogger(LivePage.class);
+  private static final String SOCKET = "/live";
+  private static final int MAX_MESSAGE_BYTES = 8_192;
+  private static final int MAX_COMMANDS = 16;
+  private static final long PICTURE_MS = 66;
+  private static final double NS_PER_S = 1e9;
+
+  /** Silence after which a page counts as gone. Hidden pages may speak once a minute. */
+  private static final long SILENCE_NS = 150_000_000_000L;
+
+  private final PageConfig config;
+  private final RequestGuard guard;
+  private final PageFiles files = new PageFiles();
+  private final Downloads downloads;
+  private final LoginThrottle throttle = new LoginThrottle(System::nanoTime);
+  private final List<RoomHistory> histories;
+  private final List<Room> rooms;
+  private final List<RoomFeed> feeds;
+  private final List<Viewer> viewers = new CopyOnWriteArrayList<>();
+  private final WebSocketProtocolHandshakeHandler handshake =
+      new WebSocketProtocolHandshakeHandler(this::connected);
+  private final ScheduledThreadPoolExecutor clock;
+  private final ThreadPoolExecutor commands;
+  private long sampledNs = System.nanoTime();
+
+  /** Begins to note figures; {@link #serves} and {@link #handle} show them. */
+  public LivePage(PageConfig config, List<Room> rooms) {
+    this.config = config;
+    this.rooms = List.copyOf(rooms);
+    guard = new RequestGuard(config.hosts());
+    downloads = new Downloads(config.recordings(), System::nanoTime);
+    histories = rooms.stream().map(RoomHistory::new).toList();
+    feeds = rooms.stream().map(RoomFeed::new).toList();
+    clock = new ScheduledThreadPoolExecutor(1, daemon("carom-page"));
+    clock.setRemoveOnCancelPolicy(true);
+    commands =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            1,
+            TimeUnit.MINUTES,
+            new ArrayBlockingQueue<>(MAX_COMMANDS),
+            daemon("carom-page-commands"));
+    clock.scheduleAtFixedRate(guarded(this::second), 1, 1, TimeUnit.SECONDS);
+    clock.scheduleWithFixedDelay(
+        guarded(this::pictures), PICTURE_MS, PICTURE_MS, TimeUnit.MILLISECONDS);
+  }
+
+  private static ThreadFactory daemon(String name) {
+    return task -> {
+      Thread thread = new Thread(task, name);
+      thread.setDaemon(true);
+      return thread;
+    };
+  }
+
+  /** Returns a task that goes on after an exception, which is a bug. */
+  private static Runnable guarded(Runnable task) {
+    return () -> {
+      try {
+        task.run();
+      } catch (RuntimeException e) {
+        LOG.error("the page failed, and goes on", e);
+      }
+    };
+  }
+
+  /** Returns whether a path is the page's. */
+  public boolean serves(String path) {
+    return !path.equals("/healthz") && !path.equals("/readyz") && !path.equals("/metrics");
+  }
+
+  /** Answers a request, on the thread that reads and writes sockets. */
+  public void handle(HttpServerExchange exchange) throws Exception {
+    if (!guard.acceptsHost(exchange)) {
+      refuse(
+          exchange,
+          "this server isn't known by this name; use its address, or list the name: --web-host");
+    } else if (exchange.getRequestPath().equals(SOCKET)) {
+      if (!guard.acceptsOrigin(exchange)) {
+        refuse(exchange, "only the page itself may connect");
+      } else if (viewers.size() >= MAX_VIEWERS) {
+        exchange.setStatusCode(StatusCodes.SERVICE_UNAVAILABLE);
+        exchange.getResponseSender().send("too many pages are open\n");
+      } else {
+        handshake.handleRequest(exchange);
+      }
+    } else if (exchange.getRequestPath().equals(Downloads.PATH)) {
+      PageFiles.protect(exchange);
+      downloads.send(exchange);
+    } else if (!files.send(exchange)) {
+      exchange.setStatusCode(StatusCodes.NOT_FOUND);
+      exchange.getResponseSender().send("/ /healthz /readyz /metrics\n");
+    }
+  }
+
+  private static void refuse(HttpServerExchange exchange, String why) {
+    exchange.setStatusCode(StatusCodes.FORBIDDEN);
+    exchange.getResponseSender().send(why + "\n");
+  }
+
+  private void connected(WebSocketHttpExchange exchange, WebSocketChannel channel) {
+    Viewer viewer = new Viewer(channel, System.nanoTime());
+    viewers.add(viewer);
+    channel.addCloseTask(closed -> viewers.remove(viewer));
+    channel
+        .getReceiveSetter()
+        .set(
+            new AbstractReceiveListener() {
+              @Override
+              protected long getMaxTextBufferSize() {
+                return MAX_MESSAGE_BYTES;
+              }
+
+              @Override
+              protected long getMaxBinaryBufferSize() {
+                return 1;
+              }
+
+              @Override
+              protected void onFullTextMessage(WebSocketChannel from, BufferedTextMessage message) {
+                receive(viewer, message.getData());
+              }
+            });
+    channel.resumeReceives();
+    clock.execute(guarded(() -> greet(viewer)));
+  }
+
+  private boolean watches(Viewer viewer) {
+    return viewer.isAdmin() || config.strangersWatch();
+  }
+
+  private void greet(Viewer viewer) {
+    viewer.send(PageJson.hello(config, histories, viewer.isAdmin(), watches(viewer)));
+  }
+
+  /** Takes a message of a viewer; one that breaks a rule ends its connection. */
+  private void receive(Viewer viewer, String text) {
+    if (!viewer.heard(System.nanoTime())) {
+      viewer.close();
+      return;
+    }
+    try {
+      Json message = Json.parse(text.getBytes(StandardCharsets.UTF_8));
+      switch (string(message, "do")) {
+        case "alive" -> {}
+        case "look" -> look(viewer, message);
+        case "login" -> login(viewer, string(message, "secret"));
+        default -> command(viewer, message);
+      }
+    } catch (JsonException e) {
+      viewer.close();
+    }
+  }
+
+  private static String string(Json message, String field) {
+    Json value = message.fields.get(field);
+    return value == null ? "" : value.text;
+  }
+
+  private static int number(Json message, String field, int otherwise) {
+    Json value = message.fields.get(field);
+    return value == null || value.kind != Json.Kind.NUMBER ? otherwise : (int) value.number;
+  }
+
+  private static boolean truth(Json message, String field) {
+    Json value = message.fields.get(field);
+    return value != null && value.truth;
+  }
+
+  private void look(Viewer viewer, Json message) {
+    String room = string(message, "room");
+    viewer.look(
+        new Viewer.Gaze(
+            watches(viewer) && rooms.stream().anyMatch(each -> each.name().equals(room))
+                ? room
+                : null,
+            truth(message, "cells"),
+            truth(message, "contacts"),
+            number(message, "priority", -1)));
+  }
+
+  private void login(Viewer viewer, String secret) {
+    if (throttle.mustWait(viewer.address())) {
+      viewer.send(PageJson.refused("too many wrong tries; wait a minute"));
+    } else if (!config.secret().matches(secret)) {
+      throttle.wrong(viewer.address());
+      LOG.warn("page: a wrong token from {}", viewer.address().getHostAddress());
+      viewer.send(PageJson.refused("wrong token"));
+    } else {
+      LOG.info("page: {} logged in", viewer.address().getHostAddress());
+      viewer.becomeAdmin();
+      clock.execute(guarded(() -> greet(viewer)));
+    }
+  }
+
+  private void command(Viewer viewer, Json message) {
+    if (!viewer.isAdmin()) {
+      viewer.send(PageJson.refused("log in first"));
+      return;
+    }
+    String what = string(message, "do");
+    int id = number(message, "id", 0);
+    String text = string(message, "text");
+    try {
+      commands.execute(guarded(() -> carryOut(viewer, what, id, text)));
+    } catch (RejectedExecutionException e) {
+      viewer.send(
+          PageJson.answer(
+              id, new CommandRegistry.Answer(false, "too many commands; wait a moment")));
+    }
+  }
+
+  private void carryOut(Viewer viewer, String what, int id, String text) {
+    switch (what) {
+      case "run" -> {
+        LOG.info("page: {} runs: {}", viewer.address().getHostAddress(), text);
+        viewer.send(PageJson.answer(id, config.commands().run(text)));
+      }
+      case "complete" -> {
+        List<String> words = new ArrayList<>(CommandWords.split(text));
+        boolean begun = !text.isEmpty() && !Character.isWhitespace(text.charAt(text.length() - 1));
+        String start = begun && !words.isEmpty() ? words.remove(words.size() - 1) : "";
+        List<String> all = config.commands().complete(words);
+        viewer.send(
+            PageJson.words(
+                id, all.stream().filter(word -> startsWith(word, start)).limit(20).toList()));
+      }
+      case "recordings" -> viewer.send(PageJson.recordings(downloads.list()));
+      case "download" -> {
+        String address = downloads.ticket(text);
+        viewer.send(
+            address == null
+                ? PageJson.refused("there is no such recording")
+                : PageJson.download(address));
+      }
+      default -> viewer.close();
+    }
+  }
+
+  private static boolean startsWith(String word, String start) {
+    return word.regionMatches(true, 0, start, 0, start.length());
+  }
+
+  private void pictures() {
+    if (viewers.isEmpty()) {
+      return;
+    }
+    long nowNs = System.nanoTime();
+    for (int i = 0; i < feeds.size(); i++) {
+      String name = rooms.get(i).name();
+      feeds.get(i).turn(viewers.stream().filter(v -> name.equals(v.gaze().room())).toList(), nowNs);
+    }
+  }
+
+  private void second() {
+    long nowNs = System.nanoTime();
+    double seconds = Math.max(1e-3, (nowNs - sampledNs) / NS_PER_S);
+    sampledNs = nowNs;
+    histories.forEach(history -> history.sample(seconds));
+    if (viewers.isEmpty()) {
+      return;
+    }
+    String figures = PageJson.second(histories);
+    for (Viewer viewer : viewers) {
+      if (nowNs - viewer.heardNs() > SILENCE_NS) {
+        viewer.close();
+      } else if (watches(viewer)) {
+        viewer.send(figures);
+      }
+      if (viewer.isAdmin()) {
+        sendLog(viewer);
+      }
+    }
+  }
+
+  private void sendLog(Viewer viewer) {
+    List<LogTail.Line> lines = config.log().after(viewer.logSeen());
+    if (!lines.isEmpty()) {
+      viewer.logSeen(lines.get(lines.size() - 1).number());
+      viewer.send(PageJson.log(lines));
+    }
+  }
+
+  /** Ends the threads and closes all pages. */
+  @Override
+  public void close() {
+    clock.shutdownNow();
+    commands.shutdownNow();
+    viewers.forEach(Viewer::close);
+  }
+}

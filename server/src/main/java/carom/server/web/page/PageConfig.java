@@ -1,0 +1,35 @@
+package carom.server.web.page;
+
+import carom.server.command.CommandRegistry;
+import carom.server.console.LogTail;
+import carom.server.login.Secret;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * What the live page is about. Immutable.
+ *
+ * @param title name and version of the server
+ * @param commands carried out for those who know the secret
+ * @param secret what they must know
+ * @param log the log's last lines
+ * @param recordings folders of recordings
+ * @param strangersWatch whether rooms and charts are shown without the secret
+ * @param hosts names under which browsers may reach the server, beside addresses and {@code
+ *     localhost}
+ */
+public record PageConfig(
+    String title,
+    CommandRegistry commands,
+    Secret secret,
+    LogTail log,
+    List<Path> recordings,
+    boolean strangersWatch,
+    Set<String> hosts) {
+  /** Copies the lists. */
+  public PageConfig {
+    recordings = List.copyOf(recordings);
+    hosts = Set.copyOf(hosts);
+  }
+}

@@ -1,0 +1,110 @@
+// Charts of one figure a second. A chart draws itself on a canvas; nothing here knows the server.
+
+const SECONDS = 300;
+const LEFT = 34;
+const PAD = 4;
+
+/** Returns the least 1, 2 or 5 times a power of ten that is not below a value. */
+function niceMaximum(value) {
+  if (!(value > 0)) return 1;
+  const power = Math.pow(10, Math.floor(Math.log10(value)));
+  return [1, 2, 5, 10].find(step => step * power >= value) * power;
+}
+
+function short(value) {
+  const size = Math.abs(value);
+  if (size >= 1e6) return (value / 1e6).toFixed(1) + 'M';
+  if (size >= 1e4) return (value / 1e3).toFixed(0) + 'k';
+  return size === 0 ? '0' : size >= 100 ? value.toFixed(0) : size >= 10 ? value.toFixed(1) : value.toFixed(2);
+}
+
+export class Chart {
+  /**
+   * @param series [{name, label, colour: 1..6}]; `stacked` draws them on top of each other
+   */
+  constructor(parent, {title, unit, series, stacked}) {
+    this.series = series;
+    this.stacked = stacked;
+    this.unit = unit;
+    const box = document.createElement('div');
+    box.className = 'chart';
+    const head = document.createElement('h3');
+    head.append(title);
+    this.value = head.appendChild(document.createElement('span'));
+    this.canvas = document.createElement('canvas');
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', title);
+    const legend = document.createElement('div');
+    legend.className = 'legend';
+    for (const each of series) {
+      const entry = legend.appendChild(document.createElement('span'));
+      entry.appendChild(document.createElement('i')).className = 'k' + each.colour;
+      entry.append(each.label);
+    }
+    box.append(head, this.canvas, legend);
+    parent.append(box);
+    this.hover = -1;
+    this.canvas.addEventListener('pointermove', event => { this.hover = event.offsetX; this.draw(); });
+    this.canvas.addEventListener('pointerleave', () => { this.hover = -1; this.draw(); });
+  }
+
+  /** Shows rows of values, the last one of this second. */
+  show(rows, columns) {
+    this.rows = rows;
+    this.at = this.series.map(each => columns.indexOf(each.name));
+    this.draw();
+  }
+
+  draw() {
+    if (!this.rows) return;
+    const ratio = window.devicePixelRatio || 1;
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+    if (!width) return;
+    this.canvas.width = width * ratio;
+    this.canvas.height = height * ratio;
+    const g = this.canvas.getContext('2d');
+    g.scale(ratio, ratio);
+    const style = getComputedStyle(document.documentElement);
+    const colour = name => style.getPropertyValue(name).trim();
+    const rows = this.rows.slice(-SECONDS);
+    const values = rows.map(row => this.at.map(i => row[i] || 0));
+    if (this.stacked) {
+      for (const each of values) for (let i = 1; i < each.length; i++) each[i] += each[i - 1];
+    }
+    const top = niceMaximum(Math.max(0, ...values.flat()));
+    const x = i => LEFT + (width - LEFT - PAD) * (1 - (rows.length - 1 - i) / (SECONDS - 1));
+    const y = value => height - PAD - (height - 2 * PAD - 4) * Math.min(1, value / top);
+    g.font = '10px system-ui, sans-serif';
+    g.textAlign = 'right';
+    g.textBaseline = 'middle';
+    for (const part of [0, 0.5, 1]) {
+      g.strokeStyle = colour('--line');
+      g.beginPath(); g.moveTo(LEFT, y(top * part)); g.lineTo(width - PAD, y(top * part)); g.stroke();
+      g.fillStyle = colour('--quiet');
+      g.fillText(short(top * part), LEFT - 4, y(top * part));
+    }
+    for (let s = this.series.length - 1; s >= 0; s--) {
+      g.strokeStyle = g.fillStyle = colour('--c' + this.series[s].colour);
+      g.beginPath();
+      values.forEach((each, i) => g.lineTo(x(i), y(each[s])));
+      if (this.stacked && rows.length > 1) {
+        g.lineTo(x(rows.length - 1), y(0)); g.lineTo(x(0), y(0)); g.fill();
+      } else {
+        g.lineWidth = 1.5; g.stroke(); g.lineWidth = 1;
+      }
+    }
+    this.tell(rows, g, x, height, colour);
+  }
+
+  /** Writes the newest value, or those under the pointer. */
+  tell(rows, g, x, height, colour) {
+    let i = rows.length - 1;
+    if (this.hover >= LEFT && rows.length) {
+      i = Math.max(0, Math.min(i, Math.round(i - (x(i) - this.hover) / (x(1) - x(0)))));
+      g.strokeStyle = colour('--quiet');
+      g.beginPath(); g.moveTo(x(i), PAD); g.lineTo(x(i), height - PAD); g.stroke();
+    }
+    const row = rows[i];
+    this.value.textContent = row ? this.at.map(k => short(row[k] || 0)).join(' / ') + ' ' + this.unit : '';
+  }
+}

@@ -1,0 +1,17 @@
+package carom.net.seal;
+
+/** Whether a link is encrypted. Both sides must agree; neither gives way to the other. */
+public enum Encryption {
+  /**
+   * Frames are in the clear. Each carries the key of its session as a tag, which keeps out senders
+   * that see nothing of the session, but no one who can read its packets.
+   */
+  OFF,
+  /** Frames are encrypted and authenticated by AES-128-GCM. */
+  ON;
+
+  /** Returns the byte in the handshake. */
+  public byte code() {
+    return (byte) ordinal();
+  }
+}

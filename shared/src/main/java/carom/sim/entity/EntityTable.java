@@ -1,0 +1,495 @@
+package carom.sim.entity;
+
+import carom.physics.Body;
+import carom.physics.BodyDef;
+import carom.physics.World;
+import carom.physics.math.Transform;
+import carom.physics.math.Trig;
+import carom.physics.rows.JointDefRow;
+import carom.sim.area.AreaForces;
+import carom.sim.field.FieldStore;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Schema;
+import carom.sim.history.TrackedBodies;
+import carom.sim.joint.Assemblies;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.JointTable;
+import carom.sim.level.Archetype;
+import carom.sim.level.Archetypes;
+import carom.sim.level.Level;
+import carom.sim.level.ScriptedMotion;
+import carom.sim.random.SimRandom;
+import carom.sim.spawn.Origin;
+import java.util.Arrays;
+import java.util.function.Consumer;
+import java.util.function.IntSupplier;
+
+/**
+ * The entities of a simulation by id, their bodies, and their part of its state. A free id keeps
+ * its generation, so that its next entity gets another one.
+ */
+public final class EntityTable
+    implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
+  /** Most entities at a time; ids are 0..65534. */
+  public static final int MAX_ENTITIES = 65_535;
+
+  private final World<Entity> world;
+  private final AreaForces<Entity> areas;
+  private final Assemblies assemblies;
+  private final JointTable<Entity> joints;
+  private final int tickRate;
+  private final FieldStore fields;
+  private final EntityFields entityFields;
+  private final PlayerTable players;
+  private Entity[] entities = new Entity[64];
+  private byte[] generations = new byte[64];
+  private final ProvisionalEntities provisional = new ProvisionalEntities();
+
+  /** Number above all ids that were ever used. */
+  private int capacity;
+
+  private int count;
+
+  /** Lower bound of the free ids. */
+  private int firstFree;
+
+  private long version;
+
+  /**
+   * Creates the entities and players of a simulation, of whom there are none yet.
+   *
+   * @param clock returns the tick
+   * @param authority refuses a call, by its name, that only a server may make
+   */
+  public EntityTable(
+      World<Entity> world,
+      AreaForces<Entity> areas,
+      Assemblies assemblies,
+      JointTable<Entity> joints,
+      int tickRate,
+      Schema schema,
+      IntSupplier clock,
+      Consumer<String> authority) {
+    this.areas = areas;
+    this.assemblies = assemblies;
+    this.joints = joints;
+    this.world = world;
+    this.tickRate = tickRate;
+    fields = new FieldStore(schema, clock, this);
+    entityFields = new EntityFields(fields);
+    players = new PlayerTable(fields, authority);
+  }
+
+  /** Returns the entity under an id, or null when the id is free or out of range. */
+  public Entity get(int id) {
+    if (Origin.isProvisional(id)) {
+      return provisional.get(id);
+    }
+    return id >= 0 && id < capacity ? entities[id] : null;
+  }
+
+  /** Returns the entities that a client has before the server tells them. */
+  public ProvisionalEntities provisional() {
+    return provisional;
+  }
+
+  /** Returns the participants. */
+  public PlayerTable players() {
+    return players;
+  }
+
+  /** Returns the declared fields and the rules of writing them. */
+  public FieldStore fields() {
+    return fields;
+  }
+
+  /** Creates the fields of an entity, which begin as its archetype says. */
+  FieldValues newFields(Archetype archetype, boolean ofLevel) {
+    return entityFields.create(archetype, ofLevel);
+  }
+
+  /**
+   * Checks that archetypes use declared fields only.
+   *
+   * @throws IllegalArgumentException if one doesn't
+   */
+  public void checkFields(Archetypes archetypes) {
+    entityFields.check(archetypes);
+  }
+
+  @Override
+  public Entity entity(int id, int generation) {
+    Entity entity = get(id);
+    return entity != null && entity.generation() == generation ? entity : null;
+  }
+
+  @Override
+  public Player player(int id) {
+    return players.get(id);
+  }
+
+  /** Returns whether an entity has not been despawned. */
+  public boolean holds(Entity entity) {
+    return get(entity.id()) == entity;
+  }
+
+  /** Returns a number above all ids that were ever used. */
+  public int capacity() {
+    return capacity;
+  }
+
+  /** Returns the number of entities. */
+  public int count() {
+    return count;
+  }
+
+  /** Returns a number that changes with each {@link #noteChange}. */
+  public long version() {
+    return version;
+  }
+
+  /** Notes that an entity is about to be put elsewhere, or has been: its area, if any, wakes. */
+  void wakeAround(Entity entity) {
+    areas.wakeAround(entity.id());
+  }
+
+  /** Notes that an entity came, went or was teleported. */
+  void noteChange() {
+    version++;
+  }
+
+  @Override
+  public int limit() {
+    return capacity;
+  }
+
+  @Override
+  public Body<Entity> body(int id) {
+    Entity entity = entities[id];
+    return entity == null ? null : entity.body();
+  }
+
+  @Override
+  public Archetype archetype(int id) {
+    return entities[id].archetype();
+  }
+
+  @Override
+  public boolean isTracked(Body<Entity> body) {
+    return body.user() != null && !body.user().isLevel();
+  }
+
+  /** Creates an entity of static level geometry. The table does not list it. */
+  public Entity createStatic(Archetype archetype, Level.Placement p) {
+    Entity entity = new Entity(this, Entity.LEVEL, 0, archetype, Entity.NO_OWNER);
+    createBody(entity, p.x(), p.y(), p.angle());
+    return entity;
+  }
+
+  /**
+   * Creates an entity under the smallest free id.
+   *
+   * @param tick determines where on its path a kinematic body begins
+   */
+  public Entity spawn(Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
+    int id = takeFreeId(archetype);
+    return add(new Entity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
+  }
+
+  /**
+   * Creates an entity without an owner under the smallest free id, with a body from a definition.
+   */
+  public Entity spawn(Archetype archetype, BodyDef def) {
+    int id = takeFreeId(archetype);
+    Entity entity = new Entity(this, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
+    entity.body(world.createBody(def, entity));
+    return register(entity, true);
+  }
+
+  /** Creates an entity under a given id; see {@code Simulation.spawnAs}. */
+  public Entity spawnAs(
+      int id,
+      int generation,
+      Archetype archetype,
+      float x,
+      float y,
+      float angle,
+      int ownerId,
+      boolean mayBeBody,
+      int tick) {
+    if (id < 0 || id >= MAX_ENTITIES || generation < 0 || generation > 255) {
+      throw new IllegalArgumentException(
+          "id=" + id + " generation=" + generation + " is outside 0..65534, 0..255");
+    }
+    grow(id);
+    if (entities[id] != null) {
+      throw new IllegalStateException(
+          "id=" + id + " is taken by " + entities[id] + "; despawn it first");
+    }
+    Entity entity = new Entity(this, id, generation, archetype, ownerId);
+    createBody(entity, x, y, angle, tick);
+    return register(entity, mayBeBody);
+  }
+
+  /**
+   * Creates an entity that the server hasn't told yet, in place of one of the same origin. It has
+   * no part in the order of ids.
+   */
+  public Entity spawnProvisional(
+      int origin, Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
+    if (provisional.get(origin) != null) {
+      despawn(provisional.get(origin));
+    }
+    Entity entity = new Entity(this, origin, 0, archetype, ownerId);
+    createBody(entity, x, y, angle, tick);
+    provisional.add(entity);
+    noteChange();
+    areas.come(origin, entity.body(), archetype);
+    return entity;
+  }
+
+  /**
+   * Notes that {@code Game.input} of an entity's owner spawned it. If the owner has too many of
+   * them, the oldest is an entity like others from now on, or goes if it is provisional.
+   */
+  public void setOrigin(Entity entity, int origin) {
+    Player owner = players.get(entity.ownerId());
+    if (owner == null || origin == entity.origin()) {
+      return;
+    }
+    owner.removeSpawned(entity);
+    entity.origin(origin);
+    if (origin == Origin.NONE) {
+      return;
+    }
+    Entity oldest = owner.addSpawned(entity);
+    if (oldest != null) {
+      oldest.origin(Origin.NONE);
+      if (oldest.isProvisional()) {
+        despawn(oldest);
+      }
+    }
+  }
+
+  /** Creates the bodies and joints of an assembly; returns its root. */
+  public Entity spawn(Assembly assembly, float x, float y, float angle, int ownerId, int tick) {
+    if (count + assembly.bodyCount() > MAX_ENTITIES) {
+      throw new IllegalStateException(
+          "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
+    }
+    Transform pose = new Transform();
+    pose.set(x, y, Trig.cos(angle), Trig.sin(angle));
+    Entity[] members = new Entity[assembly.bodyCount()];
+    for (int i = 0; i < members.length; i++) {
+      float dx = assembly.x(i);
+      float dy = assembly.y(i);
+      members[i] =
+          spawn(
+              assembly.archetypes().get(i),
+              x + pose.cos * dx - pose.sin * dy,
+              y + pose.sin * dx + pose.cos * dy,
+              angle + assembly.angle(i),
+              ownerId,
+              tick);
+      members[i].rootId(members[0].id());
+    }
+    for (int i = 0; i < assembly.jointCount(); i++) {
+      int at = i * JointDefRow.INTS;
+      Body<Entity> a = members[assembly.bodyA(i)].body();
+      Body<Entity> b = members[assembly.bodyB(i)].body();
+      joints.place(pose, members[0].id(), i, a, b, assembly.definitions(), at);
+    }
+    return members[0];
+  }
+
+  /** Moves an assembly rigidly to where its root shall be. */
+  void moveAssembly(Entity root, float x, float y, float angle) {
+    Transform before = new Transform();
+    Body<Entity> body = root.body();
+    before.set(body.x(), body.y(), body.cos(), body.sin());
+    Transform after = new Transform();
+    after.set(x, y, Trig.cos(angle), Trig.sin(angle));
+    for (int i = 0; i < capacity; i++) {
+      if (entities[i] != null && entities[i] != root && entities[i].rootId() == root.id()) {
+        entities[i].teleportWith(before, after);
+      }
+    }
+    body.setPose(x, y, angle);
+    joints.assemblyMoved(root.id(), before, after);
+  }
+
+  /** Makes an entity a member of the assembly whose root has an id. */
+  public void join(int root, Entity member) {
+    member.rootId(root);
+  }
+
+  private int takeFreeId(Archetype archetype) {
+    int id = firstFree;
+    while (id < capacity && entities[id] != null) {
+      id++;
+    }
+    firstFree = id;
+    if (id == MAX_ENTITIES) {
+      throw new IllegalStateException(
+          "archetype=" + archetype + " can't be spawned: entities=" + id + " is the limit");
+    }
+    grow(id);
+    return id;
+  }
+
+  private void grow(int id) {
+    if (id >= entities.length) {
+      int size = Math.min(MAX_ENTITIES, Math.max(id + 1, entities.length * 2));
+      entities = Arrays.copyOf(entities, size);
+      generations = Arrays.copyOf(generations, size);
+    }
+  }
+
+  private Entity add(Entity entity, float x, float y, float angle, int tick) {
+    createBody(entity, x, y, angle, tick);
+    return register(entity, true);
+  }
+
+  private void createBody(Entity entity, float x, float y, float angle, int tick) {
+    ScriptedMotion path = entity.archetype().motion();
+    if (path == null) {
+      createBody(entity, x, y, angle);
+    } else {
+      createBody(entity, path.x(tick, tickRate), path.y(tick, tickRate), angle);
+    }
+  }
+
+  /** Creates the body. Players' bodies never sleep, because a game may act on them at any time. */
+  private void createBody(Entity entity, float x, float y, float angle) {
+    BodyDef body = entity.archetype().body(x, y, angle);
+    body.sleepAllowed(entity.ownerId() == Entity.NO_OWNER);
+    entity.body(world.createBody(body, entity));
+  }
+
+  private Entity register(Entity entity, boolean mayBeBody) {
+    int id = entity.id();
+    entities[id] = entity;
+    noteChange();
+    generations[id] = (byte) entity.generation();
+    capacity = Math.max(capacity, id + 1);
+    count++;
+    Player owner = players.get(entity.ownerId());
+    boolean isBody = mayBeBody && !assemblies.isPart(entity.archetype());
+    if (isBody && owner != null && owner.body == null) {
+      owner.body = entity;
+    }
+    areas.come(id, entity.body(), entity.archetype());
+    return entity;
+  }
+
+  /** Destroys an entity that the table {@linkplain #holds holds}, and its body. */
+  public void despawn(Entity entity) {
+    int id = entity.id();
+    areas.go(id);
+    world.destroyBody(entity.body());
+    noteChange();
+    if (entity.origin() != Origin.NONE && players.get(entity.ownerId()) != null) {
+      players.get(entity.ownerId()).removeSpawned(entity);
+    }
+    if (entity.isProvisional()) {
+      provisional.remove(entity);
+      return;
+    }
+    entities[id] = null;
+    generations[id] = (byte) (entity.generation() + 1);
+    count--;
+    firstFree = Math.min(firstFree, id);
+    Player owner = players.get(entity.ownerId());
+    if (owner != null && owner.body == entity) {
+      owner.body = null;
+    }
+  }
+
+  /** Moves every body with a path to where it was a tick ago, with the velocity to where it is. */
+  public void followPaths(int tick) {
+    for (int i = 0; i < capacity; i++) {
+      Entity e = entities[i];
+      if (e == null || e.archetype().motion() == null) {
+        continue;
+      }
+      e.archetype().motion().drive(e.body(), tick, tickRate);
+    }
+    for (int i = 0; i < provisional.count(); i++) {
+      Entity e = provisional.at(i);
+      if (e.archetype().motion() != null) {
+        e.archetype().motion().drive(e.body(), tick, tickRate);
+      }
+    }
+  }
+
+  /** Mixes everything that decides the entities' future, except their bodies, into a state hash. */
+  public long hash(long hash) {
+    long h = hash;
+    for (int i = 0; i < capacity; i++) {
+      Entity e = entities[i];
+      long identity = generations[i] & 0xff;
+      if (e != null) {
+        identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
+        h = e.fieldValues().hash(h);
+        h = SimRandom.mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
+        h = e.rootId() == Entity.NO_ROOT ? h : SimRandom.mix(h, e.rootId());
+        h = e.origin() == Origin.NONE ? h : SimRandom.mix(h, e.origin());
+      }
+      h = SimRandom.mix(h, identity);
+    }
+    return provisional.hash(h);
+  }
+
+  /** Copies the entities' state to a saved one. */
+  public void save(SavedEntities s) {
+    s.ensureRoom(Math.max(generations.length, capacity + provisional.count()));
+    int end = capacity + provisional.count();
+    Arrays.fill(s.entities, end, Math.max(end, s.capacity + s.provisionalCount), null);
+    s.capacity = capacity;
+    s.count = count;
+    System.arraycopy(generations, 0, s.generations, 0, capacity);
+    for (int i = 0; i < capacity; i++) {
+      s.save(i, entities[i]);
+    }
+    provisional.save(s);
+  }
+
+  /** Takes the entities' state from a saved one. */
+  public void restore(SavedEntities s) {
+    int before = capacity;
+    capacity = s.capacity;
+    count = s.count;
+    grow(capacity - 1);
+    System.arraycopy(s.entities, 0, entities, 0, capacity);
+    noteChange();
+    areas.clear();
+    Arrays.fill(entities, capacity, Math.max(before, capacity), null);
+    System.arraycopy(s.generations, 0, generations, 0, capacity);
+    Arrays.fill(generations, capacity, Math.max(before, capacity), (byte) 0);
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null) {
+        players.get(i).clearSpawned();
+      }
+    }
+    for (int i = 0; i < capacity; i++) {
+      if (entities[i] != null) {
+        s.restore(i, entities[i]);
+        addRestored(entities[i]);
+      }
+    }
+    provisional.restore(s);
+    for (int i = 0; i < provisional.count(); i++) {
+      addRestored(provisional.at(i));
+    }
+    firstFree = 0;
+  }
+
+  private void addRestored(Entity entity) {
+    areas.add(entity.id(), entity.body(), entity.archetype());
+    Player owner = players.get(entity.ownerId());
+    if (owner != null && entity.origin() != Origin.NONE) {
+      entity.fieldValues().spawner(owner);
+      owner.addSpawned(entity);
+    }
+  }
+}

@@ -1,0 +1,246 @@
+package carom.sim.entity;
+
+import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldValues;
+import carom.sim.field.PlayerRef;
+import carom.sim.history.PoseHistory;
+import carom.sim.message.PlayerRole;
+import carom.sim.spawn.Origin;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * A person or bot that takes part: a name, an input, a team, a score, perhaps a body. It belongs to
+ * one {@code Simulation} and its thread.
+ *
+ * <p>A player without a body is out until the game gives it another. Its client then shows the view
+ * of another player. A {@linkplain #isSpectator spectator} has no body at all.
+ */
+public final class Player extends FieldHolder<Entity, Player> {
+  /** Number of parts of a tick in which {@link #viewDelay} counts. */
+  public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;
+
+  /** The team of a spectator, which no game has. */
+  public static final int NO_TEAM = -1;
+
+  /** Largest {@link #viewDelay}, which is 255 ticks. */
+  public static final int MAX_VIEW_DELAY = 255 * VIEW_STEPS;
+
+  private final Consumer<String> authority;
+  private final int id;
+  private final String name;
+  private final FieldValues fields;
+  private final Input input = new Input();
+  private int viewDelay;
+  private int score;
+  private int team;
+  private PlayerRole role = PlayerRole.PLAYER;
+  private boolean ready;
+  Entity body;
+
+  /** Its entities with an origin, oldest first. */
+  private final List<Entity> spawned = new ArrayList<>(0);
+
+  /**
+   * Creates a player without a body.
+   *
+   * @param authority refuses a call, by its name, that only a server may make
+   */
+  Player(int id, String name, FieldValues fields, Consumer<String> authority) {
+    this.id = id;
+    this.name = name;
+    this.fields = fields;
+    this.authority = authority;
+  }
+
+  /** Returns the slot, 0..1,023, which is free again once the player has left. */
+  public int id() {
+    return id;
+  }
+
+  /** Returns the name given at {@code Simulation.join}, which is any text. */
+  public String name() {
+    return name;
+  }
+
+  /** Returns the body the player steers, or null while there is none. */
+  public Entity body() {
+    return body;
+  }
+
+  /** Returns whether the player has a body. One without is out until the game gives it another. */
+  public boolean isAlive() {
+    return body != null;
+  }
+
+  /**
+   * Returns whether it plays or watches. {@code Simulation.role} changes it. On {@code
+   * Role.PREDICTION} everybody plays.
+   */
+  public PlayerRole role() {
+    return role;
+  }
+
+  /** Returns whether it watches: it has no body, no team, no score, and no fields of its own. */
+  public boolean isSpectator() {
+    return role == PlayerRole.SPECTATOR;
+  }
+
+  /**
+   * Returns whether the player has said that it is ready. What that begins is for the game to say.
+   * A spectator never is. On {@code Role.PREDICTION} it is false.
+   */
+  public boolean isReady() {
+    return ready;
+  }
+
+  /**
+   * Sets whether the player is ready, such as to false when a round has begun.
+   *
+   * @throws IllegalStateException on {@code Role.PREDICTION}
+   */
+  public void ready(boolean value) {
+    authority.accept("ready");
+    ready = value && !isSpectator();
+  }
+
+  /**
+   * Returns the number of living entities that {@code Game.input} spawned for this player, at most
+   * {@value Origin#MOST_PER_PLAYER}: an older one is an entity like others. A client knows those of
+   * its own player only.
+   */
+  public int spawnedCount() {
+    return spawned.size();
+  }
+
+  /**
+   * Returns an entity that {@code Game.input} spawned for this player. To despawn some of them, go
+   * from the newest to the oldest.
+   *
+   * @param index 0, the oldest, to {@link #spawnedCount} - 1
+   */
+  public Entity spawned(int index) {
+    return spawned.get(index);
+  }
+
+  /**
+   * Adds an entity with an origin.
+   *
+   * @return the one that is too many now, the oldest, or null
+   */
+  Entity addSpawned(Entity entity) {
+    int at = spawned.size();
+    while (at > 0 && Origin.isEarlier(entity.origin(), spawned.get(at - 1).origin())) {
+      at--;
+    }
+    spawned.add(at, entity);
+    return spawned.size() > Origin.MOST_PER_PLAYER ? spawned.remove(0) : null;
+  }
+
+  void removeSpawned(Entity entity) {
+    spawned.remove(entity);
+  }
+
+  void clearSpawned() {
+    spawned.clear();
+  }
+
+  /**
+   * Returns the commands for the next step. The caller of {@code Simulation.step} sets them before
+   * each step.
+   */
+  public Input input() {
+    return input;
+  }
+
+  /**
+   * Returns how far the picture on which the player acts is behind the tick of the input, in
+   * 1/{@value #VIEW_STEPS} tick. The delay covers the way from the server, the interpolation on the
+   * client, and how far the client's inputs run ahead. It is part of the input.
+   */
+  public int viewDelay() {
+    return viewDelay;
+  }
+
+  /**
+   * Sets the view delay, clamped to 0..255 ticks. The caller of {@code Simulation.step} sets it
+   * before each step.
+   */
+  public void viewDelay(int steps) {
+    viewDelay = Math.max(0, Math.min(MAX_VIEW_DELAY, steps));
+  }
+
+  /** Returns the points. */
+  public int score() {
+    return score;
+  }
+
+  /**
+   * Sets the points.
+   *
+   * @throws IllegalStateException on {@code Role.PREDICTION}
+   */
+  public void score(int points) {
+    authority.accept("score");
+    score = points;
+  }
+
+  /**
+   * Returns the team, a number with a meaning of the game's own; 0 by default, {@link #NO_TEAM} for
+   * spectators. Clients are told it in the roster, but {@code Role.PREDICTION} doesn't know it.
+   */
+  public int team() {
+    return team;
+  }
+
+  /**
+   * Sets the team.
+   *
+   * @throws IllegalStateException on {@code Role.PREDICTION}
+   */
+  public void team(int value) {
+    authority.accept("team");
+    team = value;
+  }
+
+  /** Begins to play or to watch, with nothing left from before but name and input. */
+  void become(PlayerRole newRole) {
+    role = newRole;
+    team = isSpectator() ? NO_TEAM : 0;
+    score = 0;
+    ready = false;
+    body = null;
+    resetFields();
+  }
+
+  /** Returns role and readiness in two bits; 0 for a player who isn't ready. */
+  int standing() {
+    return role.ordinal() | (ready ? 2 : 0);
+  }
+
+  void restore(
+      int savedScore, int savedTeam, int savedStanding, long savedInput, int savedViewDelay) {
+    score = savedScore;
+    team = savedTeam;
+    role = (savedStanding & 1) == 0 ? PlayerRole.PLAYER : PlayerRole.SPECTATOR;
+    ready = (savedStanding & 2) != 0;
+    input.unpack(savedInput);
+    viewDelay = savedViewDelay;
+  }
+
+  @Override
+  public FieldValues fieldValues() {
+    return fields;
+  }
+
+  @Override
+  protected int reference() {
+    return PlayerRef.word(id);
+  }
+
+  @Override
+  public String toString() {
+    return name + "(id=" + id + ")";
+  }
+}

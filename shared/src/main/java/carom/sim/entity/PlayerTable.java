@@ -1,0 +1,169 @@
+package carom.sim.entity;
+
+import carom.sim.field.FieldStore;
+import carom.sim.field.Scope;
+import carom.sim.message.PlayerRole;
+import carom.sim.random.SimRandom;
+import java.util.function.Consumer;
+
+/**
+ * The participants of a simulation by id: players and spectators. The game doesn't see spectators
+ * among the players. Holds their part of the state.
+ */
+public final class PlayerTable {
+  /** Most players at a time; ids are 0..1,023. */
+  public static final int MAX_PLAYERS = 1_024;
+
+  private final Player[] players = new Player[MAX_PLAYERS];
+  private final FieldStore fields;
+  private final Consumer<String> authority;
+
+  /** Number above all ids of participants. */
+  private int limit;
+
+  /**
+   * Creates an empty table.
+   *
+   * @param authority refuses a call, by its name, that only a server may make
+   */
+  PlayerTable(FieldStore fields, Consumer<String> authority) {
+    this.fields = fields;
+    this.authority = authority;
+  }
+
+  /** Returns the player under an id, or null when no player has it. */
+  public Player get(int id) {
+    Player p = participant(id);
+    return p == null || p.isSpectator() ? null : p;
+  }
+
+  /** Returns the player or spectator under an id, or null when the id is free or out of range. */
+  public Player participant(int id) {
+    return id >= 0 && id < limit ? players[id] : null;
+  }
+
+  /** Returns the number of players, without spectators. */
+  public int count() {
+    int n = 0;
+    for (int id = 0; id < limit; id++) {
+      n += get(id) != null ? 1 : 0;
+    }
+    return n;
+  }
+
+  /** Returns the number of players in a team. */
+  public int teamSize(int team) {
+    int n = 0;
+    for (int id = 0; id < limit; id++) {
+      Player p = get(id);
+      n += p != null && p.team() == team ? 1 : 0;
+    }
+    return n;
+  }
+
+  /** Returns whether there are players, and all of them are ready. */
+  public boolean allReady() {
+    boolean any = false;
+    for (int id = 0; id < limit; id++) {
+      Player p = get(id);
+      if (p != null && !p.isReady()) {
+        return false;
+      }
+      any |= p != null;
+    }
+    return any;
+  }
+
+  /** Returns a number above all ids of participants. */
+  public int limit() {
+    return limit;
+  }
+
+  /** Returns the smallest free id; {@link #MAX_PLAYERS} when there is none. */
+  public int freeId() {
+    int id = 0;
+    while (id < limit && players[id] != null) {
+      id++;
+    }
+    return id;
+  }
+
+  /** Creates a player that is in no table yet. */
+  Player create(int id, String name) {
+    return new Player(id, name, fields.create(Scope.PLAYER), authority);
+  }
+
+  /** Creates a player under an id that is free. */
+  public Player add(int id, String name) {
+    Player player = create(id, name);
+    players[id] = player;
+    limit = Math.max(limit, id + 1);
+    return player;
+  }
+
+  /** Lets a participant play or watch, with nothing left from before but name and input. */
+  public void become(Player participant, PlayerRole role) {
+    participant.become(role);
+  }
+
+  /** Removes the player under an id. */
+  public void remove(int id) {
+    players[id] = null;
+    while (limit > 0 && players[limit - 1] == null) {
+      limit--;
+    }
+  }
+
+  /** Mixes everything that decides the players' future into a state hash. */
+  public long hash(long hash) {
+    long h = hash;
+    for (int i = 0; i < limit; i++) {
+      Player p = players[i];
+      if (p != null) {
+        h =
+            SimRandom.mix(
+                h,
+                (long) p.standing() << 48
+                    | (long) i << 32
+                    | (p.body == null ? -1 : p.body.id()) & 0xffffffffL);
+        h = SimRandom.mix(h, ((long) p.score() << 32) | (p.team() & 0xffffffffL));
+        h = SimRandom.mix(h, p.input().pack() | (long) p.viewDelay() << Input.PACKED_BITS);
+        h = p.fieldValues().hash(h);
+      }
+    }
+    return h;
+  }
+
+  /** Copies the players' state to a saved one. */
+  public void save(SavedPlayers s) {
+    s.limit(limit);
+    for (int i = 0; i < limit; i++) {
+      Player p = players[i];
+      s.players[i] = p;
+      if (p != null) {
+        s.bodies[i] = p.body;
+        s.scores[i] = p.score();
+        s.teams[i] = p.team();
+        s.standings[i] = p.standing();
+        s.inputs[i] = p.input().pack();
+        s.viewDelays[i] = p.viewDelay();
+        s.fields.save(p.fieldValues(), i);
+      }
+    }
+  }
+
+  /** Takes the players' state from a saved one. */
+  public void restore(SavedPlayers s) {
+    int before = limit;
+    limit = s.limit;
+    for (int i = 0; i < Math.max(before, limit); i++) {
+      Player p = i < limit ? s.players[i] : null;
+      players[i] = p;
+      if (p != null) {
+        p.body = s.bodies[i];
+        p.restore(s.scores[i], s.teams[i], s.standings[i], s.inputs[i], s.viewDelays[i]);
+        s.fields.restore(p.fieldValues(), i);
+      }
+    }
+  }
+}

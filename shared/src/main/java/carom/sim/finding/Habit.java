@@ -1,0 +1,62 @@
+package carom.sim.finding;
+
+/**
+ * Tells what happens again and again from what happens now and then: a level that rises with each
+ * time and sinks with each tick. One thread; no allocation.
+ */
+public final class Habit {
+  /** How much the level rises with each time, usually. It sinks by 1 with each tick. */
+  private static final int RISE = 4;
+
+  /** The level of a habit: 20 times in as many ticks, or 60 times in every third tick. */
+  private static final int LEVEL = 60;
+
+  private int level;
+  private int lastTick;
+  private int firstTick;
+  private boolean told;
+
+  /** Creates a habit of something that never happened. */
+  public Habit() {}
+
+  /** Forgets all. */
+  public void clear() {
+    level = 0;
+    told = false;
+  }
+
+  /**
+   * Notes that it happened.
+   *
+   * @param tick not before the last one
+   * @return whether it is a habit since now; true once
+   */
+  public boolean note(int tick) {
+    return note(tick, RISE);
+  }
+
+  /**
+   * Notes that it happened.
+   *
+   * @param tick not before the last one
+   * @param rise how much the level rises, which is the number of ticks after which it has sunk
+   *     again
+   * @return whether it is a habit since now; true once
+   */
+  public boolean note(int tick, int rise) {
+    int sunk = Math.max(0, level - (tick - lastTick));
+    firstTick = sunk == 0 ? tick : firstTick;
+    boolean again = level > 0 && tick == lastTick;
+    level = again ? level : sunk + rise;
+    lastTick = tick;
+    boolean isHabit = level >= LEVEL;
+    boolean tells = isHabit && !told;
+    told |= isHabit;
+    return tells;
+  }
+
+  /** Returns the tick at which it began. */
+  public int firstTick() {
+    return firstTick;
+  }
+}

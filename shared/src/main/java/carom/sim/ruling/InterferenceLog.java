@@ -1,0 +1,325 @@
+package carom.sim.ruling;
+
+import carom.physics.BodyType;
+import carom.physics.rows.BodyRow;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityTable;
+import carom.sim.entity.Player;
+import carom.sim.entity.PlayerTable;
+import carom.sim.finding.Findings;
+import carom.sim.finding.Habit;
+import java.util.Arrays;
+
+/**
+ * Records what the game itself does to bodies in its rules: it moves or pushes them, wakes them, or
+ * changes fields of theirs or of their players that are told to clients. Clients don't run these
+ * methods, so they can't predict the result; replication reads this log and tells them.
+ *
+ * <p>One tick of the simulation, and the calls in it:
+ *
+ * <pre>
+ *   replication, after tick n - 1     watch(entity)
+ *   tick n    beginRules   Game.join, leave, message, beforeStep   endRulesBeforeStep
+ *             inputs and physics
+ *             beginRules   Game.afterStep   endRulesAfterStep: the watched list is empty again
+ *   replication, after tick n         lastTick(entity) == n: the game interfered in tick n
+ * </pre>
+ *
+ * <p>What it did to a body that stays awake is a {@link Ruling}, which can be told as such. All
+ * else needs the exact state of the entity: see {@link #lastUntoldTick}.
+ *
+ * <p>Only watched entities are compared, so the others cost nothing; the bodies of players are
+ * always compared, see {@link #lastTick(Player)}. The log is no part of the simulation's state. It
+ * is filled on {@code Role.AUTHORITY} only. One thread; allocates only to grow.
+ */
+public final class InterferenceLog {
+  /** Holds what is known of one entity or one player. */
+  private static final class Mark {
+    Object subject;
+    boolean watched;
+    long stamp;
+    long ruled;
+    int[] row;
+    int lastTick;
+    int lastUntoldTick;
+    boolean beforeStep;
+    final Habit habit = new Habit();
+  }
+
+  private static final int POSE = bits(BodyRow.X, 4);
+  private static final int VELOCITY = bits(BodyRow.VX, 3);
+  private static final int LOADS = bits(BodyRow.LOADS, BodyRow.LOAD_INTS);
+
+  private final EntityTable entities;
+  private final PlayerTable players;
+
+  /** Marks of entities, by id. */
+  private Mark[] ofEntities = new Mark[64];
+
+  /** Marks of players, by id. */
+  private Mark[] ofPlayers = new Mark[16];
+
+  private final Findings findings;
+  private final RulingLog rulings = new RulingLog();
+  private final Ruling ruling = new Ruling();
+  private final int[] row = new int[BodyRow.INTS];
+  private Entity[] watched = new Entity[16];
+  private int watchedCount;
+
+  /** Whether the state before the rules is noted, and that after them isn't. */
+  private boolean rulesRun;
+
+  public InterferenceLog(EntityTable entities, PlayerTable players, Findings findings) {
+    this.findings = findings;
+    this.entities = entities;
+    this.players = players;
+  }
+
+  /** Compares an entity in the next step, too. A second call before that step has no effect. */
+  public void watch(Entity entity) {
+    ofEntities = grown(ofEntities, entity.id());
+    Mark mark = claim(ofEntities, entity.id(), entity);
+    if (mark.watched) {
+      return;
+    }
+    mark.watched = true;
+    mark.ruled = ruled(entity);
+    if (rulesRun) {
+      noteBefore(entity, mark);
+    }
+    if (watchedCount == watched.length) {
+      watched = Arrays.copyOf(watched, 2 * watchedCount);
+    }
+    watched[watchedCount++] = entity;
+  }
+
+  /**
+   * Returns the last tick in which the game interfered with an entity while it was watched, or -1.
+   * Waking a body counts, even if the game did so by what it put beside it.
+   */
+  public int lastTick(Entity entity) {
+    Mark mark = find(ofEntities, entity.id(), entity);
+    return mark == null ? -1 : mark.lastTick;
+  }
+
+  /**
+   * Returns the last tick in which the game did something to an entity that is no {@link Ruling},
+   * while it was watched, or -1: it put it to sleep, changed fields of it or of its player outside
+   * of {@code Game.input}, or made, destroyed or changed one of its joints.
+   */
+  public int lastUntoldTick(Entity entity) {
+    Mark mark = find(ofEntities, entity.id(), entity);
+    return mark == null ? -1 : mark.lastUntoldTick;
+  }
+
+  /** Returns what the game did to watched bodies that stayed awake. For reading only. */
+  public RulingLog rulings() {
+    return rulings;
+  }
+
+  /**
+   * Returns whether the game interfered before the physics of {@link #lastUntoldTick}. Then the
+   * bodies that this one touches are affected in the same tick. Otherwise nothing but this entity
+   * differs after that tick.
+   */
+  public boolean wasBeforeStep(Entity entity) {
+    Mark mark = find(ofEntities, entity.id(), entity);
+    return mark != null && mark.beforeStep;
+  }
+
+  /**
+   * Returns the last tick whose state of a player's body doesn't follow from input and physics
+   * alone, because the game moved, pushed or exchanged the body, or wrote the player's fields; or
+   * -1. A push in {@code Game.afterStep} shows a tick later, so it counts for the tick after.
+   */
+  public int lastTick(Player player) {
+    Mark mark = find(ofPlayers, player.id(), player);
+    return mark == null ? -1 : mark.lastTick;
+  }
+
+  /**
+   * Notes the state of all watched bodies before the game's rules run. A second call before they
+   * end has no effect: {@code Game.join}, {@code Game.leave} and {@code Game.beforeStep} together
+   * are the rules before a step, and a body is told one ruling of them.
+   */
+  public void beginRules() {
+    if (rulesRun) {
+      return;
+    }
+    rulesRun = true;
+    ofPlayers = grown(ofPlayers, players.limit());
+    for (int id = 0; id < players.limit(); id++) {
+      Player player = players.get(id);
+      if (player != null) {
+        claim(ofPlayers, id, player).stamp = player.body() == null ? 0 : bodyStamp(player);
+      }
+    }
+    for (int i = 0; i < watchedCount; i++) {
+      if (entities.holds(watched[i])) {
+        noteBefore(watched[i], ofEntities[watched[i].id()]);
+      }
+    }
+  }
+
+  private static void noteBefore(Entity entity, Mark mark) {
+    mark.stamp = stamp(entity);
+    mark.row = mark.row == null ? new int[BodyRow.INTS] : mark.row;
+    entity.body().readRow(mark.row, 0);
+  }
+
+  /** Notes what {@code Game.beforeStep} changed in the tick that is being computed. */
+  public void endRulesBeforeStep(int tick) {
+    endRules(tick, tick, true);
+  }
+
+  /** Notes what {@code Game.afterStep} changed, and ends the watch. */
+  public void endRulesAfterStep(int tick) {
+    endRules(tick, tick + 1, false);
+    for (int i = 0; i < watchedCount; i++) {
+      ofEntities[watched[i].id()].watched = false;
+    }
+    Arrays.fill(watched, 0, watchedCount, null);
+    watchedCount = 0;
+  }
+
+  private void endRules(int tick, int shownTick, boolean beforeStep) {
+    rulesRun = false;
+    ofPlayers = grown(ofPlayers, players.limit());
+    for (int id = 0; id < players.limit(); id++) {
+      Player player = players.get(id);
+      if (player != null && player.body() != null) {
+        Mark mark = claim(ofPlayers, id, player);
+        if (bodyStamp(player) != mark.stamp) {
+          mark.lastTick = Math.max(mark.lastTick, shownTick);
+        }
+        if (ruled(player.body()) != mark.ruled) {
+          mark.ruled = ruled(player.body());
+          mark.lastTick = Math.max(mark.lastTick, tick);
+        }
+      }
+    }
+    for (int i = 0; i < watchedCount; i++) {
+      if (entities.holds(watched[i])) {
+        Mark mark = ofEntities[watched[i].id()];
+        boolean told = noteRuling(watched[i], mark, tick, beforeStep);
+        boolean wrote = ruled(watched[i]) != mark.ruled;
+        mark.ruled = ruled(watched[i]);
+        if (!told || wrote || stamp(watched[i]) != mark.stamp) {
+          mark.beforeStep = beforeStep || (mark.lastUntoldTick == tick && mark.beforeStep);
+          mark.lastUntoldTick = tick;
+          mark.lastTick = tick;
+        }
+      }
+    }
+  }
+
+  /**
+   * Notes what the rules did to a body, if anything.
+   *
+   * @return false if they did something that a ruling can't say
+   */
+  private boolean noteRuling(Entity entity, Mark mark, int tick, boolean beforeStep) {
+    entity.body().readRow(row, 0);
+    ruling.setDifference(mark.row, row);
+    if (ruling.mask == 0) {
+      return true;
+    }
+    mark.lastTick = tick;
+    if (row[BodyRow.SLEEP_TIME] == BodyRow.ASLEEP) {
+      return false;
+    }
+    ruling.tick = tick;
+    ruling.afterStep = !beforeStep;
+    ruling.key = entity.id() | entity.generation() << 16;
+    rulings.add().set(ruling);
+    if (mark.habit.note(tick)) {
+      find(entity, mark.habit.firstTick(), beforeStep ? "beforeStep" : "afterStep");
+    }
+    return true;
+  }
+
+  /** Counts what the rules wrote to an entity's fields and to those of the player it is of. */
+  private long ruled(Entity entity) {
+    Player owner = players.get(entity.ownerId());
+    boolean isBody = owner != null && owner.body() == entity;
+    return entity.fieldValues().ruled() + (isBody ? owner.fieldValues().ruled() : 0);
+  }
+
+  /** Tells that the rules change a body again and again. */
+  private void find(Entity entity, int firstTick, String callback) {
+    String deed = deed(ruling.mask);
+    String advice;
+    if (entity.archetype().type() != BodyType.DYNAMIC) {
+      advice = "give its archetype a motion, which clients know";
+    } else if ((ruling.mask & POSE) != 0) {
+      advice = "let Game.input or Game.forces set its velocity";
+    } else {
+      advice = "use Game.forces";
+    }
+    findings.add(
+        callback + " " + deed + " " + entity.archetype().index(),
+        callback
+            + " "
+            + deed
+            + " entity "
+            + entity.id()
+            + " ("
+            + entity.archetype().name()
+            + ") every tick, so clients can't predict it; "
+            + advice
+            + ". First seen at tick "
+            + firstTick
+            + ".");
+  }
+
+  private static String deed(int mask) {
+    if ((mask & POSE) != 0) {
+      return "moves";
+    }
+    if ((mask & VELOCITY) != 0) {
+      return "sets the velocity of";
+    }
+    return (mask & LOADS) != 0 ? "pushes" : "wakes";
+  }
+
+  /** Returns the bits of a ruling's mask for some ints of a row. */
+  private static int bits(int from, int count) {
+    return ((1 << count) - 1) << from - BodyRow.MOTION;
+  }
+
+  private static long bodyStamp(Player player) {
+    return player.body().body().stamp();
+  }
+
+  private static long stamp(Entity entity) {
+    return entity.body().jointStamp();
+  }
+
+  private static Mark find(Mark[] marks, int id, Object subject) {
+    Mark mark = id >= 0 && id < marks.length ? marks[id] : null;
+    return mark != null && mark.subject == subject ? mark : null;
+  }
+
+  /** Finds the mark of an id, empty if it was another subject's. */
+  private static Mark claim(Mark[] marks, int id, Object subject) {
+    Mark mark = marks[id];
+    if (mark == null) {
+      mark = new Mark();
+      marks[id] = mark;
+    }
+    if (mark.subject != subject) {
+      mark.subject = subject;
+      mark.watched = false;
+      mark.stamp = 0;
+      mark.lastTick = -1;
+      mark.lastUntoldTick = -1;
+      mark.beforeStep = false;
+      mark.habit.clear();
+    }
+    return mark;
+  }
+
+  private static Mark[] grown(Mark[] marks, int id) {
+    return id < marks.length ? marks : Arrays.copyOf(marks, Math.max(id + 1, 2 * marks.length));
+  }
+}

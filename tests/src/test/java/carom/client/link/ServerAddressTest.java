@@ -1,0 +1,44 @@
+package carom.client.link;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+/** Goal: a player types an address as people write it, and reads what is wrong with it. */
+class ServerAddressTest {
+  @Test
+  void anAddressIsReadAsPeopleWriteIt() {
+    assertEquals(new ServerAddress("localhost", 54_555, 54_777), ServerAddress.parse("localhost"));
+    assertEquals(new ServerAddress("a.b", 27_960, 54_777), ServerAddress.parse(" a.b:27960 "));
+    assertEquals(new ServerAddress("10.0.0.1", 1, 2), ServerAddress.parse("10.0.0.1:1/2"));
+    assertEquals(new ServerAddress("::1", 54_555, 54_777), ServerAddress.parse("::1"));
+    assertEquals(new ServerAddress("fe80::1", 7, 54_777), ServerAddress.parse("[fe80::1]:7"));
+    assertEquals(new ServerAddress("::1", 54_555, 54_777), ServerAddress.parse("[::1]"));
+  }
+
+  @Test
+  void theShortestTextGivesTheAddressBack() {
+    for (String text : new String[] {"localhost", "a.b:7", "a:1/2", "[::1]", "[::1]:5/6"}) {
+      ServerAddress address = ServerAddress.parse(text);
+      assertEquals(text, address.toText());
+      assertEquals(address, ServerAddress.parse(address.toText()));
+    }
+  }
+
+  @Test
+  void whatIsNoAddressIsExplained() {
+    for (String text : new String[] {"", "  ", ":5", "two words", "http://a", "a,b"}) {
+      assertTrue(problem(text).startsWith("Enter the server's name"), text + problem(text));
+    }
+    for (String text : new String[] {"a:", "a:x", "a:0", "a:65536", "a:1/", "a:1/2/3", "a:-1"}) {
+      assertTrue(problem(text).contains("is no port"), text + problem(text));
+    }
+  }
+
+  private static String problem(String text) {
+    return assertThrows(IllegalArgumentException.class, () -> ServerAddress.parse(text), text)
+        .getMessage();
+  }
+}

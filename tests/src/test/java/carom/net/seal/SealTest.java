@@ -1,0 +1,242 @@
+package carom.net.seal;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.security.GeneralSecurityException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+
+/** Goal: only what one side sent reaches the other, once. Method: both sides without sockets. */
+final class SealTest {
+  private static final int LINK = 0x1020304;
+  private static final byte[] GREETING = {1, 2, 3};
+  private static final byte TAG = 6;
+
+  private final ExchangeKey serverKey = ExchangeKey.random();
+
+  /** Both ends of one link. */
+  private record Ends(LinkKeys client, LinkKeys server) {}
+
+  private Ends ends(Encryption encryption) throws GeneralSecurityException {
+    KeyExchange.Offer offer = new KeyExchange.Offer(encryption, serverKey.publicKey(), GREETING);
+    KeyExchange.Answer answer =
+        KeyExchange.answer(encryption, serverKey, GREETING, offer.bytes(), LINK, 1_200);
+    return new Ends(offer.finish(answer.bytes(), LINK, 1_200), answer.keys());
+  }
+
+  private static byte[] sealed(DatagramSealer sealer, byte[] fields) {
+    int length = sealer.seal(TAG, fields, 0, fields.length);
+    return Arrays.copyOf(sealer.bytes(), length);
+  }
+
+  @Test
+  void sealsAsTheTestCasesOfGcm() {
+    Seal seal = Seal.of(Encryption.ON, new byte[Seal.KEY_BYTES]);
+    byte[] frame = new byte[32];
+    seal.seal(0, frame, 0, 0, 16);
+    assertEquals(
+        "0388dace60b6a392f328c2b971b2fe78ab6e47d42cec13bdf53a67b21257bddf",
+        HexFormat.of().formatHex(frame));
+    assertTrue(Seal.of(Encryption.ON, new byte[Seal.KEY_BYTES]).open(0, frame, 0, 0, 16));
+    assertArrayEquals(new byte[16], Arrays.copyOf(frame, 16));
+  }
+
+  @Test
+  void aDatagramArrivesInEitherMode() throws GeneralSecurityException {
+    for (Encryption encryption : Encryption.values()) {
+      Ends ends = ends(encryption);
+      for (int length : new int[] {0, 1, 36, 1_200}) {
+        byte[] fields = new byte[length];
+        Arrays.fill(fields, (byte) 7);
+        byte[] there = sealed(ends.client().datagramsOut(), fields);
+        byte[] back = sealed(ends.server().datagramsOut(), fields);
+        assertEquals(1 + length + DatagramSealer.EXTRA_BYTES, there.length);
+        assertEquals(LINK, DatagramOpener.link(there, there.length));
+        assertEquals(length, ends.server().datagramsIn().open(there, there.length));
+        assertEquals(length, ends.client().datagramsIn().open(back, back.length));
+        int head = DatagramSealer.HEAD_BYTES;
+        assertArrayEquals(fields, Arrays.copyOfRange(there, head, head + length));
+      }
+    }
+  }
+
+  @Test
+  void noSingleBitMayChange() throws GeneralSecurityException {
+    Ends ends = ends(Encryption.ON);
+    byte[] good = sealed(ends.client().datagramsOut(), new byte[36]);
+    for (int bit = 0; bit < 8 * good.length; bit++) {
+      byte[] bad = good.clone();
+      bad[bit / 8] ^= (byte) (1 << bit % 8);
+      assertEquals(
+          DatagramOpener.FORGED, ends.server().datagramsIn().open(bad, bad.length), "bit=" + bit);
+    }
+    for (int length = 0; length < good.length; length++) {
+      byte[] bad = good.clone();
+      assertEquals(DatagramOpener.FORGED, ends.server().datagramsIn().open(bad, length));
+    }
+    assertEquals(36, ends.server().datagramsIn().open(good, good.length), "and then the genuine");
+  }
+
+  @Test
+  void eachDatagramCountsOnceInAnyOrder() throws GeneralSecurityException {
+    for (Encryption encryption : Encryption.values()) {
+      Ends ends = ends(encryption);
+      List<byte[]> sent = new ArrayList<>();
+      for (int i = 0; i < 200; i++) {
+        sent.add(sealed(ends.client().datagramsOut(), new byte[] {(byte) i}));
+      }
+      Collections.shuffle(sent, new Random(5));
+      for (byte[] datagram : sent) {
+        byte[] again = datagram.clone();
+        assertEquals(1, ends.server().datagramsIn().open(datagram, datagram.length));
+        assertEquals(
+            DatagramOpener.REPLAYED, ends.server().datagramsIn().open(again, again.length));
+      }
+    }
+  }
+
+  @Test
+  void noFrameOpensWhereItWasNotSentTo() throws GeneralSecurityException {
+    Ends ends = ends(Encryption.ON);
+    Ends other = ends(Encryption.ON);
+    byte[] datagram = sealed(ends.client().datagramsOut(), new byte[5]);
+    for (DatagramOpener opener :
+        List.of(
+            ends.client().datagramsIn(),
+            other.server().datagramsIn(),
+            other.client().datagramsIn())) {
+      byte[] copy = datagram.clone();
+      assertEquals(DatagramOpener.FORGED, opener.open(copy, copy.length));
+    }
+    byte[] frame = new byte[5 + StreamSeal.EXTRA_BYTES];
+    ends.client().streamOut().seal(frame, 0, 5);
+    assertEquals(-1, ends.client().streamIn().open(frame.clone(), 0, frame.length), "reflected");
+    assertEquals(-1, other.server().streamIn().open(frame.clone(), 0, frame.length));
+    assertEquals(5, ends.server().streamIn().open(frame, 0, frame.length));
+  }
+
+  @Test
+  void noTwoKeysOfALinkAreEqual() {
+    Set<String> outputs = new HashSet<>();
+    byte[] secret = new byte[32];
+    for (boolean server : new boolean[] {false, true}) {
+      LinkKeys keys = LinkKeys.derive(Encryption.OFF, secret, server, 0, 0);
+      byte[] frame = new byte[StreamSeal.EXTRA_BYTES];
+      keys.streamOut().seal(frame, 0, 0);
+      byte[] datagram = sealed(keys.datagramsOut(), new byte[0]);
+      outputs.add(Arrays.toString(frame));
+      outputs.add(
+          Arrays.toString(
+              Arrays.copyOfRange(datagram, DatagramSealer.HEAD_BYTES, datagram.length)));
+    }
+    assertEquals(4, outputs.size(), "without a cipher the tag is the key itself");
+  }
+
+  @Test
+  void aStreamTakesItsFramesInOrderOnly() throws GeneralSecurityException {
+    Ends ends = ends(Encryption.ON);
+    List<byte[]> frames = new ArrayList<>();
+    for (int i = 0; i < 3; i++) {
+      byte[] frame = new byte[1 + StreamSeal.EXTRA_BYTES];
+      frame[0] = (byte) i;
+      ends.server().streamOut().seal(frame, 0, 1);
+      frames.add(frame);
+    }
+    StreamSeal in = ends.client().streamIn();
+    assertEquals(-1, in.open(frames.get(1).clone(), 0, 17), "one is missing");
+    assertEquals(1, in.open(frames.get(0).clone(), 0, 17));
+    assertEquals(-1, in.open(frames.get(0).clone(), 0, 17), "one comes again");
+    byte[] second = frames.get(1).clone();
+    assertEquals(1, in.open(second, 0, 17));
+    assertEquals(1, second[0]);
+    assertEquals(-1, in.open(new byte[3], 0, 3), "too short for a tag");
+  }
+
+  @Test
+  void noCounterServesTwice() {
+    byte[] material = new byte[Seal.KEY_BYTES];
+    StreamSeal stream = new StreamSeal(Seal.of(Encryption.ON, material), Seal.MAX_FRAMES - 1);
+    stream.seal(new byte[16], 0, 0);
+    assertTrue(stream.isUsedUp());
+    assertThrows(IllegalStateException.class, () -> stream.seal(new byte[16], 0, 0));
+    DatagramSealer sealer =
+        new DatagramSealer(Seal.of(Encryption.ON, material), 1, 10, Seal.MAX_FRAMES - 1);
+    assertFalse(sealer.isUsedUp());
+    byte[] last = sealed(sealer, new byte[10]);
+    assertTrue(sealer.isUsedUp());
+    assertThrows(IllegalStateException.class, () -> sealer.seal(TAG, new byte[1], 0, 1));
+    DatagramOpener opener = new DatagramOpener(Seal.of(Encryption.ON, material), 1);
+    assertEquals(10, opener.open(last, last.length));
+  }
+
+  @Test
+  void withoutEncryptionABlindSenderStillFails() throws GeneralSecurityException {
+    Ends ends = ends(Encryption.OFF);
+    byte[] good = sealed(ends.client().datagramsOut(), new byte[36]);
+    for (int i = good.length - 16; i < good.length; i++) {
+      byte[] bad = good.clone();
+      bad[i] ^= 1;
+      assertEquals(DatagramOpener.FORGED, ends.server().datagramsIn().open(bad, bad.length));
+    }
+    assertEquals(36, ends.server().datagramsIn().open(good, good.length));
+  }
+
+  @Test
+  void everyByteOfTheExchangeCounts() throws GeneralSecurityException {
+    KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, serverKey.publicKey(), GREETING);
+    byte[] bytes = offer.bytes();
+    byte[] answer =
+        KeyExchange.answer(Encryption.ON, serverKey, GREETING, bytes, LINK, 1_200).bytes();
+    for (int i = 0; i < answer.length; i++) {
+      byte[] bad = answer.clone();
+      bad[i] ^= 1;
+      assertThrows(
+          GeneralSecurityException.class, () -> offer.finish(bad, LINK, 1_200), "byte=" + i);
+    }
+    for (int i = 0; i < bytes.length; i++) {
+      byte[] bad = bytes.clone();
+      bad[i] ^= 1;
+      byte[] misled =
+          KeyExchange.answer(Encryption.ON, serverKey, GREETING, bad, LINK, 1_200).bytes();
+      assertThrows(
+          GeneralSecurityException.class, () -> offer.finish(misled, LINK, 1_200), "byte=" + i);
+    }
+    byte[] otherGreeting =
+        KeyExchange.answer(Encryption.ON, serverKey, new byte[] {1, 2, 4}, bytes, LINK, 1_200)
+            .bytes();
+    assertThrows(GeneralSecurityException.class, () -> offer.finish(otherGreeting, LINK, 1_200));
+    assertEquals(LINK, DatagramOpener.link(sealedBy(offer, answer), 27));
+  }
+
+  private static byte[] sealedBy(KeyExchange.Offer offer, byte[] answer)
+      throws GeneralSecurityException {
+    return sealed(offer.finish(answer, LINK, 1_200).datagramsOut(), new byte[0]);
+  }
+
+  @Test
+  void aThiefOfTheLastingKeyReadsNoOlderLink() throws GeneralSecurityException {
+    KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, serverKey.publicKey(), GREETING);
+    byte[] first =
+        KeyExchange.answer(Encryption.ON, serverKey, GREETING, offer.bytes(), LINK, 9).bytes();
+    byte[] second =
+        KeyExchange.answer(Encryption.ON, serverKey, GREETING, offer.bytes(), LINK, 9).bytes();
+    assertNotEquals(
+        Arrays.toString(first), Arrays.toString(second), "the server's part is new each time");
+    byte[] datagram = sealedBy(offer, first);
+    LinkKeys thief =
+        KeyExchange.answer(Encryption.ON, serverKey, GREETING, offer.bytes(), LINK, 9).keys();
+    assertEquals(DatagramOpener.FORGED, thief.datagramsIn().open(datagram, datagram.length));
+  }
+}

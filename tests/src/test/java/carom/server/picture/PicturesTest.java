@@ -1,0 +1,99 @@
+package carom.server.picture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.bots.Bot;
+import carom.net.transport.Impairment;
+import carom.physics.Body;
+import carom.server.metrics.Stage;
+import carom.sim.entity.Entity;
+import carom.testkit.SimulatedClient;
+import carom.testkit.Stepper;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+
+/** Goal: a picture shows the room as it is, and only when it is asked for. */
+final class PicturesTest {
+  private static final PictureRequest ALL = new PictureRequest(true, true, true, Set.of(0, 77));
+  private static final PictureRequest BODIES = new PictureRequest(false, false, false, Set.of());
+
+  private static Picture take(Stepper stepper, PictureRequest request) {
+    stepper.room().pictures().ask(request);
+    stepper.run(0.1);
+    return stepper.room().pictures().poll();
+  }
+
+  @Test
+  void nobodyAsksAndThereIsNone() {
+    try (Stepper stepper = Stepper.of("arena")) {
+      stepper.run(1);
+      assertNull(stepper.room().pictures().poll());
+      assertEquals(0, stepper.room().stages().totalNs(Stage.PICTURE));
+    }
+  }
+
+  @Test
+  void bodiesJointsContactsCellsAndPlayersAreThoseOfTheWorld() {
+    try (Stepper stepper = Stepper.of("arena")) {
+      SimulatedClient ann = stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
+      stepper.run(3);
+      stepper.room().pictures().ask(ALL);
+      int tick = stepper.room().tick();
+      while (stepper.room().tick() == tick) {
+        stepper.step();
+      }
+      Picture picture = stepper.room().pictures().poll();
+      assertNotNull(picture);
+      assertNull(stepper.room().pictures().poll());
+      var world = stepper.room().simulation().world();
+      assertEquals(stepper.room().tick(), picture.tick());
+      assertEquals(world.bodyCount(), picture.bodies().size());
+      for (int i = 0; i < picture.bodies().size(); i++) {
+        Body<Entity> body = world.body(picture.bodies().get(i).slot());
+        assertEquals(body.user().id(), picture.bodies().get(i).entity());
+        assertEquals(body.x(), picture.poses()[Picture.POSE * i]);
+        assertEquals(body.y(), picture.poses()[Picture.POSE * i + 1]);
+        assertEquals(body.awake(), picture.awake()[i]);
+      }
+      assertEquals(world.jointCount(), picture.joints().length / Picture.JOINT);
+      assertTrue(picture.cells().length > 0);
+      int[] points = {0};
+      world.forEachContact((x, y, nx, ny, separation, impulse) -> points[0]++);
+      assertEquals(points[0], picture.contacts().length / Picture.CONTACT);
+      assertEquals(Set.of(0), picture.priorities().keySet());
+      assertEquals(1, picture.players().size());
+      PlayerPicture player = picture.players().get(0);
+      assertEquals("Ann", player.info().name());
+      assertTrue(player.link().bytesSent() > 0);
+      assertTrue(player.link().acked() > 0);
+      assertTrue(player.link().acked() <= player.link().settled());
+      assertEquals(0, picture.playerBodies()[0]);
+      assertEquals(stepper.body(ann).body().index(), picture.playerBodies()[1]);
+    }
+  }
+
+  @Test
+  void aBodyKeepsItsLookAndLossIsSeen() {
+    try (Stepper stepper = Stepper.of("arena")) {
+      stepper.join("Ann", Impairment.NONE.withLoss(20), new Bot(Stepper.SEED));
+      Picture one = take(stepper, BODIES);
+      Picture two = take(stepper, BODIES);
+      assertTrue(two.tick() > one.tick());
+      for (int i = 0; i < one.bodies().size(); i++) {
+        assertSame(one.bodies().get(i), two.bodies().get(i));
+      }
+      assertNull(two.players());
+      assertEquals(0, two.cells().length + two.contacts().length);
+      PlayerPicture before = take(stepper, ALL).players().get(0);
+      stepper.run(20);
+      PlayerPicture after = take(stepper, ALL).players().get(0);
+      double settled = after.link().settled() - before.link().settled();
+      double loss = 1 - (after.link().acked() - before.link().acked()) / settled;
+      assertEquals(0.2, loss, 0.05, "settled=" + settled);
+    }
+  }
+}

@@ -1,0 +1,216 @@
+package carom.server.web.page;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: an operator sees and does on the page what it promises. Method: headless Chromium opens it,
+ * clicks, types, and its pixels are looked at.
+ */
+@Timeout(240)
+final class BrowserTest {
+  private static final int ENTER = 13;
+  private static final int TAB = 9;
+
+  @TempDir private Path folder;
+  private Path program;
+
+  @BeforeEach
+  void findBrowser() {
+    program = Chromium.find();
+    if (program == null) {
+      assertFalse(System.getenv("CI") != null, "CI has no Chromium: .ci/run installs it");
+      System.err.println("SKIPPED: no Chromium here, so nobody looks at the page");
+    }
+    assumeTrue(program != null, "no Chromium");
+  }
+
+  private static BufferedImage canvas(Chromium browser) throws Exception {
+    browser.evaluate("scrollTo(0, 0)");
+    BufferedImage all = ImageIO.read(new ByteArrayInputStream(browser.screenshot()));
+    String[] box =
+        browser
+            .evaluate(
+                "(r => [r.x, r.y, r.width, r.height].map(Math.round).join(' '))"
+                    + "(document.getElementById('scene').getBoundingClientRect())")
+            .split(" ");
+    int[] at = List.of(box).stream().mapToInt(Integer::parseInt).toArray();
+    return all.getSubimage(
+        at[0],
+        at[1],
+        Math.min(at[2], all.getWidth() - at[0]),
+        Math.min(at[3], all.getHeight() - at[1]));
+  }
+
+  private static Set<Integer> colours(BufferedImage image) {
+    Set<Integer> colours = new HashSet<>();
+    for (int y = 0; y < image.getHeight(); y++) {
+      for (int x = 0; x < image.getWidth(); x++) {
+        colours.add(image.getRGB(x, y));
+      }
+    }
+    return colours;
+  }
+
+  private static int rgb(Chromium browser, String variable) throws Exception {
+    String hex =
+        browser.evaluate(
+            "getComputedStyle(document.documentElement).getPropertyValue('--" + variable + "')");
+    return 0xff000000 | Integer.parseInt(hex.strip().substring(1), 16);
+  }
+
+  private static void login(Chromium browser) throws Exception {
+    browser.await("document.querySelector('#state.live')");
+    browser.click("document.getElementById('secret')");
+    browser.type(PageRig.TOKEN);
+    browser.press("Enter", ENTER);
+    browser.await("document.body.classList.contains('is-admin')");
+  }
+
+  @Test
+  void theRoomIsDrawnAndFollowedAndMoves() throws Exception {
+    try (PageRig rig = new PageRig(folder, true);
+        Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
+      browser.look(1200, 900, false);
+      browser.open(rig.web.url());
+      browser.await("window.caromScene && caromScene.now && caromScene.names.size === 2");
+      BufferedImage first = canvas(browser);
+      Set<Integer> colours = colours(first);
+      assertTrue(colours.contains(rgb(browser, "ground")), "no ground in the picture");
+      assertTrue(colours.contains(rgb(browser, "stage")), "no background in the picture");
+      assertTrue(colours.size() > 20, "colours=" + colours.size());
+      // The pixel of a player's body has the player's colour.
+      String place =
+          browser.evaluate(
+              "(() => { const [id, slot] = [...caromScene.now.bodyOf][0]; caromScene.show.names ="
+                  + " false; const p = caromScene.pose(slot); return caromScene.toScreen(p[0],"
+                  + " p[1]).join(' ') + ' ' + id; })()");
+      assertTrue(place.split(" ").length == 3, place);
+      // Following puts the player in the middle and keeps it there while it moves.
+      browser.click("document.querySelector('#players tbody tr .follow')");
+      browser.await("caromScene.follow !== null");
+      browser.await(
+          "(p => p && Math.hypot(caromScene.camera.x - p[0], caromScene.camera.y - p[1])"
+              + " < 0.5)(caromScene.pose(caromScene.now.bodyOf.get(caromScene.follow)))");
+      BufferedImage followed = canvas(browser);
+      int middle = followed.getRGB(followed.getWidth() / 2 - 3, followed.getHeight() / 2 - 3);
+      assertFalse(middle == rgb(browser, "stage"), "nobody is in the middle");
+      String tick = browser.evaluate("caromScene.now.tick");
+      browser.await("caromScene.now.tick > " + tick + " + 60");
+      // Overlays add their colours.
+      for (String overlay : List.of("contacts", "cells", "sleeping", "priority")) {
+        browser.click("document.getElementById('" + overlay + "')");
+      }
+      browser.await("caromScene.now.cells.length > 0 && caromScene.now.priorities.length > 0");
+      assertNotEquals(colours, colours(canvas(browser)));
+      // Zooming with the wheel, and back.
+      browser.click("document.getElementById('fit')");
+      browser.await("caromScene.follow === null");
+      // A click on a body says what it is.
+      String at =
+          browser.evaluate(
+              "(() => { const slot = caromScene.now.slot.find(s => caromScene.looks.get(s).type !=="
+                  + " 'static' && !caromScene.now.awake[caromScene.now.index.get(s)]) ??"
+                  + " caromScene.now.bodyOf.values().next().value; const p = caromScene.pose(slot);"
+                  + " const r = caromScene.canvas.getBoundingClientRect(); const [x, y] ="
+                  + " caromScene.toScreen(p[0], p[1]); return (r.x + x) + ' ' + (r.y + y); })()");
+      browser.clickAt(Double.parseDouble(at.split(" ")[0]), Double.parseDouble(at.split(" ")[1]));
+      browser.await("document.getElementById('body').innerText.includes('entity')");
+      assertEquals(List.of(), browser.errors());
+    }
+  }
+
+  @Test
+  void anOperatorReadsTypesKicksAndBans() throws Exception {
+    try (PageRig rig = new PageRig(folder, true);
+        Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
+      Files.createDirectories(folder.resolve("recordings"));
+      Files.writeString(folder.resolve("recordings/evening.carom"), "game");
+      browser.look(1200, 900, false);
+      browser.open(rig.web.url());
+      browser.await("window.caromScene && caromScene.names.size === 2");
+      String shown = "[...document.querySelectorAll('#players tbody tr td:first-child')]";
+      assertEquals(
+          "Ann|" + PageRig.HOSTILE, browser.evaluate(shown + ".map(e => e.textContent).join('|')"));
+      assertEquals("0", browser.evaluate("document.querySelectorAll('#players img').length"));
+      assertEquals("0", browser.evaluate("document.querySelectorAll('#players .danger').length"));
+      login(browser);
+      browser.await("document.querySelectorAll('#players .danger').length === 4");
+      browser.await("document.getElementById('recordings').innerText.includes('evening.carom')");
+      // The log, with hostile text.
+      rig.logging.getLogger("test").warn("a line with <b>markup</b> \u202e\u001b[31m");
+      browser.await(
+          "document.getElementById('log').textContent.includes("
+              + "'a line with <b>markup</b> U+202EU+001B[31m')");
+      // The console: completion, a command, an answer.
+      browser.click("document.getElementById('line')");
+      browser.type("kic");
+      browser.press("Tab", TAB);
+      browser.await("document.getElementById('line').value === 'kick '");
+      browser.press("Tab", TAB);
+      browser.await("document.getElementById('words').textContent.includes('Ann')");
+      browser.evaluate("document.getElementById('line').value = ''");
+      browser.type("rooms");
+      browser.press("Enter", ENTER);
+      browser.await("document.getElementById('output').textContent.includes('Corner Pocket')");
+      // A kick, with a reason that names another room.
+      browser.click(
+          "[...document.querySelectorAll('#players tbody tr')][1].querySelectorAll('.danger')[0]");
+      browser.await("document.getElementById('sure').open");
+      browser.click("document.getElementById('sure-reason')");
+      browser.type("go \"@nowhere\"");
+      browser.click("document.getElementById('sure-ok')");
+      browser.await("document.getElementById('output').textContent.includes('removed player=')");
+      browser.await(
+          "document.querySelectorAll('#players tbody tr').length === 1 && "
+              + shown
+              + "[0]"
+              + ".textContent === 'Ann'");
+      // A ban.
+      browser.click("document.querySelectorAll('#players .danger')[1]");
+      browser.await("document.getElementById('sure').open");
+      browser.click("document.getElementById('sure-ok')");
+      browser.await("document.getElementById('output').textContent.includes('banned name')");
+      browser.await("document.getElementById('players').innerText.includes('Nobody plays')");
+      assertTrue(Files.readString(folder.resolve("bans.txt")).contains("name \"Ann\" until "));
+      assertEquals(List.of(), browser.errors());
+    }
+  }
+
+  @Test
+  void narrowWindowsAndDarkOnesShowEverything() throws Exception {
+    try (PageRig rig = new PageRig(folder, true);
+        Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
+      browser.look(400, 800, true);
+      browser.open(rig.web.url());
+      login(browser);
+      browser.await("caromScene.now && caromScene.names.size === 2");
+      assertEquals(
+          "true",
+          browser.evaluate("document.documentElement.scrollWidth <= innerWidth"),
+          "the page is wider than the window");
+      int dark = rgb(browser, "back");
+      browser.look(400, 800, false);
+      assertNotEquals(dark, rgb(browser, "back"));
+      assertEquals("true", browser.evaluate("document.querySelectorAll('.chart').length >= 6"));
+      browser.await("[...document.querySelectorAll('.chart h3 span')].every(e => e.textContent)");
+      assertEquals(List.of(), browser.errors());
+    }
+  }
+}

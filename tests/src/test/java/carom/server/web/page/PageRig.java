@@ -1,0 +1,90 @@
+package carom.server.web.page;
+
+import carom.client.bots.Bot;
+import carom.net.transport.Impairment;
+import carom.server.access.AccessCommands;
+import carom.server.access.AccessLists;
+import carom.server.command.CommandRegistry;
+import carom.server.command.RoomCommands;
+import carom.server.config.DataFolder;
+import carom.server.console.LogTail;
+import carom.server.login.Secret;
+import carom.server.web.WebServer;
+import carom.testkit.Stepper;
+import ch.qos.logback.classic.LoggerContext;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Set;
+
+/** An arena with two bots that goes on by itself, and its page. */
+final class PageRig implements AutoCloseable {
+  /** A name that would be dangerous as HTML and awkward in a line of the console. */
+  static final String HOSTILE = "<img src=x>\"@1 &amp;";
+
+  static final String TOKEN = "a token of the test";
+
+  final Stepper stepper = Stepper.of("arena");
+  final LoggerContext logging = new LoggerContext();
+  final WebServer web;
+  private final Thread watch;
+  private final Thread player;
+  private volatile boolean ended;
+
+  /**
+   * Starts everything.
+   *
+   * @param strangersWatch whether the page shows rooms without the token
+   */
+  PageRig(Path folder, boolean strangersWatch) throws IOException {
+    DataFolder data = new DataFolder(folder);
+    Files.writeString(data.adminToken(), TOKEN + "\n");
+    stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
+    stepper.join(HOSTILE, Impairment.NONE, new Bot(Stepper.SEED + 1));
+    CommandRegistry commands = new CommandRegistry();
+    RoomCommands.add(commands, stepper.server().rooms(), data);
+    AccessLists lists = new AccessLists(data, false, InstantSource.system());
+    watch = AccessCommands.add(commands, lists, stepper.server().rooms());
+    PageConfig config =
+        new PageConfig(
+            "Carom test",
+            commands,
+            Secret.of(data.adminToken()),
+            LogTail.begin(logging),
+            List.of(data.recordings()),
+            strangersWatch,
+            Set.of("carom.example"));
+    web =
+        new WebServer(
+            InetAddress.getLoopbackAddress(),
+            0,
+            stepper.server().rooms(),
+            List.of(),
+            new LivePage(config, stepper.server().rooms()));
+    player = new Thread(this::play, "page-rig");
+    player.start();
+  }
+
+  private void play() {
+    while (!ended) {
+      stepper.run(0.016);
+      try {
+        Thread.sleep(16);
+      } catch (InterruptedException e) {
+        return;
+      }
+    }
+  }
+
+  @Override
+  public void close() throws InterruptedException {
+    ended = true;
+    player.join();
+    watch.interrupt();
+    web.close();
+    stepper.close();
+  }
+}
