@@ -34,19 +34,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE cbd3d4452919a91f 7dff4be505a1cb45
+      PILE eba591e495a19ff be622c0a28dd9a29
       GAS 7359ccc56fe4acd5 a1414a47a096a0d
-      SPIN 2f845dd9420c4cd8 67b91e40813d47ad
+      SPIN 208a768a70ba8053 438b0b9e40e3fd4
       NET b4b495a92dedba4e 11
-      JOINTS 9f0a3ccb0acf9b31 d05098ff6e974322
-      BELTS c7a02fc57719df5d d7167c5349820625
-      CHAINS b58d66d3f1a3af08 9770d08d5275dbb9
-      ROUND fbf98f866a6af790 cbdb366bcd1439f9
-      BULLETS bdfe08da1dde8e00 dfbba536858591c7
-      SLEEPERS b4ac86a13ccb66c0 506fbe276414fd82
-      EDITS 26b279d6dd1d31e9 fad5c4a2000344e8
-      WATER 4e8c3e17412f7561 8f1b9dc75851aaaf
-      EULER 703c93e0a17a89c5 85cdcd0fec507bb3
+      JOINTS cc4e86874b1f57b0 edc7000714dfd72a
+      BELTS adb5a27bede8c9aa b98c309a7312afe6
+      CHAINS 5b38e96f61708da2 4f6b3660b99502f6
+      ROUND eae9446e3a0da2a8 c49832be1fdb2414
+      BULLETS 2182e6f1aaed22d8 68e6bbc49faaef77
+      SLEEPERS aeca3c549a07233b de5ad840695fdd76
+      EDITS d59b37c83f137bf1 76a5dfdca934294
+      WATER aaab0ae620d3a85b 79aa784c94a628b0
+      EULER e1d7d988f9f76633 24bd38ea359d2295
       """;
 
   @Test
