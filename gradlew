@@ -9,6 +9,7 @@ url=$(property distributionUrl)
 archive=${url##*/}
 dists=${GRADLE_USER_HOME:-$HOME/.gradle}/wrapper/dists/${archive%.zip}
 gradle=$dists/checked/${archive%-*.zip}/bin/gradle
+OTHER_CHECKSUM=3
 
 has() { command -v "$1" >/dev/null; }
 
@@ -22,7 +23,12 @@ download() {
 
 verify() {
     sum=$(if has sha256sum; then sha256sum "$archive"; else shasum -a 256 "$archive"; fi | cut -d ' ' -f 1)
-    [ "$sum" = "$(property distributionSha256Sum)" ] || { echo "gradlew: not the pinned checksum: $url" >&2; false; }
+    pinned=$(property distributionSha256Sum)
+    [ "$sum" = "$pinned" ] && return
+    echo "gradlew: wrong checksum: what $url gave has the SHA-256 sum" >&2
+    echo "gradlew: $sum, and gradle-wrapper.properties asks for" >&2
+    echo "gradlew: $pinned. It was thrown away. A proxy may have answered instead; try again." >&2
+    exit "$OTHER_CHECKSUM"
 }
 
 unpack() {
@@ -54,9 +60,25 @@ debian() {
 }
 
 has javac || [ -x "${JAVA_HOME:-/none}/bin/javac" ] || debian 'a Java compiler (javac)' default-jdk-headless
-[ -x "$gradle" ] || fetch || gradle=gradle
-has "$gradle" || debian 'Gradle' gradle
 
 # The server greets a newcomer on a terminal; behind Gradle it can't see one itself.
 [ -t 1 ] && set -- -Pterminal "$@"
-exec "$gradle" "$@"
+
+status=0
+[ -x "$gradle" ] || fetch || status=$?
+[ "$status" != "$OTHER_CHECKSUM" ] || exit 1
+[ "$status" = 0 ] && exec "$gradle" "$@"
+
+has gradle || debian 'Gradle' gradle
+echo "gradlew: can't download ${archive%-*.zip}, so this runs the gradle on the PATH; its first run takes a minute or two" >&2
+# A daemon of an old Gradle gives programs the environment in which the daemon was started: no DISPLAY. Where it only starts a
+# program, its warnings about class files that are younger than itself would hide what the program says.
+case " $* " in *' run '* | *' play '* | *' bots '* | *' replay '* | *' render '* | *' bench '* | *' figures '*) set -- -q "$@" ;; esac
+set -- --no-daemon "$@"
+# Debian's script prints the version of Java on each start, so this does what the script does afterwards.
+launcher=/usr/share/gradle/lib/gradle-launcher-4.4.1.jar
+if [ "$(readlink -f "$(command -v gradle)")" = /usr/share/gradle/bin/gradle ] && [ -e "$launcher" ]; then
+    exec "${JAVA_HOME:+$JAVA_HOME/bin/}java" --add-opens java.base/java.lang=ALL-UNNAMED ${JAVA_OPTS:-} ${GRADLE_OPTS:-} \
+        -Dorg.gradle.appname=gradle -classpath "$launcher" org.gradle.launcher.GradleMain "$@"
+fi
+exec gradle "$@"

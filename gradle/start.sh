@@ -1,15 +1,23 @@
 #!/bin/sh
-# Starts ${applicationName}. Options for the JVM go in JAVA_OPTS; JAVA_HOME, if set, says which JVM.
+# Starts ${applicationName} on the Java runtime that came along, else on that of JAVA_HOME, else on the one on the PATH. Options for the JVM
+# go in JAVA_OPTS.
 self=\$0
 while [ -h "\$self" ]; do
     link=\$(readlink "\$self")
     case \$link in /*) self=\$link ;; *) self=\$(dirname "\$self")/\$link ;; esac
 done
 APP_HOME=\$(cd "\$(dirname "\$self")/.." && pwd -P) || exit
-# Classes that installDist prepared, for the JDK that made them alone: others crashed on them.
+home=\${JAVA_HOME:-}
+[ ! -x "\$APP_HOME/runtime/bin/java" ] || home=\$APP_HOME/runtime
+java=\${home:+\$home/bin/}java
+if ! command -v "\$java" >/dev/null; then
+    echo "${applicationName}: there is no Java: install a JRE from 17 on, or take the zip that brings a runtime" >&2
+    exit 127
+fi
+# Classes that carom-prepare has kept, for the JVM that made them alone: others crashed on them.
 classes=
 if [ -f "\$APP_HOME/lib/${applicationName}.jsa" ]; then
-    jdk=\${JAVA_HOME:-\$(dirname "\$(readlink -f "\$(command -v java)")")/..}
+    jdk=\${home:-\$(dirname "\$(readlink -f "\$(command -v java)")")/..}
     cmp -s "\$jdk/release" "\$APP_HOME/lib/${applicationName}.release" && classes=\$APP_HOME/lib/${applicationName}.jsa
 fi
 priorities=
@@ -19,6 +27,6 @@ if [ "\$(uname)" = Linux ]; then
     priorities='-XX:ThreadPriorityPolicy=1 -XX:CompilerThreadPriority=10'
     [ "\$(id -u)" = 0 ] || priorities="\$priorities -XX:-PrintWarnings"
 fi
-<% } %>exec "\${JAVA_HOME:+\$JAVA_HOME/bin/}java" <% print defaultJvmOpts.replace("'", '') %> \\
+<% } %>exec "\$java" <% print defaultJvmOpts.replace("'", '') %> \\
     \${classes:+"-Xlog:cds*=off" "-XX:SharedArchiveFile=\$classes"} \$priorities \$JAVA_OPTS \\
     -cp "$classpath:\$APP_HOME/games/*" $mainClassName "\$@"

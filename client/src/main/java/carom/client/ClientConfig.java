@@ -27,6 +27,7 @@ import carom.values.Records;
  *     may have no place in such a room
  * @param minInterpolationMs least time by which other players' bodies are drawn late, 0..300 ms; 0
  *     = as little as the connection allows
+ * @param token join token, for servers whose operator demands one; empty for none
  */
 public record ClientConfig(
     String host,
@@ -41,7 +42,8 @@ public record ClientConfig(
     boolean reconnect,
     String room,
     String game,
-    int minInterpolationMs) {
+    int minInterpolationMs,
+    String token) {
   /**
    * Checks the ranges.
    *
@@ -58,6 +60,7 @@ public record ClientConfig(
     if (problem != null) {
       throw new IllegalArgumentException(problem);
     }
+    require("token.length", token.length(), 0, Limits.MAX_TOKEN_BYTES);
     require("game.length", game.length(), 0, Limits.MAX_GAME_NAME_BYTES);
   }
 
@@ -76,7 +79,8 @@ public record ClientConfig(
         /* reconnect= */ true,
         /* room= */ "",
         /* game= */ "",
-        /* minInterpolationMs= */ 0);
+        /* minInterpolationMs= */ 0,
+        /* token= */ "");
   }
 
   /** Returns a copy for this server. */
@@ -127,6 +131,11 @@ public record ClientConfig(
   /** Returns a copy that draws other players' bodies at least this late. */
   public ClientConfig withMinInterpolationMs(int minInterpolationMs) {
     return Records.with(this, "minInterpolationMs", minInterpolationMs);
+  }
+
+  /** Returns a copy with a join token; empty for none. */
+  public ClientConfig withToken(String token) {
+    return Records.with(this, "token", token);
   }
 
   private static void require(String name, double value, double min, double max) {

@@ -8,9 +8,9 @@ import carom.client.stats.NetStatsRecorder;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.event.EventInbox;
 import carom.net.snapshot.event.EventRecord;
-import carom.sim.Event;
 import carom.sim.Simulation;
 import carom.sim.event.EventKind;
+import carom.sim.outbox.Event;
 import carom.sim.spawn.Origin;
 
 /**
@@ -48,7 +48,7 @@ final class EventReceiver {
             prediction == null ? key -> Origin.NONE : prediction.spawns()::origin,
             simulation.tickRate(),
             listener);
-    simulation.journal(reconciler);
+    simulation.addJournal(reconciler);
   }
 
   /** Takes in the events that the last snapshot completed. */

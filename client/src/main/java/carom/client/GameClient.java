@@ -21,7 +21,6 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
-import carom.sim.Event;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.level.Level;
@@ -29,6 +28,7 @@ import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
+import carom.sim.outbox.Event;
 import java.util.List;
 import java.util.function.LongSupplier;
 
@@ -126,6 +126,7 @@ public final class GameClient implements AutoCloseable {
             config.name(),
             config.room(),
             config.game(),
+            config.token(),
             config.reconnect(),
             transport,
             new ConnectionListener(),

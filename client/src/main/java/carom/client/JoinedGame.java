@@ -121,7 +121,7 @@ final class JoinedGame {
                 config.syncTest());
     events =
         new EventReceiver(simulation, welcome.playerId(), prediction, repeats, stats, listener);
-    repeats.beginLink(welcome.room(), welcome.match(), welcome.tick());
+    repeats.beginLink(welcome.room(), welcome.match(), welcome.incarnation(), welcome.courseTick());
     sender =
         new InputSender(
             config, welcome.datagramKey(), tickRate, decoder, prediction, stats, connection);

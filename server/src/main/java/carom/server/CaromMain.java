@@ -2,13 +2,16 @@ package carom.server;
 
 import carom.options.BadFlag;
 import carom.options.LabCommand;
+import carom.options.Subcommand;
+import carom.options.VectorApi;
 import java.io.PrintWriter;
+import java.util.ServiceLoader;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** Runs {@code carom}: the tools for recorded games, and the benchmark. */
+/** Runs {@code carom}: the tools for recorded games, the benchmark, and what other parts bring. */
 @Command(
     name = "carom",
     mixinStandardHelpOptions = true,
@@ -22,6 +25,7 @@ public final class CaromMain implements Runnable {
 
   /** Runs the command and exits the JVM with its exit code, which is 2 for bad flags. */
   public static void main(String[] args) {
+    VectorApi.load();
     System.exit(commandLine().execute(args));
   }
 
@@ -33,7 +37,11 @@ public final class CaromMain implements Runnable {
   }
 
   private static CommandLine commandLine() {
-    return BadFlag.explainedBy(withBench(new CommandLine(new CaromMain())));
+    CommandLine program = withBench(new CommandLine(new CaromMain()));
+    for (Subcommand further : ServiceLoader.load(Subcommand.class)) {
+      program.addSubcommand(further.name(), further.command());
+    }
+    return BadFlag.explainedBy(program);
   }
 
   /** Adds the command that measures the engine. */

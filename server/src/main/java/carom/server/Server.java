@@ -1,10 +1,13 @@
 package carom.server;
 
+import carom.game.GuardedGame;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.access.EntryRule;
+import carom.server.checkpoint.CheckpointLock;
+import carom.server.checkpoint.SlotDisk;
 import carom.server.command.StatusLine;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
@@ -12,23 +15,31 @@ import carom.server.lobby.Lobby;
 import carom.server.match.HandedInMatch;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
+import carom.server.room.HangingRooms;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
-import carom.server.session.Seats;
+import carom.server.threads.LoaderThread;
+import carom.server.threads.Watchdog;
+import carom.server.threads.Worker;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
@@ -51,15 +62,22 @@ import org.slf4j.LoggerFactory;
  * </ul>
  *
  * <p>{@link #close} tells the players, ends all threads and closes the transport, which the server
- * owns.
+ * owns. *
+ *
+ * <p><b>Length.</b> Half of it says what the server is made of and what may be asked of it; each
+ * job is a class of its own.
  */
 public final class Server implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Server.class);
 
-  /** Longest nap of a room's thread, ns. The thread also empties the inboxes between ticks. */
-  private static final long ROOM_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
-
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
+
+  /** Nap of the lobby while it waits for the first player, ns: the most that a player waits. */
+  private static final long IDLE_NAP_NS = TimeUnit.MILLISECONDS.toNanos(50);
+
+  /** Longest time between checkpoints, s. */
+  public static final int MAX_CHECKPOINT_S = 600;
+
   private static final long JOIN_MS = 1_000;
   private static final long TROUBLES_GAP_NS = TimeUnit.SECONDS.toNanos(10);
 
@@ -70,13 +88,25 @@ public final class Server implements AutoCloseable {
   /** Threads that help rooms to step their worlds, or null. */
   private final WorkerThreads helpers;
 
-  private final List<Room> rooms;
+  /** Changed only by {@link #hanging}. */
+  private final List<Room> rooms = new CopyOnWriteArrayList<>();
+
+  private final List<Room> roomsShown = Collections.unmodifiableList(rooms);
+  private final RoomBuilder builder;
+  private final HangingRooms hanging;
+  private final Watchdog watchdog = new Watchdog(GuardedGame.class);
   private final Lobby lobby;
   private final StatusLine status;
   private final List<ShownRecordings> recordings = new ArrayList<>();
   private final List<RotatingRecording> rotations = new ArrayList<>();
   private final LoaderThread loader = new LoaderThread();
-  private final List<Worker> workers = new ArrayList<>();
+  private final SlotDisk disk = new SlotDisk();
+  private CheckpointLock checkpointLock;
+  private Path checkpoints;
+  private int checkpointS;
+  private Consumer<Room> roomBegins = room -> {};
+  private volatile boolean gaveUp;
+  private final List<Worker> workers = new CopyOnWriteArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
   private boolean statusScheduled;
@@ -133,21 +163,48 @@ public final class Server implements AutoCloseable {
     this.clock = clock;
     this.helpers =
         config.threads() == 1 ? null : new WorkerThreads(config.threads(), System::nanoTime);
-    SecureRandom random = new SecureRandom();
     RoomDirectory directory = new RoomDirectory();
+    builder =
+        new RoomBuilder(
+            config,
+            List.copyOf(roomConfigs),
+            library,
+            loader,
+            clock,
+            directory,
+            helpers,
+            new SecureRandom());
     List<Room> built = new ArrayList<>();
-    for (RoomConfig each : roomConfigs) {
-      Seats seats = new Seats(each.places(), random::nextLong);
-      boolean alone = roomConfigs.size() == 1;
-      int number = built.size() + 1;
-      Room room = new Room(config, number, alone, each, library, loader, clock, seats, directory);
-      room.helpedBy(helpers);
-      built.add(room);
+    for (int i = 0; i < roomConfigs.size(); i++) {
+      built.add(builder.build(i, new Counters()));
     }
-    this.rooms = List.copyOf(built);
-    directory.open(rooms);
-    this.lobby = new Lobby(config, transport, rooms, directory);
-    this.status = new StatusLine(rooms, clock.getAsLong());
+    rooms.addAll(built);
+    directory.open(roomsShown);
+    hanging = new HangingRooms(rooms, this::again, this::begin, this::giveUp);
+    this.lobby = new Lobby(config, transport, roomsShown, directory);
+    this.status = new StatusLine(roomsShown, clock.getAsLong());
+  }
+
+  /**
+   * Keeps every room on the disk from now on, and first goes on from where an earlier run of the
+   * server has left it; see {@link Room#checkpoint}. Call it before the first {@link #tick} or
+   * {@link #start}, and before the rooms are recorded.
+   *
+   * @param folder gets a folder for each room; no other server may use it meanwhile
+   * @param seconds time between checkpoints, 1..{@value #MAX_CHECKPOINT_S} s
+   * @throws IOException if the folder can't be used; the message says why
+   */
+  public void checkpoint(Path folder, int seconds) throws IOException {
+    if (seconds < 1 || seconds > MAX_CHECKPOINT_S) {
+      throw new IllegalArgumentException(
+          "seconds=" + seconds + " is outside 1.." + MAX_CHECKPOINT_S);
+    }
+    checkpointLock = CheckpointLock.of(folder);
+    checkpoints = folder;
+    checkpointS = seconds;
+    for (Room room : rooms) {
+      room.checkpoint(disk, folder.resolve(room.name()), seconds);
+    }
   }
 
   /**
@@ -295,17 +352,56 @@ public final class Server implements AutoCloseable {
     started = true;
     loader.start();
     workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
-    long nowNs = clock.getAsLong();
-    for (Room room : rooms) {
-      // The rooms' ticks are spread over a tick's time, so that they don't compete for the cores.
-      long beginNs = nowNs + (room.number() - 1) * config.tickNs() / rooms.size();
-      String name = "carom-room-" + room.number();
-      workers.add(new Worker(name, new RoomDuty(room, beginNs), clock, this::workerEnded));
-    }
     workers.get(0).start(Thread.NORM_PRIORITY);
-    for (int i = 1; i < workers.size(); i++) {
-      workers.get(i).start(Thread.MAX_PRIORITY);
+    rooms.forEach(this::begin);
+    watchdog.start();
+  }
+
+  /** Gives a room a thread. */
+  private synchronized void begin(Room room) {
+    if (closed) {
+      return;
     }
+    // The rooms' ticks are spread over a tick's time, so that they don't compete for the cores.
+    long beginNs = clock.getAsLong() + (room.number() - 1) * config.tickNs() / rooms.size();
+    String name = "carom-room-" + room.number();
+    Worker worker = new Worker(name, new RoomDuty(room, beginNs), clock, this::workerEnded);
+    workers.add(worker);
+    worker.start(Thread.MAX_PRIORITY);
+    watchdog.watch(
+        worker,
+        new Watchdog.Watched() {
+          @Override
+          public int progress() {
+            return room.age();
+          }
+
+          @Override
+          public void hangs(String callback, String stack) {
+            workers.remove(worker);
+            hanging.abandon(room, worker, callback, stack);
+          }
+        });
+    roomBegins.accept(room);
+  }
+
+  /** Builds a room again, from its last checkpoint if there is one. */
+  private Room again(int index) {
+    Room room = builder.build(index, rooms.get(index).counters());
+    if (checkpoints != null) {
+      disk.flush();
+      try {
+        room.checkpoint(disk, checkpoints.resolve(room.name()), checkpointS);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+    return room;
+  }
+
+  private void giveUp() {
+    gaveUp = true;
+    workerEnded();
   }
 
   /**
@@ -319,48 +415,6 @@ public final class Server implements AutoCloseable {
     }
   }
 
-  /** The work of a room's thread, which begins at {@code beginNs}. */
-  private record RoomDuty(Room room, long beginNs) implements Worker.Duty {
-    @Override
-    public void turn(long nowNs) {
-      if (nowNs - beginNs >= 0) {
-        room.doWork(nowNs);
-      }
-    }
-
-    @Override
-    public long napNs(long nowNs) {
-      return nowNs - beginNs < 0
-          ? beginNs - nowNs
-          : Math.min(room.nextDeadlineNs() - nowNs, ROOM_NAP_NS);
-    }
-
-    @Override
-    public boolean hasFailed() {
-      return room.hasFailed();
-    }
-
-    @Override
-    public void fail(String why) {
-      room.fail(why);
-    }
-
-    @Override
-    public void close(long nowNs) {
-      room.close(GoodbyeReason.SERVER_STOPPING, "", nowNs);
-    }
-
-    @Override
-    public boolean isDeserted() {
-      return room.isDeserted();
-    }
-
-    @Override
-    public void closeLinks() {
-      room.closeLinks();
-    }
-  }
-
   /** The work of the lobby's thread. */
   private final class LobbyDuty implements Worker.Duty {
     @Override
@@ -370,7 +424,7 @@ public final class Server implements AutoCloseable {
 
     @Override
     public long napNs(long nowNs) {
-      return LOBBY_NAP_NS;
+      return lobby.isDeserted() ? IDLE_NAP_NS : LOBBY_NAP_NS;
     }
 
     @Override
@@ -400,6 +454,14 @@ public final class Server implements AutoCloseable {
     }
   }
 
+  /**
+   * Sets who hears of each room that gets a thread: all by {@link #start}, and later those that
+   * take the place of a room whose game hangs. Before {@link #start}.
+   */
+  public void roomBegins(Consumer<Room> listener) {
+    roomBegins = listener;
+  }
+
   /** Waits until the server has ended, because of {@link #close} or a failure. */
   public void awaitStop() throws InterruptedException {
     ended.await();
@@ -416,6 +478,7 @@ public final class Server implements AutoCloseable {
       return;
     }
     closed = true;
+    watchdog.close();
     if (started) {
       long endNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(JOIN_MS);
       workers.forEach(Worker::stop);
@@ -431,6 +494,10 @@ public final class Server implements AutoCloseable {
     if (helpers != null) {
       helpers.close();
     }
+    disk.close();
+    if (checkpointLock != null) {
+      checkpointLock.close();
+    }
     rooms.forEach(Room::awaitRecording);
     recordings.forEach(ShownRecordings::close);
     rotations.forEach(RotatingRecording::close);
@@ -440,10 +507,10 @@ public final class Server implements AutoCloseable {
 
   /**
    * Returns whether errors, which are in the log, have ended the server: all rooms or the lobby
-   * have failed.
+   * have failed, or too many threads hang in games.
    */
   public boolean hasFailed() {
-    return lobbyFailed || rooms.stream().allMatch(Room::hasFailed);
+    return lobbyFailed || gaveUp || rooms.stream().allMatch(Room::hasFailed);
   }
 
   /** Returns the port for reliable messages, as the transport opened it. */
@@ -467,11 +534,12 @@ public final class Server implements AutoCloseable {
   }
 
   /**
-   * Returns the rooms in the order of their numbers; the list never changes. While threads drive
-   * the server, use only what the documentation of {@link Room} allows from any thread.
+   * Returns the rooms in the order of their numbers. A room whose game hangs is replaced by another
+   * one of the same number and name; the list shows that. While threads drive the server, use only
+   * what the documentation of {@link Room} allows from any thread.
    */
   public List<Room> rooms() {
-    return rooms;
+    return roomsShown;
   }
 
   /** Returns the sum of a counter over all rooms. Any thread. */

@@ -2,12 +2,15 @@ package carom.server;
 
 import carom.game.Games;
 import carom.net.kryo.KryoLimits;
+import carom.net.seal.Encryption;
 import carom.net.transport.Impairment;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
+import carom.server.query.ProtocolFlags;
 import carom.server.recording.RotationLimit;
+import carom.server.web.WebFlags;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
@@ -60,8 +63,7 @@ final class ServerFlags {
       paramLabel = "FOLDER",
       defaultValue = "data",
       description =
-          "Folder of the server's own files: carom.conf, bans.txt, allow.txt, levels, recordings,"
-              + " logs"
+          "Folder of the server's own files: settings, key, bans, levels, recordings, logs"
               + " (${DEFAULT-VALUE}).")
   private Path data;
 
@@ -84,6 +86,14 @@ final class ServerFlags {
       defaultValue = "54777",
       description = "Port for datagrams, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
   int udpPort;
+
+  @Option(
+      names = "--encryption",
+      paramLabel = "on|off",
+      defaultValue = "on",
+      description =
+          "Encrypt the links; off is for debugging, and players need it, too (${DEFAULT-VALUE}).")
+  Encryption encryption;
 
   @Option(
       names = "--game",
@@ -206,6 +216,16 @@ final class ServerFlags {
   private int graceS;
 
   @Option(
+      names = "--checkpoint",
+      paramLabel = "S",
+      defaultValue = "0",
+      description =
+          "Seconds between checkpoints in the data folder, 0..600; a server that was killed goes on"
+              + " from the last one when it starts again, and players get their bodies back; 0 ="
+              + " none (${DEFAULT-VALUE}).")
+  int checkpointS;
+
+  @Option(
       names = "--record",
       paramLabel = "FILE",
       description =
@@ -242,6 +262,7 @@ final class ServerFlags {
   int spectatorDelayS;
 
   @Mixin private final NetworkConditions network = new NetworkConditions();
+  @Mixin final ProtocolFlags protocols = new ProtocolFlags();
 
   @Option(
       names = "--status-interval",
@@ -249,6 +270,15 @@ final class ServerFlags {
       defaultValue = "60",
       description = "Seconds between status lines in the log, 0 = none (${DEFAULT-VALUE}).")
   private int statusIntervalS;
+
+  @Option(
+      names = "--idle",
+      paramLabel = "pause|run",
+      defaultValue = "pause",
+      description =
+          "What a room does while nobody plays or watches and nothing is recorded: pause until a"
+              + " player comes, or run on (${DEFAULT-VALUE}).")
+  private Idle idle;
 
   @Option(
       names = "--allow-list",
@@ -263,41 +293,13 @@ final class ServerFlags {
   boolean allowList;
 
   @Option(
-      names = "--web",
-      paramLabel = "true|false",
-      arity = "0..1",
-      negatable = true,
-      fallbackValue = "true",
-      defaultValue = "true",
+      names = "--join-key",
+      paramLabel = "FILE",
       description =
-          "Show the live page and answer /healthz, /readyz and /metrics (Prometheus) over HTTP;"
-              + " --no-web doesn't.")
-  boolean web;
+          "Demand join tokens that belong to this public key: Ed25519, PEM (everybody may join).")
+  Path joinKey;
 
-  @Option(
-      names = "--web-port",
-      paramLabel = "N",
-      defaultValue = "8090",
-      description = "Port for HTTP, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
-  int webPort;
-
-  @Option(
-      names = "--web-bind",
-      paramLabel = "ADDRESS",
-      defaultValue = "127.0.0.1",
-      description =
-          "Address of this machine for HTTP. On a loopback address whoever reaches it may watch, on"
-              + " another only who knows the token in admin.token of the data folder"
-              + " (${DEFAULT-VALUE}).")
-  private String webBind;
-
-  @Option(
-      names = "--web-host",
-      paramLabel = "NAME",
-      description =
-          "Name under which browsers may open the page, beside addresses and localhost; give it"
-              + " once for each name.")
-  List<String> webHosts = List.of();
+  @Mixin final WebFlags web = new WebFlags();
 
   @Option(
       names = "--console",
@@ -341,6 +343,12 @@ final class ServerFlags {
   @SuppressWarnings("unused") // picocli shows the version
   private boolean version;
 
+  /** The values of {@code --idle}. */
+  private enum Idle {
+    PAUSE,
+    RUN
+  }
+
   /** The values of {@code --log-level}, from nothing to everything. */
   enum LogLevel {
     OFF,
@@ -381,8 +389,14 @@ final class ServerFlags {
   void check() {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
-    requireRange("--web-port", webPort, MAX_PORT);
+    if (web.problem() != null) {
+      throw bad(web.problem());
+    }
+    if (protocols.problem() != null) {
+      throw bad(protocols.problem());
+    }
     requireRange("--grace", graceS, MAX_GRACE_S);
+    requireRange("--checkpoint", checkpointS, Server.MAX_CHECKPOINT_S);
     requireRange("--log-keep", logKeep, MAX_LOGS);
     if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
       throw bad("--record=" + record + " is no folder; rooms=" + roomCount() + " need one");
@@ -476,7 +490,8 @@ final class ServerFlags {
           .withGraceMs(graceS * 1_000)
           .withInputHoldTicks(tickRate / 2)
           .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)
-          .withStatusIntervalS(statusIntervalS);
+          .withStatusIntervalS(statusIntervalS)
+          .withPausesIdleRooms(idle == Idle.PAUSE);
     } catch (IllegalArgumentException e) {
       throw bad(e.getMessage());
     }
@@ -500,11 +515,6 @@ final class ServerFlags {
   /** Returns the address to listen on, or null for all. */
   InetAddress bindAddress() {
     return bind == null ? null : address("--bind", bind);
-  }
-
-  /** Returns the address for HTTP. */
-  InetAddress webAddress() {
-    return address("--web-bind", webBind);
   }
 
   private InetAddress address(String flag, String text) {

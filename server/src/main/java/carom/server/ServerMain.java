@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
+import carom.options.VectorApi;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.command.CommandRegistry;
@@ -15,11 +16,13 @@ import carom.server.config.Settings;
 import carom.server.config.SettingsLayers;
 import carom.server.console.Console;
 import carom.server.console.LogFiles;
+import carom.server.console.LogLimit;
 import carom.server.console.LogTail;
 import carom.server.console.ReadyLine;
 import carom.server.jmx.CommandInspector;
 import carom.server.jmx.RoomInspector;
 import carom.server.metrics.Counter;
+import carom.server.query.StatusFacts;
 import carom.server.web.WebServer;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
@@ -103,6 +106,7 @@ public final class ServerMain implements Callable<Integer> {
 
   /** Runs the server until it is stopped; see {@code --help}. */
   public static void main(String[] args) {
+    VectorApi.load();
     if (System.getProperty(LOG_CONFIG_PROPERTY) == null) {
       System.setProperty(LOG_CONFIG_PROPERTY, LOG_CONFIG); // before the first logger
     }
@@ -197,7 +201,7 @@ public final class ServerMain implements Callable<Integer> {
     logTail = LogTail.begin(logging);
     openData(logging, log);
     access = openAccess();
-    ServerStart start = new ServerStart(flags, choice, config, log);
+    ServerStart start = new ServerStart(flags, choice, config, access, log);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
     start.warmUp();
@@ -221,6 +225,7 @@ public final class ServerMain implements Callable<Integer> {
    * not if the operator named one.
    */
   private void openData(LoggerContext logging, Logger log) throws StartFailure {
+    LogLimit.begin(logging);
     DataFolder data = flags.dataFolder();
     try {
       data.create();
@@ -261,6 +266,8 @@ public final class ServerMain implements Callable<Integer> {
 
   private int run(Server server, LoggerContext logging) throws InterruptedException, StartFailure {
     Logger log = LoggerFactory.getLogger(ServerMain.class);
+    Thread.setDefaultUncaughtExceptionHandler(
+        (thread, error) -> log.error("thread {} ended by an error", thread.getName(), error));
     AtomicReference<Console> console = new AtomicReference<>();
     AtomicReference<WebServer> web = new AtomicReference<>();
     Thread hook =
@@ -286,18 +293,20 @@ public final class ServerMain implements Callable<Integer> {
     Runtime.getRuntime().addShutdownHook(hook);
     CommandRegistry commands = commands(server);
     CommandInspector.show(commands);
+    server.roomBegins(RoomInspector::show);
     server.start();
-    server.rooms().forEach(RoomInspector::show);
     while (server.count(Counter.TICKS) == 0 && !server.hasFailed()) {
       Thread.sleep(1); // the first tick of a large level takes as long as many later ones
     }
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
+    // Players needn't wait for it: its libraries load for as long as all the rest.
+    web.set(openPorts(server, commands));
+    String page = web.get() == null ? null : web.get().url();
+    ReadyLine.printHints(System.out, server.tcpPort(), server.udpPort(), page);
     if (flags.console) {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
     }
-    // Players needn't wait for it: its libraries load for as long as all the rest.
-    web.set(new WebStart(flags, settings(), log).open(server, commands, logTail, title(server)));
     server.awaitStop();
     if (server.hasFailed()) {
       log.error("the server ended because of the errors above");
@@ -314,6 +323,29 @@ public final class ServerMain implements Callable<Integer> {
     return commands;
   }
 
+  /** Opens the ports of the standard protocols and that for HTTP; returns the latter, or null. */
+  private WebServer openPorts(Server server, CommandRegistry commands) throws StartFailure {
+    String name = server.config().serverName();
+    DataFolder data = flags.dataFolder();
+    StatusFacts facts =
+        new StatusFacts(name, version(), server.tcpPort(), server.udpPort(), server.rooms());
+    try {
+      flags.protocols.open(flags.bindAddress(), data, settings(), commands, facts);
+      return flags.web.open(
+          server.rooms(),
+          server.networkCounters(),
+          data,
+          flags.record,
+          settings(),
+          commands,
+          logTail,
+          name + " " + version());
+    } catch (IOException e) {
+      server.close();
+      throw new StartFailure(e.getMessage(), e);
+    }
+  }
+
   private static String replay(String file) {
     StringWriter text = new StringWriter();
     PrintWriter out = new PrintWriter(text);
@@ -328,10 +360,6 @@ public final class ServerMain implements Callable<Integer> {
 
   private Settings settings() {
     return layers.settings(spec.commandLine().getParseResult());
-  }
-
-  private static String title(Server server) {
-    return server.config().serverName() + " " + version();
   }
 
   private static String version() {

@@ -4,15 +4,19 @@ import carom.net.kryo.KryoLimits;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.PortUnavailableException;
+import carom.net.kryo.ServerIdentity;
 import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
+import carom.server.access.AccessLists;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
+import carom.server.session.SessionMemory;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Path;
 import java.util.List;
 import org.slf4j.Logger;
 
@@ -25,12 +29,15 @@ final class ServerStart {
   private final ServerFlags flags;
   private final GameChoice choice;
   private final ServerConfig config;
+  private final AccessLists access;
   private final Logger log;
 
-  ServerStart(ServerFlags flags, GameChoice choice, ServerConfig config, Logger log) {
+  ServerStart(
+      ServerFlags flags, GameChoice choice, ServerConfig config, AccessLists access, Logger log) {
     this.flags = flags;
     this.choice = choice;
     this.config = config;
+    this.access = access;
     this.log = log;
   }
 
@@ -56,7 +63,9 @@ final class ServerStart {
   Server open() throws StartFailure {
     List<RoomConfig> rooms = choice.rooms(config);
     Server server = openRooms(rooms, openTransport(rooms));
+    SessionMemory.touch(RoomConfig.places(rooms));
     try {
+      keep(server);
       record(server);
       show(server);
       return server;
@@ -71,7 +80,8 @@ final class ServerStart {
     try {
       KryoLimits limits = flags.limits(RoomConfig.places(rooms));
       transport =
-          new KryoServerTransport(flags.bindAddress(), flags.tcpPort, flags.udpPort, limits);
+          new KryoServerTransport(
+              flags.bindAddress(), flags.tcpPort, flags.udpPort, limits, identity());
     } catch (IllegalArgumentException e) {
       throw flags.bad("--room: " + e.getMessage());
     } catch (PortUnavailableException e) {
@@ -86,12 +96,39 @@ final class ServerStart {
         transport, impairment, new KryoMessageCodec(), System::nanoTime);
   }
 
+  /** Returns the key in the data folder and whether links are encrypted, and logs both. */
+  private ServerIdentity identity() throws StartFailure {
+    try {
+      ServerIdentity identity = flags.dataFolder().identity(flags.encryption);
+      String fingerprint = identity.fingerprint();
+      access.demandTokens(flags.joinKey, fingerprint);
+      String meaning = flags.encryption.meaning();
+      log.info("identity: players know this server by {}; {}", fingerprint, meaning);
+      return identity;
+    } catch (IOException e) {
+      throw new StartFailure(e.getMessage(), e);
+    }
+  }
+
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {
     try {
       return new Server(config, rooms, choice.library(), transport, System::nanoTime);
     } catch (IllegalArgumentException e) {
       transport.close();
       throw flags.bad("--level: " + e.getMessage());
+    }
+  }
+
+  private void keep(Server server) throws StartFailure {
+    if (flags.checkpointS == 0) {
+      return;
+    }
+    Path folder = flags.dataFolder().checkpoints();
+    try {
+      server.checkpoint(folder, flags.checkpointS);
+      log.info("checkpoints: {}, every {} s", folder, flags.checkpointS);
+    } catch (IOException e) {
+      throw new StartFailure("--checkpoint: " + e.getMessage(), e);
     }
   }
 

@@ -3,7 +3,6 @@ package carom.game;
 import carom.physics.Collision;
 import carom.physics.Joint;
 import carom.physics.WorldDef;
-import carom.sim.Cooldown;
 import carom.sim.Game;
 import carom.sim.MatchClock;
 import carom.sim.Simulation;
@@ -11,6 +10,7 @@ import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.event.Audience;
+import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
 import carom.sim.match.MatchPhase;
@@ -117,7 +117,7 @@ public final class GuardedGame implements Game {
   public String refuseTeam(Simulation s, Player p, int team) {
     try {
       return game.refuseTeam(s, p, team);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("refuseTeam of player " + p.id(), s, e);
       return FAILED;
     }
@@ -127,7 +127,7 @@ public final class GuardedGame implements Game {
   public void teamChanged(Simulation s, Player p) {
     try {
       game.teamChanged(s, p);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("teamChanged of player " + p.id(), s, e);
     }
   }
@@ -136,7 +136,7 @@ public final class GuardedGame implements Game {
   public String refuseRole(Simulation s, Player p, PlayerRole role) {
     try {
       return game.refuseRole(s, p, role);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("refuseRole of player " + p.id(), s, e);
       return FAILED;
     }
@@ -146,7 +146,7 @@ public final class GuardedGame implements Game {
   public void join(Simulation s, Player p) {
     try {
       game.join(s, p);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("join of player " + p.id(), s, e);
     }
   }
@@ -155,7 +155,7 @@ public final class GuardedGame implements Game {
   public void leave(Simulation s, Player p) {
     try {
       game.leave(s, p);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("leave of player " + p.id(), s, e);
     }
   }
@@ -164,7 +164,7 @@ public final class GuardedGame implements Game {
   public void input(Simulation s, Player p, Input in) {
     try {
       game.input(s, p, in);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("input of player " + p.id(), s, e);
     }
   }
@@ -173,7 +173,7 @@ public final class GuardedGame implements Game {
   public void message(Simulation s, Player p, Message m) {
     try {
       game.message(s, p, m);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("message " + m.kind().name() + " of player " + p.id(), s, e);
     }
   }
@@ -182,7 +182,7 @@ public final class GuardedGame implements Game {
   public String chat(Simulation s, Player p, String text) {
     try {
       return game.chat(s, p, text);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("chat of player " + p.id(), s, e);
       return null; // unfiltered, it might say what the game would not allow
     }
@@ -192,7 +192,7 @@ public final class GuardedGame implements Game {
   public boolean mayFollow(Simulation s, Player watcher, Player player) {
     try {
       return game.mayFollow(s, watcher, player);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("mayFollow of player " + watcher.id(), s, e);
       return false;
     }
@@ -202,7 +202,7 @@ public final class GuardedGame implements Game {
   public boolean emote(Simulation s, Player p, Emote emote) {
     try {
       return game.emote(s, p, emote);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("emote of player " + p.id(), s, e);
       return false;
     }
@@ -231,7 +231,7 @@ public final class GuardedGame implements Game {
   public void phase(Simulation s, MatchPhase now) {
     try {
       game.phase(s, now);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("phase " + now.text(), s, e);
     }
   }
@@ -240,7 +240,7 @@ public final class GuardedGame implements Game {
   public void beforeStep(Simulation s) {
     try {
       game.beforeStep(s);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("beforeStep", s, e);
     }
   }
@@ -249,7 +249,7 @@ public final class GuardedGame implements Game {
   public void afterStep(Simulation s) {
     try {
       game.afterStep(s);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("afterStep", s, e);
     }
   }
@@ -258,7 +258,7 @@ public final class GuardedGame implements Game {
   public boolean collision(Simulation s, Collision<Entity> c) {
     try {
       return game.collision(s, c);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("collision", s, e);
       return true;
     }
@@ -268,7 +268,7 @@ public final class GuardedGame implements Game {
   public void hit(Simulation s, Collision<Entity> c) {
     try {
       game.hit(s, c);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("hit", s, e);
     }
   }
@@ -277,7 +277,7 @@ public final class GuardedGame implements Game {
   public void broke(Simulation s, Joint<Entity> joint) {
     try {
       game.broke(s, joint);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("broke of " + joint, s, e);
     }
   }
@@ -296,7 +296,7 @@ public final class GuardedGame implements Game {
   public boolean seesAll(Simulation s, Player p) {
     try {
       return game.seesAll(s, p);
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       watch.failed("seesAll of player " + p.id(), s, e);
       return false;
     }

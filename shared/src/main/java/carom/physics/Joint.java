@@ -446,6 +446,26 @@ public final class Joint<T> {
     raise(JointStore.DRIVEN);
   }
 
+  /**
+   * Returns the target speed of the motor, see {@link #setMotor}.
+   *
+   * @return m/s or rad/s; meaningless unless {@link #isDriven}
+   */
+  public float motorSpeed() {
+    check();
+    return store.motorSpeed[index];
+  }
+
+  /**
+   * Returns the largest force or torque of the motor, see {@link #setMotor}.
+   *
+   * @return N or N m; meaningless unless {@link #isDriven}
+   */
+  public float motorMax() {
+    check();
+    return store.motorMax[index];
+  }
+
   /** Stops the motor, so that it no longer drives the coordinate. Does nothing without a motor. */
   public void stopMotor() {
     check();
@@ -497,6 +517,26 @@ public final class Joint<T> {
   }
 
   /**
+   * Returns the frequency of the spring, see {@link #setSpring}.
+   *
+   * @return 1/s; meaningless unless {@link #isSprung}
+   */
+  public float springHertz() {
+    check();
+    return store.hertz[index];
+  }
+
+  /**
+   * Returns the damping ratio of the spring, see {@link #setSpring}.
+   *
+   * @return 0..100; meaningless unless {@link #isSprung}
+   */
+  public float springDamping() {
+    check();
+    return store.damping[index];
+  }
+
+  /**
    * Removes the spring on the coordinate. Without limits, too, a distance joint becomes a rod of
    * its rest length.
    */
@@ -541,6 +581,26 @@ public final class Joint<T> {
     Limits.coordinate("y", y);
     set(store.anchorAx, x);
     set(store.anchorAy, y);
+  }
+
+  /**
+   * Returns the x of the point that a motor or mouse joint draws B's anchor to.
+   *
+   * @return m, in the frame of A, or of the world if there is no A
+   */
+  public float targetX() {
+    refuseUnless(type == JointType.MOTOR || type == JointType.MOUSE, "targetX");
+    return store.anchorAx[index];
+  }
+
+  /**
+   * Returns the y of the point that a motor or mouse joint draws B's anchor to.
+   *
+   * @return m, in the frame of A, or of the world if there is no A
+   */
+  public float targetY() {
+    refuseUnless(type == JointType.MOTOR || type == JointType.MOUSE, "targetY");
+    return store.anchorAy[index];
   }
 
   /**

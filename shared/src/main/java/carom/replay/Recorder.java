@@ -24,18 +24,34 @@ import java.util.Arrays;
  * ends, because a game can't be computed across a gap.
  */
 public final class Recorder implements Journal {
-  /** Seconds between keyframes. */
+  /** Seconds between the keyframes of a recording. */
   public static final int KEYFRAME_SECONDS = 5;
 
-  /** Seconds between whole states. */
+  /** Seconds between the whole states of a recording. */
   public static final int STATE_SECONDS = 60;
+
+  /**
+   * How often the parts of a recording are written.
+   *
+   * @param blocksPerSecond blocks of ticks in a second, 1..10. A process that is killed loses less
+   *     than one block, besides what waits for the disk
+   * @param keyframeSeconds time between keyframes, s; 0 = none at all
+   * @param stateSeconds time between whole states, s; 0 = only one, with which it always begins
+   */
+  public record Pace(int blocksPerSecond, int keyframeSeconds, int stateSeconds) {
+    /** The pace of a recording that people play and search. */
+    public static final Pace RECORDING = new Pace(1, KEYFRAME_SECONDS, STATE_SECONDS);
+
+    /** The pace of a log behind a checkpoint, which is read once, from its beginning. */
+    public static final Pace LOG = new Pace(4, 0, 0);
+  }
 
   /** Largest number of bytes of a state before the part that the simulation writes. */
   private static final int STATE_HEAD = 1 << 13;
 
   private static final int FULL_BLOCK = 1 << 16;
 
-  private final BlockSink sink;
+  private final Pace pace;
   private final ByteSink out = new ByteSink();
   private final ByteSink keyframe = new ByteSink();
   private final Fingerprint now = new Fingerprint();
@@ -48,6 +64,7 @@ public final class Recorder implements Journal {
   private final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
   private final WaitingMessages.Reader writeMessage = this::writeMessage;
   private MessageKinds messageKinds;
+  private BlockSink sink;
   private int blockTicks;
   private int begun = -1; // position in the block of the tick that has begun but not ended, or -1
   private int lastTick;
@@ -68,8 +85,36 @@ public final class Recorder implements Journal {
    *     large
    */
   public Recorder(Simulation s, RecordingHeader header, BlockSink sink) {
-    this.sink = sink;
-    boolean begins = s.tick() == 0 && s.playerCapacity() == 0;
+    this(s, header, sink, Pace.RECORDING);
+  }
+
+  /** Begins a recording as above, with another pace. */
+  public Recorder(Simulation s, RecordingHeader header, BlockSink sink, Pace pace) {
+    this.pace = pace;
+    begin(s, header, sink);
+  }
+
+  /**
+   * Ends the recording and begins another one of the same match, between two steps. Nothing is
+   * missing between them, and no buffer grows again.
+   *
+   * @param why reason for the end, in a few words
+   * @param header as for a new recording
+   * @param newSink receives the blocks of the new one
+   * @throws IllegalArgumentException as for a new recording; the old one has ended then
+   */
+  public void goOn(Simulation s, String why, RecordingHeader header, BlockSink newSink) {
+    end(why);
+    stopped = false;
+    leftOut = null;
+    begun = -1;
+    out.truncate(0);
+    begin(s, header, newSink);
+  }
+
+  private void begin(Simulation s, RecordingHeader header, BlockSink newSink) {
+    sink = newSink;
+    boolean begins = pace.stateSeconds() > 0 && s.tick() == 0 && s.playerCapacity() == 0;
     if (!begins && s.game().keepsMore()) {
       throw new IllegalArgumentException(
           "game "
@@ -84,9 +129,11 @@ public final class Recorder implements Journal {
     if (!begins && !writeState(s)) {
       throw new IllegalArgumentException("the state can't be stored: " + leftOut);
     }
-    writeKeyframe(s);
-    int gap = STATE_SECONDS * s.tickRate();
-    nextStateTick = s.game().keepsMore() ? Integer.MAX_VALUE : lastTick + gap;
+    if (pace.keyframeSeconds() > 0) {
+      writeKeyframe(s);
+    }
+    boolean goesOn = pace.stateSeconds() > 0 && !s.game().keepsMore();
+    nextStateTick = goesOn ? lastTick + pace.stateSeconds() * s.tickRate() : Integer.MAX_VALUE;
   }
 
   @Override
@@ -192,9 +239,13 @@ public final class Recorder implements Journal {
     }
     before.set(now);
     blockTicks++;
-    boolean keyframeDue = lastTick % (KEYFRAME_SECONDS * s.tickRate()) == 0;
+    boolean keyframeDue =
+        pace.keyframeSeconds() > 0 && lastTick % (pace.keyframeSeconds() * s.tickRate()) == 0;
     boolean stateDue = lastTick >= nextStateTick;
-    if (keyframeDue || stateDue || blockTicks >= s.tickRate() || out.length() >= FULL_BLOCK) {
+    if (keyframeDue
+        || stateDue
+        || blockTicks * pace.blocksPerSecond() >= s.tickRate()
+        || out.length() >= FULL_BLOCK) {
       seal(Block.TICKS);
     }
     if (keyframeDue) {
@@ -202,7 +253,7 @@ public final class Recorder implements Journal {
     }
     if (stateDue) {
       writeState(s);
-      nextStateTick += STATE_SECONDS * s.tickRate();
+      nextStateTick += pace.stateSeconds() * s.tickRate();
     }
   }
 

@@ -44,6 +44,7 @@ public final class Replay {
 
   private boolean decided;
   private int equalTicks;
+  private long inputs;
   private boolean inTick;
 
   /**
@@ -61,10 +62,42 @@ public final class Replay {
    * @throws RecordingException when this build can't play the game
    */
   public Replay(RecordingReader reader) throws IOException {
+    this(reader, reader.header().start());
+  }
+
+  /**
+   * Plays a recording in a simulation that the caller has built.
+   *
+   * @param reader a recording just opened, which the caller closes
+   * @param simulation fresh, of the recorded game, level, seed and tick rate
+   * @throws RecordingException when the recording begins with a state that doesn't fit
+   */
+  public Replay(RecordingReader reader, Simulation simulation) throws IOException {
     this.reader = reader;
-    simulation = reader.header().start();
+    this.simulation = simulation;
     if (reader.isStateNext() && reader.next() == RecordingReader.Event.STATE) {
       state();
+    }
+  }
+
+  /**
+   * Puts a simulation into the state that begins a recording, which a build with other arithmetic
+   * may have made: its ticks can't be computed here, and its hash can't be checked.
+   *
+   * @param reader a recording just opened, which the caller closes
+   * @param simulation fresh, of the recorded game, level, seed and tick rate
+   * @throws RecordingException when the recording begins with no whole state, or one that doesn't
+   *     fit
+   */
+  public static void restoreFirstState(RecordingReader reader, Simulation simulation)
+      throws IOException {
+    if (!reader.isStateNext() || reader.next() != RecordingReader.Event.STATE) {
+      throw new RecordingException("it begins with no whole state");
+    }
+    try {
+      simulation.restore(simulation.read(reader.state()));
+    } catch (ArchiveException e) {
+      throw new RecordingException("its state can't be restored: " + e.getMessage());
     }
   }
 
@@ -167,6 +200,7 @@ public final class Replay {
       player.input().unpack(reader.input(id));
       player.viewDelay(reader.viewDelay(id));
     }
+    inputs += reader.changedCount();
     inTick = true;
     try {
       simulation.step();
@@ -338,6 +372,11 @@ public final class Replay {
   /** Returns how many computed ticks had the recorded hash. */
   public int equalTicks() {
     return equalTicks;
+  }
+
+  /** Returns how many changed inputs the computed ticks had. */
+  public long inputs() {
+    return inputs;
   }
 
   /**

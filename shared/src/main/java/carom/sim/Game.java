@@ -5,8 +5,10 @@ import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
+import carom.sim.entity.OneWay;
 import carom.sim.entity.Player;
 import carom.sim.event.Audience;
+import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
 import carom.sim.match.MatchPhase;
@@ -230,7 +232,7 @@ public interface Game {
    * bodies pass one-way platforms from below.
    */
   default boolean collision(Simulation s, Collision<Entity> c) {
-    return OneWay.responds(s, c);
+    return OneWay.responds(s.tickSeconds(), c);
   }
 
   /**

@@ -178,6 +178,20 @@ public final class MatchClock {
     return match.get(WINNING_TEAM);
   }
 
+  /** Returns the player with the highest score, or null if several have it. */
+  public static Player leader(Simulation s) {
+    Player best = null;
+    boolean alone = false;
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p != null && (best == null || p.score() >= best.score())) {
+        alone = best == null || p.score() > best.score();
+        best = p;
+      }
+    }
+    return alone ? best : null;
+  }
+
   /** Returns the number of players for which the warm-up waits; 0 = there is none. */
   public int playersToBegin() {
     return players;
@@ -248,7 +262,7 @@ public final class MatchClock {
   }
 
   private void begin(Simulation s) {
-    int playing = s.ticks(countdownSeconds);
+    int playing = countdownSeconds == 0 ? 0 : s.ticks(countdownSeconds);
     int over = playSeconds == 0 ? ENDLESS : playing + s.ticks(playSeconds);
     s.set(BEGUN, true);
     s.set(UNTIL_PLAYING, playing);

@@ -1,5 +1,9 @@
 package carom.text;
 
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+
 /** Rule for texts of players, which appear on other players' screens. */
 public final class Texts {
   /** Most accents and other marks on one character; more would spill over other lines. */
@@ -29,6 +33,15 @@ public final class Texts {
       }
     }
     return clean == null ? text : clean.toString();
+  }
+
+  /** Returns the text that bytes stand for, or null if they are no UTF-8. */
+  public static String ofUtf8(ByteBuffer bytes) {
+    try {
+      return StandardCharsets.UTF_8.newDecoder().decode(bytes).toString();
+    } catch (CharacterCodingException e) {
+      return null;
+    }
   }
 
   private static boolean isLineEnd(int point) {

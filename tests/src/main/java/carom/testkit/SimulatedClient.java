@@ -244,6 +244,16 @@ public final class SimulatedClient {
     return client.view();
   }
 
+  /** Returns whether the client has opened a link, and its process lives. */
+  public boolean isConnected() {
+    return link != null && !dead;
+  }
+
+  /** Returns whether its process stands still, or the network lets no datagram through. */
+  public boolean isCutOff() {
+    return frozen || dead || blackoutEndNs != Long.MIN_VALUE;
+  }
+
   /** Returns figures about the connection. */
   public NetStats stats() {
     return client.stats();

@@ -2,10 +2,10 @@ package carom.testkit;
 
 import carom.client.view.ClientView;
 import carom.physics.Body;
-import carom.sim.Event;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
+import carom.sim.outbox.Event;
 import carom.sim.spawn.Origin;
 import java.util.HashMap;
 import java.util.HashSet;

@@ -225,6 +225,11 @@ public final class Stepper implements AutoCloseable {
         JOIN_SECONDS);
   }
 
+  /** Forgets a client that has left or died. */
+  public void remove(SimulatedClient client) {
+    clients.remove(client);
+  }
+
   /** Returns all clients in the order in which they were added. */
   public List<SimulatedClient> clients() {
     return clients;
@@ -259,7 +264,14 @@ public final class Stepper implements AutoCloseable {
 
   /** Advances time by one slice: the server first, then each client in order. */
   public void step() {
-    nowNs = wire.advance(nowNs);
+    step(1);
+  }
+
+  /** Advances time by several slices at once, for scenarios that needn't be so fine. */
+  public void step(int slices) {
+    for (int i = 0; i < slices; i++) {
+      nowNs = wire.advance(nowNs);
+    }
     stepServer();
     stepClients();
   }

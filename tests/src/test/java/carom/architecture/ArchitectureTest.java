@@ -220,6 +220,15 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.spawn");
     allow(
+        "carom.sim.outbox",
+        "carom.physics",
+        "carom.sim.entity",
+        "carom.sim.event",
+        "carom.sim.level",
+        "carom.sim.match",
+        "carom.sim.message",
+        "carom.sim.spawn");
+    allow(
         "carom.sim.ruling",
         "carom.physics..",
         "carom.sim.entity",
@@ -242,7 +251,8 @@ final class ArchitectureTest {
         "carom.sim.spawn",
         "carom.sim.entity",
         "carom.sim.finding",
-        "carom.sim.match");
+        "carom.sim.match",
+        "carom.sim.outbox");
     allow(
         "carom.sim.near",
         "carom.physics..",
@@ -311,12 +321,13 @@ final class ArchitectureTest {
         "carom.net.snapshot.frame",
         "carom.physics.rows"); // what a joint was made with
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
-    allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
+    allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows", "carom.text");
     allow("carom.values");
     allow("carom.text");
     allow("carom.json", "carom.text");
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
     allow("carom.net.seal");
+    allow("carom.net.datagram");
     allow("carom.net.frame", "carom.net.protocol", "carom.net.transport", "carom.net.seal");
     allow(
         "carom.net.kryo",
@@ -324,6 +335,7 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.seal",
+        "carom.net.datagram",
         "carom.net.frame",
         "carom.net.codec",
         "carom.values");
@@ -353,6 +365,7 @@ final class ArchitectureTest {
     allow(
         "carom.client..",
         "carom.client..",
+        "carom.json",
         "carom.net..",
         "carom.options",
         "carom.values",
@@ -361,6 +374,17 @@ final class ArchitectureTest {
         "carom.sim..",
         "carom.game",
         "carom.physics..");
+    // The one that knows both: it starts a server in the client's process.
+    allow(
+        "carom.launcher",
+        "carom.server..",
+        "carom.client",
+        "carom.client.app",
+        "carom.client.bots",
+        "carom.net.kryo",
+        "carom.net.transport",
+        "carom.sim.level",
+        "carom.physics.threads");
   }
 
   /** Allows what a stage of the step may use; names are those below {@code carom.physics}. */
@@ -380,6 +404,7 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.entity",
         "carom.sim.match",
+        "carom.sim.outbox",
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",

@@ -19,10 +19,11 @@ class ClientConfigTest {
             .withReconnect(false)
             .withRoom("cup")
             .withGame("arena")
-            .withMinInterpolationMs(6);
+            .withMinInterpolationMs(6)
+            .withToken("t");
     assertEquals(
         new ClientConfig(
-            "host", 1, 2, "b", PredictionMode.NONE, 3, 4, true, 5, false, "cup", "arena", 6),
+            "host", 1, 2, "b", PredictionMode.NONE, 3, 4, true, 5, false, "cup", "arena", 6, "t"),
         other);
   }
 
@@ -37,6 +38,7 @@ class ClientConfigTest {
         "name=a b must be 1..32 letters, digits, dots, dashes and underlines, and begin with a"
             + " letter or a digit",
         () -> config.withRoom("a b"));
+    refused("token.length=769.0 is outside 0.0..768.0", () -> config.withToken("t".repeat(769)));
     refused("game.length=65.0 is outside 0.0..64.0", () -> config.withGame("g".repeat(65)));
     refused(
         "ticksPerInputDatagram=9.0 is outside 1.0..8.0", () -> config.withTicksPerInputDatagram(9));

@@ -95,6 +95,8 @@ final class ScriptedServer {
               60,
               "1",
               1,
+              KEY,
+              simulation.tick(),
               simulation.tick(),
               1,
               level.gameName(),

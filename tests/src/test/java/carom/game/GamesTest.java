@@ -174,7 +174,7 @@ public class GamesTest {
     Simulation client = start(game, 1, Role.PREDICTION);
     run(server, 1, 3); // the arena's ball has come
     Player p = server.join("alone");
-    Player mirror = client.joinAs(p.id(), "alone");
+    Player mirror = client.mirror().join(p.id(), "alone");
     mirror(server, client, mirror);
     for (int tick = 1; tick <= 120; tick++) {
       Bots.wander(server, 4);
@@ -224,14 +224,15 @@ public class GamesTest {
   }
 
   private static void mirror(Simulation server, Simulation client, Player player) {
-    client.tick(server.tick());
+    client.mirror().tick(server.tick());
     for (int id = 0; id < server.entityCapacity(); id++) {
       Entity e = server.entity(id);
       if (e != null) {
         Body<Entity> from = e.body();
         Body<Entity> to =
             client
-                .spawnAs(
+                .mirror()
+                .spawn(
                     id,
                     e.generation(),
                     client.archetypes().get(e.archetype().index()),

@@ -50,7 +50,7 @@ class TutorialTest {
     for (int tick = 0; tick < 1800; tick++) {
       Bots.wander(s, 2);
       s.step();
-      s.drainNotices(notices::add);
+      s.outbox().drainNotices(notices::add);
     }
     assertTrue(notices.size() > 2, notices.toString());
     int points = 0;

@@ -112,7 +112,7 @@ class ProtocolDocTest {
     golden.put(
         "hello",
         ClientMessageCodec.encode(
-            new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0, "cup", "")));
+            new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0, "cup", "", "")));
     golden.put(
         "level-request",
         ClientMessageCodec.encode(new ClientMessage.LevelRequest(0x11223344, 4096)));
@@ -206,6 +206,8 @@ class ProtocolDocTest {
                 60,
                 "cup",
                 1,
+                0x55667788,
+                990,
                 1000,
                 42,
                 "arena",

@@ -56,6 +56,25 @@ final class JointLifeTest {
   }
 
   @Test
+  void whatAGameSetsCanBeReadBack() {
+    World<String> w = new World<>(new WorldDef());
+    Body<String> b = disc(w, 0, -1, .5f, M);
+    Joint<String> wheel = w.createJoint(JointDef.wheel(null, b, 0, -1, 0, 1));
+    wheel.setMotor(-3, 40);
+    wheel.setSpring(4, .7f);
+    assertEquals(-3, wheel.motorSpeed());
+    assertEquals(40, wheel.motorMax());
+    assertEquals(4, wheel.springHertz());
+    assertEquals(.7f, wheel.springDamping());
+    Joint<String> mouse = w.createJoint(JointDef.mouse(b, 0, -1, 100));
+    mouse.setTarget(2, 3);
+    assertEquals(2, mouse.targetX());
+    assertEquals(3, mouse.targetY());
+    assertThrows(IllegalStateException.class, wheel::targetX);
+    assertThrows(IllegalStateException.class, wheel::targetY);
+  }
+
+  @Test
   void breaksAboveItsTorque() {
     World<String> w = Scenes.space();
     Body<String> b = box(w, 0, 0, .5f, .5f, M);

@@ -35,7 +35,7 @@ final class HostileRecordingTest {
     Simulation s =
         new Simulation(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     Random random = new Random(SEED);
     for (int tick = 1; tick <= 200; tick++) {
       if (tick % 20 == 1) {

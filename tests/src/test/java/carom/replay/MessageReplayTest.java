@@ -32,7 +32,8 @@ final class MessageReplayTest {
   }
 
   private static void note(Simulation s, List<String> to) {
-    s.drainMessages(d -> to.add(s.tick() + " " + d.message() + " " + d.recipients() + d.id()));
+    s.outbox()
+        .drainMessages(d -> to.add(s.tick() + " " + d.message() + " " + d.recipients() + d.id()));
   }
 
   @Test
@@ -42,7 +43,7 @@ final class MessageReplayTest {
     Simulation s = arena();
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     Player[] players = {s.join("Ann"), s.join("Bob")};
     List<String> played = new ArrayList<>();
     for (int tick = 1; tick <= 200; tick++) {
@@ -76,7 +77,7 @@ final class MessageReplayTest {
     Simulation s = arena();
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     Player ann = s.join("Ann");
     s.receive(ann, BuiltInKinds.SAY.of(false, "hello there"));
     s.step();

@@ -28,7 +28,7 @@ final class PoolReplayTest {
         new Simulation(Games.create("platformer"), Level.builtIn("sluice"), 5, 60, Role.AUTHORITY);
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     Player ann = s.join("Ann");
     for (int tick = 0; tick < TICKS; tick++) {
       ann.input().move(tick / 200 % 2 == 0 ? 1 : -1, 0);

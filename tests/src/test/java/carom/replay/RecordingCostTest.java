@@ -64,7 +64,7 @@ final class RecordingCostTest {
               taken[0] += length;
               return true;
             });
-    s.journal(recorder);
+    s.addJournal(recorder);
     for (int i = 0; i < 12; i++) {
       s.join("p" + i);
     }

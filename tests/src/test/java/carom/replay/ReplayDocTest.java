@@ -87,7 +87,7 @@ final class ReplayDocTest {
     Simulation s = new Simulation(new ArenaGame(), level, 42, 60, Role.AUTHORITY);
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 42, 0x0102030405060708L), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     Player ann = s.join("Ann");
     s.step();
     ann.input().move(1, 0);

@@ -215,7 +215,7 @@ final class ReplayTest {
     Blocks blocks = new Blocks();
     Simulation s = start();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     Player one = s.join("one");
     Player two = s.join("two");
     for (int tick = 1; tick <= ticks; tick++) {
@@ -341,7 +341,7 @@ final class ReplayTest {
     blocks.capacity = 4; // header, keyframe, two seconds
     Simulation s = start();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     s.join("one");
     for (int tick = 1; tick <= 200; tick++) {
       s.step();
@@ -382,7 +382,7 @@ final class ReplayTest {
     }
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     s.step();
     recorder.end("done");
     byte[] good = blocks.blocks.get(1).bytes();

@@ -36,7 +36,7 @@ final class RosterReplayTest {
 
   private static Recorder record(Simulation s, Blocks blocks) {
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
-    s.journal(recorder);
+    s.addJournal(recorder);
     return recorder;
   }
 

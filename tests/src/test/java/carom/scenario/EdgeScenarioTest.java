@@ -115,8 +115,7 @@ class EdgeScenarioTest {
   @Test
   void sequenceAndTickNumbersWrapUnnoticed() {
     // Goal: 16 bits of sequence and tick last 4.5 minutes at 240 Hz; the game goes on behind them.
-    // Method: six minutes of a game without a clock; rate, exactness and agreement before and
-    // after.
+    // Method: six minutes of a match of ten; rate, exactness and agreement before and after.
     ServerConfig config = ServerConfig.defaults().withTickRateHz(240).withSnapshotRateHz(240);
     try (Stepper stepper = Stepper.of(Levels.emptyPlatformer(), config)) {
       SimulatedClient alone =

@@ -10,7 +10,7 @@ import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.event.EventRing;
 import carom.net.transport.Impairment;
 import carom.server.metrics.Counter;
-import carom.sim.Event;
+import carom.sim.outbox.Event;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.ArrayList;

@@ -53,7 +53,7 @@ class OwnBodyScenarioTest {
               });
       Player player = stepper.room().simulation().player(client.view().playerId());
       WrongInputs wrong = new WrongInputs(given, player);
-      stepper.room().simulation().journal(wrong);
+      stepper.room().simulation().addJournal(wrong);
       long before = client.stats().corrections();
       stepper.run(4);
       InputBuffer inputs = stepper.room().session(player.id()).inputs();

@@ -125,10 +125,10 @@ class RoomScenarioTest {
         assertEquals(20, list.size());
         assertEquals(
             new RoomEntry(
-                "room3", "platformer", "Windmill Gap", "", 1, 4, 0, Map.of("skill", "any")),
+                "room3", "platformer", "Windmill Gap", "playing", 1, 4, 0, Map.of("skill", "any")),
             list.get(3));
         assertEquals(0, list.get(4).players());
-        assertEquals("playing", list.get(4).phase());
+        assertEquals("warm-up", list.get(4).phase());
       }
       stepper.run(1);
       assertEquals(0, stepper.count(Counter.SESSIONS_EXPELLED));

@@ -7,8 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoLimits;
 import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.ServerIdentity;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.RefusalReason;
+import carom.net.seal.Encryption;
 import carom.net.transport.Link;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
@@ -44,7 +46,8 @@ final class BanTest {
             ServerConfig.defaults(),
             () -> new TestGame(3),
             TestGame.level(),
-            new KryoServerTransport(loopback, 0, 0, KryoLimits.DEFAULT),
+            new KryoServerTransport(
+                loopback, 0, 0, KryoLimits.DEFAULT, ServerIdentity.temporary(Encryption.ON)),
             System::nanoTime);
     AccessLists lists = new AccessLists(new DataFolder(folder), false, InstantSource.system());
     server.admit(lists);

@@ -21,6 +21,7 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.match.NextMatch;
+import carom.sim.outbox.Outbox;
 import java.lang.reflect.Field;
 import java.util.List;
 import java.util.Random;
@@ -548,9 +549,11 @@ class RoomTest {
   void roomClosesInGoodOrderBeforeItsTicksRunOut() throws Exception {
     try (Rig rig = new Rig()) {
       FakeClient client = rig.join("a");
-      Field tick = Simulation.class.getDeclaredField("tick"); // nobody waits for 413 days
+      Field parts = Simulation.class.getDeclaredField("parts"); // nobody waits for 413 days
+      parts.setAccessible(true);
+      Field tick = parts.getType().getDeclaredField("tick");
       tick.setAccessible(true);
-      tick.setInt(rig.room.simulation(), Integer.MAX_VALUE - (1 << 20) - 30);
+      tick.setInt(parts.get(rig.room.simulation()), Integer.MAX_VALUE - (1 << 20) - 30);
       rig.seconds(3);
       assertTrue(rig.room.hasFailed());
       assertTrue(client.closed, "players are told");
@@ -624,7 +627,7 @@ class RoomTest {
   @Test
   void eventsBeyondTheMostOfATickAreCountedAsLost() {
     try (Rig rig = new Rig()) {
-      for (int i = 0; i < Simulation.MAX_EVENTS + 6; i++) {
+      for (int i = 0; i < Outbox.MAX_EVENTS + 6; i++) {
         rig.room.simulation().emit(rig.game.shout);
       }
       rig.step();

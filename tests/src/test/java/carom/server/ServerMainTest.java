@@ -58,6 +58,7 @@ class ServerMainTest {
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().put("CAROM_DATA", folder.resolve("data").toString());
     builder.environment().put("CAROM_WEB_PORT", "0");
+    builder.environment().put("CAROM_QUERY_PORT", "0");
     Process process = builder.redirectError(folder.resolve("err").toFile()).start();
     started.add(process);
     return process;
@@ -188,6 +189,31 @@ class ServerMainTest {
     assertTrue(process.waitFor(10, TimeUnit.SECONDS));
     assertEquals(0, process.exitValue(), err());
     assertTrue(err().contains("stopped: 0 of 64 players"), err());
+  }
+
+  @Test
+  void anIdleServerPausesUnlessToldToRun() throws Exception {
+    assertTrue(stateOfTheRoom("--log-level", "off").contains("paused"));
+    assertTrue(stateOfTheRoom("--idle", "run").contains("runs"));
+  }
+
+  /**
+   * Returns what the command {@code rooms} says of a server without players after half a second.
+   */
+  private String stateOfTheRoom(String... flags) throws Exception {
+    List<String> all = new ArrayList<>(List.of("--tcp-port", "0", "--udp-port", "0"));
+    all.addAll(List.of(flags));
+    Process process = startWithInput(all.toArray(String[]::new));
+    BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
+    assertTrue(READY.matcher(String.valueOf(out.readLine())).matches(), err());
+    Thread.sleep(500);
+    try (Writer in = process.outputWriter(StandardCharsets.UTF_8)) {
+      in.write("rooms\nstop\n");
+    }
+    assertTrue(out.readLine().startsWith("room "), "a heading");
+    String room = out.readLine();
+    assertTrue(process.waitFor(10, TimeUnit.SECONDS));
+    return room;
   }
 
   @Test

@@ -51,6 +51,10 @@ final class TestGame implements Game {
   boolean teamsHide;
 
   boolean relaysAhead = true;
+  boolean keepsMore;
+
+  /** Makes {@link #beforeStep} loop for as long as it is true. */
+  volatile boolean hangs;
 
   int failEvery;
   boolean failInJoin;
@@ -150,6 +154,11 @@ final class TestGame implements Game {
   }
 
   @Override
+  public boolean keepsMore() {
+    return keepsMore;
+  }
+
+  @Override
   public boolean relaysAhead() {
     return relaysAhead;
   }
@@ -162,6 +171,9 @@ final class TestGame implements Game {
 
   @Override
   public void beforeStep(Simulation s) {
+    while (hangs) {
+      Thread.onSpinWait();
+    }
     if (ballsMove) {
       for (int i = 0; i < balls; i++) {
         float way = (s.tick() / 60 + i) % 2 == 0 ? 1 : -1;

@@ -302,7 +302,7 @@ final class LookingBackTest {
   void aPredictionAnswersWithWhatItPredicts() throws Exception {
     Simulation client =
         new Simulation(Games.create("arena"), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
-    Player p = client.joinAs(3, "me");
+    Player p = client.mirror().join(3, "me");
     p.viewDelay(100);
     assertSame(client.world().queries(), client.asSeenBy(p));
   }

@@ -88,7 +88,7 @@ class MatchClockTest {
     assertEquals("countdown@" + told(0), told.get(0));
     assertEquals("playing@" + (told(0) + 3 * 60), told.get(1));
     assertEquals("over@" + (told(0) + 13 * 60), told.get(2));
-    assertEquals(NextMatch.OF_ROTATION, s.takeNextMatch());
+    assertEquals(NextMatch.OF_ROTATION, s.outbox().takeNextMatch());
   }
 
   private int told(int index) {
@@ -123,9 +123,9 @@ class MatchClockTest {
     clock.finish(s, 2);
     assertEquals(0, MatchClock.winningTeam(s), "it is over already");
     run(s, 2 * 60 - 1);
-    assertNull(s.takeNextMatch());
+    assertNull(s.outbox().takeNextMatch());
     run(s, 2);
-    assertEquals(next, s.takeNextMatch());
+    assertEquals(next, s.outbox().takeNextMatch());
   }
 
   @Test

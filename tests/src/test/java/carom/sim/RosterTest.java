@@ -27,6 +27,7 @@ import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.MessageKind;
 import carom.sim.message.PlayerRole;
+import carom.sim.outbox.Delivery;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -134,13 +135,14 @@ final class RosterTest {
 
   private List<String> told() {
     List<String> lines = new ArrayList<>();
-    s.drainMessages(
-        d -> {
-          if (d.message().is(BuiltInKinds.SAID)) {
-            assertEquals(Delivery.Recipients.ONE, d.recipients());
-            lines.add(d.id() + ": " + d.message().text("text"));
-          }
-        });
+    s.outbox()
+        .drainMessages(
+            d -> {
+              if (d.message().is(BuiltInKinds.SAID)) {
+                assertEquals(Delivery.Recipients.ONE, d.recipients());
+                lines.add(d.id() + ": " + d.message().text("text"));
+              }
+            });
     return lines;
   }
 
@@ -272,7 +274,7 @@ final class RosterTest {
     s.step();
     assertEquals(1, discs.calls.stream().filter("wave 0"::equals).count());
     List<String> said = new ArrayList<>();
-    s.drainMessages(d -> said.add(d.message().text("text")));
+    s.outbox().drainMessages(d -> said.add(d.message().text("text")));
     assertEquals(List.of("hello there"), said);
     assertFalse(ann.isReady());
   }

@@ -24,6 +24,7 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.level.ScriptedMotion;
+import carom.sim.outbox.Outbox;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
@@ -132,26 +133,27 @@ class SimulationTest {
     Simulation s = start(Role.PREDICTION, "");
     assertThrows(IllegalStateException.class, () -> s.spawn(game.disc, 0, 0, 0, null));
     assertThrows(IllegalStateException.class, () -> s.join("ann"));
-    Player p = s.joinAs(200, "ann");
+    Player p = s.mirror().join(200, "ann");
     assertThrows(IllegalStateException.class, () -> p.score(1));
     assertNull(p.body());
-    Entity e = s.spawnAs(500, 9, game.disc, 1, 2, 0, 200);
+    Entity e = s.mirror().spawn(500, 9, game.disc, 1, 2, 0, 200);
     assertSame(e, p.body());
     assertSame(p, s.owner(e));
     assertEquals(501, s.entityCapacity());
-    assertThrows(IllegalStateException.class, () -> s.spawnAs(500, 10, game.disc, 0, 0, 0, 200));
+    assertThrows(
+        IllegalStateException.class, () -> s.mirror().spawn(500, 10, game.disc, 0, 0, 0, 200));
     s.despawn(e);
     assertNull(p.body());
     s.notice("nobody hears this");
-    s.drainNotices(text -> assertNull(text));
+    s.outbox().drainNotices(text -> assertNull(text));
   }
 
   @Test
   void thePredictionRefusesWhatTheServerAlone() {
     Simulation s = start(Role.AUTHORITY, "");
-    assertThrows(IllegalStateException.class, () -> s.tick(5));
-    assertThrows(IllegalStateException.class, () -> s.joinAs(0, "ann"));
-    assertThrows(IllegalStateException.class, () -> s.spawnAs(0, 0, game.disc, 0, 0, 0, -1));
+    assertThrows(IllegalStateException.class, () -> s.mirror().tick(5));
+    assertThrows(IllegalStateException.class, () -> s.mirror().join(0, "ann"));
+    assertThrows(IllegalStateException.class, () -> s.mirror().spawn(0, 0, game.disc, 0, 0, 0, -1));
   }
 
   @Test
@@ -230,10 +232,10 @@ class SimulationTest {
       s.notice("n" + i + "x".repeat(200));
     }
     List<String> heard = new ArrayList<>();
-    s.drainNotices(heard::add);
-    assertEquals(Simulation.MAX_NOTICES, heard.size());
-    assertEquals(Simulation.MAX_NOTICE_LENGTH, heard.get(0).length());
-    assertEquals(4, s.droppedNotices());
+    s.outbox().drainNotices(heard::add);
+    assertEquals(Outbox.MAX_NOTICES, heard.size());
+    assertEquals(Outbox.MAX_NOTICE_LENGTH, heard.get(0).length());
+    assertEquals(4, s.outbox().droppedNotices());
   }
 
   @Test

@@ -11,8 +11,10 @@ import carom.client.replay.SpectatorThread;
 import carom.client.settings.SettingsFile;
 import carom.client.stats.NetStats;
 import carom.client.view.ClientView;
+import carom.net.frame.Trust;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
+import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
 import carom.sim.scene.catalog.Scenes;
@@ -187,12 +189,17 @@ public final class ClientMain implements Callable<Integer> {
     }
     if (headless) {
       try (StopSignal stop = new StopSignal();
-          ClientTransport transport = network.impair(new KryoClientTransport());
+          ClientTransport transport = network.impair(new KryoClientTransport(trust()));
           GameClient client = new GameClient(config, transport, InputSource.IDLE)) {
         return playHeadless(client, stop);
       }
     }
     return openWindow(config, replay, null);
+  }
+
+  /** Returns what a server must be like; the known ones are in a file beside the settings. */
+  private Trust trust() {
+    return network.trust(KnownServers.in(settings.resolveSibling("known_servers")));
   }
 
   private int openWindow(ClientConfig config, Path recording, SpectatorThread spectator) {
@@ -208,6 +215,7 @@ public final class ClientMain implements Callable<Integer> {
         new ClientOptions(
             config,
             network.impairment(),
+            trust(),
             named,
             seconds,
             netGraph,
@@ -228,7 +236,7 @@ public final class ClientMain implements Callable<Integer> {
 
   /** Prints the server's rooms; returns 1 if it doesn't tell them. */
   private int listRooms() {
-    try (ClientTransport transport = network.impair(new KryoClientTransport());
+    try (ClientTransport transport = network.impair(new KryoClientTransport(trust()));
         RoomBrowser browser = new RoomBrowser(network.address(), transport)) {
       while (!browser.isDone()) {
         browser.update(System.nanoTime());
@@ -247,7 +255,7 @@ public final class ClientMain implements Callable<Integer> {
 
   private int watch(ClientConfig config) {
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(new KryoClientTransport());
+        ClientTransport transport = network.impair(new KryoClientTransport(trust()));
         SpectatorThread spectator = new SpectatorThread(config, watch, transport)) {
       Path file = spectator.await();
       if (file == null) {

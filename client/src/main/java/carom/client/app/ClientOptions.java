@@ -3,6 +3,7 @@ package carom.client.app;
 import carom.client.ClientConfig;
 import carom.client.replay.SpectatorThread;
 import carom.client.settings.SettingsFile;
+import carom.net.frame.Trust;
 import carom.net.transport.Impairment;
 import carom.sim.scene.Scene;
 import java.nio.file.Path;
@@ -12,6 +13,7 @@ import java.nio.file.Path;
  *
  * @param config server, player and settings
  * @param impairment a simulated bad network; {@code Impairment.NONE} for none
+ * @param trust what a server must be like
  * @param connectAtOnce whether the server was named; false shows the start screen first
  * @param seconds leave after this time; 0 = when the player does
  * @param netGraph whether the window starts with the net graph shown ({@code --net-graph})
@@ -31,6 +33,7 @@ import java.nio.file.Path;
 public record ClientOptions(
     ClientConfig config,
     Impairment impairment,
+    Trust trust,
     boolean connectAtOnce,
     double seconds,
     boolean netGraph,

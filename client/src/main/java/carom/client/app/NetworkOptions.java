@@ -2,9 +2,14 @@ package carom.client.app;
 
 import carom.client.ClientConfig;
 import carom.client.link.ServerAddress;
+import carom.json.Json;
+import carom.json.JsonException;
+import carom.net.frame.Trust;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.Limits;
 import carom.net.protocol.RoomName;
+import carom.net.seal.Encryption;
+import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
@@ -15,6 +20,7 @@ import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.ConsoleAppender;
+import java.util.Base64;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -77,6 +83,22 @@ public final class NetworkOptions {
       defaultValue = "warn")
   LogLevel logLevel = LogLevel.WARN;
 
+  @Option(
+      names = "--token",
+      paramLabel = "TOKEN",
+      description = "Join token from the server's site, for servers that demand one (none).",
+      defaultValue = "")
+  String token = "";
+
+  @Option(
+      names = "--encryption",
+      paramLabel = "on|off",
+      description =
+          "Encrypt what is sent; off only for a server that runs with --encryption off, in a"
+              + " network you trust (${DEFAULT-VALUE}).",
+      defaultValue = "on")
+  Encryption encryption = Encryption.ON;
+
   @Mixin NetworkConditions conditions = new NetworkConditions();
 
   /** Creates the defaults; the command line changes them. */
@@ -84,7 +106,11 @@ public final class NetworkOptions {
 
   /** Returns a config for this server and a player of this name. */
   public ClientConfig config(String name) {
-    return ClientConfig.of(name).withServer(host, tcpPort, udpPort).withRoom(room).withGame(game);
+    return ClientConfig.of(name)
+        .withServer(host, tcpPort, udpPort)
+        .withRoom(room)
+        .withGame(game)
+        .withToken(token);
   }
 
   /** Returns what is wrong with the flags (flag, value, range), or null if nothing is. */
@@ -101,6 +127,9 @@ public final class NetworkOptions {
     if (game.length() > Limits.MAX_GAME_NAME_BYTES) {
       return "--game=" + game + " is longer than " + Limits.MAX_GAME_NAME_BYTES;
     }
+    if (token.length() > Limits.MAX_TOKEN_BYTES) {
+      return "--token has " + token.length() + " characters, at most " + Limits.MAX_TOKEN_BYTES;
+    }
     return conditions.problem();
   }
 
@@ -114,6 +143,35 @@ public final class NetworkOptions {
    */
   public Impairment impairment() {
     return conditions.impairment();
+  }
+
+  /** Returns whether links are encrypted. */
+  public boolean isEncrypted() {
+    return encryption == Encryption.ON;
+  }
+
+  /** Returns what a server must be like to be played on. */
+  public Trust trust(KnownServers known) {
+    String fingerprint = fingerprint(token);
+    if (fingerprint != null) {
+      known.expect(host + ":" + tcpPort, fingerprint);
+    }
+    return new Trust(encryption, known);
+  }
+
+  /** Returns the fingerprint of the server that a join token is for, or null if it names none. */
+  static String fingerprint(String token) {
+    String[] parts = token.split("\\.", -1);
+    if (parts.length != 3) {
+      return null;
+    }
+    try {
+      byte[] claims = Base64.getUrlDecoder().decode(parts[1]);
+      Json server = Json.parse(claims).fields.get("server");
+      return server == null || server.text.isEmpty() ? null : server.text;
+    } catch (IllegalArgumentException | JsonException e) {
+      return null; // the server will say what is wrong with it
+    }
   }
 
   /** Wraps a transport with the simulated bad network. */

@@ -12,4 +12,11 @@ public interface Window {
    * @return exit code of the program: 0 = closed by the player
    */
   int launch(ClientOptions options);
+
+  /**
+   * Draws a clip of a recording to files, and blocks until it is done.
+   *
+   * @return exit code of the program: 0 = done
+   */
+  int render(RenderJob job);
 }

@@ -56,6 +56,10 @@ public final class BotFarm implements AutoCloseable {
     boolean playing;
     boolean broken;
     boolean waiting;
+
+    /** The match in which the bot has said that it is ready. */
+    int readyInMatch = -1;
+
     long nextAttemptNs;
     int disconnects;
     int errors;
@@ -135,6 +139,7 @@ public final class BotFarm implements AutoCloseable {
     p.before.add(p.client.stats(), nowNs);
     p.client.close();
     p.client = newClient(p);
+    p.readyInMatch = -1;
   }
 
   /** Updates all bots, and starts the next ones when it is time. */
@@ -186,6 +191,9 @@ public final class BotFarm implements AutoCloseable {
     }
     if (playing && staySeconds > 0) {
       playing = !comesAndGoes(p, nowNs);
+    }
+    if (playing && p.readyInMatch != p.client.view().matchNumber() && p.client.ready(true)) {
+      p.readyInMatch = p.client.view().matchNumber();
     }
     countInputs(p, playing, nowNs);
     p.playing = playing;

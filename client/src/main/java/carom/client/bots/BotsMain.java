@@ -5,7 +5,9 @@ import carom.client.PredictionMode;
 import carom.client.app.NetworkOptions;
 import carom.client.app.ProgramVersion;
 import carom.client.app.StopSignal;
+import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
+import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
 import carom.options.Lab;
@@ -208,6 +210,9 @@ public final class BotsMain implements Callable<Integer> {
 
   /** All bots share a thread for their sockets, where other clients have one each. */
   private ClientTransport sockets() {
+    if (!network.isEncrypted()) {
+      return new KryoClientTransport(network.trust(KnownServers.inMemory()));
+    }
     try {
       return Lab.create(ClientTransport.class, "carom.lab.crowd.CrowdTransport");
     } catch (IllegalStateException e) {

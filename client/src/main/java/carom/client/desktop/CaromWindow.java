@@ -135,13 +135,19 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     }
   }
 
-  /** Leaves a game after the present frame. */
+  /** Leaves a game after the present frame. If no server was there, offers to start one. */
   private void leave(String reason) {
-    Screen left = screen;
-    Gdx.app.postRunnable(
+    if (!(screen instanceof GameScreen left)) {
+      return; // two reasons in one frame
+    }
+    boolean offers = games != null && local == null && !reason.isEmpty() && !left.hasPlayed();
+    later(
         () -> {
           if (screen == left) {
             start(reason);
+            if (offers && screen instanceof StartScreen start) {
+              start.offer(reason);
+            }
           }
         });
   }

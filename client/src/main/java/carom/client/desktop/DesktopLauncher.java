@@ -1,6 +1,7 @@
 package carom.client.desktop;
 
 import carom.client.app.ClientOptions;
+import carom.client.app.RenderJob;
 import carom.client.app.Window;
 import carom.client.desktop.sound.AudioDevice;
 import carom.client.settings.PlayerSettings;
@@ -39,12 +40,33 @@ public final class DesktopLauncher implements Window {
     window.disableAudio(!hasSound);
     try (ClientTransport transport =
         new ImpairedClientTransport(
-            new KryoClientTransport(),
+            new KryoClientTransport(options.trust()),
             options.impairment(),
             new KryoMessageCodec(),
             System::nanoTime)) {
       new Lwjgl3Application(new CaromWindow(options, transport, hasSound), window);
       return 0;
+    } catch (GdxRuntimeException | UnsatisfiedLinkError e) {
+      return refuse(e.getMessage());
+    }
+  }
+
+  @Override
+  public int render(RenderJob job) {
+    if (!hasDisplay()) {
+      return refuse("neither DISPLAY nor WAYLAND_DISPLAY is set");
+    }
+    Lwjgl3ApplicationConfiguration window = new Lwjgl3ApplicationConfiguration();
+    window.setWindowedMode(job.width(), job.height());
+    window.setInitialVisible(false);
+    window.setBackBufferConfig(8, 8, 8, 8, 0, 0, 0);
+    window.useVsync(false);
+    window.setForegroundFPS(0);
+    window.disableAudio(true);
+    FilmMaker film = new FilmMaker(job);
+    try {
+      new Lwjgl3Application(film, window);
+      return film.problem().isEmpty() ? 0 : 1;
     } catch (GdxRuntimeException | UnsatisfiedLinkError e) {
       return refuse(e.getMessage());
     }

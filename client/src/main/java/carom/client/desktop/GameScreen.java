@@ -58,6 +58,7 @@ final class GameScreen extends ScreenAdapter {
   private GameClient client;
   private Conversation conversation;
   private float secondsPlayed;
+  private boolean played;
 
   /**
    * Creates a screen without a client; call {@link #client} next.
@@ -108,6 +109,11 @@ final class GameScreen extends ScreenAdapter {
   /** Shows a line to the player for a while. */
   void announce(String text) {
     conversation.announce(text);
+  }
+
+  /** Returns whether the player has been in the game. */
+  boolean hasPlayed() {
+    return played;
   }
 
   /** Leaves the server, so that it can be stopped. */
@@ -272,6 +278,7 @@ final class GameScreen extends ScreenAdapter {
       exit.leave(view.message());
       return;
     }
+    played |= view.phase() == ConnectionPhase.PLAYING;
     secondsPlayed = view.phase() == ConnectionPhase.PLAYING ? secondsPlayed + deltaSeconds : 0;
     draw(view, nowNs, deltaSeconds);
   }
@@ -298,6 +305,15 @@ final class GameScreen extends ScreenAdapter {
     }
     rooms.draw(view, deltaSeconds);
     netGraph.draw(view, picture.camera(), nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
+    if (pause.isOpen()) {
+      hud.veil();
+      pause.draw(deltaSeconds);
+    }
+  }
+
+  @Override
+  public void resize(int width, int height) {
+    pause.resize(width, height);
   }
 
   @Override

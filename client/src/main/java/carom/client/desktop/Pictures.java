@@ -9,12 +9,16 @@ import java.nio.file.Path;
 final class Pictures {
   private Pictures() {}
 
-  /** Writes what the window shows to a PNG file. */
+  /** Writes what the window shows to a PNG file, and says so. */
   static void save(String file) {
-    Pixmap picture =
-        Pixmap.createFromFrameBuffer(
-            0, 0, Gdx.graphics.getBackBufferWidth(), Gdx.graphics.getBackBufferHeight());
-    Pixmap opaque = new Pixmap(picture.getWidth(), picture.getHeight(), Pixmap.Format.RGB888);
+    save(file, Gdx.graphics.getBackBufferWidth(), Gdx.graphics.getBackBufferHeight());
+    System.err.println("screenshot saved: " + file);
+  }
+
+  /** Writes what is drawn to a PNG file, from the lower left corner on, px. */
+  static void save(String file, int width, int height) {
+    Pixmap picture = Pixmap.createFromFrameBuffer(0, 0, width, height);
+    Pixmap opaque = new Pixmap(width, height, Pixmap.Format.RGB888);
     opaque.setBlending(
         Pixmap.Blending.None); // panels are seen through in the window, not in a file
     opaque.drawPixmap(picture, 0, 0);
@@ -22,6 +26,5 @@ final class Pictures {
         Gdx.files.absolute(Path.of(file).toAbsolutePath().toString()), opaque, 6, true);
     opaque.dispose();
     picture.dispose();
-    System.err.println("screenshot saved: " + file);
   }
 }

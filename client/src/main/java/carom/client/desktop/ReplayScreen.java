@@ -2,11 +2,13 @@ package carom.client.desktop;
 
 import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.TimeBar;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
 import carom.client.desktop.sound.EventSounds;
 import carom.client.replay.ReplayClient;
+import carom.net.protocol.ServerMessage.RosterEntry;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
@@ -20,12 +22,14 @@ final class ReplayScreen extends ScreenAdapter {
   private static final float PAD = 12;
   private static final int JUMP_SECONDS = 5;
   private static final String KEYS =
-      "Space: pause     .: one step     Left, Right: 5 s     - +: speed     Home, End     "
-          + "Tab: follow a player     M: sound     F4: debug     Esc: leave";
+      "Space: pause     .: one step     Left, Right: 5 s     - +: slow motion, faster     Home, End"
+          + "     Tab, 1-9: follow a player     0: nobody     M: sound     F4: debug     Esc:"
+          + " leave";
 
   private final GamePicture picture;
   private final Fonts fonts;
   private final ReplayClient client;
+  private final TimeBar bar;
   private final String heading;
   private final Supplier<String> end;
   private final Runnable exit;
@@ -51,6 +55,7 @@ final class ReplayScreen extends ScreenAdapter {
     this.end = end;
     this.exit = exit;
     picture = new GamePicture(canvas, fonts, sounds);
+    bar = new TimeBar(picture.hud(), canvas);
     client.events(picture.events(client.view()));
   }
 
@@ -63,9 +68,25 @@ final class ReplayScreen extends ScreenAdapter {
   public void show() {
     Gdx.input.setInputProcessor(
         new InputAdapter() {
+          private boolean seeks;
+
           @Override
           public boolean keyDown(int key) {
             return key(key);
+          }
+
+          @Override
+          public boolean touchDown(int x, int y, int pointer, int button) {
+            seeks = bar.isAt(x, y);
+            return touchDragged(x, y, pointer);
+          }
+
+          @Override
+          public boolean touchDragged(int x, int y, int pointer) {
+            if (seeks) {
+              client.seek(bar.tick(x, client.lastTick()));
+            }
+            return seeks;
           }
         });
   }
@@ -85,10 +106,26 @@ final class ReplayScreen extends ScreenAdapter {
       case Keys.M -> picture.toggleSound();
       case Keys.ESCAPE -> exit.run();
       default -> {
-        return picture.key(key);
+        int player = key - Keys.NUM_1;
+        if (player < -1 || player > 8) {
+          return picture.key(key);
+        }
+        follow(player);
       }
     }
     return true;
+  }
+
+  /** Follows the player at a place of the list of those who have a body; nobody for another. */
+  private void follow(int place) {
+    int id = -1;
+    int playing = 0;
+    for (RosterEntry entry : client.view().players()) {
+      if (!entry.spectator() && entry.alive() && playing++ == place) {
+        id = entry.playerId();
+      }
+    }
+    client.follow(id);
   }
 
   @Override
@@ -103,7 +140,7 @@ final class ReplayScreen extends ScreenAdapter {
     int rate = client.view().tickRate();
     StringBuilder text = new StringBuilder(heading).append("   ");
     text.append(time(client.tick(), rate)).append(" / ");
-    text.append(time(client.newestTick(), rate)).append("   tick ").append(client.tick());
+    text.append(time(client.lastTick(), rate)).append("   tick ").append(client.tick());
     text.append(client.paused() ? "   paused" : "");
     text.append(client.seeking() ? "   seeking" : "");
     text.append(client.ended() ? "   end" : "");
@@ -117,6 +154,7 @@ final class ReplayScreen extends ScreenAdapter {
     if (trouble.isEmpty()) {
       trouble = end.get();
     }
+    bar.draw(client.tick(), client.lastTick());
     hud.begin();
     hud.left(fonts.text(), text.toString(), PAD, hud.height() - PAD, Theme.TEXT);
     if (!trouble.isEmpty()) {

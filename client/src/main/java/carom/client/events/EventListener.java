@@ -1,6 +1,6 @@
 package carom.client.events;
 
-import carom.sim.Event;
+import carom.sim.outbox.Event;
 
 /** Receives the events of a game, each one once. Called on the client's thread. */
 public interface EventListener {

@@ -1,11 +1,11 @@
 package carom.client.events;
 
-import carom.sim.Event;
 import carom.sim.Journal;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.message.PlayerRole;
+import carom.sim.outbox.Event;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -140,7 +140,7 @@ public final class EventReconciler implements Journal {
     Player own = s.player(playerId);
     Entity body = own == null ? null : own.body();
     ownKey = body == null ? Event.NONE : Event.key(body.id(), body.generation());
-    s.drainEvents(predict);
+    s.outbox().drainEvents(predict);
   }
 
   private boolean isOwn(Event e) {

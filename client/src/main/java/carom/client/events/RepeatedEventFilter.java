@@ -9,6 +9,7 @@ package carom.client.events;
 public final class RepeatedEventFilter {
   private String room = "";
   private int match;
+  private int incarnation;
   private int tick = -1;
 
   /** Events of {@link #tick} that were accepted. */
@@ -25,15 +26,20 @@ public final class RepeatedEventFilter {
    *
    * @param serverRoom name of the room
    * @param serverMatch number of the room's match, in which ticks begin at 0
-   * @param serverTick the server's tick; below the last event's tick, it is another server
+   * @param serverIncarnation stands for this run of the room
+   * @param courseTick in another run, the last tick that still happened as it was heard of
    */
-  public void beginLink(String serverRoom, int serverMatch, int serverTick) {
-    if (!serverRoom.equals(room) || serverMatch != match || serverTick < tick) {
+  public void beginLink(String serverRoom, int serverMatch, int serverIncarnation, int courseTick) {
+    if (!serverRoom.equals(room) || serverMatch != match) {
       room = serverRoom;
       match = serverMatch;
       tick = -1;
       count = 0;
+    } else if (serverIncarnation != incarnation && courseTick < tick) {
+      tick = courseTick; // all of its events were heard, as some of later ticks were
+      count = Integer.MAX_VALUE;
     }
+    incarnation = serverIncarnation;
     toRepeat = count;
   }
 

@@ -88,6 +88,7 @@ public final class Connection implements LinkHandler {
   private final ServerAddress address;
   private final String playerName;
   private final String game;
+  private final String token;
   private final boolean reconnects;
   private final ClientTransport transport;
   private final Listener listener;
@@ -120,6 +121,7 @@ public final class Connection implements LinkHandler {
    * @param playerName the player's name
    * @param room name of the wished room, empty for any
    * @param game name of the wished game, empty for any
+   * @param token join token, empty for none
    * @param reconnects whether to come back after a link was lost
    */
   public Connection(
@@ -127,6 +129,7 @@ public final class Connection implements LinkHandler {
       String playerName,
       String room,
       String game,
+      String token,
       boolean reconnects,
       ClientTransport transport,
       Listener listener,
@@ -135,6 +138,7 @@ public final class Connection implements LinkHandler {
     this.playerName = playerName;
     this.room = room;
     this.game = game;
+    this.token = token;
     this.reconnects = reconnects;
     this.transport = transport;
     this.listener = listener;
@@ -187,7 +191,13 @@ public final class Connection implements LinkHandler {
           lastHeardNs = nowNs;
           link.send(
               new ClientMessage.Hello(
-                  Protocol.VERSION, Protocol.physicsDigest(), playerName, secret, room, game));
+                  Protocol.VERSION,
+                  Protocol.physicsDigest(),
+                  playerName,
+                  secret,
+                  room,
+                  game,
+                  token));
         } else if (link.state() == Link.State.CLOSED) {
           poll(); // delivers the reason
         } else if (waited > CONNECT_TIMEOUT_NS) {

@@ -35,6 +35,7 @@ public final class MessageExchange {
   private long session;
   private String room = "";
   private int match;
+  private int incarnation;
   private long nowNs;
 
   /** Creates an exchange without a session. */
@@ -49,8 +50,8 @@ public final class MessageExchange {
   }
 
   /**
-   * Begins with a link or a match. A session that goes on in the same match keeps what waits; else
-   * the listener is told what is no longer sent.
+   * Begins with a link or a match. A session that goes on in the same match keeps what waits; else,
+   * and if the room was resumed from a checkpoint, the listener is told what is no longer sent.
    *
    * @param welcome the server's
    * @param gameKinds of the game that is played
@@ -59,12 +60,14 @@ public final class MessageExchange {
     List<Message> unsent = List.of();
     if (welcome.sessionSecret() != session
         || !welcome.room().equals(room)
-        || welcome.match() != match) {
+        || welcome.match() != match
+        || welcome.incarnation() != incarnation) {
       int waiting = stream.waiting();
       unsent = List.copyOf(offered).subList(offered.size() - waiting, offered.size());
       session = welcome.sessionSecret();
       room = welcome.room();
       match = welcome.match();
+      incarnation = welcome.incarnation();
       stream = new MessageStream();
       offered.clear();
     }

@@ -95,8 +95,8 @@ final class PredictedPoses {
         add(e, 0);
       }
     }
-    for (int i = 0; i < simulation.provisionalCount(); i++) {
-      Entity e = simulation.provisional(i);
+    for (int i = 0; i < simulation.mirror().provisionalCount(); i++) {
+      Entity e = simulation.mirror().provisional(i);
       if (find(e.id(), 0) == null && !takeOver(e, corrected)) {
         PredictedBody body = add(e, 1);
         body.previous.x -= body.previous.vx * simulation.tickSeconds(); // where it was spawned

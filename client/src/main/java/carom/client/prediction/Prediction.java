@@ -115,9 +115,9 @@ public final class Prediction {
     this.simulation = simulation;
     this.runsSyncTest = runsSyncTest;
     records = new SnapshotRecords(simulation, playerId);
-    simulation.ownSpawns(records.spawns());
+    simulation.mirror().ownSpawns(records.spawns());
     settler = new SpawnSettler(simulation, records);
-    player = simulation.joinAs(playerId, name);
+    player = simulation.mirror().join(playerId, name);
     words = new OwnWords(simulation.schema(), player);
     match = new MatchWords(simulation);
     inputs = new PlayerInputs(simulation, player, records, Timeline.RING);
@@ -125,7 +125,7 @@ public final class Prediction {
     timeline = new Timeline(simulation, player, words, match, inputs, poses);
     corrector = new Corrector(simulation, player, records, words);
     budget = new ReplayBudget(maxRollbackTicks, maxReplayNs, stopwatch);
-    simulation.rulings(rulings);
+    simulation.mirror().rulings(rulings);
     updates = new PendingUpdates(records, timeline, budget, corrector);
     reconciler =
         new Reconciler(

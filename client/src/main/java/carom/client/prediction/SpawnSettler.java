@@ -42,8 +42,8 @@ final class SpawnSettler {
    * @param told the server's entities at that tick
    */
   void settle(SpawnList told) {
-    for (int i = simulation.provisionalCount() - 1; i >= 0; i--) {
-      Entity entity = simulation.provisional(i);
+    for (int i = simulation.mirror().provisionalCount() - 1; i >= 0; i--) {
+      Entity entity = simulation.mirror().provisional(i);
       int key = key(told, entity.origin());
       if (key < 0 || !isSameKind(entity, key)) {
         simulation.despawn(entity);
@@ -76,30 +76,32 @@ final class SpawnSettler {
       simulation.despawn(known); // the server has given its id to this one
     }
     if (isThere) {
-      simulation.identify(known, entity.origin());
+      simulation.mirror().identify(known, entity.origin());
       return;
     }
     entity.body().readRow(row, 0);
     entity.fieldValues().copyTo(words, 0);
     Entity real =
-        simulation.spawnAs(
-            id,
-            Neighbourhood.generation(key),
-            entity.archetype(),
-            0,
-            0,
-            0,
-            entity.ownerId(),
-            false);
+        simulation
+            .mirror()
+            .spawn(
+                id,
+                Neighbourhood.generation(key),
+                entity.archetype(),
+                0,
+                0,
+                0,
+                entity.ownerId(),
+                false);
     real.body().writeRow(row, 0);
     real.fieldValues().copyFrom(words, 0);
-    simulation.identify(real, entity.origin());
+    simulation.mirror().identify(real, entity.origin());
   }
 
   /** Removes all provisional entities, because the own body has changed. */
   void clear() {
-    while (simulation.provisionalCount() > 0) {
-      simulation.despawn(simulation.provisional(0));
+    while (simulation.mirror().provisionalCount() > 0) {
+      simulation.despawn(simulation.mirror().provisional(0));
     }
   }
 

@@ -88,7 +88,7 @@ final class Timeline {
     for (int t = Math.max(tick + 1, wanted - RING); t <= wanted; t++) {
       savedTick[t & MASK] = -1;
     }
-    simulation.tick(wanted);
+    simulation.mirror().tick(wanted);
     tick = wanted;
     match.apply(tick);
   }
@@ -113,9 +113,9 @@ final class Timeline {
     int slot = tick & MASK;
     saved[slot] = simulation.save(saved[slot]);
     savedTick[slot] = tick;
-    provisionalCount[slot] = simulation.provisionalCount();
+    provisionalCount[slot] = simulation.mirror().provisionalCount();
     for (int i = 0; i < provisionalCount[slot]; i++) {
-      provisional[slot][i] = simulation.provisional(i).origin();
+      provisional[slot][i] = simulation.mirror().provisional(i).origin();
     }
     scratch.readAll(simulation);
     hash[slot] = NearState.fold(scratch.hash());

@@ -13,10 +13,10 @@ import carom.physics.Body;
 import carom.replay.Divergence;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
-import carom.sim.Event;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
+import carom.sim.outbox.Event;
 import carom.sim.scene.SceneGame;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -62,6 +62,8 @@ public final class ReplayClient implements AutoCloseable {
   private boolean paused;
   private boolean ended;
   private boolean waiting;
+  private boolean patient;
+  private int lastTick;
   private String problem = "";
 
   /** Ticks that are due, with their fraction. */
@@ -100,6 +102,12 @@ public final class ReplayClient implements AutoCloseable {
     view.pools(s.pools());
     mark();
     show();
+    lastTick = RecordingLength.lastTick(file, s.tick());
+  }
+
+  /** Computes all that is due in each update, however long it takes: for films, not for windows. */
+  public void patient(boolean always) {
+    patient = always;
   }
 
   /**
@@ -118,7 +126,7 @@ public final class ReplayClient implements AutoCloseable {
       long stopNs = System.nanoTime() + WORK_NS;
       while (due >= 1 && next()) {
         due--;
-        if (System.nanoTime() > stopNs) {
+        if (!patient && System.nanoTime() > stopNs) {
           due = Math.min(due, 1); // this machine is too slow: it plays as fast as it can
         }
       }
@@ -126,7 +134,7 @@ public final class ReplayClient implements AutoCloseable {
         due = Math.min(due, 1);
       }
     }
-    replay.simulation().drainNotices(text -> view.notice(text, nowNs));
+    replay.simulation().outbox().drainNotices(text -> view.notice(text, nowNs));
     show();
   }
 
@@ -155,7 +163,7 @@ public final class ReplayClient implements AutoCloseable {
       problem = e.getMessage();
       return false;
     }
-    replay.simulation().drainEvents(fireEvent);
+    replay.simulation().outbox().drainEvents(fireEvent);
     newestTick = Math.max(newestTick, replay.simulation().tick());
     mark();
     return !ended && !waiting;
@@ -338,6 +346,11 @@ public final class ReplayClient implements AutoCloseable {
     followed = -1;
   }
 
+  /** Makes the camera follow a player by id, while that player has a body; -1 for nobody. */
+  public void follow(int playerId) {
+    followed = playerId;
+  }
+
   /** Returns the name of the player that is followed, or an empty string. */
   public String followed() {
     return view().playerName(followed);
@@ -348,9 +361,9 @@ public final class ReplayClient implements AutoCloseable {
     return replay.simulation().tick();
   }
 
-  /** Returns the newest tick computed so far. */
-  public int newestTick() {
-    return newestTick;
+  /** Returns the last tick of the recording, as far as it was written when it was opened. */
+  public int lastTick() {
+    return Math.max(lastTick, newestTick);
   }
 
   /** Returns whether the recording's end is reached. */

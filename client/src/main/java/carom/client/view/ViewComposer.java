@@ -9,9 +9,9 @@ import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.Ownership;
-import carom.sim.Event;
 import carom.sim.Simulation;
 import carom.sim.level.Archetype;
+import carom.sim.outbox.Event;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
 

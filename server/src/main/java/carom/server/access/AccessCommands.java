@@ -30,6 +30,7 @@ public final class AccessCommands {
   private static final Logger LOG = LoggerFactory.getLogger(AccessCommands.class);
   private static final long LOOK_MS = 1_000;
   private static final String FOREVER = "forever";
+  private static final String ACCOUNT = "account";
   private static final Pattern TIME = Pattern.compile("(\\d{1,5})([mhdw])");
 
   private final AccessLists lists;
@@ -50,30 +51,30 @@ public final class AccessCommands {
     registry.add(
         new Command(
             "ban",
-            "[PLAYER | ADDRESS[/BITS] | name NAME] [TIME] [REASON]",
-            "Bans: a player by name and address, or one of them; TIME is 30m, 12h, 7d or 2w. Alone:"
-                + " shows the bans.",
+            "[PLAYER | ADDRESS[/BITS] | name NAME | account ID] [TIME] [REASON]",
+            "Bans: a player by account, or else by name and address, or one of them; TIME is 30m,"
+                + " 12h, 7d or 2w. Alone: shows the bans.",
             all::ban,
             place -> place == 0 ? all.playerNames() : List.of()));
     registry.add(
         new Command(
             "unban",
-            "NAME | ADDRESS[/BITS]",
-            "Ends bans of a name or address.",
+            "NAME | ADDRESS[/BITS] | account ID",
+            "Ends bans of a name, account or address.",
             words -> all.remove(lists.bans(), words, "ban"),
             place -> place == 0 ? values(lists.bans()) : List.of()));
     registry.add(
         new Command(
             "allow",
-            "[NAME | ADDRESS[/BITS]]",
-            "Lets a name or address play where allow-list = true. Alone: shows the list.",
+            "[NAME | ADDRESS[/BITS] | account ID]",
+            "Lets a name, account or address play where allow-list = true. Alone: shows the list.",
             all::allow,
             place -> place == 0 ? all.playerNames() : List.of()));
     registry.add(
         new Command(
             "disallow",
-            "NAME | ADDRESS[/BITS]",
-            "Takes a name or address from that list.",
+            "NAME | ADDRESS[/BITS] | account ID",
+            "Takes a name, account or address from that list.",
             words -> all.remove(lists.allowed(), words, "entry"),
             place -> place == 0 ? values(lists.allowed()) : List.of()));
     Thread thread = new Thread(all::watch, "carom-access");
@@ -83,9 +84,7 @@ public final class AccessCommands {
   }
 
   private static List<String> values(AccessFile file) {
-    return file.entries().stream()
-        .map(entry -> entry.range() != null ? entry.range().toString() : entry.name())
-        .toList();
+    return file.entries().stream().map(AccessEntry::value).toList();
   }
 
   private List<String> playerNames() {
@@ -112,7 +111,7 @@ public final class AccessCommands {
     int removed = 0;
     for (Room room : rooms) {
       for (PlayerInfo player : room.operator().players()) {
-        EntryRule.Refusal refusal = lists.refusal(player.name(), player.remote());
+        EntryRule.Refusal refusal = lists.refusal(player.name(), player.account(), player.remote());
         if (refusal != null) {
           String text = refusal.reason().playerText() + " " + refusal.text();
           LOG.info("{}", room.operator().kick(player.id(), text.strip()));
@@ -128,9 +127,10 @@ public final class AccessCommands {
       return show(lists.bans(), "nobody is banned");
     }
     boolean byName = words.word(0, "PLAYER").equals("name") && words.has(1);
-    int next = byName ? 2 : 1;
-    String who = words.word(byName ? 1 : 0, "NAME");
-    if (!byName && RoomFinder.isId(who)) {
+    boolean byAccount = words.word(0, "PLAYER").equals(ACCOUNT) && words.has(1);
+    int next = byName || byAccount ? 2 : 1;
+    String who = words.word(next - 1, "NAME");
+    if (next == 1 && RoomFinder.isId(who)) {
       who = new RoomFinder(rooms).player(words, 0).player().name();
     }
     Instant until = null;
@@ -144,20 +144,24 @@ public final class AccessCommands {
       }
     }
     String reason = words.rest(next);
+    Instant end = until;
     List<AccessEntry> entries = new ArrayList<>();
     Optional<AddressRange> range = AddressRange.parse(who);
-    if (byName || range.isEmpty()) {
-      entries.add(new AccessEntry(null, nameOf(who, byName), until, reason));
+    Set<String> accounts = byAccount ? Set.of(who) : byName ? Set.of() : accounts(who);
+    if (!accounts.isEmpty()) {
+      accounts.forEach(id -> entries.add(new AccessEntry(null, null, id, end, reason)));
+    } else if (byName || range.isEmpty()) {
+      entries.add(new AccessEntry(null, nameOf(who, byName), null, end, reason));
       for (AddressRange household : byName ? Set.<AddressRange>of() : households(who)) {
-        entries.add(new AccessEntry(household, null, until, reason));
+        entries.add(new AccessEntry(household, null, null, end, reason));
       }
     } else {
-      entries.add(new AccessEntry(range.get(), null, until, reason));
+      entries.add(new AccessEntry(range.get(), null, null, end, reason));
     }
     change(lists.bans(), entries);
     StringBuilder text = new StringBuilder("banned ");
     text.append(String.join(" and ", entries.stream().map(AccessEntry::what).toList()))
-        .append(until == null ? " forever" : " until " + until);
+        .append(end == null ? " forever" : " until " + end);
     int removed = removePlayers();
     return text.append("; ").append(removed).append(removed == 1 ? " player" : " players")
         + " removed";
@@ -186,6 +190,19 @@ public final class AccessCommands {
     return PlayerName.folded(name).equals(PlayerName.folded(other));
   }
 
+  /** Returns the accounts of the players of a name who are here. */
+  private Set<String> accounts(String name) {
+    Set<String> accounts = new LinkedHashSet<>();
+    for (Room room : rooms) {
+      for (PlayerInfo player : room.operator().players()) {
+        if (isSame(player.name(), name) && !player.account().isEmpty()) {
+          accounts.add(player.account());
+        }
+      }
+    }
+    return accounts;
+  }
+
   private Set<AddressRange> households(String name) {
     Set<AddressRange> ranges = new LinkedHashSet<>();
     for (Room room : rooms) {
@@ -203,15 +220,20 @@ public final class AccessCommands {
       String state = lists.onlyAllowed() ? "" : "allow-list = false: everybody may play\n";
       return state + show(lists.allowed(), "the list is empty");
     }
-    words.requireAtMost(1);
-    AccessEntry entry = entry(words.word(0, "NAME"));
+    AccessEntry entry = entry(words);
     change(lists.allowed(), List.of(entry));
     return "allowed " + entry.what();
   }
 
-  private static AccessEntry entry(String value) {
+  private static AccessEntry entry(CommandWords words) throws CommandException {
+    String value = words.word(0, "NAME");
+    if (value.equals(ACCOUNT) && words.has(1)) {
+      words.requireAtMost(2);
+      return new AccessEntry(null, null, words.word(1, "ID"), null, "");
+    }
+    words.requireAtMost(1);
     Optional<AddressRange> range = AddressRange.parse(value);
-    return new AccessEntry(range.orElse(null), range.isPresent() ? null : value, null, "");
+    return new AccessEntry(range.orElse(null), range.isPresent() ? null : value, null, null, "");
   }
 
   private static void change(AccessFile file, List<AccessEntry> entries) throws CommandException {
@@ -225,8 +247,7 @@ public final class AccessCommands {
   }
 
   private String remove(AccessFile file, CommandWords words, String what) throws CommandException {
-    words.requireAtMost(1);
-    AccessEntry wanted = entry(words.word(0, "NAME"));
+    AccessEntry wanted = entry(words);
     try {
       int removed = file.remove(wanted::isAboutSame);
       if (removed == 0) {

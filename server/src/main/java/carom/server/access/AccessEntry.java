@@ -5,20 +5,23 @@ import carom.server.command.CommandWords;
 import java.time.DateTimeException;
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
  * One line of a list: {@code name "Bob B" until 2026-12-01T00:00:00Z because of threats}.
- * Immutable.
+ * Immutable. It is about addresses, a name or an account; the other two are null.
  *
- * @param range the addresses that it is about, or null if it is about a name
- * @param name the name that it is about, or null if it is about addresses
+ * @param range the addresses
+ * @param name the name
+ * @param account the account, as join tokens name it
  * @param until when it ends, or null for never
  * @param reason for players and operators, may be empty
  */
-record AccessEntry(AddressRange range, String name, Instant until, String reason) {
+record AccessEntry(AddressRange range, String name, String account, Instant until, String reason) {
   private static final String ADDRESS = "address";
   private static final String NAME = "name";
+  private static final String ACCOUNT = "account";
   private static final String UNTIL = "until";
 
   /**
@@ -28,7 +31,7 @@ record AccessEntry(AddressRange range, String name, Instant until, String reason
    */
   static AccessEntry parse(String line) {
     List<String> words = CommandWords.split(line);
-    if (words.size() < 2 || !(words.get(0).equals(ADDRESS) || words.get(0).equals(NAME))) {
+    if (words.size() < 2 || !List.of(ADDRESS, NAME, ACCOUNT).contains(words.get(0))) {
       throw new IllegalArgumentException(
           "lines look like: address 203.0.113.7, or: name \"Bob B\" until 2026-12-01T00:00:00Z"
               + " REASON");
@@ -48,7 +51,10 @@ record AccessEntry(AddressRange range, String name, Instant until, String reason
     String reason = String.join(" ", words.subList(next, words.size()));
     String value = words.get(1);
     if (words.get(0).equals(NAME)) {
-      return new AccessEntry(null, value, until, reason);
+      return new AccessEntry(null, value, null, until, reason);
+    }
+    if (words.get(0).equals(ACCOUNT)) {
+      return new AccessEntry(null, null, value, until, reason);
     }
     Optional<AddressRange> range = AddressRange.parse(value);
     return new AccessEntry(
@@ -57,25 +63,30 @@ record AccessEntry(AddressRange range, String name, Instant until, String reason
                 new IllegalArgumentException(
                     ADDRESS + "=" + value + " is no address such as 203.0.113.7 or 2001:db8::/48")),
         null,
+        null,
         until,
         reason);
   }
 
   /** Returns whether this is about a client at a time. */
-  boolean covers(String player, byte[] address, Instant now) {
+  boolean covers(String player, String playersAccount, byte[] address, Instant now) {
     if (until != null && !now.isBefore(until)) {
       return false;
     }
-    return range != null
-        ? address != null && range.contains(address)
-        : player != null && PlayerName.folded(name).equals(PlayerName.folded(player));
+    if (range != null) {
+      return address != null && range.contains(address);
+    }
+    return account != null
+        ? account.equals(playersAccount)
+        : player != null && PlayerName.looksLike(name, player);
   }
 
-  /** Returns whether this is about the same name or addresses as another. */
+  /** Returns whether this is about the same name, account or addresses as another. */
   boolean isAboutSame(AccessEntry other) {
-    return range != null
-        ? range.equals(other.range)
-        : other.name != null && PlayerName.folded(name).equals(PlayerName.folded(other.name));
+    if (range != null || account != null) {
+      return Objects.equals(range, other.range) && Objects.equals(account, other.account);
+    }
+    return other.name != null && PlayerName.folded(name).equals(PlayerName.folded(other.name));
   }
 
   /** Returns the line in the file. */
@@ -87,6 +98,17 @@ record AccessEntry(AddressRange range, String name, Instant until, String reason
 
   /** Returns what it is about, as in the file. */
   String what() {
-    return range != null ? ADDRESS + " " + range : NAME + " \"" + name.replace("\"", "") + "\"";
+    if (range != null) {
+      return ADDRESS + " " + range;
+    }
+    return (account != null ? ACCOUNT : NAME) + " \"" + value().replace("\"", "") + "\"";
+  }
+
+  /** Returns the addresses, the name or the account. */
+  String value() {
+    if (range != null) {
+      return range.toString();
+    }
+    return account != null ? account : name;
   }
 }

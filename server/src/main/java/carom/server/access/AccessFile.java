@@ -1,12 +1,13 @@
 package carom.server.access;
 
+import carom.server.config.DataFolder;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
@@ -158,11 +159,9 @@ final class AccessFile {
     if (added != null) {
       kept.add(added.line());
     }
-    Path fresh = file.resolveSibling(file.getFileName() + ".new");
     try {
-      Files.createDirectories(file.toAbsolutePath().getParent());
-      Files.write(fresh, kept);
-      Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+      String text = String.join(System.lineSeparator(), kept) + System.lineSeparator();
+      DataFolder.replace(file, text.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new IOException(
           file + " can't be written (" + e + "), so nothing has changed; make it writable", e);

@@ -3,6 +3,7 @@ package carom.server.access;
 import carom.net.protocol.RefusalReason;
 import carom.server.config.DataFolder;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.InstantSource;
 
 /**
@@ -14,6 +15,7 @@ public final class AccessLists implements EntryRule {
   private final AccessFile allowed;
   private final boolean onlyAllowed;
   private final InstantSource clock;
+  private volatile JoinTokens tokens;
 
   /**
    * Reads both files.
@@ -58,17 +60,33 @@ public final class AccessLists implements EntryRule {
     return allowed.reloadIfChanged() || bansChanged;
   }
 
+  /**
+   * Demands join tokens from now on, or none if there is no key.
+   *
+   * @param key PEM file with the backend's public key, or null
+   * @param fingerprint of this server's key
+   * @throws IOException if the file has no such key; the message says how to make one
+   */
+  public void demandTokens(Path key, String fingerprint) throws IOException {
+    tokens = key == null ? null : JoinTokens.load(key, fingerprint, clock);
+  }
+
   @Override
-  public Refusal refusal(String name, String remote) {
+  public JoinTokens tokens() {
+    return tokens;
+  }
+
+  @Override
+  public Refusal refusal(String name, String account, String remote) {
     byte[] address = AddressRange.addressOf(remote).orElse(null);
     for (AccessEntry ban : bans.entries()) {
-      if (ban.covers(name, address, clock.instant())) {
+      if (ban.covers(name, account, address, clock.instant())) {
         return new Refusal(RefusalReason.BANNED, describe(ban));
       }
     }
     if (onlyAllowed
         && allowed.entries().stream()
-            .noneMatch(entry -> entry.covers(name, address, clock.instant()))) {
+            .noneMatch(entry -> entry.covers(name, account, address, clock.instant()))) {
       return new Refusal(RefusalReason.NOT_ALLOWED, "");
     }
     return null;

@@ -6,7 +6,7 @@ import carom.net.protocol.RefusalReason;
 @FunctionalInterface
 public interface EntryRule {
   /** Lets everybody in. */
-  EntryRule OPEN = (name, remote) -> null;
+  EntryRule OPEN = (name, account, remote) -> null;
 
   /**
    * A client that may not come in.
@@ -20,7 +20,13 @@ public interface EntryRule {
    * Returns why a client may not come in, or null if it may.
    *
    * @param name name of the player, or null for a spectator
+   * @param account the player's account by its join token, or empty
    * @param remote address and port, as the link tells them
    */
-  Refusal refusal(String name, String remote);
+  Refusal refusal(String name, String account, String remote);
+
+  /** Returns the check of join tokens that players must pass first, or null if they need none. */
+  default JoinTokens tokens() {
+    return null;
+  }
 }

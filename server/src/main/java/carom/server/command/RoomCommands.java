@@ -175,7 +175,7 @@ public final class RoomCommands {
           room.match().game(),
           room.match().level().level().name(),
           room.tick(),
-          room.hasFailed() ? "failed" : "runs");
+          room.hasFailed() ? "failed" : room.isPaused() ? "paused" : "runs");
     }
     return table.toString();
   }

@@ -1,8 +1,12 @@
 package carom.server.config;
 
+import carom.net.kryo.ServerIdentity;
+import carom.net.seal.Encryption;
+import carom.net.seal.ServerKey;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -22,6 +26,18 @@ public record DataFolder(Path root) {
     return root.resolve("logs");
   }
 
+  /**
+   * Returns the identity by which players know the server, which {@code server.key} keeps. It is
+   * made if it isn't there, and a temporary one if the folder can't be written.
+   *
+   * @throws IOException if the file can't be used; the message says what to do
+   */
+  public ServerIdentity identity(Encryption encryption) throws IOException {
+    return Files.isDirectory(root) && Files.isWritable(root)
+        ? new ServerIdentity(encryption, ServerKey.load(root.resolve("server.key")))
+        : ServerIdentity.temporary(encryption);
+  }
+
   /** Returns the folder in which recordings begin that are given no other place. */
   public Path recordings() {
     return root.resolve("recordings");
@@ -32,9 +48,19 @@ public record DataFolder(Path root) {
     return root.resolve("admin.token");
   }
 
+  /** Returns the file of the remote console's password. */
+  public Path rconPassword() {
+    return root.resolve("rcon.password");
+  }
+
   /** Returns the folder in which levels are found by their name. */
   public Path levels() {
     return root.resolve("levels");
+  }
+
+  /** Returns the folder of checkpoints, which has a folder for each room. */
+  public Path checkpoints() {
+    return root.resolve("checkpoints");
   }
 
   /** Returns the file of a saved match. */
@@ -62,6 +88,24 @@ public record DataFolder(Path root) {
   /** Returns the file of a level of the folder, or the name itself if there is none. */
   public String level(String name) {
     return levelNames().contains(name) ? levels().resolve(name + LEVEL).toString() : name;
+  }
+
+  /**
+   * Writes a file in the place of one that is there, in one step: after a crash it is the old one
+   * or the new one. When the disk is full, the old one stays, and nothing of the new one.
+   *
+   * @throws IOException if it can't be written
+   */
+  public static void replace(Path file, byte[] bytes) throws IOException {
+    Path fresh = file.resolveSibling(file.getFileName() + ".new");
+    Files.createDirectories(file.toAbsolutePath().getParent());
+    try {
+      Files.write(fresh, bytes);
+      Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (IOException e) {
+      Files.deleteIfExists(fresh);
+      throw e;
+    }
   }
 
   /**

@@ -47,6 +47,8 @@ import java.util.Objects;
  *     that are no larger the player sees everything. 0 = 64, and everything in small worlds
  * @param rosterIntervalMs shortest time between two rosters (names and scores), ms, 0..10,000
  * @param statusIntervalS time between two status lines in the log, s, 0..86,400; 0 = none
+ * @param pausesIdleRooms whether a room stops ticking while nobody plays or watches and nothing is
+ *     recorded. It goes on where it stopped as soon as a player comes
  */
 public record ServerConfig(
     String gameName,
@@ -68,7 +70,8 @@ public record ServerConfig(
     int snapshotBitsPerSecond,
     int viewMetres,
     int rosterIntervalMs,
-    int statusIntervalS) {
+    int statusIntervalS,
+    boolean pausesIdleRooms) {
 
   private static final int MAX_SERVER_NAME = 40;
 
@@ -130,7 +133,11 @@ public record ServerConfig(
     }
   }
 
-  /** Returns the settings of a server that is started without any flag. */
+  /**
+   * Returns the settings of a server that is started without any flag, but for {@code
+   * pausesIdleRooms}, which only {@code carom-server} sets: a program that drives a server by hand
+   * counts on its ticks.
+   */
   public static ServerConfig defaults() {
     return new ServerConfig(
         /* gameName= */ "arena",
@@ -152,7 +159,8 @@ public record ServerConfig(
         /* snapshotBitsPerSecond= */ 512_000,
         /* viewMetres= */ 0,
         /* rosterIntervalMs= */ 250,
-        /* statusIntervalS= */ 60);
+        /* statusIntervalS= */ 60,
+        /* pausesIdleRooms= */ false);
   }
 
   /** Returns the length of one tick, ns, rounded down. Use a tick loop for exact deadlines. */
@@ -258,5 +266,10 @@ public record ServerConfig(
   /** Returns a copy with this status interval. */
   public ServerConfig withStatusIntervalS(int value) {
     return Records.with(this, "statusIntervalS", value);
+  }
+
+  /** Returns a copy whose rooms pause while they are idle, or don't. */
+  public ServerConfig withPausesIdleRooms(boolean value) {
+    return Records.with(this, "pausesIdleRooms", value);
   }
 }

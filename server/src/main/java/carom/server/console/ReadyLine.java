@@ -4,6 +4,8 @@ import java.io.Console;
 import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * Prints the line {@code ready tcp=54555 udp=54777} to standard output, for programs that wait for
@@ -19,26 +21,42 @@ public final class ReadyLine {
   /** Prints the line, with the ports at which players can join. */
   public static void print(PrintStream out, int tcp, int udp) {
     out.println("ready tcp=" + tcp + " udp=" + udp);
-    if (isOnTerminal()) {
-      printHints(out, tcp, udp);
-    }
     out.flush();
   }
 
-  private static void printHints(PrintStream out, int tcp, int udp) {
+  /**
+   * Prints the hints, if standard output is a terminal: the last thing that is printed at the
+   * start, so that they stay in sight.
+   *
+   * @param page address of the live page; null without one
+   */
+  public static void printHints(PrintStream out, int tcp, int udp, String page) {
+    if (isOnTerminal()) {
+      out.println();
+      hints(tcp, udp, page).forEach(out::println);
+      out.println();
+      out.flush();
+    }
+  }
+
+  /** Returns the hints, a line each. */
+  static List<String> hints(int tcp, int udp, String page) {
     boolean defaults = tcp == DEFAULT_TCP_PORT && udp == DEFAULT_UDP_PORT;
     String ports = defaults ? "" : " --tcp-port " + tcp + " --udp-port " + udp;
     String playArgs = defaults ? "" : " -Pargs='--host localhost" + ports + "'";
     String botArgs = defaults ? "" : " -Pargs='" + ports.strip() + "'";
-    out.println();
-    out.println("  join      ./gradlew play" + playArgs);
-    out.println("  add bots  ./gradlew bots -Pn=20" + botArgs);
-    out.println("  stop      Ctrl-C, or the command stop");
-    out.println("  commands  help");
-    out.println();
-    out.println("  On another machine, with Carom installed:");
-    out.println("  join      carom-client --host " + hostName() + ports);
-    out.println();
+    List<String> lines = new ArrayList<>();
+    lines.add("  The server is ready. Players can join.");
+    lines.add("");
+    lines.add("  join      ./gradlew play" + playArgs);
+    lines.add("            carom-client --host " + hostName() + ports + "   (another machine)");
+    lines.add("  add bots  ./gradlew bots -Pn=20" + botArgs);
+    if (page != null) {
+      lines.add("  page      " + page);
+    }
+    lines.add("  commands  help");
+    lines.add("  stop      Ctrl-C, or the command stop");
+    return lines;
   }
 
   private static String hostName() {

@@ -11,7 +11,10 @@ import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
+import carom.server.access.BadTokenException;
 import carom.server.access.EntryRule;
+import carom.server.access.JoinToken;
+import carom.server.access.JoinTokens;
 import carom.server.config.ServerConfig;
 import carom.server.match.LevelUpload;
 import carom.server.match.MatchInfo;
@@ -237,6 +240,9 @@ public final class Lobby {
     return oldest;
   }
 
+  /** What a player wants, and its account by a join token. */
+  private record Wish(String name, String account, String room, String game, long resumeSecret) {}
+
   /** A link from its first message to its room. */
   private final class Visitor implements LinkHandler {
     private final Link link;
@@ -246,7 +252,7 @@ public final class Lobby {
     private Seats.Seat seat;
     private int datagramKey;
     private final String address;
-    private ClientMessage.Hello waiting;
+    private Wish waiting;
     private int lists;
     private long waitsUntilNs;
     private long askAgainNs;
@@ -318,7 +324,7 @@ public final class Lobby {
 
     private void watch(ClientMessage.Watch watch) {
       if (!requireThisBuild(watch.protocolVersion(), watch.physicsDigest())
-          || !requireEntry(null)) {
+          || !requireEntry(null, "")) {
         return;
       }
       ServerMessage.Refused refusal = spectators.add(link, watch.room(), nowNs);
@@ -367,8 +373,8 @@ public final class Lobby {
     }
 
     /** Refuses a client that the operator doesn't let in, and returns whether it may go on. */
-    private boolean requireEntry(String name) {
-      EntryRule.Refusal refusal = entryRule.refusal(name, link.remote());
+    private boolean requireEntry(String name, String account) {
+      EntryRule.Refusal refusal = entryRule.refusal(name, account, link.remote());
       if (refusal != null) {
         refuse(refusal.reason(), refusal.text());
       }
@@ -379,18 +385,45 @@ public final class Lobby {
       if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
         return;
       }
-      String name = hello.name().strip();
-      String problem = PlayerName.problem(name);
+      Wish wish = wish(hello);
+      if (wish == null) {
+        return;
+      }
+      String problem = PlayerName.problem(wish.name());
       if (problem != null) {
         refuse(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
         return;
       }
-      if (!requireEntry(name)) {
+      if (!requireEntry(wish.name(), wish.account())) {
         return;
       }
-      waiting = hello;
+      waiting = wish;
       waitsUntilNs = nowNs + ENTRANCE_WAIT_MS * NS_PER_MS;
       tryToEnter();
+    }
+
+    /**
+     * Returns what the player wants and may want by its join token, or refuses and returns null. A
+     * player who comes back proves by the session's secret that the token was good.
+     */
+    private Wish wish(ClientMessage.Hello hello) {
+      String name = hello.name().strip();
+      JoinTokens joinTokens = entryRule.tokens();
+      if (joinTokens == null || chooser.expecting(hello.resumeSecret()) != null) {
+        return new Wish(name, "", hello.room(), hello.game(), hello.resumeSecret());
+      }
+      try {
+        JoinToken token = joinTokens.check(hello.token());
+        return new Wish(
+            token.name().isEmpty() ? name : token.name(),
+            token.account(),
+            token.room().isEmpty() ? hello.room() : token.room(),
+            hello.game(),
+            0);
+      } catch (BadTokenException e) {
+        refuse(RefusalReason.TOKEN_INVALID, e.getMessage());
+        return null;
+      }
     }
 
     /**
@@ -447,7 +480,7 @@ public final class Lobby {
       if (chosen != null
           && countLoading(address) < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
         room = chosen;
-        seat = room.seats().take(waiting.name().strip());
+        seat = room.seats().take(waiting.name(), waiting.account());
       }
       return seat != null;
     }
@@ -477,7 +510,14 @@ public final class Lobby {
       deadlineNs = nowNs + config.loadTimeoutMs() * NS_PER_MS;
       state = state.become(SessionState.LOADING);
       link.send(
-          match.welcome(seat.secret(), seat.id(), datagramKey, config.tickRateHz(), room.tick()));
+          match.welcome(
+              seat.secret(),
+              seat.id(),
+              datagramKey,
+              config.tickRateHz(),
+              room.tick(),
+              room.seats().incarnation(),
+              seat.courseTick()));
     }
 
     private void enterRoom() {

@@ -22,9 +22,18 @@ public record MatchInfo(
    * @param playerId the player's seat
    * @param datagramKey key of the link's datagrams from now on
    * @param tick the room's present tick
+   * @param incarnation stands for this run of the room
+   * @param courseTick last tick that the room's present course shares with the one that the player
+   *     has heard of
    */
   public Welcome welcome(
-      long sessionSecret, int playerId, int datagramKey, int tickRateHz, int tick) {
+      long sessionSecret,
+      int playerId,
+      int datagramKey,
+      int tickRateHz,
+      int tick,
+      int incarnation,
+      int courseTick) {
     return new Welcome(
         sessionSecret,
         datagramKey,
@@ -32,6 +41,8 @@ public record MatchInfo(
         tickRateHz,
         room,
         number,
+        incarnation,
+        Math.min(courseTick, tick),
         tick,
         seed,
         game,

@@ -4,6 +4,7 @@ import carom.net.protocol.Protocol;
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
+import carom.server.config.DataFolder;
 import carom.sim.Simulation;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
@@ -16,7 +17,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.zip.CRC32;
 
 /**
@@ -76,10 +76,7 @@ public final class SavedMatch {
     }
   }
 
-  /**
-   * Writes a file, in the place of one that is there, in one step: after a crash it is the old one
-   * or the new one.
-   */
+  /** Writes a file in one step, see {@link DataFolder#replace}. */
   public void write(Path file) throws IOException {
     byte[] body = body();
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -90,10 +87,7 @@ public final class SavedMatch {
       out.writeLong(checksum(body));
       out.write(body);
     }
-    Files.createDirectories(file.toAbsolutePath().getParent());
-    Path fresh = file.resolveSibling(file.getFileName() + ".new");
-    Files.write(fresh, bytes.toByteArray());
-    Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    DataFolder.replace(file, bytes.toByteArray());
   }
 
   private byte[] body() throws IOException {

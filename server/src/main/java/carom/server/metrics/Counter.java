@@ -51,7 +51,13 @@ public enum Counter {
   DIVERGENCES_UNEXPLAINED(
       "Reported mispredictions for which the server knows no reason either: the client and the"
           + " server disagree although they used the same inputs."),
-  RECORDINGS_CUT("Recordings that ended early, because the disk was too slow or failed.");
+  RECORDINGS_CUT("Recordings that ended early, because the disk was too slow or failed."),
+  CHECKPOINTS("Checkpoints that were taken."),
+  CHECKPOINTS_FAILED(
+      "Checkpoints that could not be kept, because the disk was too slow or failed, or the state is"
+          + " too large."),
+  ROOMS_RESUMED("Times that the room went on from a checkpoint."),
+  CALLBACKS_ABANDONED("Callbacks of games that did not return, with the thread that ran them.");
 
   private enum Kind {
     COUNTER,

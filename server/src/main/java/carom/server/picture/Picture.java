@@ -21,6 +21,7 @@ import java.util.Map;
  * @param playerBodies ids of the players that have a body, and its slot, in pairs
  * @param players the players, or null if nobody asked
  */
+@SuppressWarnings("ArrayRecordComponent") // Never compared; nobody changes them.
 public record Picture(
     MatchInfo match,
     int tick,

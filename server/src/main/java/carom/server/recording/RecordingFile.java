@@ -160,6 +160,9 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
     } catch (IOException e) {
       cut = "can't write " + path + ": " + e;
       LOG.error("recording {} is cut: {}", path, e.toString());
+    } catch (RuntimeException | Error e) {
+      cut = "can't write " + path + ": " + e;
+      LOG.error("recording {} is cut", path, e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -11,13 +11,13 @@ import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.table.Tables;
 import carom.physics.World;
 import carom.physics.math.Trig;
-import carom.sim.Event;
 import carom.sim.Game;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.joint.JointTable;
+import carom.sim.outbox.Event;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
@@ -108,7 +108,7 @@ public final class FrameCapture {
     fields.capture();
     joints.capture();
     pools.capture();
-    simulation.drainEvents(takeEvent);
+    simulation.outbox().drainEvents(takeEvent);
     return frame;
   }
 

@@ -120,6 +120,11 @@ final class LinkPace {
     return (int) Math.min(Integer.MAX_VALUE, tokens - HEADER_BYTES);
   }
 
+  /** Returns what {@link #allowance} comes to, but for rounding, when nothing is sent for long. */
+  int mostAllowance() {
+    return (int) (0.9f * rate * BURST_SECONDS) - HEADER_BYTES;
+  }
+
   /** Returns the present pace, bytes on the wire per second. */
   int bytesPerSecond() {
     return (int) rate;

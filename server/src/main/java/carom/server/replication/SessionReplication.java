@@ -20,6 +20,7 @@ import carom.server.prediction.PredictionAudit.Finding;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import java.util.Arrays;
+import java.util.function.LongConsumer;
 import java.util.function.Predicate;
 
 /**
@@ -158,6 +159,21 @@ public final class SessionReplication {
     if (sender != null) { // a match that began after the link was lost has told it nothing yet
       sender.listen();
     }
+  }
+
+  /**
+   * Passes on the numbers of the events, of those that the frames keep, that the player may not
+   * have heard of.
+   */
+  public void forEachUnacknowledged(LongConsumer reader) {
+    if (sender != null) {
+      sender.forEachUnacknowledged(reader);
+    }
+  }
+
+  /** Offers an event that the frames keep, and that the player may not have heard of. */
+  public void offer(long number) {
+    sender.offer(number);
   }
 
   /** Takes over what the client says it shows. */

@@ -13,6 +13,7 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
+import java.util.function.LongConsumer;
 
 /**
  * Sends one session's snapshots over one link, and decides when and how much.
@@ -133,6 +134,16 @@ public final class SnapshotSender {
     encoder.takeOverEvents(before.encoder);
   }
 
+  /** Passes on the numbers of the events that the player may not have heard of. */
+  public void forEachUnacknowledged(LongConsumer reader) {
+    encoder.forEachUnacknowledged(reader);
+  }
+
+  /** Offers an event of the ring that the player may not have heard of. */
+  public void offer(long number) {
+    encoder.offer(number);
+  }
+
   /** Takes a client's acks as they are; see {@link SnapshotEncoder#receiveAck}. */
   public void receiveAck(int ackSequence, long ackBits) {
     ticksSinceHeard = 0;
@@ -200,8 +211,17 @@ public final class SnapshotSender {
       // tick.
       due =
           ticksSinceSent >= mostTicksWithout(news, late)
-              || (news && bucket > 0 && pace.allowance() > 0);
+              || (news && bucket > 0 && budgetBytes() >= leastBytes());
     }
+  }
+
+  /**
+   * Returns the least budget that a snapshot is worth. While records wait, it holds as much of them
+   * as of what goes ahead of them: on a slow line, snapshots that are sent as soon as their headers
+   * fit would never tell of a body.
+   */
+  private int leastBytes() {
+    return encoder.waiting() == 0 ? 1 : Math.min(2 * overheadBytes(), pace.mostAllowance());
   }
 
   /** Returns the most ticks between two snapshots. */

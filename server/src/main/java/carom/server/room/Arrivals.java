@@ -64,6 +64,11 @@ final class Arrivals {
     return queue.offer(admission);
   }
 
+  /** Returns whether no player waits; from any thread. */
+  boolean isEmpty() {
+    return queue.isEmpty();
+  }
+
   /** Takes a player back out of the queue, from any thread. Returns false if it isn't there. */
   boolean withdraw(Admission admission) {
     return queue.remove(admission);
@@ -149,6 +154,13 @@ final class Arrivals {
     String what = resumed ? " is back" : " joined";
     announcer.comingOrGoing(session, a.seat().name() + what, room.age());
     sessions.updateGauges();
+  }
+
+  /** Closes the links of the players that still wait; from any thread. */
+  void closeLinks(String why) {
+    for (Admission a; (a = queue.poll()) != null; ) {
+      a.link().close(why);
+    }
   }
 
   /** Sends the players away that still wait, because the room closes. */

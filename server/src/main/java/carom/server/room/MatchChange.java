@@ -2,16 +2,22 @@ package carom.server.room;
 
 import carom.net.protocol.Limits;
 import carom.net.protocol.SessionState;
+import carom.server.checkpoint.ResumedRoom;
+import carom.server.checkpoint.RoomCheckpoints;
+import carom.server.checkpoint.RoomCourse;
 import carom.server.config.RoomConfig;
 import carom.server.match.LevelUpload;
 import carom.server.match.MatchInfo;
 import carom.server.match.SavedMatch;
 import carom.server.metrics.Counter;
+import carom.server.room.match.Match;
+import carom.server.room.match.MatchLoader;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;
 import carom.sim.Simulation;
 import carom.sim.entity.Player;
 import carom.sim.match.NextMatch;
+import java.io.IOException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicReference;
 import org.slf4j.Logger;
@@ -33,7 +39,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>The room's thread, but for {@link #load}.
  */
-final class MatchChange {
+final class MatchChange implements RoomCourse {
   private static final Logger LOG = LoggerFactory.getLogger(MatchChange.class);
 
   /** Time for which a wish that couldn't be fulfilled isn't tried again. */
@@ -51,8 +57,18 @@ final class MatchChange {
   /** What the other thread brings back; null while it loads. */
   private final AtomicReference<Loaded> loaded = new AtomicReference<>();
 
+  /** The match that is being loaded, or that an earlier run of the room was loading; or null. */
+  private NextMatch pending;
+
   private boolean loading;
   private int inRotation;
+
+  /** {@link #inRotation} of the present match. */
+  private int presentInRotation;
+
+  /** Null if the room isn't kept. */
+  private RoomCheckpoints checkpoints;
+
   private NextMatch failed;
   private long failedNs;
 
@@ -84,9 +100,45 @@ final class MatchChange {
     this.roster = roster;
   }
 
+  /**
+   * Keeps the room by checkpoints from now on, and goes on from the last one of an earlier run, if
+   * there is one. Before the first tick.
+   *
+   * @throws IOException if the checkpoints can't be kept
+   */
+  void keep(RoomCheckpoints newCheckpoints, long nowNs) throws IOException {
+    checkpoints = newCheckpoints;
+    ResumedRoom resumed = checkpoints.resume(loader, nowNs);
+    if (resumed != null) {
+      room.play(resumed.match());
+      resumed.sessions().forEach(sessions::add);
+      sessions.updateGauges();
+      inRotation = resumed.rotation();
+      presentInRotation = inRotation;
+      pending = resumed.pending();
+    }
+    checkpoints.begin(this, loader.firstSeed(), nowNs);
+  }
+
+  @Override
+  public Match match() {
+    return room.match();
+  }
+
+  @Override
+  public int rotation() {
+    return presentInRotation;
+  }
+
+  @Override
+  public NextMatch pending() {
+    return pending;
+  }
+
   /** Fulfils what the game asked for in the tick that ends, as soon as it is loaded. */
   void tickEnds(long nowNs) {
-    NextMatch wanted = room.simulation().takeNextMatch();
+    NextMatch asked = room.simulation().outbox().takeNextMatch();
+    NextMatch wanted = asked == null ? pending : asked;
     if (wanted != null && !loading) {
       request(wanted, nowNs);
     }
@@ -95,8 +147,9 @@ final class MatchChange {
       return;
     }
     loading = false;
+    pending = null;
     if (outcome.match() != null) {
-      begin(outcome.match(), outcome.wanted());
+      begin(outcome.match(), outcome.wanted(), nowNs);
     } else {
       failed = outcome.wanted();
       failedNs = nowNs;
@@ -109,6 +162,7 @@ final class MatchChange {
       return;
     }
     failed = null;
+    pending = wanted;
     NextMatch named = wanted.isOfRotation() ? nextOfRotation(wanted) : wanted;
     loading = true;
     NextMatch toLoad = named;
@@ -132,6 +186,10 @@ final class MatchChange {
       return new Loaded(wanted, load(named), null);
     } catch (MatchLoader.Unplayable e) {
       return new Loaded(wanted, null, e);
+    } catch (Error e) { // such as too little memory for the level; the match goes on
+      LOG.error(
+          "{}can't build game=\"{}\" level=\"{}\"", room.label(), named.game(), named.level(), e);
+      return new Loaded(wanted, null, null);
     }
   }
 
@@ -170,13 +228,17 @@ final class MatchChange {
    *
    * @param wanted says what players bring with them
    */
-  void begin(Match next, NextMatch wanted) {
+  void begin(Match next, NextMatch wanted, long nowNs) {
     Simulation simulation = next.simulation();
     boolean brings =
         (wanted.keepsTeams() || wanted.keepsScores()) && !simulation.game().keepsMore();
     boolean begun = simulation.tick() > 0;
     recording.endMatch();
+    if (checkpoints != null) {
+      checkpoints.endMatch("NEXT MATCH");
+    }
     room.play(next);
+    presentInRotation = inRotation;
     if (!brings && !begun) {
       recording.beginMatch(); // from tick 0 without players, which needs no whole state
     }
@@ -195,6 +257,9 @@ final class MatchChange {
       recording.beginMatch();
     }
     next.capture().capture();
+    if (checkpoints != null) {
+      checkpoints.beginMatch(nowNs);
+    }
     for (int i = 0; i < sessions.count(); i++) {
       if (sessions.get(i).state() != SessionState.GRACE) {
         tell(sessions.get(i));
@@ -235,6 +300,12 @@ final class MatchChange {
     session.load(
         new LevelUpload(match.level(), key),
         match.welcome(
-            session.seat().secret(), session.seat().id(), key, rate, room.simulation().tick()));
+            session.seat().secret(),
+            session.seat().id(),
+            key,
+            rate,
+            room.simulation().tick(),
+            room.seats().incarnation(),
+            session.seat().courseTick()));
   }
 }

@@ -4,6 +4,8 @@ import carom.net.protocol.SessionState;
 import carom.server.match.MatchInfo;
 import carom.server.match.SavedMatch;
 import carom.server.recording.RecordingFile;
+import carom.server.room.match.Match;
+import carom.server.room.match.MatchLoader;
 import carom.server.session.Moderator;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
@@ -183,7 +185,7 @@ public final class OperatorCommands {
           if (closed.getAsBoolean()) {
             return "room=" + number + " is closed";
           }
-          changes.begin(next, wanted);
+          changes.begin(next, wanted, clock.getAsLong());
           MatchInfo match = next.info();
           return "playing game=" + match.game() + " level=" + match.level().level().name();
         });

@@ -2,8 +2,8 @@ package carom.server.room;
 
 import carom.net.protocol.SessionState;
 import carom.server.session.Session;
-import carom.sim.Delivery;
 import carom.sim.message.MessageKind.Direction;
+import carom.sim.outbox.Delivery;
 import java.util.function.Consumer;
 
 /**
@@ -29,7 +29,7 @@ final class Post {
 
   /** Sends what the game has sent since the last call. */
   void send() {
-    room.simulation().drainMessages(deliver);
+    room.simulation().outbox().drainMessages(deliver);
     for (int i = sessions.count() - 1; i >= 0; i--) {
       sessions.get(i).sendMessages();
     }

@@ -9,6 +9,8 @@ import carom.net.transport.Broadcast;
 import carom.physics.Queries;
 import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
+import carom.server.checkpoint.RoomCheckpoints;
+import carom.server.checkpoint.SlotDisk;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchInfo;
@@ -20,6 +22,8 @@ import carom.server.metrics.StageTimes;
 import carom.server.picture.Pictures;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
+import carom.server.room.match.Match;
+import carom.server.room.match.MatchLoader;
 import carom.server.schedule.LoadWarnings;
 import carom.server.schedule.TickLoop;
 import carom.server.session.PartingLinks;
@@ -30,6 +34,7 @@ import carom.sim.MatchClock;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -62,9 +67,10 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #name},
  * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters}, {@link #stages},
- * {@link #pictures} and {@link #hasFailed} may be called from any thread; the rest belongs to the
- * thread that calls {@link #doWork}. A tick in the steady state allocates next to nothing. A client
- * can hurt only its own session, and a game only its own room: rooms share nothing that changes.
+ * {@link #pictures}, {@link #isPaused} and {@link #hasFailed} may be called from any thread; the
+ * rest belongs to the thread that calls {@link #doWork}. A tick in the steady state allocates next
+ * to nothing. A client can hurt only its own session, and a game only its own room: rooms share
+ * nothing that changes.
  *
  * <p><b>Length.</b> Just above 500 lines: what a room does in a turn is told in one place, and each
  * part of it is a class of its own.
@@ -82,7 +88,7 @@ public final class Room {
   private final int number;
   private final RoomConfig settings;
   private final LongSupplier clock;
-  private final Counters counters = new Counters();
+  private final Counters counters;
   private final StageTimes stages;
   private final Pictures pictures = new Pictures();
   private final RoomRecording recording;
@@ -98,6 +104,10 @@ public final class Room {
   private final LoadWarnings warnings;
   private final SnapshotRound snapshots;
   private final OperatorCommands operator;
+
+  /** Null if the room isn't kept. */
+  private volatile RoomCheckpoints checkpoints;
+
   private final Consumer<String> sendNotice;
   private final BiConsumer<Session, Broadcast> sendTo;
   private int failedTicks;
@@ -105,6 +115,7 @@ public final class Room {
   private volatile String phase;
   private volatile boolean failed;
   private volatile boolean closed;
+  private volatile boolean paused;
 
   /**
    * Builds the level and sets up the game of the first match.
@@ -118,6 +129,7 @@ public final class Room {
    * @param clock nanoseconds, to measure how long ticks take
    * @param seats this room's seats, shared with the lobby
    * @param directory the server's rooms
+   * @param counters those of a room whose place this one takes, or new ones
    * @throws IllegalArgumentException when the first match can't be played; the message says why
    */
   public Room(
@@ -129,8 +141,10 @@ public final class Room {
       Executor loads,
       LongSupplier clock,
       Seats seats,
-      RoomDirectory directory) {
+      RoomDirectory directory,
+      Counters counters) {
     this.number = number;
+    this.counters = counters;
     this.settings = settings;
     this.clock = clock;
     stages = new StageTimes(clock);
@@ -209,6 +223,32 @@ public final class Room {
   }
 
   /**
+   * Keeps the room on the disk from now on. If an earlier run has left a checkpoint, the room first
+   * goes on from where that run ended, with its players in their grace period. Before the first
+   * {@link #doWork}, and before the room is recorded.
+   *
+   * @param disk stays the caller's to close, after this room
+   * @param folder for this room alone; created if it isn't there
+   * @param seconds time between checkpoints, s
+   * @throws IOException if the folder can't be used
+   */
+  public void checkpoint(SlotDisk disk, Path folder, int seconds) throws IOException {
+    RoomCheckpoints.Setting kept =
+        new RoomCheckpoints.Setting(
+            context.config(),
+            settings,
+            number,
+            context.label(),
+            counters,
+            seats(),
+            sessions.bySeat());
+    checkpoints = new RoomCheckpoints(kept, disk, folder, seconds);
+    changes.keep(checkpoints, clock.getAsLong());
+    tick = context.simulation().tick();
+    phase = presentPhase();
+  }
+
+  /**
    * Hands over a player whose level is loaded; from any thread.
    *
    * @return false when too many are on their way or the room is closed; the link and the claim stay
@@ -235,18 +275,30 @@ public final class Room {
       return partings.doWork(nowNs);
     }
     int work = pollAll(nowNs) + partings.doWork(nowNs);
-    int due = loop.due(nowNs);
+    paused = isIdle();
+    if (paused) {
+      loop.pause();
+    }
+    int due = paused ? 0 : loop.due(nowNs);
     warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
     for (int left = due; left > 0 && !closed; left--) {
       guardedTick(nowNs, left <= MAX_SENDS_PER_BURST);
     }
-    if (due > 0 && pictures.isWanted()) {
+    if ((due > 0 || paused) && pictures.isWanted()) {
       stages.begin();
       pictures.take(context.match().info(), context.simulation(), sessions.bySeat());
       stages.end(Stage.PICTURE);
     }
     return work + due;
+  }
+
+  private boolean isIdle() {
+    return context.config().pausesIdleRooms()
+        && context.age() > 0
+        && sessions.count() == 0
+        && arrivals.isEmpty()
+        && !recording.isOn();
   }
 
   /**
@@ -301,7 +353,7 @@ public final class Room {
         stages.end(Stage.SNAPSHOTS);
       }
       post.send();
-      simulation.drainNotices(sendNotice);
+      simulation.outbox().drainNotices(sendNotice);
       match.failures().tell(simulation.findings());
       roster.send(sessions.bySeat(), nowNs, sendTo);
     }
@@ -310,6 +362,9 @@ public final class Room {
     recording.tickEnds();
     if (stepped) {
       changes.tickEnds(nowNs);
+      if (checkpoints != null) {
+        checkpoints.tickEnds(nowNs);
+      }
     }
     tick = context.simulation().tick();
     phase = presentPhase();
@@ -393,8 +448,26 @@ public final class Room {
     }
     closed = true;
     recording.end(reason.name());
+    if (checkpoints != null) {
+      checkpoints.end(!failed, nowNs);
+    }
     departures.endAll(reason, text, nowNs);
     arrivals.refuseAll(reason, text, nowNs);
+  }
+
+  /**
+   * Gives the room up because its thread doesn't come back from the game: closes all links, and
+   * makes it keep nothing more. From any thread. The room's own ends when it comes back.
+   *
+   * @param why for logs
+   */
+  public void abandon(String why) {
+    closed = true;
+    if (checkpoints != null) {
+      checkpoints.abandon(why);
+    }
+    arrivals.closeLinks(why);
+    sessions.closeLinks(why);
   }
 
   /** Returns whether all links have said goodbye. */
@@ -468,6 +541,14 @@ public final class Room {
    */
   public boolean hasFailed() {
     return failed;
+  }
+
+  /**
+   * Returns whether the room doesn't tick because nobody needs it, see {@link
+   * ServerConfig#pausesIdleRooms}; from any thread.
+   */
+  public boolean isPaused() {
+    return paused;
   }
 
   /** Returns the seats, shared with the lobby. */

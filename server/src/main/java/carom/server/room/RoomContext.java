@@ -3,6 +3,7 @@ package carom.server.room;
 import carom.physics.threads.Workers;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counters;
+import carom.server.room.match.Match;
 import carom.server.session.Seats;
 import carom.sim.Simulation;
 import java.util.concurrent.atomic.AtomicInteger;

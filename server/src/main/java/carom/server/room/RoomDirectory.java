@@ -23,9 +23,13 @@ public final class RoomDirectory {
   /** Creates a directory without rooms. */
   public RoomDirectory() {}
 
-  /** Adds the rooms, once. */
+  /**
+   * Adds the rooms, once.
+   *
+   * @param all the live list; any thread may read it
+   */
   public void open(List<Room> all) {
-    rooms = List.copyOf(all);
+    rooms = all;
   }
 
   /** Returns a room that is open, or null if there is none of this name. */

@@ -47,17 +47,24 @@ final class RoomRecording {
     this.room = room;
   }
 
+  /** Returns whether the room is recorded. */
+  boolean isOn() {
+    return recorder != null;
+  }
+
   /** Begins to record to a sink; see {@link Room#record(BlockSink)}. */
   void begin(BlockSink newSink) {
     Simulation simulation = room.simulation();
     long seed = room.match().info().seed();
+    Recorder before = recorder;
     recorder =
         new Recorder(
             simulation, RecordingHeader.of(simulation, seed, Protocol.physicsDigest()), newSink);
+    simulation.removeJournal(before);
     sink = newSink;
     begunAt = simulation.tick();
     toldLeftOut = false;
-    simulation.journal(recorder);
+    simulation.addJournal(recorder);
   }
 
   /** Begins to record each match to a file of its own; see {@link Room#record(RecordingFiles)}. */
@@ -213,7 +220,7 @@ final class RoomRecording {
       file.finish();
       ended = file;
     }
-    room.simulation().journal(null);
+    room.simulation().removeJournal(recorder);
     recorder = null;
     sink = null;
   }

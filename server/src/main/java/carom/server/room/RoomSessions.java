@@ -61,6 +61,15 @@ final class RoomSessions {
     bySeat[session.seat().id()] = null;
   }
 
+  /** Closes the links of all sessions; from any thread. */
+  void closeLinks(String why) {
+    for (Session session : bySeat) {
+      if (session != null) {
+        session.closeLink(why);
+      }
+    }
+  }
+
   void clear() {
     sessions.clear();
     Arrays.fill(bySeat, null);

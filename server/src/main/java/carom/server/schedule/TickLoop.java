@@ -74,6 +74,13 @@ public final class TickLoop {
     return run;
   }
 
+  /** Stops the clock. The next call of {@link #due} starts it anew, as the first one did. */
+  public void pause() {
+    started = false;
+    scheduled = 0;
+    droppedNow = 0;
+  }
+
   /** Returns when the next tick is due, in the time of {@link #due}; valid after its first call. */
   public long nextDeadlineNs() {
     long next = scheduled + 1;

@@ -7,21 +7,33 @@ import java.util.Locale;
  *
  * @param id the player's id, 0..1,023
  * @param name unique in the room
+ * @param account the account by the player's join token, or empty
  * @param remote address and port of the client, or why there is none
  * @param state {@code playing}, {@code watching}, {@code loading} or {@code grace}
  * @param team the player's team
  * @param score the player's score
+ * @param playedTicks ticks for which the player has played over its present link
  */
-public record PlayerInfo(int id, String name, String remote, String state, int team, int score) {
+public record PlayerInfo(
+    int id,
+    String name,
+    String account,
+    String remote,
+    String state,
+    int team,
+    int score,
+    int playedTicks) {
   /** Describes a session. The room's thread. */
   public static PlayerInfo of(Session session) {
     boolean watches = session.player().isSpectator();
     return new PlayerInfo(
         session.seat().id(),
         session.seat().name(),
+        session.seat().account(),
         session.remote(),
         watches ? "watching" : session.state().name().toLowerCase(Locale.ROOT),
         session.player().team(),
-        session.player().score());
+        session.player().score(),
+        session.playedTicks());
   }
 }

@@ -21,8 +21,11 @@ public final class Seats {
 
   private final Seat[] taken;
   private final Set<String> foldedNames = new HashSet<>();
+  private final Set<String> skeletons = new HashSet<>();
   private int takenCount;
   private final LongSupplier secrets;
+  private final int incarnation;
+  private int version;
 
   /**
    * Creates free seats.
@@ -33,17 +36,61 @@ public final class Seats {
   public Seats(int count, LongSupplier secrets) {
     this.taken = new Seat[count];
     this.secrets = secrets;
+    incarnation = (int) secrets.getAsLong();
+  }
+
+  /**
+   * Returns an unpredictable number that stands for this run of the room. A room that was resumed
+   * from a checkpoint has another.
+   */
+  public int incarnation() {
+    return incarnation;
+  }
+
+  /** Returns a number that changes whenever a player may have come or gone. */
+  public synchronized int version() {
+    return version;
+  }
+
+  /**
+   * Gives a player of an earlier run of the room the seat back. It counts as occupied.
+   *
+   * @param courseTick as {@link Seat#courseTick}
+   * @return the seat, or null if there is no such seat, or it is taken
+   */
+  public synchronized Seat restore(
+      int id, String wantedName, String name, long secret, int courseTick) {
+    if (id >= taken.length || taken[id] != null || secret == 0) {
+      return null;
+    }
+    Seat seat = new Seat(id, wantedName, name, "", secret); // slots keep no accounts
+    seat.courseTick = courseTick;
+    seat.occupied = true;
+    foldedNames.add(PlayerName.folded(name));
+    skeletons.add(PlayerName.skeleton(name));
+    taken[id] = seat;
+    takenCount++;
+    return seat;
   }
 
   /**
    * Takes the free seat with the lowest id and claims it under the wanted name. A name that is
-   * taken gets a number behind it: {@code Ann (2)}. Names are compared without regard to case.
+   * taken, or that looks like a taken one, gets a number behind it: {@code Ann (2)}.
    *
    * @param wantedName a legal name
    * @return the seat, or null when all are taken
    */
   public synchronized Seat take(String wantedName) {
-    return take(wantedName, freshSecret());
+    return take(wantedName, "");
+  }
+
+  /**
+   * Takes a seat as {@link #take(String)} does.
+   *
+   * @param account the player's account by its join token, or empty
+   */
+  public synchronized Seat take(String wantedName, String account) {
+    return take(wantedName, account, freshSecret());
   }
 
   /**
@@ -53,19 +100,20 @@ public final class Seats {
    * @param from the seat in the other room
    */
   public synchronized Seat takeFor(Seat from) {
-    Seat seat = take(from.wantedName, from.secret);
+    Seat seat = take(from.wantedName, from.account, from.secret);
     if (seat != null) {
       seat.muted = from.muted;
     }
     return seat;
   }
 
-  private Seat take(String wantedName, long secret) {
+  private Seat take(String wantedName, String account, long secret) {
     for (int id = 0; id < taken.length; id++) {
       if (taken[id] == null) {
-        Seat seat = new Seat(id, wantedName, freeName(wantedName), secret);
+        Seat seat = new Seat(id, wantedName, freeName(wantedName), account, secret);
         seat.claims = 1;
         foldedNames.add(PlayerName.folded(seat.name));
+        skeletons.add(PlayerName.skeleton(seat.name));
         taken[id] = seat;
         takenCount++;
         return seat;
@@ -123,6 +171,7 @@ public final class Seats {
   public synchronized void occupy(Seat seat) {
     seat.claims--;
     seat.occupied = true;
+    version++;
   }
 
   /** Notes that the player is gone. The seat becomes free unless a link claims it. */
@@ -153,7 +202,9 @@ public final class Seats {
     if (seat.claims == 0 && !seat.occupied && taken[seat.id] == seat) {
       taken[seat.id] = null;
       takenCount--;
+      version++;
       foldedNames.remove(PlayerName.folded(seat.name));
+      skeletons.remove(PlayerName.skeleton(seat.name));
     }
   }
 
@@ -177,11 +228,16 @@ public final class Seats {
 
   private String freeName(String wanted) {
     String name = wanted;
-    for (int number = 2; foldedNames.contains(PlayerName.folded(name)); number++) {
+    for (int number = 2; isTaken(name); number++) {
       String suffix = " (" + number + ")";
       name = shortened(wanted, Limits.MAX_NAME_BYTES - suffix.length()) + suffix;
     }
     return name;
+  }
+
+  private boolean isTaken(String name) {
+    return foldedNames.contains(PlayerName.folded(name))
+        || skeletons.contains(PlayerName.skeleton(name));
   }
 
   /**
@@ -198,36 +254,61 @@ public final class Seats {
 
   /** One place in a room. */
   public static final class Seat {
+    /** Stands for a player that has heard of the room's present course alone. */
+    public static final int SAME_COURSE = Integer.MAX_VALUE;
+
     private final int id;
     private final String wantedName;
     private final String name;
+    private final String account;
     private final long secret;
     private int claims; // guarded by the seats' lock, like occupied
     private boolean occupied;
     private boolean resumed;
     private long resumedNs;
+    private volatile int courseTick = SAME_COURSE;
     private boolean muted; // only the thread of the player's room uses it
 
-    Seat(int id, String wantedName, String name, long secret) {
+    Seat(int id, String wantedName, String name, String account, long secret) {
       this.id = id;
       this.wantedName = wantedName;
       this.name = name;
+      this.account = account;
       this.secret = secret;
     }
 
     /** Mutes the player, whose chat and emotes are then dropped, or ends that. */
-    void mute(boolean on) {
+    public void mute(boolean on) {
       muted = on;
     }
 
     /** Returns whether the player is muted, which lasts until the player leaves the server. */
-    boolean isMuted() {
+    public boolean isMuted() {
       return muted;
     }
 
     /** Returns the player's id, 0..1,023. */
     public int id() {
       return id;
+    }
+
+    /**
+     * Returns the last tick that the room's present course shares with the one that the player has
+     * heard of, or {@link #SAME_COURSE}. A room that is resumed goes back a little, and what comes
+     * after that tick is another course. Any thread.
+     */
+    public int courseTick() {
+      return courseTick;
+    }
+
+    /** Notes that the room has gone back to a tick. */
+    public void returnsTo(int tick) {
+      courseTick = Math.min(courseTick, tick);
+    }
+
+    /** Notes that the player hears of the present course. */
+    void follows() {
+      courseTick = SAME_COURSE;
     }
 
     /** Returns the name that the player asked for. */
@@ -238,6 +319,11 @@ public final class Seats {
     /** Returns the player's name, unique in the room. */
     public String name() {
       return name;
+    }
+
+    /** Returns the player's account by its join token, or an empty text. */
+    public String account() {
+      return account;
     }
 
     /** Returns the secret by which a returning client proves its identity; never 0. */

@@ -71,7 +71,7 @@ public final class Session implements LinkHandler {
   private final InputDatagram datagram = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
   private SessionState state = SessionState.LOADING;
-  private Link link;
+  private volatile Link link;
   private int datagramKey;
   private int viewDelay;
   private final LogInterval divergenceLines = new LogInterval();
@@ -152,6 +152,7 @@ public final class Session implements LinkHandler {
     feedback.consumedTick = tick;
     silentTicks = 0;
     knowsRoster = false;
+    seat.follows();
   }
 
   /**
@@ -214,6 +215,18 @@ public final class Session implements LinkHandler {
     return old;
   }
 
+  /**
+   * Goes on with a session of an earlier run of the room, without a link: its grace period begins,
+   * and it notes the events that the player would hear of.
+   *
+   * @param newGraceEndNs when the grace period is over
+   */
+  public void await(long newGraceEndNs) {
+    state = state.become(SessionState.GRACE);
+    graceEndNs = newGraceEndNs;
+    replication.begin(0);
+  }
+
   /** Ends the session; returns its link, or null when it had none. */
   public Link end() {
     state = state.become(SessionState.CLOSED);
@@ -221,6 +234,14 @@ public final class Session implements LinkHandler {
     link = null;
     replication.end();
     return old;
+  }
+
+  /** Closes the link, if there is one; from any thread. */
+  public void closeLink(String why) {
+    Link present = link;
+    if (present != null) {
+      present.close(why);
+    }
   }
 
   /** Takes what has arrived, at most {@link #MAX_POLL} messages and datagrams. */

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
- * Whether a server does its work: it has not failed, and each room that has not failed goes on.
- * Between two questions nothing is done. Any thread.
+ * Whether a server does its work: it has not failed, and each room that has not failed goes on or
+ * is paused. Between two questions nothing is done. Any thread.
  */
 final class Health {
   /** A room that has computed no tick for so long is stuck. */
@@ -35,7 +35,7 @@ final class Health {
       Room room = rooms.get(i);
       if (room.hasFailed()) {
         failed++;
-      } else if (room.age() != ages[i]) {
+      } else if (room.age() != ages[i] || room.isPaused()) {
         ages[i] = room.age();
         changedNs[i] = clock.getAsLong();
       } else if (clock.getAsLong() - changedNs[i] >= STUCK_NS) {

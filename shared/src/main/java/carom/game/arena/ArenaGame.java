@@ -15,7 +15,6 @@ import carom.physics.QueryHit;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
-import carom.sim.Cooldown;
 import carom.sim.Game;
 import carom.sim.MatchClock;
 import carom.sim.Role;
@@ -25,6 +24,7 @@ import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
+import carom.sim.field.Cooldown;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
 import carom.sim.field.EntityRef;
@@ -46,7 +46,9 @@ import java.util.List;
  * #JOLT_RANGE} m is pushed away, as judged by what the player saw. A ball in the other team's goal
  * counts for the team and for the player who touched it last. The first team with {@value
  * #GOALS_TO_WIN} goals wins, or the one that leads after {@value #MATCH_SECONDS} s; then the room's
- * next match begins. There is one ball for every {@value #PLAYERS_PER_BALL} players.
+ * next match begins. A player who is alone practises: goals light lamps, but are forgotten when a
+ * second player comes and the match begins. There is one ball for every {@value #PLAYERS_PER_BALL}
+ * players.
  *
  * <p>A level needs zones {@code goal} and {@code home} for the teams 1 and 2 (the goal's team
  * defends it), and spawns {@code ball}. Zones {@code lamps} for both teams get a lamp for each goal
@@ -108,7 +110,7 @@ public final class ArenaGame implements Game {
   private static final int MAX_SPARKS = 16;
 
   private static final MatchClock CLOCK =
-      MatchClock.playing(MATCH_SECONDS).over(INTERMISSION_SECONDS);
+      MatchClock.playing(MATCH_SECONDS).warmUp(TEAMS).over(INTERMISSION_SECONDS);
 
   // Of a player. Input writes them, so that clients predict dashes and jolts.
   private static final Countdown DASH = Field.countdown("dash"); // while it lasts
@@ -377,7 +379,7 @@ public final class ArenaGame implements Game {
 
   @Override
   public void beforeStep(Simulation s) {
-    if (!MatchClock.isPlaying(s)) {
+    if (isOver(s)) {
       return;
     }
     int wanted = Math.min(MAX_BALLS, 1 + s.playerCount() / PLAYERS_PER_BALL);
@@ -386,6 +388,10 @@ public final class ArenaGame implements Game {
         kickOff(s, i);
       }
     }
+  }
+
+  private static boolean isOver(Simulation s) {
+    return MatchClock.phase(s) == MatchPhase.OVER;
   }
 
   @Override
@@ -472,7 +478,7 @@ public final class ArenaGame implements Game {
       float scale = BALL_MAX_SPEED / (float) Math.sqrt(speed2);
       body.setVelocity(body.velocityX() * scale, body.velocityY() * scale);
     }
-    for (int g = 0; g < goals.size() && MatchClock.isPlaying(s); g++) {
+    for (int g = 0; g < goals.size() && !isOver(s); g++) {
       if (goals.get(g).contains(body.x(), body.y())) {
         score(s, i, e, goals.get(g).team());
         return;
@@ -529,11 +535,25 @@ public final class ArenaGame implements Game {
     s.notice("Goal for " + TEAM_NAMES[team] + who + " (" + standing + ")");
     removeBall(s, i, e);
     setLamps(s);
-    if (s.get(GOALS, team) == GOALS_TO_WIN) {
+    if (s.get(GOALS, team) < GOALS_TO_WIN) {
+      balance(s);
+    } else if (MatchClock.isPlaying(s)) {
       CLOCK.finish(s, team);
     } else {
-      balance(s);
+      clearScores(s);
     }
+  }
+
+  private void clearScores(Simulation s) {
+    for (int team = 1; team <= TEAMS; team++) {
+      s.set(GOALS, team, 0);
+    }
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      if (s.player(id) != null) {
+        s.player(id).score(0);
+      }
+    }
+    setLamps(s);
   }
 
   @Override
@@ -543,17 +563,27 @@ public final class ArenaGame implements Game {
 
   @Override
   public void phase(Simulation s, MatchPhase now) {
-    if (now == MatchPhase.OVER) {
+    if (now == MatchPhase.PLAYING) {
+      clearScores(s);
+      removeBalls(s);
+      for (int i = 0; i < MAX_BALLS; i++) {
+        s.set(BALL_WAIT, i, 0);
+      }
+    } else if (now == MatchPhase.OVER) {
       int red = s.get(GOALS, 1);
       int blue = s.get(GOALS, 2);
       int winner = red == blue ? 0 : red > blue ? 1 : 2;
       CLOCK.decide(s, null, winner);
       s.notice(
           (winner == 0 ? "A draw, " : TEAM_NAMES[winner] + " wins ") + red + " : " + blue + "!");
-      for (int i = 0; i < MAX_BALLS; i++) {
-        if (s.get(BALL, i) != null) {
-          removeBall(s, i, s.get(BALL, i));
-        }
+      removeBalls(s);
+    }
+  }
+
+  private static void removeBalls(Simulation s) {
+    for (int i = 0; i < MAX_BALLS; i++) {
+      if (s.get(BALL, i) != null) {
+        removeBall(s, i, s.get(BALL, i));
       }
     }
   }

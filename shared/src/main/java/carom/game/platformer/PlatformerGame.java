@@ -14,11 +14,12 @@ import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.sim.Game;
-import carom.sim.OneWay;
+import carom.sim.MatchClock;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
+import carom.sim.entity.OneWay;
 import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
@@ -31,12 +32,14 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.sim.match.MatchPhase;
 import java.util.List;
 
 /**
  * The platformer, seen from the side: run, jump, collect coins, be first at the flag. The flag is
  * worth {@value #FLAG_POINTS} coins and then moves to another place. The first player with {@value
- * #POINTS_TO_WIN} points wins, then a new round begins.
+ * #POINTS_TO_WIN} points wins, or the one that leads after {@value #MATCH_SECONDS} s; then the
+ * room's next match begins.
  *
  * <p>Jumping forgives. It still works shortly after leaving an edge (coyote time), it already
  * counts shortly before landing (jump buffer), and releasing the button early makes a small jump.
@@ -47,8 +50,11 @@ import java.util.List;
  * {@code flag}. A player who falls below the bounds is back at the nearest spawn a second later.
  */
 public final class PlatformerGame implements Game {
-  /** Number of points that win a round. */
+  /** Number of points that win a match. */
   public static final int POINTS_TO_WIN = 60;
+
+  /** Longest match, seconds. */
+  public static final float MATCH_SECONDS = 600;
 
   /** Number of points for the flag. A coin is 1 point. */
   public static final int FLAG_POINTS = 10;
@@ -86,6 +92,8 @@ public final class PlatformerGame implements Game {
   };
 
   private static final int MAX_COINS = 1_024;
+
+  private static final MatchClock CLOCK = MatchClock.playing(MATCH_SECONDS);
 
   // Of a player. Input writes them, so that clients predict jumps.
   private static final Count CAN_JUMP = Field.count("canJump", 0, 1_000); // ticks after an edge
@@ -313,7 +321,7 @@ public final class PlatformerGame implements Game {
         || drops(s, c.other().user(), c.self().user())) {
       return false;
     }
-    return OneWay.responds(s, c);
+    return OneWay.responds(s.tickSeconds(), c);
   }
 
   private static boolean drops(Simulation s, Entity rider, Entity platform) {
@@ -349,7 +357,9 @@ public final class PlatformerGame implements Game {
       if (p == null || p.body() == null) {
         continue;
       }
-      collect(s, p);
+      if (MatchClock.isPlaying(s)) {
+        collect(s, p);
+      }
       Body<Entity> body = p.body().body();
       if (!insideSidesAndFloor(s, body)) {
         int place = nearestPlace(body.x(), body.y());
@@ -405,14 +415,22 @@ public final class PlatformerGame implements Game {
 
   private static void award(Simulation s, Player p, int points) {
     p.score(p.score() + points);
-    if (p.score() < POINTS_TO_WIN) {
-      return;
+    if (p.score() >= POINTS_TO_WIN) {
+      CLOCK.finish(s, p);
     }
-    s.notice(p.name() + " wins with " + p.score() + " points! A new round begins");
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      if (s.player(id) != null) {
-        s.player(id).score(0);
-      }
+  }
+
+  @Override
+  public MatchClock clock() {
+    return CLOCK;
+  }
+
+  @Override
+  public void phase(Simulation s, MatchPhase now) {
+    if (now == MatchPhase.OVER) {
+      Player best = MatchClock.leader(s);
+      CLOCK.decide(s, best, 0);
+      s.notice(best == null ? "A draw!" : best.name() + " wins with " + best.score() + " points!");
     }
   }
 

@@ -12,14 +12,15 @@ import carom.physics.Collision;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
-import carom.sim.Cooldown;
 import carom.sim.Game;
+import carom.sim.MatchClock;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
+import carom.sim.field.Cooldown;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
@@ -28,13 +29,18 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.sim.match.MatchPhase;
 import carom.sim.spawn.Origin;
 import java.util.List;
 
 /**
- * Players shoot rockets at each other, seen from above. {@link Input#ACTION} fires a rocket along
- * the aim, {@link Input#SECOND} sets off all that fly. A rocket goes off when it touches something
- * or its fuel is used up; what is near is pushed away, and players lose health.
+ * Players shoot rockets at each other, seen from above, and watch others while they are out. The
+ * match begins when two or more are there and all are ready; before, they may practise. The first
+ * with {@value #HITS_TO_WIN} hits wins, or the one that leads after {@value #MATCH_SECONDS} s.
+ *
+ * <p>{@link Input#ACTION} fires a rocket along the aim, {@link Input#SECOND} sets off all that fly.
+ * A rocket goes off when it touches something or its fuel is used up; what is near is pushed away,
+ * and players lose health.
  *
  * <p>{@code input} fires rockets and removes those that are spent, so a player sees both at once.
  * What the blast does to others is for {@code afterStep}, a moment before: both ask {@link
@@ -49,9 +55,20 @@ public final class RocketGame implements Game {
   /** Speed of a rocket, m/s. */
   public static final float ROCKET_SPEED = 20;
 
+  /** Number of players to hit in order to win a match. */
+  public static final int HITS_TO_WIN = 10;
+
+  /** Longest match, seconds. */
+  public static final float MATCH_SECONDS = 240;
+
+  /** Time from a hit until the player is back, long enough to look on. */
+  public static final float RESPAWN_SECONDS = 4;
+
+  private static final MatchClock CLOCK =
+      MatchClock.playing(MATCH_SECONDS).warmUp(2).whenReady().countdown(3);
+
   private static final float STEER = 12; // 1/s
   private static final float FUEL_SECONDS = 2;
-  private static final float RESPAWN_SECONDS = 2;
   private static final float MUZZLE = 0.75f;
   private static final float BLAST_RADIUS = 3;
   private static final float BLAST_SPEED = 9;
@@ -239,9 +256,42 @@ public final class RocketGame implements Game {
       }
       other.add(HEALTH, -Math.round(DAMAGE * force(other.body().body())));
       if (other.get(HEALTH) == 0) {
-        p.score(p.score() + 1);
+        score(s, p);
         other.set(OUT, s.ticks(RESPAWN_SECONDS));
         s.despawn(other.body());
+      }
+    }
+  }
+
+  private static void score(Simulation s, Player p) {
+    if (MatchClock.phase(s) == MatchPhase.OVER) {
+      return;
+    }
+    p.score(p.score() + 1);
+    if (p.score() >= HITS_TO_WIN) {
+      CLOCK.finish(s, p);
+    }
+  }
+
+  @Override
+  public MatchClock clock() {
+    return CLOCK;
+  }
+
+  @Override
+  public void phase(Simulation s, MatchPhase now) {
+    if (now == MatchPhase.OVER) {
+      CLOCK.decide(s, MatchClock.leader(s), 0);
+    } else if (now == MatchPhase.PLAYING) {
+      forgetPractice(s);
+    }
+  }
+
+  private static void forgetPractice(Simulation s) {
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      if (s.player(id) != null) {
+        s.player(id).score(0);
+        s.player(id).set(HEALTH, HEALTH.max());
       }
     }
   }

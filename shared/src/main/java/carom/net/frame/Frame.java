@@ -1,6 +1,9 @@
 package carom.net.frame;
 
 import carom.net.protocol.Limits;
+import carom.net.seal.DatagramSealer;
+import carom.net.seal.Encryption;
+import carom.net.seal.ExchangeKey;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
@@ -9,21 +12,28 @@ import java.nio.charset.StandardCharsets;
  * rest, a tag and the tag's fields. Over UDP, it is a tag and its fields. Numbers are big-endian.
  *
  * <pre>
- * tag             over          fields
- * 1 REGISTER_TCP  TCP s->c      id i32, token i64   first frame; the token binds UDP to this connection
- * 2 REGISTER_UDP  UDP c->s      id i32, token i64   repeated each 100 ms until answered
- *                 TCP s->c      none                the UDP address is known now
- * 3 KEEP_ALIVE    both, both    none                TCP each 2 s of silence, UDP c->s each 1 s of silence
- * 4 MESSAGE       TCP, both     codec's bytes
- * 5 BYE           TCP, both     UTF-8 text, at most 512 bytes; the receiver closes
- * 6 DATAGRAM      UDP, both     payload, 1..1,200 bytes
- * 7 CHALLENGE     UDP s->c      nonce i64           repeated each 100 ms until answered
- * 8 ANSWER        UDP c->s      nonce i64           the link is open: datagrams pass in both directions
+ * tag              over       fields
+ *  1 REGISTER_TCP  TCP s-&gt;c   link i32, token i64, UDP port u16, encryption u8, server's key 32   first frame
+ *  2 REGISTER_UDP  UDP c-&gt;s   link i32, token i64   repeated each 100 ms until answered
+ *                  TCP s-&gt;c   none                  the UDP address is known now
+ *  9 KEY_OFFER     TCP c-&gt;s   encryption u8, new key 32
+ * 10 KEY_ANSWER    TCP s-&gt;c   new key 32, proof 32  the server's last frame in the clear
+ * 11 KEY_CONFIRM   TCP c-&gt;s   none                  the client's first sealed frame
+ *  7 CHALLENGE     UDP s-&gt;c   nonce i64             repeated each 100 ms until answered
+ *  8 ANSWER        UDP c-&gt;s   nonce i64             the link is open: datagrams pass in both directions
+ *  3 KEEP_ALIVE    both, both none                  TCP each 2 s of silence, UDP c-&gt;s each 1 s of silence
+ *  4 MESSAGE       TCP, both  codec's bytes
+ *  5 BYE           TCP, both  UTF-8 text, at most 512 bytes; the receiver closes
+ *  6 DATAGRAM      UDP, both  payload, 1..1,200 bytes
  * </pre>
  *
- * <p>The challenge is Carom's, not KryoNet's. It proves that the registered address receives what
- * the server sends. So an attacker can't aim a stream of snapshots at another machine, and a client
- * behind a one-way firewall learns why it can't connect.
+ * <p>All frames behind KEY_ANSWER from the server and behind KEY_OFFER from the client are sealed:
+ * over TCP tag and fields, see {@link carom.net.seal.StreamSeal}; over UDP all but REGISTER_UDP,
+ * with the tag in the clear, see {@link carom.net.seal.DatagramSealer}.
+ *
+ * <p>The challenge proves that an address receives what the server sends. So an attacker can't aim
+ * a stream of snapshots at another machine, a client behind a one-way firewall learns why it can't
+ * connect, and a client whose address changes goes on.
  */
 public final class Frame {
   public static final byte REGISTER_TCP = 1;
@@ -34,18 +44,27 @@ public final class Frame {
   public static final byte DATAGRAM = 6;
   public static final byte CHALLENGE = 7;
   public static final byte ANSWER = 8;
+  public static final byte KEY_OFFER = 9;
+  public static final byte KEY_ANSWER = 10;
+  public static final byte KEY_CONFIRM = 11;
 
   /** Bytes of the length in front of a TCP frame. */
   public static final int LENGTH_BYTES = 4;
 
-  /** Bytes of REGISTER_TCP, and of REGISTER_UDP from a client. */
+  /** Bytes of REGISTER_TCP's fields. */
+  public static final int GREETING_BYTES = 4 + 8 + 2 + 1 + ExchangeKey.BYTES;
+
+  /** Bytes of REGISTER_UDP from a client. */
   public static final int REGISTRATION_BYTES = 1 + 4 + 8;
 
-  /** Bytes of CHALLENGE and ANSWER. */
-  public static final int NONCE_BYTES = 1 + 8;
+  /** Bytes of the fields of CHALLENGE and ANSWER. */
+  public static final int NONCE_BYTES = 8;
 
   /** Largest number of payload bytes in a DATAGRAM. */
   public static final int MAX_PAYLOAD_BYTES = Limits.MAX_DATAGRAM_BYTES;
+
+  /** Largest number of bytes of a datagram on the wire. */
+  public static final int MAX_DATAGRAM_BYTES = 1 + MAX_PAYLOAD_BYTES + DatagramSealer.EXTRA_BYTES;
 
   /**
    * Size of the server's receive buffer in bytes. It holds any valid datagram and shows that a
@@ -83,7 +102,15 @@ public final class Frame {
       return this;
     }
 
-    /** Returns the bytes that the frame takes in a TCP write buffer, including its length field. */
+    /** Returns the tag. */
+    public byte tag() {
+      return tag;
+    }
+
+    /**
+     * Returns the bytes that the unsealed frame takes in a TCP write buffer, including its length
+     * field.
+     */
     public int tcpBytes() {
       return LENGTH_BYTES + 1 + length;
     }
@@ -103,6 +130,18 @@ public final class Frame {
   public static Payload bye(String reason) {
     byte[] bytes = reason.getBytes(StandardCharsets.UTF_8);
     return new Payload().set(BYE, bytes, 0, Math.min(bytes.length, Limits.MAX_TEXT_BYTES));
+  }
+
+  /** Returns the fields of REGISTER_TCP. */
+  public static byte[] greeting(
+      int link, long token, int udpPort, Encryption encryption, byte[] serverKey) {
+    return ByteBuffer.allocate(GREETING_BYTES)
+        .putInt(link)
+        .putLong(token)
+        .putShort((short) udpPort)
+        .put(encryption.code())
+        .put(serverKey)
+        .array();
   }
 
   /** Returns the fields of CHALLENGE or ANSWER. */

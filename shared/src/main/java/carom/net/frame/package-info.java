@@ -1,9 +1,10 @@
 /**
  * Links over framed messages and datagrams, independent of what drives their sockets. The package
  * has the frames, the bounded inbox between the network's threads and the owner, and the client's
- * handshake.
+ * handshake with its exchange of keys.
  *
- * <p>Imports {@code carom.net.protocol}, {@code carom.net.transport}, JCTools and the JDK only.
+ * <p>Imports {@code carom.net.protocol}, {@code carom.net.transport}, {@code carom.net.seal},
+ * JCTools and the JDK only.
  *
  * <p>Read first: {@link carom.net.frame.Frame}, {@link carom.net.frame.FramedLink}, {@link
  * carom.net.frame.ClientEnd}.

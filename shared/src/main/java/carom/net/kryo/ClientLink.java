@@ -2,8 +2,11 @@ package carom.net.kryo;
 
 import carom.net.frame.ClientEnd;
 import carom.net.frame.Frame;
+import carom.net.frame.Trust;
+import carom.net.seal.StreamSeal;
 import com.esotericsoftware.kryonet.Client;
 import com.esotericsoftware.kryonet.Connection;
+import com.esotericsoftware.kryonet.FrameworkMessage.KeepAlive;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterUDP;
 import com.esotericsoftware.kryonet.KryoNetException;
@@ -47,12 +50,13 @@ final class ClientLink extends ClientEnd {
 
   ClientLink(
       KryoMessageCodec codec,
+      Trust trust,
       String host,
       int tcpPort,
       int udpPort,
       int connectMillis,
       Consumer<ClientLink> finished) {
-    super(codec, host, tcpPort, udpPort, connectMillis);
+    super(codec, trust, host, tcpPort, udpPort, connectMillis);
     this.connectMillis = connectMillis;
     this.finished = finished;
     driver = new Thread(this::drive, "carom-link-" + remote());
@@ -254,8 +258,8 @@ final class ClientLink extends ClientEnd {
 
     @Override
     public int sendUDP(Object frame) {
-      if (isDisconnected()) {
-        return 0;
+      if (isDisconnected() || frame instanceof KeepAlive) {
+        return 0; // KryoNet's keep-alives aren't sealed; checkDeadlines() sends others
       }
       synchronized (datagramLock) {
         datagramSender = Thread.currentThread();
@@ -291,13 +295,13 @@ final class ClientLink extends ClientEnd {
     private ByteBuffer tcpBuffer;
 
     @Override
-    long token(Connection connection) {
-      return ClientLink.this.token();
+    void writeRegistration(Connection connection, ByteBuffer buffer, Object registration) {
+      buffer.putInt(id()).putLong(token());
     }
 
     @Override
-    boolean server() {
-      return false;
+    StreamSeal streamSeal(Connection connection) {
+      return ClientLink.this.streamSeal();
     }
 
     @Override
@@ -306,6 +310,7 @@ final class ClientLink extends ClientEnd {
       if (tcpBuffer == null) {
         tcpBuffer = buffer; // UDP doesn't start before the first TCP frame
       }
+      int end = buffer.limit();
       try {
         if (buffer == tcpBuffer) {
           return register(readFrame(buffer));
@@ -316,7 +321,7 @@ final class ClientLink extends ClientEnd {
           lose("the server sent an invalid frame");
         }
       } finally {
-        buffer.position(buffer.limit());
+        buffer.limit(end).position(end);
       }
       return FrameCodec.HANDLED;
     }

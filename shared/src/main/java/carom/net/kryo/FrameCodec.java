@@ -1,6 +1,7 @@
 package carom.net.kryo;
 
 import carom.net.frame.Frame;
+import carom.net.seal.StreamSeal;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.KeepAlive;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
@@ -16,31 +17,60 @@ abstract class FrameCodec implements Serialization {
    */
   static final Object HANDLED = new Object();
 
-  /** Returns the bytes that a frame takes in a TCP write buffer. */
+  /** Returns the bytes that a frame takes in a TCP write buffer at most. */
   static int tcpBytes(Object frame) {
-    return frame instanceof Frame.Payload payload
-        ? payload.tcpBytes()
-        : Frame.LENGTH_BYTES + Frame.REGISTRATION_BYTES;
+    int plain =
+        frame instanceof Frame.Payload payload
+            ? payload.tcpBytes()
+            : Frame.LENGTH_BYTES + 1 + Frame.GREETING_BYTES;
+    return plain + StreamSeal.EXTRA_BYTES;
   }
 
-  /** Returns the token of a connection, which the server makes and the client receives. */
-  abstract long token(Connection connection);
+  /**
+   * Writes the fields of KryoNet's own registration, which differ between the sides.
+   *
+   * @param buffer behind the tag
+   */
+  abstract void writeRegistration(Connection connection, ByteBuffer buffer, Object registration);
 
-  /** Returns whether this side is the server. */
-  abstract boolean server();
+  /** Returns the seal of what leaves by a connection's TCP, or null while that is in the clear. */
+  abstract StreamSeal streamSeal(Connection connection);
 
+  /**
+   * {@inheritDoc}
+   *
+   * <p>KryoNet calls it under the lock of the connection's stream, so sealed frames leave in the
+   * order of their counters. Datagrams come here sealed.
+   */
   @Override
   public final void write(Connection connection, ByteBuffer buffer, Object frame) {
+    StreamSeal seal = buffer.isDirect() ? null : streamSeal(connection); // UDP's is direct
+    int start = buffer.position();
+    writePlain(connection, buffer, frame);
+    if (seal != null) {
+      int length = buffer.position() - start;
+      seal.seal(buffer.array(), buffer.arrayOffset() + start, length);
+      buffer.position(buffer.position() + StreamSeal.EXTRA_BYTES);
+    }
+    if (frame instanceof Frame.Payload payload) {
+      written(connection, payload.tag());
+    }
+  }
+
+  /** Learns that a frame is in the stream's buffer, under the lock of the stream. */
+  void written(Connection connection, byte tag) {
+    // a client needs nothing
+  }
+
+  private void writePlain(Connection connection, ByteBuffer buffer, Object frame) {
     if (frame instanceof Frame.Payload payload) {
       payload.write(buffer);
     } else if (frame instanceof KeepAlive) {
       buffer.put(Frame.KEEP_ALIVE);
-    } else if (frame instanceof RegisterTCP register && server()) {
-      buffer.put(Frame.REGISTER_TCP).putInt(register.connectionID).putLong(token(connection));
-    } else if (frame instanceof RegisterUDP && server()) {
-      buffer.put(Frame.REGISTER_UDP);
-    } else if (frame instanceof RegisterUDP register) {
-      buffer.put(Frame.REGISTER_UDP).putInt(register.connectionID).putLong(token(connection));
+    } else if (frame instanceof RegisterTCP) {
+      writeRegistration(connection, buffer.put(Frame.REGISTER_TCP), frame);
+    } else if (frame instanceof RegisterUDP) {
+      writeRegistration(connection, buffer.put(Frame.REGISTER_UDP), frame);
     } else {
       throw new IllegalArgumentException("no frame for " + frame.getClass().getName());
     }

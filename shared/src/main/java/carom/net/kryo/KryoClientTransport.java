@@ -1,5 +1,6 @@
 package carom.net.kryo;
 
+import carom.net.frame.Trust;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import java.util.Set;
@@ -14,18 +15,32 @@ public final class KryoClientTransport implements ClientTransport {
 
   private final KryoMessageCodec codec = new KryoMessageCodec();
   private final Set<ClientLink> links = ConcurrentHashMap.newKeySet();
+  private final Trust trust;
   private final int connectMillis;
   private volatile boolean closed;
 
-  /** Creates a transport without connections. */
+  /**
+   * Creates a transport without connections. It encrypts, and remembers servers until the process
+   * ends.
+   */
   public KryoClientTransport() {
-    this(CONNECT_MILLIS);
+    this(Trust.firstUse());
+  }
+
+  /**
+   * Creates a transport without connections.
+   *
+   * @param trust what a server must be like
+   */
+  public KryoClientTransport(Trust trust) {
+    this(trust, CONNECT_MILLIS);
   }
 
   /**
    * Creates a transport with another time limit for connecting. TCP's own part of it is always 5 s.
    */
-  KryoClientTransport(int connectMillis) {
+  KryoClientTransport(Trust trust, int connectMillis) {
+    this.trust = trust;
     this.connectMillis = connectMillis;
   }
 
@@ -40,7 +55,8 @@ public final class KryoClientTransport implements ClientTransport {
     if (closed) {
       throw new IllegalStateException("the transport is closed; create another one to connect");
     }
-    ClientLink link = new ClientLink(codec, host, tcpPort, udpPort, connectMillis, links::remove);
+    ClientLink link =
+        new ClientLink(codec, trust, host, tcpPort, udpPort, connectMillis, links::remove);
     links.add(link);
     link.start();
     return link;

@@ -28,12 +28,14 @@ import com.esotericsoftware.kryo.Serializer;
 import com.esotericsoftware.kryo.io.Input;
 import com.esotericsoftware.kryo.io.KryoBufferUnderflowException;
 import com.esotericsoftware.kryo.io.Output;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Codec of the protocol's messages: Kryo for those from the server, the fixed layout of {@link
@@ -41,13 +43,11 @@ import java.util.Map;
  * start at {@code 0x40}, and client tags are below. Any thread may use it. It has one Kryo behind
  * one lock, because messages are rare.
  *
- * <p>Each message has its own serializer, so that this code defines the wire format rather than
- * reflection, and so that each length is checked before anything is allocated. Numbers are Kryo's:
- * little-endian, with lengths as variable-length integers. A string is a length in bytes followed
- * by UTF-8.
+ * <p>Each message has its own serializer, so that this code defines the wire format, and each
+ * length is checked before anything is allocated. Numbers are Kryo's: little-endian, lengths
+ * variable. A string is a length in bytes followed by UTF-8.
  *
- * <p><b>Length.</b> The class is the wire format of all messages from the server, and nothing else:
- * a few lines for each, in the order of their first bytes.
+ * <p><b>Length.</b> A few lines for each message from the server, ordered by their first bytes.
  */
 public final class KryoMessageCodec implements MessageCodec {
   private static final int FIRST_SERVER_BYTE = 0x40;
@@ -118,16 +118,8 @@ public final class KryoMessageCodec implements MessageCodec {
       return null;
     }
     return bytes[offset] < FIRST_SERVER_BYTE
-        ? decodeFromClient(bytes, offset, length)
+        ? ClientMessageCodec.decode(bytes, offset, length)
         : decodeFromServer(bytes, offset, length);
-  }
-
-  /**
-   * Reads a message on the server as {@link #decode} does, but accepts only client messages and
-   * uses no Kryo.
-   */
-  ClientMessage decodeFromClient(byte[] bytes, int offset, int length) {
-    return ClientMessageCodec.decode(bytes, offset, length);
   }
 
   /** Reads a message on the client as {@link #decode} does, but accepts only server messages. */
@@ -208,6 +200,8 @@ public final class KryoMessageCodec implements MessageCodec {
       out.writeByte(inRange("tickRate", m.tickRate(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE));
       writeText(out, "room", m.room(), Limits.MAX_ROOM_NAME_BYTES);
       out.writeVarInt(inRange("match", m.match(), 1, Integer.MAX_VALUE), true);
+      out.writeInt(m.incarnation());
+      out.writeInt(m.courseTick());
       out.writeInt(m.tick());
       out.writeLong(m.seed());
       writeText(out, "game", m.game(), Limits.MAX_GAME_NAME_BYTES);
@@ -231,6 +225,8 @@ public final class KryoMessageCodec implements MessageCodec {
           inRange("tickRate", in.readByteUnsigned(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE),
           readText(in, "room", Limits.MAX_ROOM_NAME_BYTES),
           inRange("match", in.readVarInt(true), 1, Integer.MAX_VALUE),
+          in.readInt(),
+          in.readInt(),
           in.readInt(),
           in.readLong(),
           readText(in, "game", Limits.MAX_GAME_NAME_BYTES),
@@ -529,7 +525,8 @@ public final class KryoMessageCodec implements MessageCodec {
   /** Reads a text, which may come to a screen or a terminal: without what can't be shown there. */
   private static String readText(Input in, String name, int maxBytes) {
     int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
-    return Texts.clean(new String(readBytes(in, length), StandardCharsets.UTF_8));
+    ByteBuffer bytes = ByteBuffer.wrap(readBytes(in, length));
+    return Texts.clean(Objects.requireNonNull(Texts.ofUtf8(bytes), name));
   }
 
   private static byte[] readBytes(Input in, int length) {

@@ -31,6 +31,15 @@ public final class KryoServerCounters {
   /** Number of datagrams from addresses without a link, except those of the handshake. */
   public final AtomicLong strangeDatagrams = new AtomicLong();
 
+  /** Number of datagrams that named a link and weren't sealed with its key. */
+  public final AtomicLong forgedDatagrams = new AtomicLong();
+
+  /** Number of genuine datagrams that came again, or too late to know. */
+  public final AtomicLong replayedDatagrams = new AtomicLong();
+
+  /** Number of times that a client went on from another address. */
+  public final AtomicLong movedLinks = new AtomicLong();
+
   /** Number of meaningless datagrams from links. */
   public final AtomicLong malformedDatagrams = new AtomicLong();
 
@@ -67,6 +76,15 @@ public final class KryoServerCounters {
             "datagrams.strange",
             "Datagrams from addresses without a link, except those of the handshake.",
             strangeDatagrams),
+        counter(
+            "datagrams.forged",
+            "Datagrams that named a link and weren't sealed with its key.",
+            forgedDatagrams),
+        counter(
+            "datagrams.replayed",
+            "Datagrams that came again, or too late to know.",
+            replayedDatagrams),
+        counter("moved", "Times that a client went on from another address.", movedLinks),
         counter("datagrams.malformed", "Meaningless datagrams from links.", malformedDatagrams),
         counter(
             "datagrams.excess",
@@ -89,6 +107,7 @@ public final class KryoServerCounters {
     append(text, expired, "never finished the handshake");
     append(text, expelled, "expelled");
     append(text, strangeDatagrams, "datagrams from unknown addresses");
+    append(text, forgedDatagrams, "forged datagrams");
     append(text, malformedDatagrams, "malformed datagrams");
     append(text, excessDatagrams, "excess datagrams");
     append(text, errors, "errors");

@@ -1,5 +1,6 @@
 package carom.net.kryo;
 
+import carom.net.seal.Encryption;
 import carom.net.transport.Link;
 import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
@@ -30,7 +31,8 @@ public final class KryoServerTransport implements ServerTransport {
   }
 
   /**
-   * Opens the ports on all addresses of this machine and starts to listen.
+   * Opens the ports on all addresses of this machine, with a temporary identity, and starts to
+   * listen.
    *
    * @param tcpPort 0..65,535; 0 takes a free one
    * @param udpPort 0..65,535; 0 takes a free one
@@ -38,7 +40,7 @@ public final class KryoServerTransport implements ServerTransport {
    * @throws IllegalArgumentException when a port is outside its range
    */
   public KryoServerTransport(int tcpPort, int udpPort, KryoLimits limits) {
-    this(null, tcpPort, udpPort, limits);
+    this(null, tcpPort, udpPort, limits, ServerIdentity.temporary(Encryption.ON));
   }
 
   /**
@@ -47,13 +49,15 @@ public final class KryoServerTransport implements ServerTransport {
    * @param address an address of this machine, or null for all of them
    * @param tcpPort 0..65,535; 0 takes a free one
    * @param udpPort 0..65,535; 0 takes a free one
+   * @param identity the key by which clients know this server
    * @throws PortUnavailableException when a port is busy or forbidden; nothing stays open then
    * @throws IllegalArgumentException when a port is outside its range
    */
-  public KryoServerTransport(InetAddress address, int tcpPort, int udpPort, KryoLimits limits) {
+  public KryoServerTransport(
+      InetAddress address, int tcpPort, int udpPort, KryoLimits limits, ServerIdentity identity) {
     checkPort("tcpPort", tcpPort);
     checkPort("udpPort", udpPort);
-    network = new ServerNetwork(limits);
+    network = new ServerNetwork(limits, identity);
     int tcp = tcpPort;
     for (int attempt = 1; ; attempt++) {
       try {

@@ -1,14 +1,26 @@
 package carom.net.kryo;
 
+import carom.net.datagram.DatagramPort;
+import carom.net.datagram.FloodMeter;
+import carom.net.datagram.TokenBucket;
 import carom.net.frame.Frame;
 import carom.net.frame.FramedLink;
 import carom.net.protocol.ClientMessage;
+import carom.net.protocol.ClientMessageCodec;
+import carom.net.seal.DatagramOpener;
+import carom.net.seal.DatagramSealer;
+import carom.net.seal.Encryption;
+import carom.net.seal.KeyExchange;
+import carom.net.seal.LinkKeys;
+import carom.net.seal.StreamSeal;
 import carom.net.transport.Link;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterUDP;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.security.GeneralSecurityException;
+import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
@@ -19,17 +31,22 @@ import java.util.concurrent.atomic.AtomicBoolean;
  * Reading never returns null. A connection closes on the network thread only, because KryoNet
  * otherwise keeps dead connections. A message is sent only if it fits. A datagram that can't be
  * sent is lost and closes nothing.
+ *
+ * <p><b>Length.</b> The steps from an unknown client to an open link, and what each may do, share
+ * the connection's phase, keys and addresses.
  */
 final class ServerConnection extends Connection {
 
   /**
-   * Phase of a connection. It only moves down this list. The port's thread sets CHALLENGED and
-   * OPEN, the network thread CLOSING and CLOSED.
+   * Phase of a connection. It only moves down this list. The port's thread sets KEYING and OPEN,
+   * the network thread the others.
    */
   enum Phase {
     /** TCP is connected, and the UDP address is unknown. */
     PENDING,
-    /** The UDP address is known and must answer a challenge. */
+    /** The UDP address is known, and the two sides exchange keys. */
+    KEYING,
+    /** Both sides have the keys, and the UDP address must answer a challenge. */
     CHALLENGED,
     /** The link is open. */
     OPEN,
@@ -41,14 +58,18 @@ final class ServerConnection extends Connection {
 
   private static final long CHALLENGE_NANOS = 100_000_000L;
 
-  final long token;
   private final ServerNetwork network;
   private final ServerLink link;
+  private final long token;
   private final long nonce;
   private final Object phaseLock = new Object();
   private final AtomicBoolean closeRequested = new AtomicBoolean();
   private final TokenBucket messageBudget; // used by the network thread
   private final TokenBucket datagramBudget; // used by the port's thread
+  private final FloodMeter floodMeter; // used by the port's thread
+  private final Object sealing = new Object();
+  private volatile LinkKeys keys; // its sealer of datagrams is guarded by the lock above
+  private StreamSeal streamSeal; // guarded by KryoNet's lock of the stream
   private volatile boolean broken;
   private volatile InetSocketAddress udpAddress;
   private volatile Phase phase = Phase.PENDING; // set under the lock
@@ -57,6 +78,16 @@ final class ServerConnection extends Connection {
   // used by the network thread
   private long lastFrame = phaseSince;
   private long lastChallenge = phaseSince;
+  private boolean offered;
+
+  // used by the port's thread
+  private InetSocketAddress newAddress;
+  private long newNonce;
+  private long newSince;
+
+  // set by the network thread before the client hears of this connection
+  private volatile int number;
+  private byte[] greeting;
 
   /** Address group that counts as one household. It is set before the client can register UDP. */
   Object addressKey;
@@ -70,6 +101,7 @@ final class ServerConnection extends Connection {
     int datagrams = limits.datagramsPerSecond();
     messageBudget = new TokenBucket(messages, messages);
     datagramBudget = new TokenBucket(datagrams, Math.max(1, datagrams / 2));
+    floodMeter = new FloodMeter(datagrams);
     link = new ServerLink(this);
   }
 
@@ -98,7 +130,7 @@ final class ServerConnection extends Connection {
 
     @Override
     protected boolean transmitDatagram(byte[] bytes, int offset, int length) {
-      return connection.sendDatagram(Frame.DATAGRAM, bytes, offset, length);
+      return connection.sendDatagram(connection.udpAddress, Frame.DATAGRAM, bytes, offset, length);
     }
 
     @Override
@@ -114,6 +146,37 @@ final class ServerConnection extends Connection {
 
   Phase phase() {
     return phase;
+  }
+
+  /** Returns the number that this connection's datagrams carry, or 0 before it is admitted. */
+  int number() {
+    return number;
+  }
+
+  /** Returns what the client is told first. */
+  byte[] greeting() {
+    return greeting;
+  }
+
+  /** Returns whether a token is this connection's. */
+  boolean hasToken(long other) {
+    return token == other; // compares all 64 bits at once, whatever they are
+  }
+
+  /** Notes this connection's number, and what the client is told first. */
+  void admitted(int asNumber) {
+    number = asNumber;
+    greeting = network.greeting(asNumber, token);
+  }
+
+  /** Returns the seal of what leaves by TCP, or null before. Call it under the stream's lock. */
+  StreamSeal streamSeal() {
+    return streamSeal;
+  }
+
+  /** Seals all that follows in the stream. Call it under the stream's lock. */
+  void sealStream() {
+    streamSeal = keys.streamOut();
   }
 
   void remote(String address) {
@@ -144,14 +207,26 @@ final class ServerConnection extends Connection {
   }
 
   /** Sends a datagram. Returns false when this end dropped it. Any thread may call it. */
-  private boolean sendDatagram(byte tag, byte[] bytes, int offset, int length) {
-    InetSocketAddress address = udpAddress;
-    return address != null && !broken && network.send(address, tag, bytes, offset, length);
+  private boolean sendDatagram(
+      InetSocketAddress to, byte tag, byte[] bytes, int offset, int length) {
+    LinkKeys current = keys;
+    if (to == null || current == null || broken) {
+      return false;
+    }
+    DatagramSealer sealer = current.datagramsOut();
+    synchronized (sealing) {
+      if (sealer.isUsedUp()) {
+        abandon("the keys of this connection are used up");
+        return false;
+      }
+      int sealed = sealer.seal(tag, bytes, offset, length);
+      return network.send(to, sealer.bytes(), sealed);
+    }
   }
 
-  private void challenge() {
-    byte[] fields = Frame.nonce(nonce);
-    sendDatagram(Frame.CHALLENGE, fields, 0, fields.length);
+  private void challenge(InetSocketAddress address, long number) {
+    byte[] fields = Frame.nonce(number);
+    sendDatagram(address, Frame.CHALLENGE, fields, 0, fields.length);
   }
 
   /** Ends the connection. KryoNet calls this after any error, on any thread. */
@@ -191,7 +266,7 @@ final class ServerConnection extends Connection {
 
   /** Carries out {@link #requestClose} on the network thread. */
   void closeAsRequested(long now) {
-    if (broken || phase == Phase.PENDING || phase == Phase.CHALLENGED) {
+    if (broken || phase.compareTo(Phase.OPEN) < 0) {
       closeNow("closed");
     } else {
       advance(Phase.OPEN, Phase.CLOSING, now);
@@ -265,17 +340,52 @@ final class ServerConnection extends Connection {
 
   /** Records the client's UDP address. A repetition has no effect. Called on the port's thread. */
   void addressKnown(InetSocketAddress address, long now) {
-    synchronized (
-        phaseLock) { // without the lock, a connection that closes meanwhile would leave its address
-      // behind
-      if (!advance(Phase.PENDING, Phase.CHALLENGED, now)) {
-        return;
-      }
+    if (advance(Phase.PENDING, Phase.KEYING, now)) {
       udpAddress = address;
-      network.registered(this, address);
+      sendTCP(new RegisterUDP());
     }
-    sendTCP(new RegisterUDP());
-    challenge();
+  }
+
+  /** Starts the exchange of keys. Called on the network thread; another one computes them. */
+  private void readOffer(byte[] offer) {
+    Encryption encryption = network.identity.encryption();
+    if (offered) {
+      expel("the client offered two keys");
+    } else if (offer[0] != encryption.code()) {
+      dismiss(
+          encryption == Encryption.ON
+              ? "this server encrypts; connect without --encryption off"
+              : "this server doesn't encrypt; if you trust the network, connect with"
+                  + " --encryption off");
+    } else {
+      offered = true;
+      network.computeKeys(() -> answer(offer));
+    }
+  }
+
+  /** Computes the keys and answers. Called on the thread for keys. */
+  private void answer(byte[] offer) {
+    if (phase != Phase.KEYING) {
+      return; // the client has left
+    }
+    try {
+      ServerIdentity self = network.identity;
+      KeyExchange.Answer answer =
+          KeyExchange.answer(
+              self.encryption(), self.key(), greeting, offer, number, Frame.MAX_PAYLOAD_BYTES);
+      keys = answer.keys();
+      byte[] bytes = answer.bytes();
+      sendTCP(new Frame.Payload().set(Frame.KEY_ANSWER, bytes, 0, bytes.length));
+    } catch (GeneralSecurityException x) {
+      network.counters.expelled.incrementAndGet();
+      abandon("the client offered a key that is none");
+    }
+  }
+
+  private void confirm(long now) {
+    if (advance(Phase.KEYING, Phase.CHALLENGED, now)) {
+      challenge(udpAddress, nonce);
+    }
   }
 
   /** Checks deadlines, about 20 times a second. Called on the network thread. */
@@ -293,6 +403,12 @@ final class ServerConnection extends Connection {
                   + " is blocked (by a firewall or router)");
         }
       }
+      case KEYING -> {
+        if (inPhase > handshakeNanos) {
+          network.counters.expired.incrementAndGet();
+          dismiss("the exchange of keys took longer than " + limits.handshakeMillis() + " ms");
+        }
+      }
       case CHALLENGED -> {
         if (inPhase > handshakeNanos) {
           network.counters.expired.incrementAndGet();
@@ -302,7 +418,7 @@ final class ServerConnection extends Connection {
                   + " are blocked (by a firewall or router)");
         } else if (now - Math.max(phaseSince, lastChallenge) >= CHALLENGE_NANOS) {
           lastChallenge = now;
-          challenge();
+          challenge(udpAddress, nonce);
         }
       }
       case OPEN -> {
@@ -334,56 +450,143 @@ final class ServerConnection extends Connection {
       expel("more than " + network.limits.messagesPerSecond() + " messages per second");
       return FrameCodec.HANDLED;
     }
-    byte tag = buffer.get();
-    if (tag == Frame.KEEP_ALIVE && !buffer.hasRemaining()) {
-      return FrameCodec.HANDLED;
-    }
-    if (tag == Frame.BYE) {
-      closeNow("the client left");
-      return FrameCodec.HANDLED;
-    }
-    if (phase == Phase.CLOSING) {
-      return FrameCodec.HANDLED;
-    }
+    byte[] bytes = buffer.array();
+    int start = buffer.arrayOffset() + buffer.position();
     int length = buffer.remaining();
+    if (phase == Phase.KEYING && readClear(bytes, start, length)) {
+      return FrameCodec.HANDLED;
+    }
+    LinkKeys current = keys;
+    length = current == null ? -1 : current.streamIn().open(bytes, start, length);
+    if (length < 1) {
+      expel(current == null ? "the client sent a frame before the keys" : "a frame isn't genuine");
+      return FrameCodec.HANDLED;
+    }
+    readOpened(bytes[start], bytes, start + 1, length - 1, now);
+    return FrameCodec.HANDLED;
+  }
+
+  /** Reads a frame that comes in the clear. Returns false when it must be a sealed one. */
+  private boolean readClear(byte[] bytes, int start, int length) {
+    if (length == 1 && bytes[start] == Frame.KEEP_ALIVE) {
+      return true;
+    }
+    if (length == 1 + KeyExchange.OFFER_BYTES && bytes[start] == Frame.KEY_OFFER && keys == null) {
+      readOffer(Arrays.copyOfRange(bytes, start + 1, start + length));
+      return true;
+    }
+    return false;
+  }
+
+  /** Reads the fields of a frame that is genuine. */
+  private void readOpened(byte tag, byte[] bytes, int offset, int length, long now) {
+    if (phase == Phase.KEYING) {
+      if (tag == Frame.KEY_CONFIRM && length == 0) {
+        confirm(now);
+      } else {
+        expel("the client sent a frame before the handshake");
+      }
+    } else if (tag == Frame.BYE) {
+      closeNow("the client left");
+    } else if (phase != Phase.CLOSING && (tag != Frame.KEEP_ALIVE || length > 0)) {
+      readMessage(tag, bytes, offset, length);
+    }
+  }
+
+  private void readMessage(byte tag, byte[] bytes, int offset, int length) {
     ClientMessage message =
-        tag == Frame.MESSAGE
-            ? network.codec.decodeFromClient(
-                buffer.array(), buffer.arrayOffset() + buffer.position(), length)
-            : null;
+        tag == Frame.MESSAGE ? ClientMessageCodec.decode(bytes, offset, length) : null;
     if (message == null) {
       link.counters().malformed.incrementAndGet();
       expel("the client sent an invalid message (tag=" + tag + " length=" + length + ")");
     } else if (!link.receiveMessage(message, length)) {
       expel("more than " + network.limits.unreadMessages() + " unread messages");
     }
-    return FrameCodec.HANDLED;
   }
 
-  /** Reads a datagram from this connection's address. Called on the port's thread. */
-  void readDatagram(ByteBuffer buffer, long now) {
+  /**
+   * Reads a datagram that names this connection. Only one that is genuine and new counts for
+   * anything: others cost the client nothing. Called on the port's thread.
+   *
+   * @param bytes the datagram; opened in place
+   * @param opened a view of the same bytes
+   */
+  void readDatagram(InetSocketAddress from, byte[] bytes, int length, ByteBuffer opened, long now) {
+    LinkKeys current = keys;
+    int fields =
+        current == null ? DatagramOpener.FORGED : current.datagramsIn().open(bytes, length);
+    if (fields == DatagramOpener.FORGED) {
+      network.counters.forgedDatagrams.incrementAndGet();
+      return;
+    }
+    if (fields == DatagramOpener.REPLAYED) {
+      network.counters.replayedDatagrams.incrementAndGet();
+      return;
+    }
+    if (floodMeter.count(now) && link.state() == Link.State.OPEN) {
+      network.refuseForAWhile(addressKey, now);
+      network.counters.expelled.incrementAndGet();
+      link.close(
+          "more than "
+              + FloodMeter.FACTOR * network.limits.datagramsPerSecond()
+              + " datagrams per second");
+      return;
+    }
     if (!datagramBudget.take(now)) {
       network.counters.excessDatagrams.incrementAndGet();
       link.counters().datagramsDropped.incrementAndGet();
       return;
     }
-    int length = buffer.remaining();
-    byte tag = length == 0 ? 0 : buffer.get(buffer.position());
-    if (tag == Frame.DATAGRAM && length > 1 && length <= 1 + Frame.MAX_PAYLOAD_BYTES) {
+    opened.limit(DatagramSealer.HEAD_BYTES + fields).position(DatagramSealer.HEAD_BYTES);
+    readOpened(bytes[0], from, opened, now);
+  }
+
+  private void readOpened(byte tag, InetSocketAddress from, ByteBuffer fields, long now) {
+    int length = fields.remaining();
+    if (tag == Frame.ANSWER && length == Frame.NONCE_BYTES) {
+      readAnswer(from, fields.getLong(), now);
+      return;
+    }
+    if (phase == Phase.OPEN && !from.equals(udpAddress)) {
+      challengeNewAddress(from, now);
+    }
+    if (tag == Frame.DATAGRAM && length > 0 && length <= Frame.MAX_PAYLOAD_BYTES) {
       if (phase == Phase.OPEN) {
-        buffer.get();
-        link.receiveDatagram(buffer, now);
+        link.receiveDatagram(fields, now);
       }
-    } else if (tag == Frame.ANSWER && length == Frame.NONCE_BYTES) {
-      if (buffer.getLong(buffer.position() + 1) == nonce
-          && advance(Phase.CHALLENGED, Phase.OPEN, now)) {
-        network.opened(this, link);
-      }
-    } else if (tag == Frame.REGISTER_UDP && length == Frame.REGISTRATION_BYTES) {
-      network.register(udpAddress, buffer, now); // a repetition, or the registration of a successor
-    } else if (tag != Frame.KEEP_ALIVE || length != 1) {
+    } else if (tag != Frame.KEEP_ALIVE || length != 0) {
       network.counters.malformedDatagrams.incrementAndGet();
     }
+  }
+
+  private void readAnswer(InetSocketAddress from, long answered, long now) {
+    if (answered == nonce && from.equals(udpAddress)) {
+      if (advance(Phase.CHALLENGED, Phase.OPEN, now)) {
+        network.opened(this, udpAddress, link);
+      }
+    } else if (phase == Phase.OPEN && answered == newNonce && from.equals(newAddress)) {
+      InetSocketAddress before = udpAddress;
+      udpAddress = newAddress;
+      newAddress = null;
+      network.moved(this, before, udpAddress);
+    }
+  }
+
+  /**
+   * Asks an address from which a genuine datagram came whether the client is there. Home routers
+   * and phones change a client's address while it plays; but a stranger who repeats a datagram
+   * faster than it travels mustn't get the answers to it.
+   */
+  private void challengeNewAddress(InetSocketAddress from, long now) {
+    if (newAddress != null && now - newSince < CHALLENGE_NANOS) {
+      return;
+    }
+    if (!from.equals(newAddress)) {
+      newAddress = from;
+      newNonce = network.random.nextLong();
+    }
+    newSince = now;
+    challenge(from, newNonce);
   }
 
   boolean openLink() {

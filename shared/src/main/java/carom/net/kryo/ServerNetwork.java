@@ -1,8 +1,13 @@
 package carom.net.kryo;
 
+import carom.net.datagram.DatagramPort;
+import carom.net.datagram.LinkTable;
 import carom.net.frame.Frame;
+import carom.net.seal.DatagramOpener;
+import carom.net.seal.StreamSeal;
 import carom.net.transport.Link;
 import com.esotericsoftware.kryonet.Connection;
+import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
 import com.esotericsoftware.kryonet.Server;
 import java.io.IOException;
 import java.net.Inet6Address;
@@ -15,22 +20,32 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jctools.queues.atomic.SpscAtomicArrayQueue;
 
 /**
  * The server's network. One thread drives KryoNet's server, which is never started by its own
- * means, for TCP and the handshake; the {@link DatagramPort} handles UDP. The two threads share the
- * connections, which know their {@linkplain ServerConnection.Phase phase}, and the maps from a
- * datagram to its connection. It survives and counts any error.
+ * means, for TCP and the handshake; the {@link DatagramPort} handles UDP; a third one computes
+ * keys. The first two share the connections, which know their {@linkplain ServerConnection.Phase
+ * phase}, and the table from a datagram to its connection. It survives and counts any error.
  */
 final class ServerNetwork implements Runnable {
   private static final int SELECT_MILLIS =
       30; // above 25, or KryoNet also sleeps after 100 quiet selects
   private static final long SWEEP_NANOS = 50_000_000L;
+  private static final long KEY_IDLE_SECONDS = 10;
+  private static final int MAX_REFUSED = 4_096;
+  private static final long NANOS_PER_SECOND = 1_000_000_000L;
+
+  /** How long the address of a flood gets no new connection, s. */
+  static final int REFUSAL_SECONDS = 30;
+
   private static final long SHUTDOWN_NANOS = 2 * SWEEP_NANOS + Frame.LINGER_NANOS;
 
   static {
@@ -38,11 +53,12 @@ final class ServerNetwork implements Runnable {
   }
 
   final KryoLimits limits;
+  final ServerIdentity identity;
   final KryoMessageCodec codec = new KryoMessageCodec();
   final KryoServerCounters counters = new KryoServerCounters();
   private final Server server;
   private DatagramPort datagrams;
-  private final SecureRandom random = new SecureRandom();
+  final SecureRandom random = new SecureRandom();
   private final SpscAtomicArrayQueue<Link> opened;
   private final ConcurrentLinkedQueue<ServerConnection> closing = new ConcurrentLinkedQueue<>();
   private volatile Thread thread;
@@ -53,11 +69,35 @@ final class ServerNetwork implements Runnable {
   private final Map<Object, Integer> perAddress = new HashMap<>();
 
   // used by both threads
-  private final Map<Integer, ServerConnection> pending = new ConcurrentHashMap<>();
+  private final LinkTable<ServerConnection> links; // the network thread adds and removes
   private final Map<InetSocketAddress, ServerConnection> byAddress = new ConcurrentHashMap<>();
+  private final Map<Object, Long> refusedUntil = new ConcurrentHashMap<>();
 
-  ServerNetwork(KryoLimits limits) {
+  // used by the port's thread
+  private final byte[] received = new byte[Frame.SERVER_BUFFER_BYTES];
+  private final ByteBuffer receivedView = ByteBuffer.wrap(received);
+
+  private final ThreadPoolExecutor keyMaker;
+
+  ServerNetwork(KryoLimits limits, ServerIdentity identity) {
     this.limits = limits;
+    this.identity = identity;
+    links = new LinkTable<>(limits.maxConnections(), ServerConnection::number);
+    keyMaker =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            KEY_IDLE_SECONDS,
+            TimeUnit.SECONDS,
+            new ArrayBlockingQueue<>(limits.maxConnections()),
+            work -> {
+              Thread thread = new Thread(work, "carom-server-keys");
+              thread.setDaemon(true);
+              return thread;
+            },
+            (work, full) ->
+                counters.refused.incrementAndGet()); // the handshake then takes too long
+    keyMaker.allowCoreThreadTimeOut(true);
     opened = new SpscAtomicArrayQueue<>(Math.max(4, limits.maxConnections()));
     server =
         new Server(limits.unsentBytes(), Frame.SERVER_BUFFER_BYTES, new ServerFrames()) {
@@ -72,7 +112,7 @@ final class ServerNetwork implements Runnable {
   void bind(InetSocketAddress tcp, InetSocketAddress udp) throws IOException {
     server.bind(tcp, null);
     try {
-      datagrams = new DatagramPort(udp, this::datagram, counters);
+      datagrams = new DatagramPort(udp, Frame.SERVER_BUFFER_BYTES, this::datagram, counters::error);
     } catch (IOException x) {
       server.close();
       throw x;
@@ -84,8 +124,27 @@ final class ServerNetwork implements Runnable {
     return datagrams.number();
   }
 
+  /** Returns what a client is told first. */
+  byte[] greeting(int link, long token) {
+    return Frame.greeting(
+        link, token, udpPort(), identity.encryption(), identity.key().publicKey());
+  }
+
+  /** Runs work on the thread for keys, or counts a refusal if too much waits. */
+  void computeKeys(Runnable work) {
+    keyMaker.execute(
+        () -> {
+          try {
+            work.run();
+          } catch (RuntimeException x) {
+            counters.error(x);
+          }
+        });
+  }
+
   /** Releases what the constructor and {@link #bind} took. */
   void dispose() {
+    keyMaker.shutdownNow();
     if (datagrams != null) {
       datagrams.close();
     }
@@ -221,6 +280,9 @@ final class ServerNetwork implements Runnable {
       refusal = "the server is shutting down";
     } else if (before >= limits.maxConnections()) {
       refusal = "the server is full (" + limits.maxConnections() + " connections)";
+    } else if (isRefused(connection.addressKey)) {
+      refusal =
+          "your address sent far too many datagrams; try again in " + REFUSAL_SECONDS + " seconds";
     } else if (sameAddress > limits.maxPerAddress()) {
       refusal = "too many connections from your address (" + limits.maxPerAddress() + ")";
     }
@@ -229,8 +291,30 @@ final class ServerNetwork implements Runnable {
       connection.dismiss(refusal);
       return false;
     }
-    pending.put(connection.getID(), connection);
+    connection.admitted(links.add(connection));
     return true;
+  }
+
+  private boolean isRefused(Object addressKey) {
+    Long until = refusedUntil.get(addressKey);
+    if (until == null) {
+      return false;
+    }
+    if (System.nanoTime() - until < 0) {
+      return true;
+    }
+    refusedUntil.remove(addressKey);
+    return false;
+  }
+
+  /** Refuses connections of an address for a while. Any thread may call it. */
+  void refuseForAWhile(Object addressKey, long now) {
+    if (refusedUntil.size() >= MAX_REFUSED) {
+      refusedUntil.values().removeIf(until -> now - until >= 0);
+    }
+    if (refusedUntil.size() < MAX_REFUSED) {
+      refusedUntil.put(addressKey, now + REFUSAL_SECONDS * NANOS_PER_SECOND);
+    }
   }
 
   private static String text(InetSocketAddress remote) {
@@ -248,64 +332,74 @@ final class ServerNetwork implements Runnable {
 
   /** Takes a datagram that came in by UDP. Called on the port's thread. */
   private void datagram(InetSocketAddress from, ByteBuffer datagram, long nowNs) {
-    ServerConnection sender = byAddress.get(from);
-    if (sender != null) {
-      sender.readDatagram(datagram, nowNs);
-    } else if (!register(from, datagram, nowNs)) {
+    int length = datagram.remaining();
+    datagram.get(received, 0, length);
+    ServerConnection connection = links.get(DatagramOpener.link(received, length));
+    if (connection != null && received[0] != Frame.REGISTER_UDP) {
+      connection.readDatagram(from, received, length, receivedView, nowNs);
+    } else if (!register(from, length, nowNs)) {
       counters.strangeDatagrams.incrementAndGet();
     }
   }
 
   /**
-   * Registers the UDP address of a new connection. If an older connection has the address, its
-   * client has crashed or left without a word, and the system gave its port to the new client. So
-   * the older link ends, unless the new client's TCP comes from another machine; then the
-   * datagram's source is forged. Called on the port's thread.
+   * Tells a new connection its UDP address.
    *
    * @return false when the datagram is no registration that a connection waits for
    */
-  boolean register(InetSocketAddress from, ByteBuffer datagram, long nowNs) {
-    if (datagram.remaining() != Frame.REGISTRATION_BYTES || datagram.get() != Frame.REGISTER_UDP) {
+  private boolean register(InetSocketAddress from, int length, long nowNs) {
+    if (length != Frame.REGISTRATION_BYTES || received[0] != Frame.REGISTER_UDP) {
       return false;
     }
-    ServerConnection newcomer = pending.get(datagram.getInt());
-    if (newcomer == null || newcomer.token != datagram.getLong()) {
+    receivedView.limit(length).position(1);
+    ServerConnection newcomer = links.get(receivedView.getInt());
+    if (newcomer == null || !newcomer.hasToken(receivedView.getLong())) {
       return false;
-    }
-    ServerConnection before = byAddress.get(from);
-    if (before != null) {
-      if (!newcomer.addressKey.equals(before.addressKey)) {
-        return false;
-      }
-      before.supersede();
     }
     newcomer.addressKnown(from, nowNs);
     return true;
   }
 
-  /** Maps the address to the connection, which then waits for no registration. */
-  void registered(ServerConnection connection, InetSocketAddress address) {
-    pending.remove(connection.getID());
-    byAddress.put(address, connection);
-  }
-
   /** Sends a datagram. Returns false when this end lost it. Any thread may call it. */
-  boolean send(InetSocketAddress to, byte tag, byte[] bytes, int offset, int length) {
-    return datagrams.send(to, tag, bytes, offset, length);
+  boolean send(InetSocketAddress to, byte[] bytes, int length) {
+    return datagrams.send(to, bytes, length);
   }
 
-  void opened(ServerConnection connection, Link link) {
+  /**
+   * Opens a link whose client has proven its address. If an older connection has the address, its
+   * client has crashed or left without a word, and the system gave its port to the new client. So
+   * the older link ends. Called on the port's thread.
+   */
+  void opened(ServerConnection connection, InetSocketAddress address, Link link) {
     if (!connection.openLink()) {
       return;
     }
+    claim(address, connection);
     counters.opened.incrementAndGet();
     if (!opened.offer(link)) {
       link.close("the server is busy");
     }
   }
 
+  /** Notes that a client has proven another address. Called on the port's thread. */
+  void moved(ServerConnection connection, InetSocketAddress from, InetSocketAddress to) {
+    counters.movedLinks.incrementAndGet();
+    byAddress.remove(from, connection);
+    claim(to, connection);
+  }
+
+  private void claim(InetSocketAddress address, ServerConnection connection) {
+    ServerConnection before = byAddress.put(address, connection);
+    if (before != null && before != connection) {
+      before.supersede();
+    }
+    if (connection.phase() == ServerConnection.Phase.CLOSED) {
+      byAddress.remove(address, connection); // it closed meanwhile
+    }
+  }
+
   void forget(ServerConnection connection, InetSocketAddress address) {
-    pending.remove(connection.getID());
+    links.remove(connection);
     if (address != null) {
       byAddress.remove(address, connection);
     }
@@ -317,13 +411,22 @@ final class ServerNetwork implements Runnable {
   /** The codec through which the server reads TCP. */
   private final class ServerFrames extends FrameCodec {
     @Override
-    long token(Connection connection) {
-      return ((ServerConnection) connection).token;
+    void writeRegistration(Connection connection, ByteBuffer buffer, Object registration) {
+      if (registration instanceof RegisterTCP) {
+        buffer.put(((ServerConnection) connection).greeting());
+      }
     }
 
     @Override
-    boolean server() {
-      return true;
+    StreamSeal streamSeal(Connection connection) {
+      return ((ServerConnection) connection).streamSeal();
+    }
+
+    @Override
+    void written(Connection connection, byte tag) {
+      if (tag == Frame.KEY_ANSWER) {
+        ((ServerConnection) connection).sealStream();
+      }
     }
 
     @Override

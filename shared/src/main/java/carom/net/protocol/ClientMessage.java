@@ -20,6 +20,8 @@ public sealed interface ClientMessage {
    * @param room name of the room in which the player wants to play; empty for any
    * @param game name of the game that the player wants to play if the room is any; empty for any.
    *     It is a wish: if no room that plays it has a place, the server chooses another
+   * @param token join token of the operator's own backend, at most {@link Limits#MAX_TOKEN_BYTES}
+   *     characters of ASCII; empty for none
    */
   record Hello(
       int protocolVersion,
@@ -27,11 +29,18 @@ public sealed interface ClientMessage {
       String name,
       long resumeSecret,
       String room,
-      String game)
+      String game,
+      String token)
       implements ClientMessage {
+    /** Leaves the token out, which lets its bearer in. */
+    @Override
+    public String toString() {
+      return "Hello[name=" + name + ", room=" + room + ", game=" + game + "]";
+    }
+
     /** Creates a message of a player who plays in any room. */
     public Hello(int protocolVersion, long physicsDigest, String name, long resumeSecret) {
-      this(protocolVersion, physicsDigest, name, resumeSecret, "", "");
+      this(protocolVersion, physicsDigest, name, resumeSecret, "", "", "");
     }
   }
 

@@ -4,8 +4,8 @@ import static carom.net.protocol.ClientMessage.Diverged.BODY_INTS;
 import static carom.net.protocol.ClientMessage.Diverged.MAX_BODIES;
 import static carom.net.protocol.ClientMessage.Diverged.MAX_WORDS;
 
+import carom.text.Texts;
 import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -55,6 +55,7 @@ public final class ClientMessageCodec {
       putText("Hello.name", hello.name(), Limits.MAX_NAME_BYTES, buffer);
       putText("Hello.room", hello.room(), Limits.MAX_ROOM_NAME_BYTES, buffer);
       putText("Hello.game", hello.game(), Limits.MAX_GAME_NAME_BYTES, buffer);
+      putToken(hello.token(), buffer);
     } else if (message instanceof ClientMessage.LevelRequest request) {
       if (!validOffset(request.offset())) {
         throw new IllegalArgumentException(
@@ -129,6 +130,27 @@ public final class ClientMessageCodec {
     buffer.put((byte) bytes.length).put(bytes);
   }
 
+  private static void putToken(String token, ByteBuffer buffer) {
+    byte[] bytes = token.getBytes(StandardCharsets.US_ASCII);
+    if (bytes.length > Limits.MAX_TOKEN_BYTES) {
+      throw new IllegalArgumentException(
+          "Hello.token has bytes=" + bytes.length + ", limit=" + Limits.MAX_TOKEN_BYTES);
+    }
+    buffer.putShort((short) bytes.length).put(bytes);
+  }
+
+  /** Reads a token, or returns null if its length is wrong or it is no ASCII. */
+  private static String token(ByteBuffer buffer) {
+    int length = buffer.remaining() < Short.BYTES ? -1 : buffer.getShort();
+    if (length < 0 || length > Limits.MAX_TOKEN_BYTES || length > buffer.remaining()) {
+      return null;
+    }
+    byte[] bytes = new byte[length];
+    buffer.get(bytes);
+    String token = new String(bytes, StandardCharsets.ISO_8859_1);
+    return token.chars().allMatch(c -> c > ' ' && c < 127) ? token : null;
+  }
+
   /** Reads a text, or returns null if it is too long or no UTF-8. */
   private static String text(ByteBuffer buffer, int maxBytes) {
     int length = buffer.hasRemaining() ? buffer.get() & 0xff : Integer.MAX_VALUE;
@@ -137,11 +159,7 @@ public final class ClientMessageCodec {
     }
     ByteBuffer bytes = buffer.slice(buffer.position(), length);
     buffer.position(buffer.position() + length);
-    try {
-      return StandardCharsets.UTF_8.newDecoder().decode(bytes).toString();
-    } catch (CharacterCodingException e) {
-      return null;
-    }
+    return Texts.ofUtf8(bytes);
   }
 
   /**
@@ -359,10 +377,11 @@ public final class ClientMessageCodec {
     long secret = buffer.getLong();
     String name = text(buffer, Limits.MAX_NAME_BYTES);
     String room = text(buffer, Limits.MAX_ROOM_NAME_BYTES);
-    String game = text(buffer, Limits.MAX_GAME_NAME_BYTES);
-    return name == null || room == null || game == null || buffer.hasRemaining()
+    String game = name == null || room == null ? null : text(buffer, Limits.MAX_GAME_NAME_BYTES);
+    String token = game == null ? null : token(buffer);
+    return token == null || buffer.hasRemaining()
         ? null
-        : new ClientMessage.Hello(version, digest, name, secret, room, game);
+        : new ClientMessage.Hello(version, digest, name, secret, room, game, token);
   }
 
   private static boolean validOffset(int offset) {

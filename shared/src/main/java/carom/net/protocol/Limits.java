@@ -32,6 +32,9 @@ public final class Limits {
   /** Longest game name in UTF-8 bytes. */
   public static final int MAX_GAME_NAME_BYTES = 64;
 
+  /** Longest join token in bytes of ASCII. */
+  public static final int MAX_TOKEN_BYTES = 768;
+
   /** Longest level name in UTF-8 bytes. */
   public static final int MAX_LEVEL_NAME_BYTES = 128;
 

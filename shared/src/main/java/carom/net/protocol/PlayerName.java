@@ -29,6 +29,32 @@ public final class PlayerName {
   }
 
   /**
+   * Returns a form of a name that is equal for names that look alike on a screen: letters of other
+   * scripts count as the Latin ones that they resemble, and the differences between {@code I},
+   * {@code l} and {@code 1}, {@code O} and {@code 0}, {@code m} and {@code rn} don't count.
+   */
+  public static String skeleton(String name) {
+    StringBuilder skeleton = new StringBuilder();
+    Normalizer.normalize(name, Normalizer.Form.NFKC)
+        .codePoints()
+        .map(Confusables::latin)
+        .forEach(skeleton::appendCodePoint);
+    return skeleton
+        .toString()
+        .replace('1', 'l')
+        .replace('i', 'l')
+        .replace('|', 'l')
+        .replace('0', 'o')
+        .replace("rn", "m")
+        .replace("vv", "w");
+  }
+
+  /** Returns whether a player could take one name for the other. */
+  public static boolean looksLike(String name, String other) {
+    return folded(name).equals(folded(other)) || skeleton(name).equals(skeleton(other));
+  }
+
+  /**
    * Returns what is wrong with a name, in words for the player, or null when the name is valid. A
    * valid name has 1..{@link Limits#MAX_NAME_BYTES} UTF-8 bytes and starts with something visible.
    * It has no control, format, surrogate, line or blank characters and no space except U+0020,

@@ -34,7 +34,9 @@ public enum RefusalReason {
   /** Only players of the operator's list may play. */
   NOT_ALLOWED("This server is only for invited players.", false),
   /** The client asked to watch, and the server shows its games to nobody. */
-  NOT_SHOWN("This server shows its games to nobody.", false);
+  NOT_SHOWN("This server shows its games to nobody.", false),
+  /** The operator's backend decides who may join, and the join token doesn't let this player in. */
+  TOKEN_INVALID("This server lets in only players that its site sends.", false);
 
   private final String playerText;
   private final boolean retryUseful;

@@ -21,6 +21,11 @@ public sealed interface ServerMessage {
    * @param tickRate ticks per second, {@link Limits#MIN_TICK_RATE}..{@link Limits#MAX_TICK_RATE}
    * @param room name of the room; another than before if the player has changed the room
    * @param match counts the room's matches from 1 on; ticks begin at 0 in each
+   * @param incarnation stands for this run of the room; another than before if the room was resumed
+   *     from a checkpoint, or is another server's
+   * @param courseTick last tick that the match's present course shares with the one that this
+   *     player has heard of, at most {@code tick}; meaningful if the incarnation is another one.
+   *     Ticks after it happen again, otherwise
    * @param tick the server's tick when it sent this
    * @param seed seed of the simulation
    * @param game name of the game, for {@code Games.create}
@@ -40,6 +45,8 @@ public sealed interface ServerMessage {
       int tickRate,
       String room,
       int match,
+      int incarnation,
+      int courseTick,
       int tick,
       long seed,
       String game,

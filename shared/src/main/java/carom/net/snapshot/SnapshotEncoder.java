@@ -15,6 +15,7 @@ import carom.net.snapshot.record.SentLog;
 import carom.net.snapshot.table.RowAudience;
 import carom.net.snapshot.table.TableOutbox;
 import carom.net.snapshot.table.Tables;
+import java.util.function.LongConsumer;
 
 /**
  * Writes the snapshots of one session. Each tick that sends calls, after {@link FrameRing#end}:
@@ -148,6 +149,11 @@ public final class SnapshotEncoder {
    */
   public void takeOverEvents(SnapshotEncoder before) {
     events.takeOver(before.events);
+  }
+
+  /** Passes on the numbers of the events that the client may lack, whole ticks of them. */
+  public void forEachUnacknowledged(LongConsumer reader) {
+    events.forEachUnacknowledged(reader);
   }
 
   /** Returns what the client is told of the room's tables. */

@@ -88,6 +88,18 @@ public final class PlayerTable {
     return id;
   }
 
+  /**
+   * Checks that an id can be given to a player.
+   *
+   * @throws IllegalStateException when it is taken or out of range
+   */
+  public void requireFree(int id) {
+    if (id < 0 || id >= MAX_PLAYERS || participant(id) != null) {
+      throw new IllegalStateException(
+          "player id=" + id + " is taken or outside 0.." + (MAX_PLAYERS - 1));
+    }
+  }
+
   /** Creates a player that is in no table yet. */
   Player create(int id, String name) {
     return new Player(id, name, fields.create(Scope.PLAYER), authority);

@@ -11,10 +11,12 @@ public final class ProvisionalEntities {
   private Entity[] entities = {};
   private int count;
 
+  /** Returns the number of provisional entities. */
   public int count() {
     return count;
   }
 
+  /** Returns one by its index, below {@link #count}. */
   public Entity at(int index) {
     return entities[index];
   }

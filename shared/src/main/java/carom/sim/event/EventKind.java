@@ -1,7 +1,7 @@
 package carom.sim.event;
 
-import carom.sim.Event;
 import carom.sim.Game;
+import carom.sim.outbox.Event;
 
 /**
  * A kind of {@link Event}, such as a hit or a goal, registered in {@link Game#setUp} with {@link

@@ -1,7 +1,7 @@
 package carom.sim.event;
 
-import carom.sim.Event;
 import carom.sim.Game;
+import carom.sim.outbox.Event;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -18,7 +18,7 @@
  * </pre>
  *
  * <p>Allowed imports: {@code carom.physics.math}, {@code carom.physics.archive}, {@code
- * carom.sim.event}, {@code carom.sim.ruling}. Read first: {@link carom.sim.field.Field}, {@link
+ * carom.sim.event}, {@code carom.sim.finding}. Read first: {@link carom.sim.field.Field}, {@link
  * carom.sim.field.FieldHolder}.
  */
 package carom.sim.field;

@@ -7,7 +7,7 @@ import carom.physics.ShapeDef;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
-import carom.sim.OneWay;
+import carom.sim.entity.OneWay;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
 import carom.sim.field.Schema;

@@ -3,7 +3,7 @@ package carom.sim.level;
 import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Shape;
-import carom.sim.OneWay;
+import carom.sim.entity.OneWay;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;

@@ -1,6 +1,18 @@
 package carom.sim.level;
 
+import static carom.json.JsonFields.bool;
+import static carom.json.JsonFields.knownFields;
+import static carom.json.JsonFields.number;
+import static carom.json.JsonFields.require;
+import static carom.json.JsonFields.required;
+import static carom.json.JsonFields.text;
+import static carom.json.JsonFields.unknownWord;
+import static carom.json.JsonFields.vector;
+import static carom.json.JsonFields.word;
+import static carom.json.JsonFields.wrong;
+
 import carom.json.Json;
+import carom.json.JsonException;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Joint;
@@ -108,30 +120,30 @@ final class LevelJointReader {
   }
 
   /** Reads a joint. */
-  LevelJoint read(Json node) throws LevelException {
-    file.require(node, Json.Kind.OBJECT);
-    file.required(node, "type");
-    String type = file.word(node, "type", TYPES, "");
-    file.knownFields(node, fields(type));
+  LevelJoint read(Json node) throws JsonException {
+    require(node, Json.Kind.OBJECT);
+    required(node, "type");
+    String type = word(node, "type", TYPES, "");
+    knownFields(node, fields(type));
     Json nameNode = node.fields.get("name");
     Json aNode = node.fields.get("a");
     int a = aNode == null ? LevelJoint.GROUND : body(aNode);
-    int b = body(file.required(node, "b"));
+    int b = body(required(node, "b"));
     if (!moves(a) && !moves(b)) {
-      throw file.wrong(node, " holds no dynamic body; name one as \"a\" or \"b\"");
+      throw wrong(node, " holds no dynamic body; name one as \"a\" or \"b\"");
     }
     int[] definition = new int[JointDefRow.INTS];
     try {
       Body<Object> bodyA = a == LevelJoint.GROUND ? null : made(a);
       JointDef<Object> def = def(type, node, bodyA, made(b));
-      def.collideConnected(file.bool(node, "collide", type.equals("mouse")));
+      def.collideConnected(bool(node, "collide", type.equals("mouse")));
       breaks(node, def);
       Joint<Object> joint = world.createJoint(def);
       world.readJoint(joint, definition, 0);
     } catch (IllegalArgumentException | IllegalStateException e) {
-      throw file.wrong(node, ": " + e.getMessage());
+      throw wrong(node, ": " + e.getMessage());
     }
-    return new LevelJoint(nameNode == null ? "" : file.text(nameNode), a, b, definition);
+    return new LevelJoint(nameNode == null ? "" : text(nameNode), a, b, definition);
   }
 
   private static List<String> fields(String type) {
@@ -151,7 +163,7 @@ final class LevelJointReader {
   }
 
   private JointDef<Object> def(String type, Json node, Body<Object> a, Body<Object> b)
-      throws LevelException {
+      throws JsonException {
     switch (type) {
       case "revolute" -> {
         float[] at = point(node, "at");
@@ -165,8 +177,8 @@ final class LevelJointReader {
       case "rope" -> {
         float[] from = point(node, "from");
         float[] to = point(node, "to");
-        file.required(node, "length");
-        float length = file.number(node, "length", 1, 0, LevelReader.MAX_COORDINATE);
+        required(node, "length");
+        float length = number(node, "length", 1, 0, LevelReader.MAX_COORDINATE);
         return JointDef.rope(a, b, from[0], from[1], to[0], to[1], length);
       }
       case "prismatic" -> {
@@ -193,11 +205,11 @@ final class LevelJointReader {
         return springs(node, JointDef.mouse(b, at[0], at[1], force(node, "maxForce")));
       }
       case "gear" -> {
-        return JointDef.gear(required(node, a), b, ratio(node));
+        return JointDef.gear(requiredBody(node, a), b, ratio(node));
       }
       case "rack" -> {
         float[] axis = axis(node);
-        return JointDef.rack(required(node, a), b, axis[0], axis[1], ratio(node));
+        return JointDef.rack(requiredBody(node, a), b, axis[0], axis[1], ratio(node));
       }
       default -> {
         float[] from = point(node, "from");
@@ -205,7 +217,7 @@ final class LevelJointReader {
         float[] groundA = point(node, "groundFrom");
         float[] groundB = point(node, "groundTo");
         return JointDef.pulley(
-            required(node, a),
+            requiredBody(node, a),
             b,
             from[0],
             from[1],
@@ -220,8 +232,8 @@ final class LevelJointReader {
     }
   }
 
-  private Body<Object> required(Json node, Body<Object> a) throws LevelException {
-    file.required(node, "a");
+  private Body<Object> requiredBody(Json node, Body<Object> a) throws JsonException {
+    required(node, "a");
     return a;
   }
 
@@ -232,108 +244,108 @@ final class LevelJointReader {
    * @param speedUnit of the motor
    */
   private JointDef<Object> driven(Json node, JointDef<Object> def, float unit, float speedUnit)
-      throws LevelException {
+      throws JsonException {
     Json limits = node.fields.get("limits");
     if (limits != null) {
-      float[] range = file.vector(limits, 1e6f);
+      float[] range = vector(limits, 1e6f);
       def.limits(range[0] * unit, range[1] * unit);
     }
     Json motor = node.fields.get("motor");
     if (motor != null) {
-      file.knownFields(motor, MOTOR_FIELDS);
-      file.required(motor, "speed");
-      file.required(motor, "max");
+      knownFields(motor, MOTOR_FIELDS);
+      required(motor, "speed");
+      required(motor, "max");
       def.motor(
-          file.number(motor, "speed", 0, -10_000, 10_000) * speedUnit,
-          file.number(motor, "max", 0, 0, MAX_FORCE));
+          number(motor, "speed", 0, -10_000, 10_000) * speedUnit,
+          number(motor, "max", 0, 0, MAX_FORCE));
     }
     if (node.fields.containsKey("rest")) {
-      def.rest(file.number(node, "rest", 0, -1e6f, 1e6f) * unit);
+      def.rest(number(node, "rest", 0, -1e6f, 1e6f) * unit);
     }
     return springs(node, def);
   }
 
-  private JointDef<Object> springs(Json node, JointDef<Object> def) throws LevelException {
+  private JointDef<Object> springs(Json node, JointDef<Object> def) throws JsonException {
     Json spring = node.fields.get("spring");
     if (spring != null) {
-      def.spring(hertz(spring), file.number(spring, "damping", 0.5f, 0, 100));
+      def.spring(hertz(spring), number(spring, "damping", 0.5f, 0, 100));
     }
     Json angular = node.fields.get("angularSpring");
     if (angular != null) {
-      def.angularSpring(hertz(angular), file.number(angular, "damping", 0.5f, 0, 100));
+      def.angularSpring(hertz(angular), number(angular, "damping", 0.5f, 0, 100));
     }
     return def;
   }
 
-  private float hertz(Json spring) throws LevelException {
-    file.knownFields(spring, SPRING);
-    file.required(spring, "hertz");
-    return file.number(spring, "hertz", 1, 0, 1000);
+  private float hertz(Json spring) throws JsonException {
+    knownFields(spring, SPRING);
+    required(spring, "hertz");
+    return number(spring, "hertz", 1, 0, 1000);
   }
 
-  private void breaks(Json node, JointDef<Object> def) throws LevelException {
+  private void breaks(Json node, JointDef<Object> def) throws JsonException {
     Json breaks = node.fields.get("breaks");
     if (breaks != null) {
-      file.knownFields(breaks, BREAKS);
+      knownFields(breaks, BREAKS);
       float most = Float.POSITIVE_INFINITY;
       boolean force = breaks.fields.containsKey("force");
       boolean torque = breaks.fields.containsKey("torque");
       if (!force && !torque) {
-        throw file.wrong(breaks, " has neither \"force\" nor \"torque\"; give one");
+        throw wrong(breaks, " has neither \"force\" nor \"torque\"; give one");
       }
       def.breaksAt(
-          force ? file.number(breaks, "force", 0, 0, MAX_FORCE) : most,
-          torque ? file.number(breaks, "torque", 0, 0, MAX_FORCE) : most);
+          force ? number(breaks, "force", 0, 0, MAX_FORCE) : most,
+          torque ? number(breaks, "torque", 0, 0, MAX_FORCE) : most);
     }
   }
 
-  private float[] point(Json node, String field) throws LevelException {
-    return file.vector(file.required(node, field), LevelReader.MAX_COORDINATE);
+  private float[] point(Json node, String field) throws JsonException {
+    return vector(required(node, field), LevelReader.MAX_COORDINATE);
   }
 
-  private float[] axis(Json node) throws LevelException {
-    return file.vector(file.required(node, "axis"), 1000);
+  private float[] axis(Json node) throws JsonException {
+    return vector(required(node, "axis"), 1000);
   }
 
-  private float force(Json node, String field) throws LevelException {
-    file.required(node, field);
-    return file.number(node, field, 0, 0, MAX_FORCE);
+  private float force(Json node, String field) throws JsonException {
+    required(node, field);
+    return number(node, field, 0, 0, MAX_FORCE);
   }
 
-  private float ratio(Json node) throws LevelException {
-    file.required(node, "ratio");
-    return file.number(node, "ratio", 1, -1000, 1000);
+  private float ratio(Json node) throws JsonException {
+    required(node, "ratio");
+    return number(node, "ratio", 1, -1000, 1000);
   }
 
   /** Returns the body that a word names: NAME, or NAME[n] for one of several. */
-  private int body(Json node) throws LevelException {
-    file.require(node, Json.Kind.STRING);
+  private int body(Json node) throws JsonException {
+    require(node, Json.Kind.STRING);
     Item item = items.get(node.text);
     int number = 0;
     if (item == null && node.text.endsWith("]") && node.text.lastIndexOf('[') > 0) {
       int open = node.text.lastIndexOf('[');
       item = items.get(node.text.substring(0, open));
-      number = number(node.text.substring(open + 1, node.text.length() - 1));
+      number = itemNumber(node.text.substring(open + 1, node.text.length() - 1));
     } else if (item != null && item.count > 1) {
-      throw file.wrong(
+      throw wrong(
           node, "=" + node.shown() + " has " + item.count + " bodies; write " + node.text + "[0]");
     }
     if (item == null) {
       List<String> names = new ArrayList<>(items.keySet());
-      throw file.unknownWord(node, names, "the \"name\" of one of \"bodies\" or \"statics\"");
+      throw unknownWord(node, names, "the \"name\" of one of \"bodies\" or \"statics\"");
     }
     if (item.isAmbiguous) {
-      throw file.wrong(node, "=" + node.shown() + " names several items; give each its own name");
+      throw wrong(node, "=" + node.shown() + " names several items; give each its own name");
     }
     if (number < 0 || number >= item.count) {
       int last = item.count - 1;
-      throw file.wrong(node, "=" + node.shown() + " must have a number in 0.." + last);
+      throw wrong(node, "=" + node.shown() + " must have a number in 0.." + last);
     }
     return item.isStatic ? ~(item.first + number) : item.first + number;
   }
 
   /** Returns a number, or -1 if the text is none. */
-  private static int number(String text) {
+  private static int itemNumber(String text) {
     try {
       return Integer.parseInt(text);
     } catch (NumberFormatException e) {

@@ -62,14 +62,15 @@ final class NearJoints {
       return null;
     }
     try {
-      return s.connectAs(
-          rows.joints().get(row, JointRow.KEY),
-          definition[JointDefinitions.ROOT],
-          definition[JointDefinitions.NUMBER],
-          a,
-          b,
-          definition,
-          JointDefinitions.DEFINITION);
+      return s.mirror()
+          .connect(
+              rows.joints().get(row, JointRow.KEY),
+              definition[JointDefinitions.ROOT],
+              definition[JointDefinitions.NUMBER],
+              a,
+              b,
+              definition,
+              JointDefinitions.DEFINITION);
     } catch (IllegalArgumentException e) {
       return null; // from a server that isn't one
     }

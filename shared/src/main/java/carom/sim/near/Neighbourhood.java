@@ -175,10 +175,11 @@ public final class Neighbourhood {
       int id = id(key);
       int owner = who.owner(id);
       if (owner != Entity.NO_OWNER && s.player(owner) == null) {
-        s.joinAs(owner, "");
+        s.mirror().join(owner, "");
       }
-      Entity e = s.spawnAs(id, generation(key), who.archetype(id), 0, 0, 0, owner, who.isBody(id));
-      s.identify(e, who.origin(key));
+      Entity e =
+          s.mirror().spawn(id, generation(key), who.archetype(id), 0, 0, 0, owner, who.isBody(id));
+      s.mirror().identify(e, who.origin(key));
       rows.setSlot(i, e.body().index());
       Player player = s.player(owner);
       if (player != null && player.body() == e) {
@@ -216,7 +217,7 @@ public final class Neighbourhood {
         add(e);
       }
     }
-    for (int i = 0; s.provisionalCount() > 0 && i < count(); i++) {
+    for (int i = 0; s.mirror().provisionalCount() > 0 && i < count(); i++) {
       int origin = who.origin(key(i));
       Entity e = origin == Origin.NONE ? null : s.entity(origin);
       if (e != null) {

@@ -24,6 +24,7 @@ public final class ForceCheck {
   private long sum;
   private long before;
 
+  /** Creates a check of one world. */
   public ForceCheck(World<Entity> world, Findings findings) {
     this.world = world;
     this.findings = findings;

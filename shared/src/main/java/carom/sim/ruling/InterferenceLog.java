@@ -69,6 +69,7 @@ public final class InterferenceLog {
   /** Whether the state before the rules is noted, and that after them isn't. */
   private boolean rulesRun;
 
+  /** Creates an empty log. */
   public InterferenceLog(EntityTable entities, PlayerTable players, Findings findings) {
     this.findings = findings;
     this.entities = entities;

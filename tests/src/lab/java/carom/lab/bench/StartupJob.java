@@ -85,7 +85,7 @@ record StartupJob() implements BenchJob {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-Xms256m", "-XX:+UseSerialGC", "-Dkryo.unsafe=false"));
-    command.addAll(List.of("--add-modules", "jdk.incubator.vector"));
+    command.addAll(List.of("--add-exports", "java.base/jdk.internal.module=ALL-UNNAMED"));
     command.addAll(List.of("-cp", Lab.classPath(), SERVER));
     return command;
   }

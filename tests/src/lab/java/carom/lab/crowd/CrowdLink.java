@@ -2,7 +2,9 @@ package carom.lab.crowd;
 
 import carom.net.frame.ClientEnd;
 import carom.net.frame.Frame;
+import carom.net.frame.Trust;
 import carom.net.kryo.KryoMessageCodec;
+import carom.net.seal.StreamSeal;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.NoRouteToHostException;
@@ -26,7 +28,7 @@ final class CrowdLink extends ClientEnd {
   private final ByteBuffer unsent = ByteBuffer.allocate(WRITE_BUFFER_BYTES); // guards the writing
   private final Selector selector;
   private final ByteBuffer datagram =
-      ByteBuffer.allocate(1 + Frame.MAX_PAYLOAD_BYTES); // guards its writing
+      ByteBuffer.allocate(Frame.MAX_DATAGRAM_BYTES); // guards its writing
   private volatile SocketChannel tcp;
   private volatile DatagramChannel udp;
   private volatile SelectionKey tcpKey;
@@ -38,12 +40,13 @@ final class CrowdLink extends ClientEnd {
 
   CrowdLink(
       KryoMessageCodec codec,
+      Trust trust,
       String host,
       int tcpPort,
       int udpPort,
       int connectMillis,
       Selector selector) {
-    super(codec, host, tcpPort, udpPort, connectMillis);
+    super(codec, trust, host, tcpPort, udpPort, connectMillis);
     this.selector = selector;
   }
 
@@ -194,13 +197,20 @@ final class CrowdLink extends ClientEnd {
   @Override
   protected boolean transmit(Frame.Payload frame) {
     synchronized (unsent) {
-      int bytes = frame.tcpBytes();
-      if (unsent.remaining() < bytes) {
+      StreamSeal seal = streamSeal();
+      int extra = seal == null ? 0 : StreamSeal.EXTRA_BYTES;
+      int plain = frame.tcpBytes() - Frame.LENGTH_BYTES;
+      if (unsent.remaining() < Frame.LENGTH_BYTES + plain + extra) {
         lose("the server doesn't read what it is sent");
         return false;
       }
-      unsent.putInt(bytes - Frame.LENGTH_BYTES);
+      unsent.putInt(plain + extra);
+      int start = unsent.position();
       frame.write(unsent);
+      if (seal != null) {
+        seal.seal(unsent.array(), start, plain);
+        unsent.position(start + plain + extra);
+      }
       try {
         flush();
         return true;

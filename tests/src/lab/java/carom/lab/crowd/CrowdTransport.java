@@ -1,6 +1,7 @@
 package carom.lab.crowd;
 
 import carom.net.frame.Frame;
+import carom.net.frame.Trust;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
@@ -37,6 +38,7 @@ public final class CrowdTransport implements ClientTransport, Runnable {
   private final ConcurrentLinkedQueue<CrowdLink> coming = new ConcurrentLinkedQueue<>();
   private final List<CrowdLink> links = new ArrayList<>(); // the thread's
   private final ByteBuffer in = ByteBuffer.allocateDirect(Frame.SERVER_BUFFER_BYTES);
+  private final Trust trust = Trust.firstUse();
   private final int connectMillis;
   private final Selector selector;
   private final Thread thread;
@@ -75,7 +77,7 @@ public final class CrowdTransport implements ClientTransport, Runnable {
     if (closed) {
       throw new IllegalStateException("connect after close");
     }
-    CrowdLink link = new CrowdLink(codec, host, tcpPort, udpPort, connectMillis, selector);
+    CrowdLink link = new CrowdLink(codec, trust, host, tcpPort, udpPort, connectMillis, selector);
     coming.add(link);
     selector.wakeup();
     return link;

@@ -1,6 +1,7 @@
 package carom.lab.figures;
 
 import carom.client.bots.BotsMain;
+import carom.lab.measure.Figure;
 import carom.server.ServerMain;
 import java.io.File;
 import java.io.IOException;
@@ -23,10 +24,9 @@ final class CrowdFigures {
       List.of(
           "-Xms192m",
           "-Xmn8m",
-          "-XX:+AlwaysPreTouch",
           "-XX:+UseSerialGC",
-          "--add-modules",
-          "jdk.incubator.vector");
+          "--add-exports",
+          "java.base/jdk.internal.module=ALL-UNNAMED");
   private static final List<String> PRIORITIES =
       List.of("-XX:ThreadPriorityPolicy=1", "-XX:CompilerThreadPriority=10", "-XX:-PrintWarnings");
   private static final Pattern TICK = Pattern.compile("tick p50 \\S+ p99 (\\S+) max");

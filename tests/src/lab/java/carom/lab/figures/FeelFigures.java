@@ -2,6 +2,7 @@ package carom.lab.figures;
 
 import carom.client.bots.Bot;
 import carom.client.view.ClientView;
+import carom.lab.measure.Figure;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Impairment;

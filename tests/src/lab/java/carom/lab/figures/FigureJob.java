@@ -1,5 +1,11 @@
 package carom.lab.figures;
 
+import carom.lab.figures.wire.BroadcastFigures;
+import carom.lab.figures.wire.BudgetFigures;
+import carom.lab.figures.wire.EncodeFigures;
+import carom.lab.figures.wire.SnapshotFigures;
+import carom.lab.figures.wire.TraceFigures;
+import carom.lab.measure.Figure;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

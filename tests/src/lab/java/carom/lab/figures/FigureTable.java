@@ -1,5 +1,6 @@
 package carom.lab.figures;
 
+import carom.lab.measure.Figure;
 import java.util.List;
 
 /** Writes figures as Markdown tables: those of the product, then those of the laboratory. */

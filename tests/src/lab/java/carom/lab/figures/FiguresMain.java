@@ -2,6 +2,7 @@ package carom.lab.figures;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import carom.lab.measure.Figure;
 import carom.text.Suggestion;
 import java.io.BufferedReader;
 import java.io.IOException;

@@ -3,6 +3,7 @@ package carom.lab.figures;
 import carom.client.ClientConfig;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
+import carom.lab.measure.Figure;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;

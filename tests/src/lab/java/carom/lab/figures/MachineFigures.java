@@ -1,6 +1,7 @@
 package carom.lab.figures;
 
 import carom.client.stats.NetStats;
+import carom.lab.measure.Figure;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.testkit.AnchorGaps;

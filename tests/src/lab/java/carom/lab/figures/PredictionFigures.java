@@ -4,6 +4,7 @@ import carom.client.ClientConfig;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
+import carom.lab.measure.Figure;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;

@@ -1,5 +1,6 @@
 package carom.lab.figures;
 
+import carom.lab.measure.Figure;
 import carom.physics.WorldState;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.BenchmarkScenes;

@@ -4,6 +4,6 @@
  *
  * <p>Here and not in the programs, since most of them need the server and its clients in one
  * process and one virtual time, which only the test kit has. Read first: {@link
- * carom.lab.figures.FiguresMain}, {@link carom.lab.figures.Figure}.
+ * carom.lab.figures.FiguresMain}, {@link carom.lab.measure.Figure}.
  */
 package carom.lab.figures;

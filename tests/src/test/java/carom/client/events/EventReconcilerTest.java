@@ -4,13 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.arena.ArenaGame;
-import carom.sim.Event;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
 import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.level.Level;
+import carom.sim.outbox.Event;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -51,9 +51,9 @@ class EventReconcilerTest {
   @BeforeEach
   void setUp() throws Exception {
     s = new Simulation(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
-    me = s.joinAs(ME, "me");
+    me = s.mirror().join(ME, "me");
     kind = s.eventKinds().get(0);
-    s.journal(reconciler);
+    s.addJournal(reconciler);
     states.put(0, s.save(null));
   }
 

@@ -40,6 +40,8 @@ class LevelDownloadTest {
         1,
         0,
         0,
+        0,
+        0,
         "arena",
         level.name(),
         level.contentHash(),

@@ -114,7 +114,7 @@ class RollbackTest {
   private IslandRig rig(long maxReplayNs, long nsPerTick) {
     IslandRig rig = new IslandRig(200, maxReplayNs, () -> ns);
     rig.predicted()
-        .journal(
+        .addJournal(
             new Journal() {
               @Override
               public void joining(Simulation s, int id, String name) {}

@@ -90,6 +90,7 @@ final class ReplayClientTest {
   void jumpsShowTheSameGameAsPlayingThrough() throws Exception {
     long[] hashes = new long[700];
     try (ReplayClient client = new ReplayClient(recorded)) {
+      int last = client.lastTick();
       client.pause(true);
       for (int tick = 1; tick < hashes.length; tick++) {
         client.single();
@@ -103,10 +104,11 @@ final class ReplayClientTest {
           assertEquals(hashes[tick], client.simulation().stateHash(), "tick=" + tick);
         }
       }
-      assertTrue(client.newestTick() >= 699);
+      assertTrue(client.lastTick() >= 699);
       client.seek(Integer.MAX_VALUE);
       settle(client);
       assertTrue(client.ended());
+      assertEquals(client.tick(), last, "the end was known from the beginning");
       client.seek(100);
       settle(client);
       assertEquals(hashes[100], client.simulation().stateHash());

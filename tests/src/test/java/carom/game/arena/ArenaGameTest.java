@@ -28,7 +28,7 @@ class ArenaGameTest {
   private void run(int ticks) {
     for (int i = 0; i < ticks; i++) {
       s.step();
-      s.drainNotices(notices::add);
+      s.outbox().drainNotices(notices::add);
     }
   }
 
@@ -141,6 +141,7 @@ class ArenaGameTest {
   @Test
   void fiveGoalsWinAndTheNextMatchIsAskedFor() {
     s.join("ann");
+    s.join("ben");
     for (int goal = 0; goal < ArenaGame.GOALS_TO_WIN; goal++) {
       assertEquals(goal, count("lamp.Red"));
       run(130);
@@ -154,14 +155,40 @@ class ArenaGameTest {
     assertEquals(1, MatchClock.winningTeam(s));
     run(200);
     assertNull(ball());
-    assertNull(s.takeNextMatch());
+    assertNull(s.outbox().takeNextMatch());
     run(200);
-    assertEquals(NextMatch.OF_ROTATION, s.takeNextMatch());
+    assertEquals(NextMatch.OF_ROTATION, s.outbox().takeNextMatch());
+  }
+
+  @Test
+  void whoIsAlonePractisesUntilASecondPlayerComes() {
+    Player ann = s.join("ann");
+    for (int goal = 0; goal < ArenaGame.GOALS_TO_WIN; goal++) {
+      assertEquals(goal, count("lamp.Red"));
+      run(130);
+      put(ball(), 18.8f, 0);
+      run(1);
+    }
+    assertEquals(0, count("lamp.Red"), "practice begins anew");
+    run(130);
+    ann.score(3);
+    put(ball(), 18.8f, 0);
+    run(1);
+    assertEquals(1, count("lamp.Red"));
+    assertNull(ball());
+    assertEquals(MatchPhase.WARM_UP, MatchClock.phase(s));
+    s.join("ben");
+    run(1);
+    assertEquals(MatchPhase.PLAYING, MatchClock.phase(s));
+    assertEquals(0, count("lamp.Red"));
+    assertEquals(0, ann.score());
+    assertEquals(0, ball().body().x(), "play begins in the middle");
   }
 
   @Test
   void aMatchOfFiveMinutesEndsWithItsStanding() {
     s.join("ann");
+    s.join("ben");
     run(130);
     put(ball(), -18.8f, 0);
     run(MatchClock.ticksLeft(s) - 1);

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.Games;
 import carom.game.GamesTest;
 import carom.physics.Body;
+import carom.sim.MatchClock;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
@@ -16,6 +17,8 @@ import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.sim.match.MatchPhase;
+import carom.sim.match.NextMatch;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
@@ -349,5 +352,31 @@ class PlatformerGameTest {
       }
     }
     return null;
+  }
+
+  @Test
+  void sixtyPointsWinTheMatchAndTheNextBegins() {
+    Simulation s = level(15, 1, "", "");
+    Player ann = s.join("ann");
+    ann.score(PlatformerGame.POINTS_TO_WIN - 1);
+    run(s, 2); // the spawn is at the coin
+    assertEquals(PlatformerGame.POINTS_TO_WIN, ann.score());
+    assertEquals(MatchPhase.OVER, MatchClock.phase(s));
+    assertEquals(ann.id(), MatchClock.winner(s));
+    run(s, 8 * 60 + 2);
+    assertEquals(NextMatch.OF_ROTATION, s.outbox().takeNextMatch());
+    assertEquals(PlatformerGame.POINTS_TO_WIN, ann.score(), "nothing counts any more");
+  }
+
+  @Test
+  void whoLeadsWhenTheTimeIsOverWins() {
+    Simulation s = level(0, 1, "", "");
+    Player ann = s.join("ann");
+    final Player ben = s.join("ben");
+    ann.score(1);
+    ben.score(2);
+    run(s, (int) (PlatformerGame.MATCH_SECONDS * 60) + 1);
+    assertEquals(MatchPhase.OVER, MatchClock.phase(s));
+    assertEquals(ben.id(), MatchClock.winner(s));
   }
 }

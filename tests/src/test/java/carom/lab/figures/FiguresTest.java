@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.lab.measure.Figure;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -10,6 +10,11 @@ import carom.net.frame.Frame;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
 import carom.net.protocol.ServerMessage;
+import carom.net.seal.DatagramSealer;
+import carom.net.seal.Encryption;
+import carom.net.seal.KeyExchange;
+import carom.net.seal.LinkKeys;
+import carom.net.seal.StreamSeal;
 import carom.net.transport.Link;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -20,6 +25,7 @@ import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
 import java.nio.charset.StandardCharsets;
+import java.security.GeneralSecurityException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -73,21 +79,41 @@ final class KryoHostilityTest {
         new byte[] {1, 2, 3}, canary.atServer.datagrams.get(canary.atServer.datagrams.size() - 1));
   }
 
+  private static byte[] bytes(int... numbers) {
+    byte[] bytes = new byte[numbers.length];
+    for (int i = 0; i < numbers.length; i++) {
+      bytes[i] = (byte) numbers[i];
+    }
+    return bytes;
+  }
+
+  private static byte[] frameOf(byte first, byte[] rest) {
+    return ByteBuffer.allocate(1 + rest.length).put(first).put(rest).array();
+  }
+
   /** Somebody who speaks bytes, not KryoNet. */
   private final class Stranger implements AutoCloseable {
     final Socket tcp = new Socket();
-    final DatagramChannel udp = DatagramChannel.open();
-    int id;
-    long token;
+    final DatagramChannel udp;
+    final byte[] greeting;
+    final int id;
+    final long token;
+    LinkKeys keys;
 
     Stranger() throws IOException {
+      this(DatagramChannel.open());
+      udp.connect(new InetSocketAddress(Network.HOST, network.server.udpPort()));
+    }
+
+    Stranger(DatagramChannel udp) throws IOException {
+      this.udp = udp;
       tcp.connect(new InetSocketAddress(Network.HOST, network.server.tcpPort()), 2_000);
       tcp.setSoTimeout(3_000);
-      udp.connect(new InetSocketAddress(Network.HOST, network.server.udpPort()));
-      ByteBuffer frame = ByteBuffer.wrap(readFrame());
-      assertEquals(Frame.REGISTER_TCP, frame.get());
-      id = frame.getInt();
-      token = frame.getLong();
+      byte[] frame = readFrame();
+      assertEquals(Frame.REGISTER_TCP, frame[0]);
+      greeting = Arrays.copyOfRange(frame, 1, frame.length);
+      id = ByteBuffer.wrap(greeting).getInt();
+      token = ByteBuffer.wrap(greeting).getLong(4);
     }
 
     byte[] readFrame() throws IOException {
@@ -95,15 +121,40 @@ final class KryoHostilityTest {
       if (length.remaining() < 4) {
         throw new SocketException("closed");
       }
-      return tcp.getInputStream().readNBytes(length.getInt());
+      byte[] frame = tcp.getInputStream().readNBytes(length.getInt());
+      if (keys == null) {
+        return frame;
+      }
+      return Arrays.copyOf(frame, keys.streamIn().open(frame, 0, frame.length));
     }
 
-    void datagram(int... bytes) throws IOException {
-      byte[] copy = new byte[bytes.length];
-      for (int i = 0; i < bytes.length; i++) {
-        copy[i] = (byte) bytes[i];
-      }
-      udp.write(ByteBuffer.wrap(copy));
+    /** Sends bytes as they are. */
+    void raw(int... bytes) throws IOException {
+      udp.write(ByteBuffer.wrap(bytes(bytes)));
+    }
+
+    /** Sends a genuine datagram. */
+    void datagram(int tag, int... fields) throws IOException {
+      udp.write(ByteBuffer.wrap(sealed(tag, bytes(fields))));
+    }
+
+    byte[] sealed(int tag, byte[] fields) {
+      int length = keys.datagramsOut().seal((byte) tag, fields, 0, fields.length);
+      return Arrays.copyOf(keys.datagramsOut().bytes(), length);
+    }
+
+    /** Receives a datagram, and returns its tag and fields. */
+    byte[] receive() throws IOException {
+      ByteBuffer buffer = ByteBuffer.allocate(2_000);
+      udp.read(buffer);
+      byte[] bytes = buffer.array();
+      int fields = keys.datagramsIn().open(bytes, buffer.position());
+      assertTrue(fields >= 0, "fields=" + fields);
+      byte[] opened =
+          Arrays.copyOfRange(
+              bytes, DatagramSealer.HEAD_BYTES - 1, DatagramSealer.HEAD_BYTES + fields);
+      opened[0] = bytes[0];
+      return opened;
     }
 
     void register(int asId, long withToken) throws IOException {
@@ -112,20 +163,32 @@ final class KryoHostilityTest {
       udp.write(bytes);
     }
 
-    /** The whole handshake, up to an open link at the server. */
-    Link join() throws IOException {
+    /** The handshake up to the keys. */
+    void exchangeKeys() throws IOException {
       register(id, token);
       register(id, token); // a client repeats itself until it is answered
       assertEquals(Frame.REGISTER_UDP, readFrame()[0]);
-      ByteBuffer challenge = ByteBuffer.allocate(100);
-      udp.read(challenge);
-      challenge.flip();
-      assertEquals(Frame.CHALLENGE, challenge.get());
-      udp.write(
-          ByteBuffer.allocate(Frame.NONCE_BYTES)
-              .put(Frame.ANSWER)
-              .putLong(challenge.getLong())
-              .flip());
+      byte[] key = Arrays.copyOfRange(greeting, greeting.length - 32, greeting.length);
+      KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, key, greeting);
+      frame(frameOf(Frame.KEY_OFFER, offer.bytes()));
+      byte[] answer = readFrame();
+      assertEquals(Frame.KEY_ANSWER, answer[0]);
+      try {
+        keys =
+            offer.finish(
+                Arrays.copyOfRange(answer, 1, answer.length), id, Frame.SERVER_BUFFER_BYTES * 20);
+      } catch (GeneralSecurityException x) {
+        throw new AssertionError(x);
+      }
+    }
+
+    /** The whole handshake, up to an open link at the server. */
+    Link join() throws IOException {
+      exchangeKeys();
+      frame(new byte[] {Frame.KEY_CONFIRM});
+      byte[] challenge = receive();
+      assertEquals(Frame.CHALLENGE, challenge[0]);
+      udp.write(ByteBuffer.wrap(sealed(Frame.ANSWER, Arrays.copyOfRange(challenge, 1, 1 + 8))));
       Link[] link = new Link[1];
       eventually(() -> (link[0] = network.server.accept()) != null, () -> "not accepted");
       return link[0];
@@ -136,8 +199,14 @@ final class KryoHostilityTest {
       tcp.getOutputStream().flush();
     }
 
+    /** Sends a frame, sealed once there are keys. */
     void frame(byte[] content) throws IOException {
-      write(ByteBuffer.allocate(4 + content.length).putInt(content.length).put(content).array());
+      byte[] frame = content;
+      if (keys != null) {
+        frame = Arrays.copyOf(content, content.length + StreamSeal.EXTRA_BYTES);
+        keys.streamOut().seal(frame, 0, content.length);
+      }
+      write(ByteBuffer.allocate(4 + frame.length).putInt(frame.length).put(frame).array());
     }
 
     /** Whether the server closes this connection, its last words read away. */
@@ -156,35 +225,6 @@ final class KryoHostilityTest {
     public void close() throws IOException {
       tcp.close();
       udp.close();
-    }
-  }
-
-  @Test
-  void theWayInIsByteForByteAsDocumented() throws IOException {
-    try (Socket tcp = new Socket(Network.HOST, network.server.tcpPort());
-        DatagramChannel udp = DatagramChannel.open()) {
-      udp.connect(new InetSocketAddress(Network.HOST, network.server.udpPort()));
-      byte[] registration = tcp.getInputStream().readNBytes(17);
-      assertArrayEquals(new byte[] {0, 0, 0, 13, 1}, Arrays.copyOf(registration, 5));
-      ByteBuffer register = ByteBuffer.allocate(13).put((byte) 2).put(registration, 5, 12).flip();
-      udp.write(register);
-      assertArrayEquals(new byte[] {0, 0, 0, 1, 2}, tcp.getInputStream().readNBytes(5));
-      ByteBuffer challenge = ByteBuffer.allocate(100);
-      assertEquals(9, udp.read(challenge));
-      assertEquals(7, challenge.get(0));
-      udp.write(challenge.put(0, (byte) 8).flip());
-      Link[] link = new Link[1];
-      eventually(() -> (link[0] = network.server.accept()) != null, () -> "not accepted");
-      tcp.getOutputStream().write(new byte[] {0, 0, 0, 1, 3, 0, 0, 0, 2, 4, 4, 0, 0, 0, 1, 5});
-      Network.Inbox inbox = new Network.Inbox();
-      eventually(
-          () -> {
-            link[0].poll(inbox, 10);
-            return inbox.closed == 1;
-          },
-          link[0]::toString);
-      assertEquals(List.of(new ClientMessage.Leave()), inbox.messages);
-      assertEquals("the client left", inbox.reason);
     }
   }
 
@@ -215,21 +255,27 @@ final class KryoHostilityTest {
     SplittableRandom random = new SplittableRandom(seed);
     try (Stranger stranger = new Stranger()) {
       Link link = stranger.join();
-      stranger.datagram();
+      stranger.raw();
+      stranger.raw(0);
+      stranger.raw(Frame.DATAGRAM);
+      stranger.raw(Frame.DATAGRAM, 77); // not sealed
       stranger.datagram(0);
       stranger.datagram(Frame.DATAGRAM); // no payload
-      stranger.udp.write(ByteBuffer.allocate(1_202).put(0, Frame.DATAGRAM)); // a byte too long
-      stranger.udp.write(ByteBuffer.allocate(20_000).put(0, Frame.DATAGRAM));
+      stranger.datagram(Frame.KEEP_ALIVE, 1); // has no fields
+      stranger.udp.write(ByteBuffer.wrap(stranger.sealed(Frame.DATAGRAM, new byte[1_201])));
+      stranger.udp.write(ByteBuffer.wrap(stranger.sealed(Frame.DATAGRAM, new byte[20_000])));
       stranger.register(stranger.id, stranger.token); // again
       stranger.register(stranger.id + 1, 5);
       stranger.datagram(Frame.ANSWER, 0, 0, 0, 0, 0, 0, 0, 0);
       for (int i = 0; i < 100; i++) {
         byte[] bytes = new byte[random.nextInt(60)];
         random.nextBytes(bytes);
-        if (bytes.length > 0 && bytes[0] == Frame.DATAGRAM) {
-          bytes[0] = 0;
+        stranger.udp.write(ByteBuffer.wrap(bytes)); // not sealed
+        if (bytes.length > 0 && bytes[0] != Frame.DATAGRAM) {
+          stranger.udp.write(
+              ByteBuffer.wrap(
+                  stranger.sealed(bytes[0], Arrays.copyOfRange(bytes, 1, bytes.length))));
         }
-        stranger.udp.write(ByteBuffer.wrap(bytes));
       }
       stranger.datagram(Frame.DATAGRAM, 77);
       Network.Inbox inbox = new Network.Inbox();
@@ -256,19 +302,29 @@ final class KryoHostilityTest {
       attacks.add(ByteBuffer.allocate(8).putInt(length).putInt(0).array());
     }
     attacks.add("GET / HTTP/1.1\r\nHost: x\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
-    attacks.add(new byte[] {0, 0, 0, 1, 99}); // unknown tag
-    attacks.add(new byte[] {0, 0, 0, 1, Frame.MESSAGE}); // no message
-    attacks.add(new byte[] {0, 0, 0, 2, Frame.MESSAGE, 0x43}); // a server's message
-    attacks.add( // string with a huge length, in Kryo's own encoding
-        new byte[] {0, 0, 0, 7, Frame.MESSAGE, 3, -1, -1, -1, -1, 7});
+    attacks.add(new byte[] {0, 0, 0, 1, 5}); // a BYE that isn't sealed
+    List<byte[]> sealed = new ArrayList<>();
+    sealed.add(new byte[] {99}); // unknown tag
+    sealed.add(new byte[] {Frame.KEEP_ALIVE, 1}); // it has no fields
+    sealed.add(new byte[] {Frame.KEY_CONFIRM}); // again
+    sealed.add(new byte[] {Frame.MESSAGE}); // no message
+    sealed.add(new byte[] {Frame.MESSAGE, 0x43}); // a server's message
+    sealed.add( // string with a huge length, in Kryo's own encoding
+        new byte[] {Frame.MESSAGE, 3, -1, -1, -1, -1, 7});
     byte[] longName = message.clone();
     longName[1 + 1 + 4 + 8 + 8] = 127; // the name's length
-    attacks.add(
-        ByteBuffer.allocate(4 + message.length).putInt(message.length).put(longName).array());
-    for (byte[] attack : attacks) {
+    sealed.add(longName);
+    int unsealed = attacks.size();
+    attacks.addAll(sealed);
+    for (int i = 0; i < attacks.size(); i++) {
+      byte[] attack = attacks.get(i);
       try (Stranger stranger = new Stranger()) {
         Link link = stranger.join();
-        stranger.write(attack);
+        if (i < unsealed) {
+          stranger.write(attack);
+        } else {
+          stranger.frame(attack);
+        }
         assertTrue(stranger.closedByServer(), Arrays.toString(attack));
         eventually(() -> link.state() == Link.State.CLOSED, link::toString);
       }
@@ -286,9 +342,12 @@ final class KryoHostilityTest {
         for (int n = 0; n < 20 && link.state() == Link.State.OPEN; n++) {
           byte[] content = new byte[1 + random.nextInt(300)];
           random.nextBytes(content);
-          content[0] = (byte) random.nextInt(9);
+          content[0] = (byte) random.nextInt(12);
           stranger.frame(content);
           stranger.udp.write(ByteBuffer.wrap(content));
+          stranger.udp.write(
+              ByteBuffer.wrap(
+                  stranger.sealed(content[0], Arrays.copyOfRange(content, 1, content.length))));
         }
       } catch (SocketException x) {
         // closed in the middle of it, as it should be
@@ -377,12 +436,11 @@ final class KryoHostilityTest {
       Network.pause(50);
       Link link = victim.join();
       assertTrue(link.sendDatagram(new byte[] {42}, 0, 1));
-      ByteBuffer received = ByteBuffer.allocate(100);
+      byte[] received;
       do {
-        received.clear();
-        victim.udp.read(received);
-      } while (received.get(0) != Frame.DATAGRAM);
-      assertEquals(42, received.get(1));
+        received = victim.receive();
+      } while (received[0] != Frame.DATAGRAM);
+      assertEquals(42, received[1]);
       thief.udp.configureBlocking(false);
       assertEquals(0, thief.udp.read(ByteBuffer.allocate(100)), "the thief received something");
     }
@@ -391,8 +449,8 @@ final class KryoHostilityTest {
   @Test
   void nobodyReceivesAStreamThatHeDidNotAskFor() throws IOException {
     try (Stranger stranger = new Stranger()) {
-      stranger.register(stranger.id, stranger.token);
-      assertEquals(Frame.REGISTER_UDP, stranger.readFrame()[0]);
+      stranger.exchangeKeys();
+      stranger.frame(new byte[] {Frame.KEY_CONFIRM});
       assertTrue(stranger.closedByServer(), "no answer to the challenge");
       assertEquals(null, network.server.accept());
       stranger.udp.configureBlocking(false);
@@ -400,7 +458,8 @@ final class KryoHostilityTest {
       for (ByteBuffer b = ByteBuffer.allocate(2_000); stranger.udp.read(b) > 0; b.clear()) {
         bytes += b.position();
       }
-      assertTrue(bytes <= 10 * Frame.NONCE_BYTES, "bytes=" + bytes);
+      int challenge = 1 + DatagramSealer.EXTRA_BYTES + Frame.NONCE_BYTES;
+      assertTrue(bytes <= 10 * challenge, "bytes=" + bytes);
     }
   }
 
@@ -514,16 +573,20 @@ final class KryoHostilityTest {
 
   @Test
   void aHalfOpenConnectionEndsAndItsReplacementGetsTheSameAddress() throws IOException {
-    try (Stranger stranger = new Stranger()) {
+    try (Stranger stranger = new Stranger();
+        Stranger thief = new Stranger(stranger.udp)) { // its client came back
       Link old = stranger.join();
-      Socket tcp = new Socket(Network.HOST, network.server.tcpPort()); // its client came back
-      ByteBuffer frame = ByteBuffer.wrap(tcp.getInputStream().readNBytes(4 + 13));
-      stranger.register(frame.getInt(5), frame.getLong(9));
+      thief.register(thief.id, thief.token);
+      assertEquals(Frame.REGISTER_UDP, thief.readFrame()[0]);
+      Network.pause(50);
+      assertEquals(Link.State.OPEN, old.state(), "anybody may forge an address");
+    }
+    try (Stranger stranger = new Stranger();
+        Stranger again = new Stranger(stranger.udp)) {
+      Link old = stranger.join();
+      assertEquals(Link.State.OPEN, again.join().state());
       eventually(() -> old.state() == Link.State.CLOSED, old::toString);
       assertEquals("a new connection has the same address", old.closeReason());
-      ByteBuffer reply = ByteBuffer.wrap(tcp.getInputStream().readNBytes(5));
-      assertEquals(Frame.REGISTER_UDP, reply.get(4));
-      tcp.close();
     }
   }
 

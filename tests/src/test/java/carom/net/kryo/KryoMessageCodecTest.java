@@ -50,6 +50,8 @@ final class KryoMessageCodecTest {
             240,
             "cup",
             9,
+            -5,
+            70,
             77,
             Long.MIN_VALUE,
             "arena",
@@ -131,6 +133,7 @@ final class KryoMessageCodecTest {
             + "f0" // tickRate
             + "03637570" // room
             + "09" // match
+            + "fbffffff46000000" // incarnation, course tick
             + "4d000000" // tick
             + "0000000000000080" // seed
             + "056172656e61" // game
@@ -190,10 +193,11 @@ final class KryoMessageCodecTest {
             new ClientMessage.RecordingRequest(-1),
             new ServerMessage.LevelChunk(-1, new byte[1]),
             new ServerMessage.Welcome(
-                1, 1, Limits.MAX_PLAYERS, 60, "r", 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
-            new ServerMessage.Welcome(1, 1, 1, 0, "r", 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+                1, 1, Limits.MAX_PLAYERS, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
             new ServerMessage.Welcome(
-                1, 1, 1, 60, "r", 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of("x".repeat(101))),
+                1, 1, 1, 0, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+            new ServerMessage.Welcome(
+                1, 1, 1, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of("x".repeat(101))),
             "no message");
     for (Object message : wrong) {
       IllegalArgumentException x =

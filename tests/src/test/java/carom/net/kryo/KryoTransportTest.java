@@ -9,8 +9,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.frame.Frame;
+import carom.net.frame.Trust;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ServerMessage;
+import carom.net.seal.Encryption;
+import carom.net.seal.ExchangeKey;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
@@ -41,7 +44,7 @@ public class KryoTransportTest {
 
   /** The clients under test, patient for so long. */
   protected ClientTransport clients(int connectMillis) {
-    return new KryoClientTransport(connectMillis);
+    return new KryoClientTransport(Trust.firstUse(), connectMillis);
   }
 
   private Network network() {
@@ -316,7 +319,9 @@ public class KryoTransportTest {
   @Test
   void listensOnTheChosenAddressOnly() throws IOException {
     InetAddress chosen = InetAddress.getByName("127.0.0.2");
-    KryoServerTransport bound = new KryoServerTransport(chosen, 0, 0, KryoLimits.DEFAULT);
+    KryoServerTransport bound =
+        new KryoServerTransport(
+            chosen, 0, 0, KryoLimits.DEFAULT, ServerIdentity.temporary(Encryption.ON));
     try {
       InetAddress other = InetAddress.getByName("127.0.0.1");
       new ServerSocket(bound.tcpPort(), 1, other).close();
@@ -330,7 +335,9 @@ public class KryoTransportTest {
     PortUnavailableException x =
         assertThrows(
             PortUnavailableException.class,
-            () -> new KryoServerTransport(foreign, 0, 0, KryoLimits.DEFAULT));
+            () ->
+                new KryoServerTransport(
+                    foreign, 0, 0, KryoLimits.DEFAULT, ServerIdentity.temporary(Encryption.ON)));
     assertTrue(x.getMessage().contains("203.0.113.7 is no address of this machine"), x::getMessage);
   }
 
@@ -397,7 +404,10 @@ public class KryoTransportTest {
 
   @Test
   void aServerThatIsNoneOrGoesMadOnlyEndsTheLink() throws IOException {
-    byte[] registration = {0, 0, 0, 13, Frame.REGISTER_TCP, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    byte[] fields =
+        Frame.greeting(1, 0x0101010101010101L, 1, Encryption.ON, ExchangeKey.random().publicKey());
+    byte[] registration =
+        join(new byte[] {0, 0, 0, 1 + Frame.GREETING_BYTES, Frame.REGISTER_TCP}, fields);
     List<byte[]> greetings =
         List.of(
             "SSH-2.0-x\r\n".getBytes(StandardCharsets.UTF_8),

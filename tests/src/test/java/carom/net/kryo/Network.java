@@ -3,6 +3,7 @@ package carom.net.kryo;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.frame.Trust;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
@@ -66,7 +67,7 @@ final class Network implements AutoCloseable {
   }
 
   Network(KryoLimits limits) {
-    this(limits, new KryoClientTransport(1_500));
+    this(limits, new KryoClientTransport(Trust.firstUse(), 1_500));
   }
 
   Network(KryoLimits limits, ClientTransport clients) {

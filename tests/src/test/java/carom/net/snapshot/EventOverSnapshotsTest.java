@@ -166,7 +166,7 @@ class EventOverSnapshotsTest {
     final SnapshotDecoder anew = new SnapshotDecoder(4, KEY, 0, RATE);
 
     Returning() {
-      repeats.beginLink("1", 1, 0);
+      repeats.beginLink("1", 1, 1, 0);
       tick(2, random);
       byte[] d = next();
       assertEquals(DecodeStatus.OK, decoder.decode(d, 0, d.length));
@@ -190,7 +190,7 @@ class EventOverSnapshotsTest {
         tick(1, random);
         again.offer(ring.events().limit() - 1);
       }
-      repeats.beginLink("1", 1, tick);
+      repeats.beginLink("1", 1, 1, tick);
       for (int t = 0; t < 300; t++) {
         tick(0, random);
         again.begin(feedback, null, 2_000);

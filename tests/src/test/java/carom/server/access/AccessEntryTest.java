@@ -15,7 +15,7 @@ final class AccessEntryTest {
 
   private static boolean covers(String line, String name, String remote) {
     byte[] address = AddressRange.addressOf(remote).orElse(null);
-    return AccessEntry.parse(line).covers(name, address, NOW);
+    return AccessEntry.parse(line).covers(name, "", address, NOW);
   }
 
   @Test
@@ -24,6 +24,15 @@ final class AccessEntryTest {
     assertTrue(covers("name Bob", "\uff22ob", "1.2.3.4:5"), "wide letters");
     assertFalse(covers("name Bob", "Bobby", "1.2.3.4:5"));
     assertFalse(covers("name Bob", null, "1.2.3.4:5"), "a spectator has no name");
+  }
+
+  @Test
+  void accountsAreComparedExactly() {
+    AccessEntry ban = AccessEntry.parse("account \"4711\" cheats");
+    assertTrue(ban.covers("Bob", "4711", null, NOW));
+    assertFalse(ban.covers("4711", "", null, NOW), "a name is no account");
+    assertFalse(ban.covers("Bob", "47110", null, NOW));
+    assertTrue(covers("name Admin", "\u0410dmin", "x"), "a name that looks alike");
   }
 
   @Test

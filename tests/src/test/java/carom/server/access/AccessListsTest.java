@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.net.protocol.RefusalReason;
 import carom.server.config.DataFolder;
@@ -32,7 +33,7 @@ final class AccessListsTest {
 
   @Test
   void everybodyMayPlayWhileThereAreNoFiles() throws IOException {
-    assertNull(lists(false).refusal("Bob", "203.0.113.7:1"));
+    assertNull(lists(false).refusal("Bob", "", "203.0.113.7:1"));
   }
 
   @Test
@@ -41,14 +42,30 @@ final class AccessListsTest {
     assertFalse(lists.reloadIfChanged());
     Files.writeString(bans(), "# mine\nname Bob until 2026-11-23T12:30:00Z rude\nnonsense\n");
     assertTrue(lists.reloadIfChanged());
-    EntryRule.Refusal refusal = lists.refusal("bob", "203.0.113.7:1");
+    EntryRule.Refusal refusal = lists.refusal("bob", "", "203.0.113.7:1");
     assertEquals(RefusalReason.BANNED, refusal.reason());
     assertEquals("rude. Until 2026-11-23T12:30:00Z.", refusal.text());
     now = now.plusSeconds(1_800);
-    assertNull(lists.refusal("bob", "203.0.113.7:1"));
+    assertNull(lists.refusal("bob", "", "203.0.113.7:1"));
     Files.delete(bans());
     assertTrue(lists.reloadIfChanged());
     assertEquals(List.of(), lists.bans().entries());
+  }
+
+  @Test
+  void onAFullDiskABanIsRefusedAndTheOthersStay() throws IOException {
+    Path full = Path.of("/dev/full");
+    assumeTrue(Files.exists(full), "a device of Linux");
+    AccessLists lists = lists(false);
+    lists.bans().add(AccessEntry.parse("name mallory"));
+    String before = Files.readString(bans());
+    Files.createSymbolicLink(bans().resolveSibling("bans.txt.new"), full);
+    AccessEntry more = AccessEntry.parse("name trudy");
+    IOException e = assertThrows(IOException.class, () -> lists.bans().add(more));
+    assertTrue(e.getMessage().contains("nothing has changed"), e.getMessage());
+    assertEquals(before, Files.readString(bans()));
+    lists.bans().add(more);
+    assertTrue(Files.readString(bans()).contains("trudy"));
   }
 
   @Test
@@ -61,21 +78,21 @@ final class AccessListsTest {
         "# mine\nnonsense\nname \"BOB\" until 2027-01-01T00:00:00Z again\n",
         Files.readString(bans()));
     assertFalse(lists.reloadIfChanged(), "own changes are known");
-    assertNotNull(lists.refusal("Bob", "x"));
+    assertNotNull(lists.refusal("Bob", "", "x"));
     assertFalse(Files.exists(folder.resolve("bans.txt.new")));
   }
 
   @Test
   void onlyTheListedPlayWhereTheOperatorWantsThat() throws IOException {
     AccessLists lists = lists(true);
-    assertEquals(RefusalReason.NOT_ALLOWED, lists.refusal("Ann", "192.0.2.1:1").reason());
+    assertEquals(RefusalReason.NOT_ALLOWED, lists.refusal("Ann", "", "192.0.2.1:1").reason());
     lists.allowed().add(AccessEntry.parse("name Ann"));
     lists.allowed().add(AccessEntry.parse("address 198.51.100.0/24"));
-    assertNull(lists.refusal("ann", "192.0.2.1:1"));
-    assertNull(lists.refusal("Bob", "198.51.100.9:1"));
-    assertNotNull(lists.refusal(null, "192.0.2.1:1"), "spectators, too");
+    assertNull(lists.refusal("ann", "", "192.0.2.1:1"));
+    assertNull(lists.refusal("Bob", "", "198.51.100.9:1"));
+    assertNotNull(lists.refusal(null, "", "192.0.2.1:1"), "spectators, too");
     lists.bans().add(AccessEntry.parse("name Ann"));
-    assertEquals(RefusalReason.BANNED, lists.refusal("Ann", "192.0.2.1:1").reason());
+    assertEquals(RefusalReason.BANNED, lists.refusal("Ann", "", "192.0.2.1:1").reason());
   }
 
   @Test
@@ -88,6 +105,6 @@ final class AccessListsTest {
     AccessLists lists = lists(false);
     Files.write(bans(), new byte[] {'#', (byte) 0xff, '\n'});
     assertFalse(lists.reloadIfChanged());
-    assertNotNull(lists.refusal("Bob", "x"), "the last good list stays in force");
+    assertNotNull(lists.refusal("Bob", "", "x"), "the last good list stays in force");
   }
 }

@@ -60,10 +60,7 @@ class ServerConfigTest {
       String name = component.getName();
       Class<?> type = component.getType();
       Object old = component.getAccessor().invoke(c);
-      Object other =
-          old instanceof String text
-              ? text + "x"
-              : old instanceof Long number ? (Object) (number + 1) : (Object) ((int) old + 1);
+      Object other = other(old);
       Method with =
           ServerConfig.class.getMethod(
               "with" + Character.toUpperCase(name.charAt(0)) + name.substring(1), type);
@@ -71,5 +68,14 @@ class ServerConfigTest {
       assertEquals(other, component.getAccessor().invoke(changed), name);
       assertEquals(c, with.invoke(changed, old), name);
     }
+  }
+
+  private static Object other(Object value) {
+    if (value instanceof String text) {
+      return text + "x";
+    } else if (value instanceof Boolean on) {
+      return !on;
+    }
+    return value instanceof Long number ? (Object) (number + 1) : (Object) ((int) value + 1);
   }
 }

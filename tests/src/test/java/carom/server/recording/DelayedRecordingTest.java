@@ -46,7 +46,7 @@ final class DelayedRecordingTest {
         new DelayedRecording(new RecordingFile(folder.resolve("all.carom")), s::tick, false);
     recording.delay(DELAY);
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), recording);
-    s.journal(recorder);
+    s.addJournal(recorder);
     s.join(0, "Ann");
     int minute = Recorder.STATE_SECONDS * 60;
     for (int i = 0; i < minute + 200; i++) {

@@ -45,6 +45,18 @@ class TickLoopTest {
   }
 
   @Test
+  void afterAPauseOnPurposeNothingIsMadeGoodOrDropped() {
+    TickLoop loop = new TickLoop(60, 8);
+    loop.due(0);
+    assertEquals(1, loop.due(SECOND / 60 + 1));
+    loop.pause();
+    assertEquals(0, loop.due(3_600 * SECOND));
+    assertEquals(1, loop.due(3_600 * SECOND + SECOND / 60 + 1));
+    assertEquals(0, loop.lateTicks());
+    assertEquals(0, loop.droppedTicks());
+  }
+
+  @Test
   void longPauseIsCutAndCounted() {
     TickLoop loop = new TickLoop(60, 8);
     loop.due(0);

@@ -46,6 +46,15 @@ class SeatsTest {
   }
 
   @Test
+  void nameThatLooksLikeATakenOneGetsANumber() {
+    assertEquals("Admin", seats.take("Admin").name());
+    Seats.Seat cyrillic = seats.take("\u0410dmin");
+    assertEquals("\u0410dmin (2)", cyrillic.name());
+    seats.unclaim(cyrillic);
+    assertEquals("AdmIn (2)", seats.take("AdmIn").name());
+  }
+
+  @Test
   void nameIsFreeAgainWhenItsSeatIs() {
     Seats.Seat ann = seats.take("Ann");
     assertEquals("Ann (2)", seats.take("ann").name().replace('a', 'A'));

@@ -181,10 +181,10 @@ final class FieldStateTest {
   @Test
   void aClientTakesOnlyTheWritesThatItCanForesee() {
     Simulation s = start(game, Role.PREDICTION);
-    Player own = s.joinAs(0, "ann");
-    Player other = s.joinAs(1, "bob");
-    Entity body = s.spawnAs(0, 0, game.ball, 0, 0, 0, 0);
-    s.spawnAs(1, 0, game.ball, 0.9f, 0, 0, Entity.NO_OWNER).body().setVelocity(-9, 0);
+    Player own = s.mirror().join(0, "ann");
+    Player other = s.mirror().join(1, "bob");
+    Entity body = s.mirror().spawn(0, 0, game.ball, 0, 0, 0, 0);
+    s.mirror().spawn(1, 0, game.ball, 0.9f, 0, 0, Entity.NO_OWNER).body().setVelocity(-9, 0);
     List<String> hits = new ArrayList<>();
     game.inHit =
         () -> {

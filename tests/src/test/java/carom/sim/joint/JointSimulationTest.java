@@ -167,7 +167,7 @@ final class JointSimulationTest {
     List<String> told = new ArrayList<>();
     for (int i = 0; i < 240; i++) {
       s.step();
-      s.drainEvents(e -> told.add(e.kind().name()));
+      s.outbox().drainEvents(e -> told.add(e.kind().name()));
     }
     assertTrue(s.world().jointCount() < before, "joints=" + s.world().jointCount());
     assertEquals(before - s.world().jointCount(), told.stream().filter("snap"::equals).count());
@@ -261,7 +261,7 @@ final class JointSimulationTest {
         compared++;
       }
       if (!mirrored || random.nextInt(100) == 0) {
-        client.tick(s.tick());
+        client.mirror().tick(s.tick());
         there.write(client, identity(s));
         mirrored = true;
       }
@@ -312,7 +312,7 @@ final class JointSimulationTest {
           assertEquals(server.world().jointCount(), client.world().jointCount(), where);
           assertEquals(there.hash(), here.hash(), where);
         } else if (tick == at) {
-          client.tick(server.tick());
+          client.mirror().tick(server.tick());
           there.write(client, identity(server));
         }
       }

@@ -7,8 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.GuardedGame;
-import carom.sim.Delivery;
-import carom.sim.Delivery.Recipients;
 import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimState;
@@ -16,6 +14,8 @@ import carom.sim.Simulation;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
+import carom.sim.outbox.Delivery;
+import carom.sim.outbox.Delivery.Recipients;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -94,7 +94,7 @@ final class MessageOrderTest {
 
   private List<Delivery> sent() {
     List<Delivery> sent = new ArrayList<>();
-    s.drainMessages(sent::add);
+    s.outbox().drainMessages(sent::add);
     return sent;
   }
 

@@ -74,7 +74,7 @@ final class NeighbourhoodTest {
         mirrored = false;
       }
       if (!mirrored || tick % 200 == 0) {
-        client.tick(server.tick());
+        client.mirror().tick(server.tick());
         there.write(
             client,
             new Neighbourhood.Identity() {

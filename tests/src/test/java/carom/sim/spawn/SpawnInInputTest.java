@@ -112,9 +112,9 @@ final class SpawnInInputTest {
   /** Returns a client's simulation in which Ann has a body, as on the server. */
   private Simulation client(OwnSpawns own) {
     Simulation s = simulation(Role.PREDICTION);
-    s.joinAs(0, "Ann");
-    s.spawnAs(0, 0, rules.man, 0, 0, 0, 0);
-    s.ownSpawns(own);
+    s.mirror().join(0, "Ann");
+    s.mirror().spawn(0, 0, rules.man, 0, 0, 0, 0);
+    s.mirror().ownSpawns(own);
     return s;
   }
 
@@ -166,10 +166,10 @@ final class SpawnInInputTest {
       server.step();
       client.step();
     }
-    assertEquals(3, client.provisionalCount());
+    assertEquals(3, client.mirror().provisionalCount());
     assertEquals(1, client.entityCount());
     for (int i = 0; i < 3; i++) {
-      Entity mine = client.provisional(i);
+      Entity mine = client.mirror().provisional(i);
       Entity real = ann.spawned(i);
       assertTrue(mine.isProvisional());
       assertEquals(real.origin(), mine.id());
@@ -178,7 +178,7 @@ final class SpawnInInputTest {
       assertEquals(real.body().y(), mine.body().y());
       assertEquals(40, mine.get(POWER));
     }
-    assertSame(client.provisional(2), mirrored.get(LAST));
+    assertSame(client.mirror().provisional(2), mirrored.get(LAST));
   }
 
   @Test
@@ -187,20 +187,20 @@ final class SpawnInInputTest {
     final SimState before = s.save(null);
     s.player(0).input().hold(Input.ACTION, true);
     s.step();
-    int id = s.provisional(0).id();
+    int id = s.mirror().provisional(0).id();
     final long hash = s.stateHash();
     final SimState after = s.save(null);
     s.restore(before);
-    assertEquals(0, s.provisionalCount());
+    assertEquals(0, s.mirror().provisionalCount());
     assertNull(s.entity(id));
     s.player(0).input().hold(Input.ACTION, true);
     s.step();
     assertEquals(hash, s.stateHash());
-    assertEquals(id, s.provisional(0).id());
+    assertEquals(id, s.mirror().provisional(0).id());
     s.player(0).input().hold(Input.ACTION, false);
     s.player(0).input().hold(Input.SECOND, true);
     s.step();
-    assertEquals(0, s.provisionalCount());
+    assertEquals(0, s.mirror().provisionalCount());
     s.restore(after);
     assertEquals(hash, s.stateHash());
     assertSame(s.entity(id), s.player(0).spawned(0));
@@ -211,7 +211,7 @@ final class SpawnInInputTest {
     Simulation s = client(told(7 | 3 << 16));
     s.player(0).input().hold(Input.ACTION, true);
     s.step();
-    assertEquals(0, s.provisionalCount());
+    assertEquals(0, s.mirror().provisionalCount());
     assertEquals(3, s.entity(7).generation());
     assertEquals(Origin.of(1, 0), s.entity(7).origin());
     assertSame(s.entity(7), s.player(0).spawned(0));
@@ -222,10 +222,10 @@ final class SpawnInInputTest {
     Simulation s = client(told(OwnSpawns.UNKNOWN));
     s.player(0).input().hold(Input.ACTION, true);
     s.step();
-    int origin = s.provisional(0).id();
-    Entity real = s.spawnAs(7, 3, rules.rocket, 0, 2, 0, 0);
-    s.identify(real, origin);
-    assertEquals(0, s.provisionalCount());
+    int origin = s.mirror().provisional(0).id();
+    Entity real = s.mirror().spawn(7, 3, rules.rocket, 0, 2, 0, 0);
+    s.mirror().identify(real, origin);
+    assertEquals(0, s.mirror().provisionalCount());
     assertEquals(1, s.player(0).spawnedCount());
     assertSame(real, s.player(0).spawned(0));
     assertSame(real, s.player(0).get(LAST), "a field that meant the provisional one");
@@ -234,11 +234,11 @@ final class SpawnInInputTest {
   @Test
   void whatTheInputOfOthersSpawnsLivesUntilTheEndOfTheCall() {
     Simulation s = client(told(OwnSpawns.UNKNOWN));
-    s.joinAs(1, "Ben");
-    s.spawnAs(1, 0, rules.man, 4, 0, 0, 1);
+    s.mirror().join(1, "Ben");
+    s.mirror().spawn(1, 0, rules.man, 4, 0, 0, 1);
     s.player(1).input().hold(Input.ACTION, true);
     s.step();
-    assertEquals(0, s.provisionalCount());
+    assertEquals(0, s.mirror().provisionalCount());
     assertEquals(0, s.player(1).spawnedCount());
   }
 
@@ -250,7 +250,7 @@ final class SpawnInInputTest {
     s.player(0).input().hold(Input.ACTION, false);
     s.player(0).input().hold(Input.SECOND, true);
     s.step();
-    assertEquals(0, s.provisionalCount());
+    assertEquals(0, s.mirror().provisionalCount());
     assertEquals(1, s.entityCount(), "the own body");
   }
 
@@ -268,7 +268,7 @@ final class SpawnInInputTest {
       client.step();
     }
     assertEquals(Origin.MOST_PER_PLAYER, ann.spawnedCount());
-    assertEquals(Origin.MOST_PER_PLAYER, client.provisionalCount());
+    assertEquals(Origin.MOST_PER_PLAYER, client.mirror().provisionalCount());
     assertEquals(41, server.entityCount(), "the server keeps all");
     for (int i = 0; i < Origin.MOST_PER_PLAYER; i++) {
       assertEquals(ann.spawned(i).origin(), mirrored.spawned(i).id());

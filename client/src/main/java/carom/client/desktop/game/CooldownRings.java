@@ -6,7 +6,7 @@ import carom.client.field.FieldView;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.game.Games;
-import carom.sim.Cooldown;
+import carom.sim.field.Cooldown;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;
 import java.util.List;

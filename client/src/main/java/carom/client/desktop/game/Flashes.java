@@ -5,7 +5,7 @@ import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Theme;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.events.EventListener;
-import carom.sim.Event;
+import carom.sim.outbox.Event;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;
 

@@ -12,7 +12,7 @@ import carom.client.desktop.sound.EventSounds;
 import carom.client.events.EventListener;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
-import carom.sim.Event;
+import carom.sim.outbox.Event;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.utils.Disposable;

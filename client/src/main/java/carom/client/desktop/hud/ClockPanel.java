@@ -5,6 +5,7 @@ import carom.client.desktop.paint.Theme;
 import carom.client.field.FieldView;
 import carom.client.view.ClientView;
 import carom.game.Games;
+import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Game;
 import carom.sim.MatchClock;
 import carom.sim.match.MatchPhase;
@@ -50,7 +51,7 @@ public final class ClockPanel {
     int ticks = MatchClock.ticksLeft(match);
     int seconds = ticks < 0 ? -1 : (ticks + view.tickRate() - 1) / view.tickRate();
     switch (phase) {
-      case WARM_UP -> line(warmUp(clock, view.players().size()), false);
+      case WARM_UP -> line(warmUp(clock, view.players()), false);
       case COUNTDOWN -> line(Integer.toString(seconds), true);
       case PLAYING -> line(seconds < 0 ? "" : time(seconds), false);
       case OVER -> result(result(match, view), seconds);
@@ -91,11 +92,17 @@ public final class ClockPanel {
   }
 
   /** Returns what a warm-up waits for. */
-  static String warmUp(MatchClock clock, int players) {
+  static String warmUp(MatchClock clock, List<RosterEntry> roster) {
+    int players = 0;
+    int ready = 0;
+    for (RosterEntry entry : roster) {
+      players += entry.spectator() ? 0 : 1;
+      ready += !entry.spectator() && entry.ready() ? 1 : 0;
+    }
     int wanted = clock.playersToBegin();
     return players < wanted
         ? "Warm-up: " + players + " of " + wanted + " players"
-        : "Warm-up: until all are ready";
+        : "Warm-up: " + ready + " of " + players + " are ready (Tab and R)";
   }
 
   /** Returns minutes and seconds, such as 4:05. */

@@ -76,6 +76,11 @@ public final class Hud implements Disposable {
     return width;
   }
 
+  /** Returns the pixels of a point. */
+  float pixelsPerPoint() {
+    return scale;
+  }
+
   /** Begins figures in points, origin bottom left; end them by the canvas. */
   public void beginFigures() {
     canvas.begin(points, scale);

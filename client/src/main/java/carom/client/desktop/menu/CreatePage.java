@@ -31,6 +31,11 @@ final class CreatePage implements Page {
     level = games.levels().get(0);
   }
 
+  /** Shows why the player is here. */
+  void message(String text) {
+    problem = text;
+  }
+
   @Override
   public void build(Table into) {
     into.defaults().space(8).left();
@@ -86,6 +91,11 @@ final class CreatePage implements Page {
   private void line(Table into, String label, Actor value) {
     into.add(widgets.label(label)).width(LABEL_WIDTH);
     into.add(value).height(Widgets.HEIGHT).growX().row();
+  }
+
+  @Override
+  public void close() {
+    problem = "";
   }
 
   @Override

@@ -26,6 +26,7 @@ public final class StartScreen extends ScreenAdapter {
   private final MenuStage stage = new MenuStage(this::submit, this::back);
   private final Map<String, Page> pages = new LinkedHashMap<>();
   private final JoinPage join;
+  private final CreatePage create;
   private Page page;
   private boolean stale = true;
   private boolean entering;
@@ -42,8 +43,9 @@ public final class StartScreen extends ScreenAdapter {
     this.target = target;
     Runnable rebuild = () -> stale = true;
     join = new JoinPage(widgets, host, target, server, rebuild);
-    if (games != null) {
-      pages.put("Play here", new CreatePage(widgets, target, games, rebuild));
+    create = games == null ? null : new CreatePage(widgets, target, games, rebuild);
+    if (create != null) {
+      pages.put("Play here", create);
     }
     pages.put("Join a server", join);
     pages.put("Replays", new ReplaysPage(widgets, target, Path.of(""), rebuild));
@@ -57,6 +59,14 @@ public final class StartScreen extends ScreenAdapter {
   public void message(String text) {
     turn(join);
     join.message(text);
+  }
+
+  /** Shows that no server was there, and offers to play without one. */
+  public void offer(String reason) {
+    if (create != null) {
+      turn(create);
+      create.message(reason + " You can play here instead.");
+    }
   }
 
   private void turn(Page next) {

@@ -1,9 +1,9 @@
 package carom.client.desktop.sound;
 
 import carom.client.events.EventListener;
-import carom.sim.Event;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
+import carom.sim.outbox.Event;
 import com.badlogic.gdx.math.MathUtils;
 
 /**

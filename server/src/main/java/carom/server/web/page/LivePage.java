@@ -61,6 +61,8 @@ public final class LivePage implements AutoCloseable {
   private long sampledNs = System.nanoTime();
 
   /** Begins to note figures; {@link #serves} and {@link #handle} show them. */
+  @SuppressWarnings(
+      "FutureReturnValueIgnored") // The guarded tasks throw nothing, and end with the clock.
   public LivePage(PageConfig config, List<Room> rooms) {
     this.config = config;
     this.rooms = List.copyOf(rooms);

@@ -38,6 +38,7 @@ final class PlayerRates {
     return players.stream().map(player -> rate(timeNs, player)).toList();
   }
 
+  @SuppressWarnings("ReferenceEquality") // Each reading has objects of its own.
   private Rate rate(long timeNs, PlayerPicture now) {
     for (Reading reading : readings) {
       PlayerPicture then = reading.players().get(now.info().id());

@@ -124,6 +124,7 @@ final class Viewer {
   }
 
   /** Takes over that it knows a match, and returns whether it is another. The page's thread. */
+  @SuppressWarnings("ReferenceEquality") // Each match has an object of its own.
   boolean learns(MatchInfo newMatch) {
     boolean other = match != newMatch;
     if (other) {
@@ -134,6 +135,7 @@ final class Viewer {
   }
 
   /** Returns the bodies of a picture that it doesn't know, and notes that it does. Same thread. */
+  @SuppressWarnings("ReferenceEquality") // A body that looks different has another object.
   List<BodyLook> learns(Picture picture) {
     List<BodyLook> unknown = new ArrayList<>();
     for (BodyLook look : picture.bodies()) {

@@ -2,6 +2,7 @@ package carom.net.snapshot.event;
 
 import carom.net.codec.BitWriter;
 import java.util.Arrays;
+import java.util.function.LongConsumer;
 
 /**
  * Sends events to one client, reliably and in order over datagrams that get lost. Each event gets
@@ -126,6 +127,18 @@ public final class EventOutbox {
     }
     for (long i = from; i < before.next; i++) {
       offer(before.numbers[before.at(i)]);
+    }
+  }
+
+  /**
+   * Passes on the numbers of the events that the client may lack, from the first event of the
+   * oldest tick on of which it lacks any.
+   */
+  public void forEachUnacknowledged(LongConsumer reader) {
+    for (long i = base < next ? kept : next; i < next; i++) {
+      if (ring.holds(numbers[at(i)])) {
+        reader.accept(numbers[at(i)]);
+      }
     }
   }
 

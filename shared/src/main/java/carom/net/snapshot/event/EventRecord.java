@@ -2,7 +2,10 @@ package carom.net.snapshot.event;
 
 import carom.net.codec.Quantizer;
 
-/** An event as it is sent. Mutable, reused; the numbers mean what {@code carom.sim.Event} says. */
+/**
+ * An event as it is sent. Mutable, reused; the numbers mean what {@code carom.sim.outbox.Event}
+ * says.
+ */
 public final class EventRecord {
   /** Stands for no player or no entity. */
   public static final int NONE = -1;

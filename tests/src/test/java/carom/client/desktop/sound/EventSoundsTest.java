@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.events.EventReconciler;
 import carom.game.arena.ArenaGame;
-import carom.sim.Event;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
@@ -14,6 +13,7 @@ import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.level.Level;
+import carom.sim.outbox.Event;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
@@ -157,8 +157,8 @@ class EventSoundsTest {
   @Test
   void whatIsForeseenComputedAgainAndToldIsHeardOnce() {
     EventReconciler reconciler = new EventReconciler(1, true, key -> 0, 60, sounds);
-    Player me = arena.joinAs(1, "me");
-    arena.journal(reconciler);
+    Player me = arena.mirror().join(1, "me");
+    arena.addJournal(reconciler);
     SimState start = arena.save(null);
     EventKind zap = kind(Sound.ZAP);
     for (int again = 0; again < 3; again++) {

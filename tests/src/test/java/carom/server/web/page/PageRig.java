@@ -80,9 +80,13 @@ final class PageRig implements AutoCloseable {
   }
 
   @Override
-  public void close() throws InterruptedException {
+  public void close() {
     ended = true;
-    player.join();
+    try {
+      player.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
     watch.interrupt();
     web.close();
     stepper.close();

@@ -1,0 +1,10 @@
+package carom.server.access;
+
+/**
+ * What the operator's own backend says about a player, in a token that it has signed.
+ *
+ * @param account the backend's name of the player's account, never empty
+ * @param name the name to play under, or empty for the player's wish
+ * @param room the room to play in, or empty for the player's wish
+ */
+public record JoinToken(String account, String name, String room) {}

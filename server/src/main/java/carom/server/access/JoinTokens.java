@@ -1,0 +1,170 @@
+package carom.server.access;
+
+import carom.json.Json;
+import carom.json.JsonException;
+import carom.net.protocol.PlayerName;
+import carom.net.protocol.RoomName;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyFactory;
+import java.security.PublicKey;
+import java.security.Signature;
+import java.security.spec.X509EncodedKeySpec;
+import java.time.InstantSource;
+import java.util.Base64;
+import java.util.Map;
+
+/**
+ * Checks join tokens: JSON Web Tokens (RFC 7519) that the operator's own backend signs by Ed25519
+ * (algorithm {@code EdDSA}, RFC 8037). The server has the public key only, so a stolen server makes
+ * no tokens. Immutable; any thread may use it. A check takes about 0.3 ms.
+ *
+ * <p>Claims: {@code sub} (the account) and {@code exp} (the end, seconds since 1970) must be there.
+ * {@code name}, {@code room}, {@code nbf} (the begin) and {@code server} (the fingerprint of the
+ * one server that the token is for) may. Others are ignored.
+ */
+public final class JoinTokens {
+  private static final int MAX_ACCOUNT_CHARACTERS = 64;
+  private static final int SIGNATURE_BYTES = 64;
+  private static final String ALGORITHM = "Ed25519";
+
+  private final PublicKey key;
+  private final String fingerprint;
+  private final InstantSource clock;
+
+  /**
+   * Creates a check.
+   *
+   * @param fingerprint of this server's key
+   */
+  JoinTokens(PublicKey key, String fingerprint, InstantSource clock) {
+    this.key = key;
+    this.fingerprint = fingerprint;
+    this.clock = clock;
+  }
+
+  /**
+   * Reads the backend's public key from a PEM file.
+   *
+   * @param fingerprint of this server's key
+   * @throws IOException if the file has no such key; the message says how to make one
+   */
+  public static JoinTokens load(Path file, String fingerprint, InstantSource clock)
+      throws IOException {
+    String how =
+        "; make a pair with: openssl genpkey -algorithm ed25519 -out backend.pem, and its public"
+            + " key with: openssl pkey -in backend.pem -pubout -out join.pem";
+    try {
+      String text = Files.readString(file, StandardCharsets.US_ASCII);
+      String base64 = text.replaceAll("-----(BEGIN|END) PUBLIC KEY-----", "").replaceAll("\\s", "");
+      X509EncodedKeySpec encoded = new X509EncodedKeySpec(Base64.getDecoder().decode(base64));
+      return new JoinTokens(
+          KeyFactory.getInstance(ALGORITHM).generatePublic(encoded), fingerprint, clock);
+    } catch (NoSuchFileException e) {
+      throw new IOException(file + " isn't there" + how, e);
+    } catch (IOException | IllegalArgumentException | GeneralSecurityException e) {
+      throw new IOException(file + " has no public Ed25519 key in PEM" + how, e);
+    }
+  }
+
+  /**
+   * Returns what a token says.
+   *
+   * @throws BadTokenException if it is none, is not signed by the backend, or isn't for this server
+   *     and this time
+   */
+  public JoinToken check(String token) throws BadTokenException {
+    if (token.isEmpty()) {
+      throw new BadTokenException("Join through the game's own site or launcher.");
+    }
+    String[] parts = token.split("\\.", -1);
+    if (parts.length != 3) {
+      throw new BadTokenException("The token isn't one.");
+    }
+    // Only one algorithm is right: a header that names another one must not choose the check.
+    if (!text(fields(parts[0]), "alg").equals("EdDSA")) {
+      throw new BadTokenException("The token isn't signed by EdDSA.");
+    }
+    if (!isSigned(parts)) {
+      throw new BadTokenException("The token isn't from this game's operator, or was changed.");
+    }
+    Map<String, Json> claims = fields(parts[1]);
+    long now = clock.instant().getEpochSecond();
+    if (!claims.containsKey("exp") || !(number(claims, "exp") > now)) {
+      throw new BadTokenException("The token has expired. Get another one.");
+    }
+    if (claims.containsKey("nbf") && !(number(claims, "nbf") <= now)) {
+      throw new BadTokenException("The token isn't valid yet.");
+    }
+    String server = text(claims, "server");
+    if (!server.isEmpty() && !server.equals(fingerprint)) {
+      throw new BadTokenException("The token is for another server.");
+    }
+    JoinToken result =
+        new JoinToken(text(claims, "sub"), text(claims, "name"), text(claims, "room"));
+    requireUsable(result);
+    return result;
+  }
+
+  private static void requireUsable(JoinToken token) throws BadTokenException {
+    String account = token.account();
+    if (account.isBlank() || account.length() > MAX_ACCOUNT_CHARACTERS) {
+      throw new BadTokenException("The token has no account of 1 to 64 characters (sub).");
+    }
+    String problem = token.name().isEmpty() ? null : PlayerName.problem(token.name());
+    if (problem == null && !token.room().isEmpty()) {
+      problem = RoomName.problem(token.room());
+    }
+    if (problem != null) {
+      throw new BadTokenException("The token can't be used: " + problem + ".");
+    }
+  }
+
+  private boolean isSigned(String[] parts) throws BadTokenException {
+    try {
+      Signature signature = Signature.getInstance(ALGORITHM);
+      signature.initVerify(key);
+      signature.update((parts[0] + "." + parts[1]).getBytes(StandardCharsets.US_ASCII));
+      byte[] signed = bytes(parts[2]);
+      return signed.length == SIGNATURE_BYTES && signature.verify(signed); // Java takes longer ones
+    } catch (GeneralSecurityException e) {
+      return false;
+    }
+  }
+
+  private static byte[] bytes(String part) throws BadTokenException {
+    try {
+      return Base64.getUrlDecoder().decode(part);
+    } catch (IllegalArgumentException e) {
+      throw new BadTokenException("The token isn't one.");
+    }
+  }
+
+  private static Map<String, Json> fields(String part) throws BadTokenException {
+    try {
+      return Json.parse(bytes(part)).fields;
+    } catch (JsonException e) {
+      throw new BadTokenException("The token isn't one.");
+    }
+  }
+
+  private static String text(Map<String, Json> fields, String name) throws BadTokenException {
+    Json field = fields.get(name);
+    if (field != null && field.kind != Json.Kind.STRING) {
+      throw new BadTokenException("The token's " + name + " is no text.");
+    }
+    return field == null ? "" : field.text;
+  }
+
+  private static double number(Map<String, Json> fields, String name) throws BadTokenException {
+    Json field = fields.get(name);
+    if (field.kind != Json.Kind.NUMBER) {
+      throw new BadTokenException("The token's " + name + " is no number.");
+    }
+    return field.number;
+  }
+}

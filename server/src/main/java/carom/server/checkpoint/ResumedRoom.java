@@ -1,0 +1,21 @@
+package carom.server.checkpoint;
+
+import carom.server.room.match.Match;
+import carom.server.session.Session;
+import carom.sim.match.NextMatch;
+import java.util.List;
+
+/**
+ * A room as it was when an earlier run ended.
+ *
+ * @param match the match, at the last tick that the log has
+ * @param rotation index of its level in the room's rotation
+ * @param pending the match that was wanted but not loaded, or null
+ * @param sessions in their grace period, without links
+ */
+public record ResumedRoom(Match match, int rotation, NextMatch pending, List<Session> sessions) {
+  /** Copies the list. */
+  public ResumedRoom {
+    sessions = List.copyOf(sessions);
+  }
+}

@@ -1,0 +1,392 @@
+package carom.server.checkpoint;
+
+import carom.net.protocol.Protocol;
+import carom.net.protocol.SessionState;
+import carom.replay.Recorder;
+import carom.replay.RecordingHeader;
+import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
+import carom.server.match.MatchInfo;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.room.match.MatchLoader;
+import carom.server.session.Seats;
+import carom.server.session.Session;
+import carom.sim.SimState;
+import carom.sim.Simulation;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Keeps a room on the disk, so that another process can go on with it. Every few seconds a new slot
+ * begins: the whole state, which is the checkpoint, and then the inputs of each tick. Beside it, a
+ * small file says who plays.
+ *
+ * <pre>
+ *   slot 12   state ── inputs ── inputs ── inputs ── end │
+ *   slot 13                                              │ state ── inputs ── inputs ─ ─
+ *                                                        └─ checkpoint
+ * </pre>
+ *
+ * <p>A slot begins when the disk has the last one. Then the slots before the last are deleted. A
+ * slot whose disk fails or is too slow is given up, and another one begins.
+ *
+ * <p>The room's thread copies the state and hands it over; {@link SlotDisk} compresses and writes.
+ */
+public final class RoomCheckpoints {
+  private static final Logger LOG = LoggerFactory.getLogger(RoomCheckpoints.class);
+
+  /** Seats that change are written so often in a second. */
+  private static final int SEATS_PER_SECOND = 4;
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** Failures in a row after which the checkpoints aren't resumed: they lead to the next one. */
+  private static final int MAX_FAILURES = 3;
+
+  /** A room that has played for so long after it was resumed has not failed because of that. */
+  private static final int HEALTHY_S = 60;
+
+  /**
+   * The room that is kept.
+   *
+   * @param config settings of the server
+   * @param room its own
+   * @param number 1 for the server's first room
+   * @param label begins each log line
+   * @param counters of the room
+   * @param seats of the room
+   * @param bySeat the live array of the sessions by seat, null where a seat is empty
+   */
+  @SuppressWarnings("ArrayRecordComponent") // Never compared.
+  public record Setting(
+      ServerConfig config,
+      RoomConfig room,
+      int number,
+      String label,
+      Counters counters,
+      Seats seats,
+      Session[] bySeat) {}
+
+  private final Setting room;
+  private final SlotDisk disk;
+  private final SlotFolder folder;
+  private final int intervalTicks;
+  private RoomCourse course;
+  private long roomSeed;
+  private int lastSlot;
+  private long healthyNs;
+
+  /** The last slot that the disk has. The disk's thread only. */
+  private int safeSlot;
+
+  /** Null if the match isn't kept. */
+  private Recorder recorder;
+
+  private RecordingHeader header;
+  private volatile SlotFile slot;
+  private volatile boolean abandoned;
+  private int slotTick;
+  private long slotHash;
+  private SavedEvents events;
+  private int dueTick;
+  private int seatsVersion;
+  private int seatsTick;
+  private boolean toldFailure;
+  private boolean toldTooLarge;
+
+  /**
+   * Creates checkpoints that have nothing yet.
+   *
+   * @param disk writes
+   * @param path folder of this room's slots alone
+   * @param seconds time between checkpoints, s
+   */
+  public RoomCheckpoints(Setting room, SlotDisk disk, Path path, int seconds) {
+    this.room = room;
+    this.disk = disk;
+    folder = new SlotFolder(path);
+    intervalTicks = seconds * room.config().tickRateHz();
+  }
+
+  /**
+   * Returns the room as an earlier run has left it. Slots that can't be used are named in the log,
+   * and the one before is used.
+   *
+   * @param loader builds the match
+   * @return null if there is no slot that can be used
+   * @throws IOException if the folder can't be used
+   */
+  public ResumedRoom resume(MatchLoader loader, long nowNs) throws IOException {
+    folder.create();
+    List<Integer> slots = folder.slots();
+    lastSlot = slots.isEmpty() ? 0 : slots.get(0);
+    boolean mayResume = folder.failures() < MAX_FAILURES;
+    for (int number : mayResume ? slots : List.<Integer>of()) {
+      RoomResume resume = new RoomResume(folder, number, room, loader, nowNs);
+      try {
+        ResumedRoom resumed = resume.run();
+        safeSlot = number;
+        room.counters().add(Counter.ROOMS_RESUMED, 1);
+        return resumed;
+      } catch (IOException | RuntimeException e) {
+        resume.forgetSeats();
+        LOG.warn("{}checkpoint {} is refused: {}", room.label(), number, e.getMessage());
+      }
+    }
+    if (!mayResume) {
+      LOG.error(
+          "{}the room has failed {} times in a row soon after its checkpoints",
+          room.label(),
+          MAX_FAILURES);
+    }
+    for (int number : slots) {
+      folder.refuse(number);
+    }
+    folder.forgetFailures();
+    if (!slots.isEmpty()) {
+      LOG.error(
+          "{}no checkpoint can be used, the room begins anew; {} keeps them as *.refused",
+          room.label(),
+          folder.path());
+    }
+    return null;
+  }
+
+  /**
+   * Begins to keep the present match.
+   *
+   * @param newCourse tells where the room is, from now on
+   * @param newRoomSeed seed of the room's first match
+   */
+  public void begin(RoomCourse newCourse, long newRoomSeed, long nowNs) {
+    course = newCourse;
+    roomSeed = newRoomSeed;
+    healthyNs = nowNs + HEALTHY_S * 1_000 * NS_PER_MS;
+    beginMatch(nowNs);
+  }
+
+  /** Keeps another match from now on, which has begun with its players. */
+  public void beginMatch(long nowNs) {
+    if (abandoned) {
+      return;
+    }
+    Simulation s = course.match().simulation();
+    if (s.game().keepsMore()) {
+      LOG.error(
+          "{}no checkpoints: game={} keeps more than its state; after a crash the room begins anew",
+          room.label(),
+          s.game().name());
+      header = null;
+      disk.write(() -> disk.sync(() -> deleteBelow(Integer.MAX_VALUE)));
+      return;
+    }
+    MatchInfo info = course.match().info();
+    toldTooLarge = false;
+    header = RecordingHeader.of(s, info.seed(), Protocol.physicsDigest());
+    beginSlot(nowNs);
+  }
+
+  /** Ends the log of the present match, because another one begins or the room ends. */
+  public void endMatch(String why) {
+    if (recorder != null) {
+      recorder.end(why);
+      course.match().simulation().removeJournal(recorder);
+      recorder = null;
+    }
+    closeSlot();
+  }
+
+  /** Begins a slot if one is due, and writes the seats if they have changed; once per tick. */
+  public void tickEnds(long nowNs) {
+    if (header == null || abandoned) {
+      return;
+    }
+    int tick = course.match().simulation().tick();
+    String failure = slot == null ? "" : slot.failure();
+    if (failure != null) {
+      giveUp(failure);
+      if (tick >= dueTick && (slot == null || slot.queuedBytes() == 0)) {
+        beginSlot(nowNs);
+      }
+    } else if (tick >= dueTick && slot.isSafe()) {
+      beginSlot(nowNs);
+    } else if (seatsVersion != room.seats().version()
+        && (tick - seatsTick) * SEATS_PER_SECOND >= room.config().tickRateHz()) {
+      writeSeats(nowNs);
+    }
+  }
+
+  private void giveUp(String failure) {
+    if (!toldFailure && !failure.isEmpty()) {
+      toldFailure = true;
+      room.counters().add(Counter.CHECKPOINTS_FAILED, 1);
+      LOG.error(
+          "{}checkpoint {}: {}; another one begins as soon as the disk is free",
+          room.label(),
+          slot.number(),
+          failure);
+      dueTick = course.match().simulation().tick() + room.config().tickRateHz();
+    }
+  }
+
+  private void beginSlot(long nowNs) {
+    Simulation s = course.match().simulation();
+    SlotFile next = new SlotFile(disk, folder, ++lastSlot);
+    dueTick = s.tick() + intervalTicks;
+    toldFailure = false;
+    try {
+      if (recorder == null) {
+        recorder = new Recorder(s, header, next, Recorder.Pace.LOG);
+        s.addJournal(recorder);
+      } else {
+        recorder.goOn(s, "CHECKPOINT", header, next);
+      }
+    } catch (IllegalArgumentException e) {
+      if (!toldTooLarge) {
+        toldTooLarge = true;
+        LOG.error(
+            "{}no checkpoint of game={} level={}: {}",
+            room.label(),
+            header.game(),
+            header.levelName(),
+            e.getMessage());
+      }
+      room.counters().add(Counter.CHECKPOINTS_FAILED, 1);
+      endMatch("NO CHECKPOINT");
+      next.close();
+      return;
+    }
+    closeSlot();
+    slot = next;
+    slotTick = s.tick();
+    slotHash = s.stateHash();
+    events = SavedEvents.of(course.match().capture().frames().events(), room.bySeat());
+    writeSeats(nowNs);
+    int number = next.number();
+    boolean healthy = nowNs - healthyNs >= 0;
+    next.sync(
+        () -> {
+          deleteBelow(number);
+          if (healthy) {
+            forgetFailures();
+          }
+          safeSlot = number;
+        });
+    room.counters().add(Counter.CHECKPOINTS, 1);
+  }
+
+  private void closeSlot() {
+    if (slot != null) {
+      slot.close();
+      slot = null;
+    }
+  }
+
+  /** Deletes all slots below one but the last that the disk had. On the disk's thread. */
+  private void deleteBelow(int number) {
+    try {
+      for (int old : folder.slots()) {
+        if (old < number && (old != safeSlot || number == Integer.MAX_VALUE)) {
+          folder.delete(old);
+        }
+      }
+    } catch (IOException e) {
+      LOG.warn("{}old checkpoints can't be deleted: {}", room.label(), e.toString());
+    }
+  }
+
+  private void forgetFailures() {
+    try {
+      folder.forgetFailures();
+    } catch (IOException e) {
+      LOG.warn("{}old failures can't be forgotten: {}", room.label(), e.toString());
+    }
+  }
+
+  private void addFailure() {
+    try {
+      folder.addFailure();
+    } catch (IOException e) {
+      LOG.warn("{}the failure can't be noted: {}", room.label(), e.toString());
+    }
+  }
+
+  private void writeSeats(long nowNs) {
+    seatsVersion = room.seats().version();
+    seatsTick = course.match().simulation().tick();
+    List<SavedSeat> seats = new ArrayList<>();
+    for (Session session : room.bySeat()) {
+      if (session != null) {
+        seats.add(saved(session, nowNs));
+      }
+    }
+    SavedRoom saved =
+        new SavedRoom(
+            Protocol.physicsDigest(),
+            SimState.LAYOUT,
+            SavedRoom.config(room.room(), room.config().tickRateHz()),
+            roomSeed,
+            course.match().info().number(),
+            course.rotation(),
+            course.pending(),
+            slotTick,
+            slotHash,
+            events,
+            seats);
+    slot.seats(saved.toBytes());
+  }
+
+  private SavedSeat saved(Session session, long nowNs) {
+    Seats.Seat seat = session.seat();
+    boolean left = session.state() == SessionState.GRACE;
+    long leftMs = (session.graceEndNs() - nowNs) / NS_PER_MS;
+    return new SavedSeat(
+        seat.id(),
+        seat.wantedName(),
+        seat.name(),
+        seat.secret(),
+        seat.isMuted(),
+        left ? (int) Math.max(0, leftMs) : SavedSeat.PLAYED,
+        seat.courseTick(),
+        events.lackedBy(seat.secret()));
+  }
+
+  /**
+   * Ends, with a last checkpoint while all players still have their seats.
+   *
+   * @param good whether the room ends in good order; otherwise its state isn't worth another
+   *     checkpoint
+   */
+  public void end(boolean good, long nowNs) {
+    if (header == null || abandoned) {
+      return;
+    }
+    if (good && recorder != null && course.match().simulation().tick() > slotTick) {
+      beginSlot(nowNs);
+    }
+    if (!good) {
+      addFailure();
+    }
+    endMatch(good ? "STOPPED" : "FAILED");
+    header = null;
+  }
+
+  /**
+   * Keeps nothing more, because the room's thread doesn't come back: what it does if it comes back
+   * after all belongs to no slot. From any thread.
+   */
+  public void abandon(String why) {
+    abandoned = true;
+    addFailure();
+    SlotFile present = slot;
+    if (present != null) {
+      present.cut(why);
+      present.close();
+    }
+  }
+}

@@ -1,0 +1,16 @@
+package carom.server.checkpoint;
+
+import carom.server.room.match.Match;
+import carom.sim.match.NextMatch;
+
+/** Where a room is in the sequence of its matches. The room's thread. */
+public interface RoomCourse {
+  /** Returns the present match. */
+  Match match();
+
+  /** Returns the index of the present match's level in the room's rotation. */
+  int rotation();
+
+  /** Returns the match that is wanted but not loaded yet, or null. */
+  NextMatch pending();
+}

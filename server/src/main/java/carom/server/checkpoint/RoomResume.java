@@ -1,0 +1,227 @@
+package carom.server.checkpoint;
+
+import carom.replay.RecordingReader;
+import carom.replay.Replay;
+import carom.server.room.match.Match;
+import carom.server.room.match.MatchLoader;
+import carom.server.session.Seats;
+import carom.server.session.Session;
+import carom.sim.Simulation;
+import carom.sim.entity.Player;
+import carom.sim.match.NextMatch;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.util.ArrayList;
+import java.util.List;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Brings a room back from one slot: builds the match in the state of the checkpoint, computes the
+ * logged ticks again, and gives the players their seats back. Each tick is compared with its
+ * recorded hash, and the room goes on from the last one that is equal.
+ *
+ * <p>Before the room's first turn, on one thread.
+ */
+final class RoomResume {
+  private static final Logger LOG = LoggerFactory.getLogger(RoomResume.class);
+  private static final long NS_PER_MS = 1_000_000;
+
+  private final SlotFolder folder;
+  private final int slot;
+  private final RoomCheckpoints.Setting room;
+  private final MatchLoader loader;
+  private final long nowNs;
+
+  private SavedRoom saved;
+  private Match match;
+  private NextMatch pending;
+  private List<Session> sessions;
+  private List<SavedSeat> waiting;
+  private long inputs;
+
+  /** Why the log ends before its end, or null. */
+  private String trouble;
+
+  RoomResume(
+      SlotFolder folder, int slot, RoomCheckpoints.Setting room, MatchLoader loader, long nowNs) {
+    this.folder = folder;
+    this.slot = slot;
+    this.room = room;
+    this.loader = loader;
+    this.nowNs = nowNs;
+  }
+
+  /**
+   * Brings the room back.
+   *
+   * @throws IOException if the slot can't be used; the message says why. Nothing has changed then
+   */
+  ResumedRoom run() throws IOException {
+    saved = readSeats();
+    saved.requireFits(SavedRoom.config(room.room(), room.config().tickRateHz()));
+    int proven = play(Integer.MAX_VALUE);
+    if (trouble != null) {
+      LOG.warn(
+          "{}checkpoint {}: {}; the room goes on from tick {}",
+          room.label(),
+          slot,
+          trouble,
+          proven);
+      play(proven);
+    }
+    Simulation s = match.simulation();
+    long provenHash = s.stateHash();
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player player = s.participant(id);
+      if (player != null && sessions.stream().noneMatch(session -> session.player() == player)) {
+        s.leave(player); // its seat was not on the disk yet, or is no seat of this room
+      }
+    }
+    sessions.forEach(session -> session.seat().returnsTo(s.tick()));
+    loader.goOn(saved.match(), saved.roomSeed());
+    LOG.info(
+        "resumed room={} tick={} checkpoint={} inputs={} players={} hash={}",
+        room.number(),
+        s.tick(),
+        saved.tick(),
+        inputs,
+        sessions.size(),
+        "%016x".formatted(provenHash));
+    return new ResumedRoom(match, saved.rotation(), pending, sessions);
+  }
+
+  private SavedRoom readSeats() throws IOException {
+    try {
+      return SavedRoom.parse(Files.readAllBytes(folder.seats(slot)));
+    } catch (NoSuchFileException e) {
+      throw new SlotException("it has no seats: the server ended while it was written");
+    }
+  }
+
+  /**
+   * Builds the match and computes the log.
+   *
+   * @param last tick after which to end
+   * @return the last tick whose hash is the recorded one
+   */
+  private int play(int last) throws IOException {
+    forgetSeats();
+    pending = saved.pending();
+    waiting = new ArrayList<>(saved.seats());
+    inputs = 0;
+    trouble = null;
+    try (RecordingReader reader = RecordingReader.open(folder.log(slot))) {
+      match = loader.again(reader.header(), saved.match());
+      Simulation s = match.simulation();
+      if (s.game().keepsMore()) {
+        throw new SlotException("game=" + s.game().name() + " keeps more than its state");
+      }
+      Replay replay = null;
+      if (saved.hasSamePhysics()) {
+        replay = new Replay(reader, s);
+      } else {
+        Replay.restoreFirstState(reader, s);
+        LOG.warn(
+            "{}checkpoint {}: kept by a build with other physics; the room goes on without its log",
+            room.label(),
+            slot);
+      }
+      requireWhole(s);
+      saved.events().restore(match.capture().frames().events());
+      seatPlayers();
+      match.capture().capture();
+      return replay == null ? s.tick() : replay(replay, last);
+    } catch (MatchLoader.Unplayable e) {
+      throw new SlotException(e.getMessage());
+    }
+  }
+
+  private void requireWhole(Simulation s) throws SlotException {
+    if (s.tick() != saved.tick()) {
+      throw new SlotException(
+          "its log has no whole state of tick=" + saved.tick() + ", to which its seats belong");
+    }
+    if (saved.hasSamePhysics() && s.stateHash() != saved.hash()) {
+      throw new SlotException(
+          "its state has the hash %016x, but its seats belong to %016x"
+              .formatted(s.stateHash(), saved.hash()));
+    }
+  }
+
+  private int replay(Replay replay, int last) {
+    Simulation s = replay.simulation();
+    int proven = s.tick();
+    try {
+      while (s.tick() < last && replay.step() == Replay.Progress.TICK) {
+        if (replay.divergence() != null) {
+          trouble = "its log computes otherwise here: " + replay.divergence();
+          return proven;
+        }
+        proven = s.tick();
+        tickEnds();
+      }
+    } catch (IOException e) {
+      trouble = "its log is of no use after tick=" + proven + ": " + e.getMessage();
+    }
+    inputs = replay.inputs();
+    return proven;
+  }
+
+  /** Does what the room does at the end of a tick, as far as it matters later. */
+  private void tickEnds() {
+    seatPlayers();
+    match.capture().capture();
+    for (Session session : sessions) {
+      session.replication().listen();
+    }
+    NextMatch wanted = match.simulation().outbox().takeNextMatch();
+    pending = pending == null ? wanted : pending;
+  }
+
+  /** Gives seats back to the saved players that are in the match by now. */
+  private void seatPlayers() {
+    for (int i = waiting.size() - 1; i >= 0; i--) {
+      SavedSeat seat = waiting.get(i);
+      Player player = match.simulation().participant(seat.id());
+      if (player != null && player.name().equals(seat.name())) {
+        waiting.remove(i);
+        seat(seat, player);
+      }
+    }
+  }
+
+  private void seat(SavedSeat saved, Player player) {
+    Seats.Seat seat =
+        room.seats()
+            .restore(
+                saved.id(), saved.wantedName(), saved.name(), saved.secret(), saved.courseTick());
+    if (seat == null) {
+      return; // the room has fewer seats now
+    }
+    Session session =
+        new Session(
+            seat,
+            player,
+            room.config(),
+            match.replicationTo(player),
+            match.messagesOf(player),
+            room.counters());
+    int graceMs = saved.graceMs() == SavedSeat.PLAYED ? room.config().graceMs() : saved.graceMs();
+    session.await(nowNs + graceMs * NS_PER_MS);
+    seat.mute(saved.muted());
+    for (int event : saved.events()) {
+      session.replication().offer(event);
+    }
+    sessions.add(session);
+  }
+
+  /** Takes all seats back, for another pass or because the slot is of no use. */
+  void forgetSeats() {
+    if (sessions != null) {
+      sessions.forEach(session -> room.seats().vacate(session.seat()));
+    }
+    sessions = new ArrayList<>();
+  }
+}

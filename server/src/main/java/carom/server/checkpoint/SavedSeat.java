@@ -1,0 +1,56 @@
+package carom.server.checkpoint;
+
+import carom.net.protocol.Limits;
+import carom.physics.archive.Archive;
+import carom.server.session.Seats;
+
+/**
+ * A player's place in a saved room. Immutable.
+ *
+ * @param id the player's number
+ * @param wantedName the name that the player asked for
+ * @param name the name that it plays under
+ * @param secret proves the player's identity; never 0
+ * @param muted whether its chat is dropped
+ * @param graceMs what was left of the grace period, ms; {@link #PLAYED} if the player was there
+ * @param courseTick as {@link Seats.Seat#courseTick}
+ * @param events places, in the list of the room, of the events that the player may not have heard
+ *     of; never changed
+ */
+@SuppressWarnings("ArrayRecordComponent") // Never compared.
+public record SavedSeat(
+    int id,
+    String wantedName,
+    String name,
+    long secret,
+    boolean muted,
+    int graceMs,
+    int courseTick,
+    int[] events) {
+  /** Stands for the whole grace period. */
+  public static final int PLAYED = -1;
+
+  private static final int MAX_GRACE_MS = 600_000;
+  private static final int BYTES = 40;
+
+  /** Returns the least bytes that a seat takes. */
+  static int bytes() {
+    return BYTES;
+  }
+
+  /** Passes a seat; null when reading. */
+  static SavedSeat pass(Archive a, SavedSeat s, int eventCount) {
+    boolean reads = a.reads();
+    int id = a.integer("seat", reads ? 0 : s.id, 0, Limits.MAX_PLAYERS - 1);
+    String wanted = a.text("wanted name", reads ? "" : s.wantedName, Limits.MAX_NAME_BYTES);
+    String name = a.text("name", reads ? "" : s.name, Limits.MAX_NAME_BYTES);
+    long secret = a.bits("secret", reads ? 0 : s.secret);
+    boolean muted = a.flag("muted", !reads && s.muted);
+    int grace = a.integer("grace ms", reads ? 0 : s.graceMs, PLAYED, MAX_GRACE_MS);
+    int course = a.integer("course tick", reads ? 0 : s.courseTick, 0, Seats.Seat.SAME_COURSE);
+    int count = a.count("events of seat", reads ? 0 : s.events.length, eventCount, Integer.BYTES);
+    int[] events = reads ? new int[count] : s.events;
+    a.integers("event of seat", events, count, 0, Math.max(0, eventCount - 1));
+    return reads ? new SavedSeat(id, wanted, name, secret, muted, grace, course, events) : s;
+  }
+}

@@ -1,0 +1,77 @@
+package carom.server.checkpoint;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The threads that write the checkpoints of all rooms: one compresses and writes, the other waits
+ * until the disk has what was written, so that no log waits with it. Any thread.
+ */
+public final class SlotDisk implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(SlotDisk.class);
+  private static final long CLOSE_S = 5;
+
+  private final ExecutorService writes = thread("carom-checkpoints");
+  private final ExecutorService syncs = thread("carom-checkpoints-sync");
+
+  /** Creates the threads, which begin with the first task. */
+  public SlotDisk() {}
+
+  private static ExecutorService thread(String name) {
+    AtomicInteger number = new AtomicInteger();
+    return Executors.newSingleThreadExecutor(
+        task -> {
+          // After a task that threw, the next one gets a new thread.
+          String suffix = number.incrementAndGet() == 1 ? "" : "-" + number.get();
+          Thread thread = new Thread(task, name + suffix);
+          thread.setDaemon(true);
+          return thread;
+        });
+  }
+
+  /** Writes after all that was asked for before. */
+  void write(Runnable task) {
+    writes.execute(task);
+  }
+
+  /** Syncs after all that was asked for before. */
+  void sync(Runnable task) {
+    syncs.execute(task);
+  }
+
+  /**
+   * Waits for at most 5 s until all that was asked for is written, so that it can be read.
+   *
+   * @return whether it is
+   */
+  public boolean flush() {
+    CountDownLatch written = new CountDownLatch(1);
+    writes.execute(written::countDown);
+    try {
+      return written.await(CLOSE_S, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
+  /** Waits for at most 5 s until all that was asked for is on the disk, and ends the threads. */
+  @Override
+  public void close() {
+    try {
+      writes.shutdown();
+      boolean written = writes.awaitTermination(CLOSE_S, TimeUnit.SECONDS);
+      syncs.shutdown();
+      if (!written || !syncs.awaitTermination(CLOSE_S, TimeUnit.SECONDS)) {
+        LOG.error("the last checkpoints are incomplete: the disk did not take them in time");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

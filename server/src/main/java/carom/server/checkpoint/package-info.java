@@ -1,0 +1,13 @@
+/**
+ * Checkpoints of rooms, from which a server that was killed goes on: the state of a match every few
+ * seconds, the inputs since, and who plays.
+ *
+ * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.net.snapshot.event}, {@code
+ * carom.physics.archive}, {@code carom.replay}, {@code carom.server.config}, {@code
+ * carom.server.match}, {@code carom.server.room.match}, {@code carom.server.session}, {@code
+ * carom.sim}, the JDK.
+ *
+ * <p>Read first: {@link carom.server.checkpoint.RoomCheckpoints}, {@link
+ * carom.server.checkpoint.SlotFolder}, {@link carom.server.checkpoint.SavedRoom}.
+ */
+package carom.server.checkpoint;

@@ -1,0 +1,107 @@
+package carom.server.room.match;
+
+import carom.game.GuardedGame;
+import carom.net.field.Declarations;
+import carom.server.config.ServerConfig;
+import carom.server.match.GameFailures;
+import carom.server.match.LoadedLevel;
+import carom.server.match.MatchInfo;
+import carom.server.metrics.Counters;
+import carom.server.prediction.OwnCapture;
+import carom.server.replication.FrameCapture;
+import carom.server.replication.SessionReplication;
+import carom.server.session.SessionMessages;
+import carom.sim.Game;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import carom.sim.entity.Player;
+
+/**
+ * One game in one level in a room, from tick 0 on: the simulation and what sessions are told from.
+ * A room that changes its game or level gets another match, in which everything here is new.
+ *
+ * <p>Any thread may build a match. From the room's {@code MatchChange} on it belongs to the room's
+ * thread.
+ */
+public final class Match {
+  private final MatchInfo info;
+  private final GameFailures failures;
+  private final Simulation simulation;
+  private final FrameCapture capture;
+  private final OwnCapture ownCapture;
+  private final ServerConfig config;
+  private final Counters counters;
+  private long droppedEvents;
+
+  /**
+   * Builds the level and sets up the game.
+   *
+   * @param room name of the room
+   * @param rules an instance of this match's own
+   * @param label begins each log line
+   * @throws IllegalArgumentException when the game can't be played in the level
+   */
+  public Match(
+      String room,
+      int number,
+      Game rules,
+      LoadedLevel level,
+      long seed,
+      ServerConfig config,
+      String label,
+      Counters counters) {
+    this.config = config;
+    this.counters = counters;
+    failures = new GameFailures(rules.name(), counters, label);
+    GuardedGame game = new GuardedGame(rules, failures);
+    simulation = new Simulation(game, level.level(), seed, config.tickRateHz(), Role.AUTHORITY);
+    info =
+        new MatchInfo(
+            room,
+            number,
+            rules.name(),
+            level,
+            seed,
+            Declarations.of(simulation.schema(), simulation.messageKinds()));
+    capture = new FrameCapture(simulation);
+    ownCapture = new OwnCapture(simulation);
+  }
+
+  /** Returns what clients must know to play. */
+  public MatchInfo info() {
+    return info;
+  }
+
+  /** Returns the exceptions of the game. */
+  public GameFailures failures() {
+    return failures;
+  }
+
+  /** Returns the simulation that the room steps. The room's thread. */
+  public Simulation simulation() {
+    return simulation;
+  }
+
+  /** Returns what captures the simulation's frames for the sessions. The room's thread. */
+  public FrameCapture capture() {
+    return capture;
+  }
+
+  /** Returns the number of events that the simulation has dropped since the last call. */
+  public long takeDroppedEvents() {
+    long now = simulation.outbox().droppedEvents();
+    long dropped = now - droppedEvents;
+    droppedEvents = now;
+    return dropped;
+  }
+
+  /** Creates the messages of the game between a player and the match. */
+  public SessionMessages messagesOf(Player player) {
+    return new SessionMessages(simulation, player, counters);
+  }
+
+  /** Creates what tells the client of a player about the match. */
+  public SessionReplication replicationTo(Player player) {
+    return new SessionReplication(player, config, capture, ownCapture, counters);
+  }
+}

@@ -1,0 +1,154 @@
+package carom.server.threads;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Finds threads that don't come back from a game's code. It looks at each thread four times a
+ * second. A thread hangs if it is in the same call of the same callback at each of seven looks, and
+ * has computed or waited meanwhile; a thread that the machine gives no time is looked at for
+ * longer.
+ *
+ * <p>It counts looks, not time: after a pause of the whole process, nothing hangs. Slow ticks
+ * outside of a game's code aren't its business.
+ */
+public final class Watchdog implements AutoCloseable {
+  /** Longest time until a thread that hangs is found, ms. */
+  public static final int FOUND_MS = 2_000;
+
+  private static final Logger LOG = LoggerFactory.getLogger(Watchdog.class);
+  private static final int LOOK_MS = 250;
+
+  /** Looks at which the callback must be the same, after the first that saw it. */
+  private static final int LOOKS = FOUND_MS / LOOK_MS - 2;
+
+  /**
+   * The same for a thread that neither computes nor waits, such as one that reads from a socket.
+   */
+  private static final int PATIENT_LOOKS = 4 * LOOKS;
+
+  /** Share of the time that a thread must have had a processor to count as computing. */
+  private static final int BUSY_PARTS = 10;
+
+  private static final int MAX_FRAMES = 40;
+
+  /** What a thread works for. The watchdog's thread calls every method. */
+  public interface Watched {
+    /** Returns a number that changes whenever the work gets on. */
+    int progress();
+
+    /**
+     * The thread hangs, and isn't watched any longer.
+     *
+     * @param callback the method of the game that doesn't return, for people
+     * @param stack of the thread, a line for each call
+     */
+    void hangs(String callback, String stack);
+  }
+
+  private static final class Watch {
+    private final Worker worker;
+    private final Watched watched;
+    private int progress;
+    private String callback;
+    private int looks;
+    private long cpuNs;
+
+    Watch(Worker worker, Watched watched) {
+      this.worker = worker;
+      this.watched = watched;
+    }
+  }
+
+  private final String guard;
+  private final List<Watch> watches = new CopyOnWriteArrayList<>();
+  private final Thread thread = new Thread(this::run, "carom-watchdog");
+  private volatile boolean closed;
+
+  /**
+   * Creates a watchdog that watches nothing and doesn't run yet.
+   *
+   * @param guard the class through which all calls of games go
+   */
+  public Watchdog(Class<?> guard) {
+    this.guard = guard.getName();
+    thread.setDaemon(true);
+  }
+
+  /** Watches a thread from now on; any thread. */
+  public void watch(Worker worker, Watched watched) {
+    watches.add(new Watch(worker, watched));
+  }
+
+  /** Begins to look. */
+  public void start() {
+    thread.start();
+  }
+
+  private void run() {
+    while (!closed) {
+      try {
+        Thread.sleep(LOOK_MS);
+      } catch (InterruptedException e) {
+        return;
+      }
+      for (Watch watch : watches) {
+        try {
+          look(watch);
+        } catch (RuntimeException | Error e) {
+          LOG.error("the watchdog failed; it goes on", e);
+        }
+      }
+    }
+  }
+
+  private void look(Watch w) {
+    int progress = w.watched.progress();
+    if (progress != w.progress) {
+      w.progress = progress;
+      w.callback = null;
+      return;
+    }
+    StackTraceElement[] stack = w.worker.stack();
+    String callback = callback(stack);
+    if (callback == null || !callback.equals(w.callback)) {
+      w.callback = callback;
+      w.looks = 0;
+      w.cpuNs = w.worker.cpuNs();
+      return;
+    }
+    w.looks++;
+    long neededNs = LOOK_MS * 1_000_000L * w.looks / BUSY_PARTS;
+    boolean clear = w.worker.waits() || w.worker.cpuNs() - w.cpuNs >= neededNs;
+    if (w.looks >= (clear ? LOOKS : PATIENT_LOOKS)) {
+      watches.remove(w);
+      w.watched.hangs(callback, text(stack));
+    }
+  }
+
+  /** Returns the outermost call of a game in a stack, or null if there is none. */
+  private String callback(StackTraceElement[] stack) {
+    for (int i = stack.length - 1; i > 0; i--) {
+      if (stack[i].getClassName().equals(guard)) {
+        return stack[i].getMethodName() + " of " + stack[i - 1].getClassName();
+      }
+    }
+    return null;
+  }
+
+  private static String text(StackTraceElement[] stack) {
+    StringBuilder text = new StringBuilder();
+    for (int i = 0; i < Math.min(stack.length, MAX_FRAMES); i++) {
+      text.append(i == 0 ? "" : "\n").append("\tat ").append(stack[i]);
+    }
+    return text.toString();
+  }
+
+  @Override
+  public void close() {
+    closed = true;
+    thread.interrupt();
+  }
+}

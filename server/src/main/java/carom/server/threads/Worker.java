@@ -1,0 +1,166 @@
+package carom.server.threads;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A thread of the server, for the lobby or for one room. It alternates turns and naps until it is
+ * stopped or its duty has failed, and then says farewell. An exception that reaches this class is a
+ * bug. The thread logs it and goes on, unless {@value #MAX_FAILURES_IN_A_ROW} turns in a row fail.
+ */
+public final class Worker {
+  /** Longest farewell, ms. Links stay open for so long that the last message arrives. */
+  public static final long FAREWELL_MS = 400;
+
+  private static final Logger LOG = LoggerFactory.getLogger(Worker.class);
+  private static final long FAREWELL_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
+  private static final int MAX_FAILURES_IN_A_ROW = 100;
+
+  /** The work of a worker. The worker's thread calls every method. */
+  public interface Duty {
+    /** Does the work that is due. */
+    void turn(long nowNs);
+
+    /** Returns how long the thread may sleep now, nanoseconds. */
+    long napNs(long nowNs);
+
+    /** Returns whether the duty can't go on. */
+    boolean hasFailed();
+
+    /** Makes the duty fail and logs why. */
+    void fail(String why);
+
+    /** Says goodbye to all clients. Does nothing after {@link #fail}. */
+    void close(long nowNs);
+
+    /** Returns whether no link is left. */
+    boolean isDeserted();
+
+    /** Closes the remaining links. */
+    void closeLinks();
+  }
+
+  private final Duty duty;
+  private final LongSupplier clock;
+  private final Runnable onEnd;
+  private final Thread thread;
+  private volatile boolean stopping;
+
+  /**
+   * Creates a worker whose thread doesn't run yet.
+   *
+   * @param name name of the thread
+   * @param onEnd called as the thread's last act, however it ends
+   */
+  public Worker(String name, Duty duty, LongSupplier clock, Runnable onEnd) {
+    this.duty = duty;
+    this.clock = clock;
+    this.onEnd = onEnd;
+    this.thread = new Thread(this::run, name);
+  }
+
+  /** Starts the thread. It is no daemon thread, so it keeps the JVM alive. */
+  public void start(int priority) {
+    thread.setPriority(priority);
+    thread.start();
+  }
+
+  /** Asks the thread to end and doesn't wait. */
+  public void stop() {
+    stopping = true;
+    LockSupport.unpark(thread);
+  }
+
+  /** Waits until the thread ends, or until {@code endNs} in the time of {@link System#nanoTime}. */
+  public void join(long endNs) {
+    try {
+      thread.join(Math.max(1, TimeUnit.NANOSECONDS.toMillis(endNs - System.nanoTime())));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    if (thread.isAlive()) {
+      LOG.warn("thread {} did not end in time", thread.getName());
+    }
+  }
+
+  /** Returns the name of the thread. */
+  public String name() {
+    return thread.getName();
+  }
+
+  /** Returns what the thread is doing, the innermost call first. */
+  StackTraceElement[] stack() {
+    return thread.getStackTrace();
+  }
+
+  /** Returns whether the thread waits or sleeps. */
+  boolean waits() {
+    Thread.State state = thread.getState();
+    return state != Thread.State.RUNNABLE && state != Thread.State.NEW;
+  }
+
+  /** Returns the time for which the thread has had a processor, ns; -1 if it can't be measured. */
+  long cpuNs() {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    return threads.isThreadCpuTimeSupported() ? threads.getThreadCpuTime(thread.getId()) : -1;
+  }
+
+  /**
+   * Gives the thread up, which doesn't come back from its turn: it gets the lowest priority, and
+   * ends if it ever comes back.
+   */
+  public void abandon() {
+    thread.setPriority(Thread.MIN_PRIORITY);
+    stopping = true;
+  }
+
+  private void run() {
+    try {
+      work();
+      farewell();
+    } catch (RuntimeException | Error e) {
+      LOG.error("{} ended by an error", thread.getName(), e);
+      duty.fail("its thread ended by an error");
+    } finally {
+      duty.closeLinks();
+      onEnd.run();
+    }
+  }
+
+  private void work() {
+    int failures = 0;
+    while (!stopping && !duty.hasFailed()) {
+      try {
+        duty.turn(clock.getAsLong());
+        failures = 0;
+      } catch (RuntimeException | StackOverflowError e) {
+        failures++;
+        if (failures == 1) {
+          LOG.error("{} failed; it goes on", thread.getName(), e);
+        } else if (failures == MAX_FAILURES_IN_A_ROW) {
+          duty.fail("%d turns in a row failed".formatted(failures));
+        }
+      }
+      long napNs = duty.napNs(clock.getAsLong());
+      if (napNs > 0) {
+        LockSupport.parkNanos(this, napNs);
+      }
+    }
+  }
+
+  private void farewell() {
+    long nowNs = clock.getAsLong();
+    long endNs = nowNs + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MS);
+    duty.close(nowNs);
+    while (!duty.isDeserted() && nowNs - endNs < 0) {
+      duty.turn(nowNs);
+      LockSupport.parkNanos(this, FAREWELL_NAP_NS);
+      nowNs = clock.getAsLong();
+    }
+  }
+}

@@ -1,0 +1,166 @@
+package carom.server.web;
+
+import carom.net.transport.NetworkCounter;
+import carom.server.command.CommandRegistry;
+import carom.server.config.DataFolder;
+import carom.server.config.Settings;
+import carom.server.console.LogTail;
+import carom.server.login.Secret;
+import carom.server.room.Room;
+import carom.server.web.page.LivePage;
+import carom.server.web.page.PageConfig;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import picocli.CommandLine.Option;
+
+/** The server's flags about HTTP: the live page, health and metrics. Picocli fills them in. */
+public final class WebFlags {
+  private static final int MAX_PORT = 65_535;
+
+  @Option(
+      names = "--web",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "true",
+      description =
+          "Show the live page and answer /healthz, /readyz and /metrics (Prometheus) over HTTP;"
+              + " --no-web doesn't.")
+  private boolean web;
+
+  @Option(
+      names = "--web-port",
+      paramLabel = "N",
+      defaultValue = "8090",
+      description = "Port for HTTP, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
+  private int webPort;
+
+  @Option(
+      names = "--web-bind",
+      paramLabel = "ADDRESS",
+      defaultValue = "127.0.0.1",
+      description =
+          "Address of this machine for HTTP. On a loopback address whoever reaches it may watch, on"
+              + " another only who knows the token in admin.token of the data folder"
+              + " (${DEFAULT-VALUE}).")
+  private String webBind;
+
+  @Option(
+      names = "--web-host",
+      paramLabel = "NAME",
+      description =
+          "Name under which browsers may open the page, beside addresses and localhost; give it"
+              + " once for each name.")
+  private List<String> webHosts = List.of();
+
+  /** Creates flags that picocli has yet to fill in. */
+  public WebFlags() {}
+
+  /** Returns what is wrong with the flags, or null. */
+  public String problem() {
+    if (webPort < 0 || webPort > MAX_PORT) {
+      return "--web-port=" + webPort + " is outside 0.." + MAX_PORT;
+    }
+    try {
+      InetAddress.getByName(webBind);
+      return null;
+    } catch (UnknownHostException e) {
+      return "--web-bind=" + webBind + " is no address; give one such as 127.0.0.1 or ::1";
+    }
+  }
+
+  /**
+   * Opens the port, or returns null if the operator doesn't want one. A server whose usual port is
+   * busy, perhaps by another server, runs without it.
+   *
+   * @param rooms all rooms of the server
+   * @param network what the transport counts
+   * @param data has the page's token, and recordings
+   * @param record target of the flag {@code --record}, or null
+   * @param settings tell whether the port was named
+   * @param commands carried out for those who know the token
+   * @param tail the log's last lines
+   * @param title name and version of the server
+   * @throws IOException if the port was named and can't be opened, or the token's file can't be
+   *     used; the message says what to do
+   */
+  public WebServer open(
+      List<Room> rooms,
+      List<NetworkCounter> network,
+      DataFolder data,
+      Path record,
+      Settings settings,
+      CommandRegistry commands,
+      LogTail tail,
+      String title)
+      throws IOException {
+    // Not a constant: this class is loaded while the log starts.
+    Logger log = LoggerFactory.getLogger(WebFlags.class);
+    if (!web) {
+      return null;
+    }
+    Path file = data.adminToken();
+    Secret token;
+    boolean kept = true;
+    try {
+      token = Secret.of(file);
+    } catch (IOException e) {
+      if (Files.exists(file)) {
+        throw e;
+      }
+      token = Secret.random();
+      kept = false;
+    }
+    InetAddress address = InetAddress.getByName(webBind);
+    PageConfig config =
+        new PageConfig(
+            title,
+            commands,
+            token,
+            tail,
+            recordings(data, record),
+            address.isLoopbackAddress(),
+            hosts());
+    try {
+      WebServer server =
+          new WebServer(address, webPort, rooms, network, new LivePage(config, rooms));
+      log.info(
+          "page: {} ({})",
+          server.url(),
+          kept ? "admin token in " + file : "admin token until the stop: " + token.text());
+      return server;
+    } catch (IOException e) {
+      if (settings.find("web-port").orElseThrow().isSet()) {
+        throw e;
+      }
+      log.warn("no page, /healthz and /metrics: {}", e.getMessage());
+      return null;
+    }
+  }
+
+  private static List<Path> recordings(DataFolder data, Path record) {
+    List<Path> folders = new ArrayList<>();
+    folders.add(data.recordings());
+    if (record != null && Files.isDirectory(record)) {
+      folders.add(record);
+    }
+    return folders;
+  }
+
+  private Set<String> hosts() {
+    return webHosts.stream()
+        .map(host -> host.toLowerCase(Locale.ROOT))
+        .collect(Collectors.toUnmodifiableSet());
+  }
+}

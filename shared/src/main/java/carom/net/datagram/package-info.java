@@ -1,0 +1,9 @@
+/**
+ * The server's UDP socket, and what bounds the datagrams of one link: a budget, a meter for floods,
+ * and the table from the number in a datagram to its link. It knows neither frames nor KryoNet.
+ *
+ * <p>Imports the JDK only.
+ *
+ * <p>Read first: {@link carom.net.datagram.DatagramPort}, {@link carom.net.datagram.LinkTable}.
+ */
+package carom.net.datagram;

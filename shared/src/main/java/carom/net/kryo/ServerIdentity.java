@@ -1,0 +1,24 @@
+package carom.net.kryo;
+
+import carom.net.seal.Encryption;
+import carom.net.seal.ExchangeKey;
+import carom.net.seal.ServerKey;
+
+/**
+ * What clients know a server by.
+ *
+ * @param encryption whether links are encrypted; a client that differs is refused
+ * @param key the lasting pair of keys
+ */
+public record ServerIdentity(Encryption encryption, ExchangeKey key) {
+
+  /** Returns a new identity, which is lost when the process ends. */
+  public static ServerIdentity temporary(Encryption encryption) {
+    return new ServerIdentity(encryption, ExchangeKey.random());
+  }
+
+  /** Returns the fingerprint of the key, for people. */
+  public String fingerprint() {
+    return ServerKey.fingerprint(key.publicKey());
+  }
+}

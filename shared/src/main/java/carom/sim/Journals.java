@@ -1,0 +1,66 @@
+package carom.sim;
+
+import carom.sim.message.PlayerRole;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The journals of a simulation, each of which receives all that enters it. One thread. */
+final class Journals implements Journal {
+  private final List<Journal> all = new ArrayList<>(2);
+
+  /** Adds a journal, behind those that are there. */
+  void add(Journal journal) {
+    all.add(journal);
+  }
+
+  /** Removes a journal; nothing happens if it isn't there. */
+  void remove(Journal journal) {
+    all.remove(journal);
+  }
+
+  boolean isEmpty() {
+    return all.isEmpty();
+  }
+
+  @Override
+  public void joining(Simulation s, int id, String name) {
+    for (int i = 0; i < all.size(); i++) {
+      all.get(i).joining(s, id, name);
+    }
+  }
+
+  @Override
+  public void watching(Simulation s, int id, String name) {
+    for (int i = 0; i < all.size(); i++) {
+      all.get(i).watching(s, id, name);
+    }
+  }
+
+  @Override
+  public void changing(Simulation s, int id, PlayerRole role) {
+    for (int i = 0; i < all.size(); i++) {
+      all.get(i).changing(s, id, role);
+    }
+  }
+
+  @Override
+  public void leaving(Simulation s, int id) {
+    for (int i = 0; i < all.size(); i++) {
+      all.get(i).leaving(s, id);
+    }
+  }
+
+  @Override
+  public void stepping(Simulation s) {
+    for (int i = 0; i < all.size(); i++) {
+      all.get(i).stepping(s);
+    }
+  }
+
+  @Override
+  public void stepped(Simulation s) {
+    for (int i = 0; i < all.size(); i++) {
+      all.get(i).stepped(s);
+    }
+  }
+}

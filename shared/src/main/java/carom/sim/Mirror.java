@@ -1,0 +1,174 @@
+package carom.sim;
+
+import carom.physics.Body;
+import carom.physics.Joint;
+import carom.physics.World;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
+import carom.sim.field.EntityRef;
+import carom.sim.joint.JointTable;
+import carom.sim.level.Archetype;
+import carom.sim.spawn.Origin;
+import carom.sim.spawn.OwnSpawns;
+
+/**
+ * What a client's simulation takes over from the server: its tick, players, entities and joints
+ * under the server's ids, and what the server says of its rules. For {@link Role#PREDICTION} only.
+ * One thread.
+ */
+public final class Mirror {
+  private final SimParts parts;
+
+  Mirror(SimParts parts) {
+    this.parts = parts;
+  }
+
+  /**
+   * Sets the tick of the mirrored state, so that paths of kinematic bodies and timers agree with
+   * the server's.
+   *
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void tick(int value) {
+    parts.calls.requirePrediction("tick");
+    parts.tick = value;
+  }
+
+  /**
+   * Sets what is known of the server's rules.
+   *
+   * @param known asked in every step from now on
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void rulings(Rulings known) {
+    parts.calls.requirePrediction("rulings");
+    parts.rulings = known;
+  }
+
+  /**
+   * Sets what is known of the entities that the own player's {@link Game#input} spawns. Without it,
+   * they live until the end of the call.
+   *
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void ownSpawns(OwnSpawns known) {
+    parts.calls.requirePrediction("ownSpawns");
+    parts.ownSpawns = known;
+  }
+
+  /**
+   * Mirrors a player of the server, usually the client's own. The body follows by {@link #spawn}.
+   *
+   * @param id 0..1,023, as the server says
+   * @param name its name
+   * @throws IllegalStateException on {@link Role#AUTHORITY}, or when the id is taken
+   */
+  public Player join(int id, String name) {
+    parts.calls.requirePrediction("mirror().join");
+    parts.players.requireFree(id);
+    return parts.players.add(id, name);
+  }
+
+  /**
+   * Mirrors an entity of the server under the server's id. An entity under that id with another
+   * generation or archetype must be despawned before. If the owner is a player here and has no
+   * body, this becomes the body.
+   *
+   * @param id 0..65534
+   * @param generation 0..255
+   * @param archetype its archetype
+   * @param x position of the body's origin, metres
+   * @param y position of the body's origin, metres
+   * @param angle radians, counterclockwise
+   * @param ownerId a player's id, whether the player is known here or not, or {@link
+   *     Entity#NO_OWNER}
+   * @throws IllegalStateException on {@link Role#AUTHORITY}, or when the id is taken
+   * @throws IllegalArgumentException when the id or generation is out of range
+   */
+  public Entity spawn(
+      int id, int generation, Archetype archetype, float x, float y, float angle, int ownerId) {
+    return spawn(id, generation, archetype, x, y, angle, ownerId, true);
+  }
+
+  /**
+   * Mirrors an entity of the server as the other {@code spawn}.
+   *
+   * @param mayBeBody whether it becomes the body of its owner if that has none
+   */
+  public Entity spawn(
+      int id,
+      int generation,
+      Archetype archetype,
+      float x,
+      float y,
+      float angle,
+      int ownerId,
+      boolean mayBeBody) {
+    parts.calls.requirePrediction("mirror().spawn");
+    return parts.entities.spawnAs(
+        id, generation, archetype, x, y, angle, ownerId, mayBeBody, parts.tick);
+  }
+
+  /**
+   * Mirrors a joint of the server. Joints must be mirrored in ascending order of their keys.
+   *
+   * @param key as the server's {@link JointTable} has it
+   * @param root id of the root of its assembly, or as {@link JointTable#root} says
+   * @param number which joint of it
+   * @param a null for the world
+   * @param b another entity
+   * @param definition what it is made with, see {@link World#createJoint(Body, Body, int[], int)}
+   * @param at where that begins
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   * @throws IllegalArgumentException if the definition is damaged; no joint is made then
+   */
+  public Joint<Entity> connect(
+      int key, int root, int number, Entity a, Entity b, int[] definition, int at) {
+    parts.calls.requirePrediction("mirror().connect");
+    Joint<Entity> joint =
+        parts.joints.create(
+            key, root, number, a == null ? null : a.body(), b.body(), definition, at);
+    if (root >= 0) {
+      if (a != null) {
+        parts.entities.join(root, a);
+      }
+      parts.entities.join(root, b);
+    }
+    return joint;
+  }
+
+  /**
+   * Mirrors which spawn of its owner's {@link Game#input} an entity of the server is. A provisional
+   * entity of that origin goes, and fields that mean it mean this one.
+   *
+   * @param entity an entity that isn't provisional
+   * @param origin see {@link Entity#origin}; nothing happens if it is none
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void identify(Entity entity, int origin) {
+    parts.calls.requirePrediction("identify");
+    if (origin == Origin.NONE) {
+      return;
+    }
+    if (parts.entities.get(origin) != null) {
+      parts.entities.despawn(parts.entities.get(origin));
+    }
+    parts.allFields.replaceEntity(
+        EntityRef.word(origin, 0), EntityRef.word(entity.id(), entity.generation()));
+    entity.fieldValues().spawner(parts.players.get(entity.ownerId()));
+    parts.entities.setOrigin(entity, origin);
+  }
+
+  /**
+   * Returns the number of {@linkplain Entity#isProvisional provisional} entities; 0 on {@link
+   * Role#AUTHORITY}. They aren't below {@link Simulation#entityCapacity}.
+   */
+  public int provisionalCount() {
+    return parts.entities.provisional().count();
+  }
+
+  /** Returns a provisional entity, in the order in which they were spawned. */
+  public Entity provisional(int index) {
+    return parts.entities.provisional().at(index);
+  }
+}

@@ -1,0 +1,142 @@
+package carom.sim;
+
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
+import carom.sim.entity.PlayerTable;
+import carom.sim.message.PlayerRole;
+
+/**
+ * Who comes, goes, and changes between playing and watching, what the game is told of it, and what
+ * goes with a player who leaves.
+ */
+final class Participants {
+  private final Simulation simulation;
+  private final SimParts parts;
+  private final PlayerTable players;
+  private final Spawner spawner;
+
+  /** How many calls of {@link Game#join} and {@link Game#leave} are on the stack. */
+  private int inGame;
+
+  /** The player who is becoming a spectator; null mostly. */
+  private Player retiring;
+
+  Participants(Simulation simulation, SimParts parts, Spawner spawner) {
+    this.simulation = simulation;
+    this.parts = parts;
+    this.spawner = spawner;
+    players = parts.players;
+  }
+
+  /** Adds a player, as {@link Simulation#join(String)} says. */
+  Player join(String name) {
+    int id = players.freeId();
+    if (id == PlayerTable.MAX_PLAYERS) {
+      throw new IllegalStateException("players=" + id + " is the limit; " + name + " can't join");
+    }
+    return join(id, name, 0, 0);
+  }
+
+  /** Adds a player, as {@link Simulation#join(int, String, int, int)} says. */
+  Player join(int id, String name, int team, int score) {
+    parts.calls.requireAuthority("join");
+    players.requireFree(id);
+    if (!parts.journals.isEmpty() && (team != 0 || score != 0)) {
+      throw new IllegalStateException(
+          "a journal can't tell what " + name + " brings: team=" + team + " score=" + score);
+    }
+    parts.journals.joining(simulation, id, name);
+    boolean full = players.count() >= parts.game.maxPlayers();
+    Player player = players.add(id, name);
+    if (full) {
+      players.become(player, PlayerRole.SPECTATOR);
+      Talk.tell(simulation, player, Talk.refusalWhenFull(simulation));
+      return player;
+    }
+    player.team(team);
+    player.score(score);
+    enter(player);
+    return player;
+  }
+
+  /** Adds a spectator, as {@link Simulation#joinAsSpectator} says. */
+  Player joinAsSpectator(int id, String name) {
+    parts.calls.requireAuthority("joinAsSpectator");
+    players.requireFree(id);
+    parts.journals.watching(simulation, id, name);
+    Player player = players.add(id, name);
+    players.become(player, PlayerRole.SPECTATOR);
+    return player;
+  }
+
+  /** Lets a participant play or watch, as {@link Simulation#role(Player, PlayerRole)} says. */
+  void role(Player participant, PlayerRole role) {
+    parts.calls.requireAuthority("role");
+    if (participant == retiring) {
+      throw new IllegalStateException("the role of " + participant + " can't change in Game.leave");
+    }
+    if (players.participant(participant.id()) != participant || participant.role() == role) {
+      return;
+    }
+    if (!parts.inTick && inGame == 0) {
+      parts.journals.changing(simulation, participant.id(), role);
+    }
+    if (role == PlayerRole.PLAYER) {
+      players.become(participant, role);
+      enter(participant);
+    } else {
+      retiring = participant;
+      try {
+        retire(participant);
+      } finally {
+        retiring = null;
+      }
+      players.become(participant, role);
+      parts.allFields.forgetPlayer(participant.id());
+    }
+  }
+
+  /** Removes a participant, as {@link Simulation#leave} says. */
+  void leave(Player player) {
+    parts.calls.requireOutsidePhysics("leave");
+    int id = player.id();
+    if (players.participant(id) != player) {
+      return;
+    }
+    parts.received.forget(id);
+    parts.journals.leaving(simulation, id);
+    if (parts.role == Role.AUTHORITY && !player.isSpectator()) {
+      retire(player);
+    }
+    players.remove(id);
+    parts.allFields.forgetPlayer(id);
+  }
+
+  /** Lets a player into the game. */
+  private void enter(Player player) {
+    parts.interference.beginRules();
+    inGame++;
+    try {
+      parts.game.join(simulation, player);
+    } finally {
+      inGame--;
+    }
+  }
+
+  /** Takes a player out of the game, with everything the player owns. */
+  private void retire(Player player) {
+    parts.interference.beginRules();
+    inGame++;
+    try {
+      parts.game.leave(simulation, player);
+    } finally {
+      inGame--;
+    }
+    for (int i = 0; i < parts.entities.capacity(); i++) {
+      Entity entity = parts.entities.get(i);
+      if (entity != null && entity.ownerId() == player.id()) {
+        spawner.despawn(entity);
+      }
+    }
+  }
+}

@@ -1,0 +1,202 @@
+package carom.sim;
+
+import carom.physics.Body;
+import carom.physics.World;
+import carom.physics.WorldDef;
+import carom.sim.area.AreaForces;
+import carom.sim.entity.AllFields;
+import carom.sim.entity.CallRules;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityTable;
+import carom.sim.entity.PlayerTable;
+import carom.sim.event.EventKinds;
+import carom.sim.field.FieldStore;
+import carom.sim.field.FieldUse;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
+import carom.sim.finding.Findings;
+import carom.sim.history.PoseHistory;
+import carom.sim.joint.Assemblies;
+import carom.sim.joint.JointTable;
+import carom.sim.level.Archetypes;
+import carom.sim.level.Level;
+import carom.sim.level.LevelJoint;
+import carom.sim.level.PoolGround;
+import carom.sim.message.MessageKinds;
+import carom.sim.message.WaitingMessages;
+import carom.sim.pool.PoolDef;
+import carom.sim.pool.Pools;
+import carom.sim.random.SimRandom;
+import carom.sim.ruling.InterferenceLog;
+import carom.sim.spawn.OwnSpawns;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a simulation consists of: its state, and what it was made with.
+ *
+ * <pre>
+ *   Simulation, the face ──► Tick, Participants, Mirror ──► Spawner ──► SimParts
+ *         └────────────────► SimState, Outbox
+ * </pre>
+ *
+ * <p>Each of these does one thing with the parts. They see what is right of them and never each
+ * other.
+ */
+final class SimParts {
+  final Game game;
+  final Level level;
+  final int tickRate;
+  final Role role;
+  final CallRules calls;
+  final WorldDef worldDef;
+  final World<Entity> world;
+  final Archetypes archetypes = new Archetypes();
+  final Assemblies assemblies = new Assemblies(archetypes);
+  final EventKinds eventKinds = new EventKinds();
+  final MessageKinds messageKinds = new MessageKinds();
+  final SimRandom random;
+  final AreaForces<Entity> areas;
+  final JointTable<Entity> joints;
+  final EntityTable entities;
+  final PlayerTable players;
+  final FieldStore fields;
+  final FieldValues match;
+  final AllFields allFields;
+  final Pools pools;
+  final WaitingMessages received = new WaitingMessages();
+
+  /** The static geometry of the level, in file order. */
+  final List<Entity> statics = new ArrayList<>();
+
+  /** Past poses on AUTHORITY if the game looks back; otherwise null. */
+  final PoseHistory<Entity> history;
+
+  final Findings findings = new Findings();
+  final InterferenceLog interference;
+
+  /** What notes how the game uses its fields; null on PREDICTION. */
+  final FieldUse fieldUse;
+
+  /** The tick of the present state, or during a step the tick being computed. */
+  int tick;
+
+  /** Whether a step runs. */
+  boolean inTick;
+
+  /** Receive what enters. */
+  final Journals journals = new Journals();
+
+  /** What is known of the server's rules, on PREDICTION; may be null. */
+  Rulings rulings;
+
+  /** What is known of the entities that the own player's input spawned, on PREDICTION. */
+  OwnSpawns ownSpawns;
+
+  /** Creates the parts of a simulation whose world is empty. */
+  SimParts(Game game, Level level, long seed, int tickRate, Role role) {
+    this.game = game;
+    this.level = level;
+    this.tickRate = tickRate;
+    this.role = role;
+    boolean decides = role == Role.AUTHORITY;
+    calls = new CallRules(decides);
+    random = new SimRandom(seed);
+    worldDef = game.world(level);
+    world = new World<>(worldDef);
+    areas =
+        new AreaForces<>(
+            world, level.areas(), (carrier, power) -> carrier.user().get(power), decides);
+    Schema schema = Simulation.schemaOf(game);
+    joints = new JointTable<>(world, decides);
+    entities =
+        new EntityTable(
+            world,
+            areas,
+            assemblies,
+            joints,
+            tickRate,
+            schema,
+            () -> tick,
+            calls::requireAuthority);
+    players = entities.players();
+    fields = entities.fields();
+    match = fields.create(Scope.MATCH);
+    allFields = new AllFields(match, entities);
+    fieldUse = decides ? fields.noteUse(findings, allFields::nameOf) : null;
+    interference = new InterferenceLog(entities, players, findings);
+    history = decides && game.looksBack() ? newHistory() : null;
+    pools = new Pools(tickRate, decides);
+    level.archetypes().forEach(archetypes::add);
+  }
+
+  /** Creates what the level file places; on PREDICTION its static geometry and pools only. */
+  void buildLevel() {
+    for (Level.Placement p : level.statics()) {
+      statics.add(entities.createStatic(archetypes.get(p.archetype()), p));
+    }
+    if (role == Role.AUTHORITY) {
+      for (Level.Placement p : level.bodies()) {
+        entities.spawn(
+            archetypes.get(p.archetype()), p.x(), p.y(), p.angle(), Entity.NO_OWNER, tick);
+      }
+      connectLevel();
+    }
+    for (PoolDef def : level.pools()) {
+      pools.add(def);
+    }
+  }
+
+  /** Makes the level's joints, which so get the first indices in file order. */
+  private void connectLevel() {
+    for (int i = 0; i < level.joints().size(); i++) {
+      LevelJoint joint = level.joints().get(i);
+      Body<Entity> a = body(joint.a());
+      joints.create(0, JointTable.LEVEL, i, a, body(joint.b()), joint.definition(), 0);
+    }
+  }
+
+  private Body<Entity> body(int end) {
+    if (end == LevelJoint.GROUND) {
+      return null;
+    }
+    return (end < 0 ? statics.get(~end) : entities.get(end)).body();
+  }
+
+  /**
+   * Ends the declarations of the game's set-up.
+   *
+   * @throws IllegalArgumentException if they don't fit together
+   */
+  void closeDeclarations() {
+    PoolGround.begin(pools, worldDef, level, archetypes, tickRate);
+    archetypes.close();
+    entities.checkFields(archetypes);
+    eventKinds.close();
+    messageKinds.close();
+    if (role == Role.PREDICTION) {
+      fields.predict();
+    }
+  }
+
+  /** Creates an empty history of the bodies. */
+  PoseHistory<Entity> newHistory() {
+    return new PoseHistory<>(world, entities, tickRate);
+  }
+
+  /** Remembers the present poses, if past ones are asked for. */
+  void capturePoses() {
+    if (history != null) {
+      history.capture(tick);
+    }
+  }
+
+  /** Returns 64 bits of everything that decides the future. */
+  long hash() {
+    long h = SimRandom.mix(world.stateHash(), tick);
+    h = SimRandom.mix(h, random.state());
+    h = pools.count() == 0 ? h : SimRandom.mix(h, pools.stateHash());
+    return joints.hash(entities.hash(players.hash(match.hash(h))));
+  }
+}

@@ -1,0 +1,129 @@
+package carom.sim;
+
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityTable;
+import carom.sim.entity.Player;
+import carom.sim.entity.ProvisionalEntities;
+import carom.sim.level.Archetype;
+import carom.sim.spawn.Origin;
+import carom.sim.spawn.OwnSpawns;
+
+/**
+ * Creates and destroys entities. While {@link Game#input} of a player runs, that is what both sides
+ * compute: a server creates an entity of the next free id, and a client one of the same {@link
+ * Origin}, under the server's id if it knows that already.
+ */
+final class Spawner {
+  private final SimParts parts;
+  private final EntityTable entities;
+  private final ProvisionalEntities provisional;
+
+  /** The player whose input runs, or null. */
+  private Player inputOf;
+
+  /** Number of spawns of that call. */
+  private int spawnsOfInput;
+
+  Spawner(SimParts parts) {
+    this.parts = parts;
+    entities = parts.entities;
+    provisional = entities.provisional();
+  }
+
+  /** Notes that a player's {@link Game#input} begins. */
+  void beginInput(Player player) {
+    inputOf = player;
+    spawnsOfInput = 0;
+  }
+
+  /** Notes that it has ended. */
+  void endInput() {
+    inputOf = null;
+  }
+
+  /** Removes what a player's input spawned on PREDICTION, unless the player is the own one. */
+  void dropUnforeseen(Player player) {
+    boolean foreseen = parts.ownSpawns != null && parts.ownSpawns.foresees(player.id());
+    for (int i = provisional.count() - 1; i >= 0 && !foreseen; i--) {
+      if (provisional.at(i).ownerId() == player.id()) {
+        entities.despawn(provisional.at(i));
+      }
+    }
+  }
+
+  /**
+   * Creates an entity, as {@link Simulation#spawn(Archetype, float, float, float, Player)} says.
+   */
+  Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
+    if (inputOf != null) {
+      return spawnInInput(archetype, x, y, angle, owner);
+    }
+    parts.calls.requireAuthority("spawn");
+    int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
+    return entities.spawn(archetype, x, y, angle, ownerId, parts.tick);
+  }
+
+  private Entity spawnInInput(Archetype archetype, float x, float y, float angle, Player owner) {
+    if (owner != inputOf) {
+      throw new IllegalArgumentException(
+          "owner="
+              + owner
+              + " isn't the player whose Game.input runs, "
+              + inputOf
+              + "; spawn what belongs to others in Game.beforeStep or Game.afterStep");
+    }
+    if (spawnsOfInput == Origin.MOST_PER_CALL) {
+      throw new IllegalStateException(
+          "spawns=" + spawnsOfInput + " is the most that one call of Game.input may make");
+    }
+    int origin = Origin.of(parts.tick, spawnsOfInput++);
+    Entity entity =
+        parts.role == Role.AUTHORITY
+            ? entities.spawn(archetype, x, y, angle, owner.id(), parts.tick)
+            : predict(origin, archetype, x, y, angle, owner.id());
+    entity.fieldValues().spawner(owner);
+    entities.setOrigin(entity, origin);
+    return entity;
+  }
+
+  private Entity predict(
+      int origin, Archetype archetype, float x, float y, float angle, int ownerId) {
+    int key = parts.ownSpawns == null ? OwnSpawns.UNKNOWN : parts.ownSpawns.key(origin);
+    Entity known = key < 0 ? null : entities.get(key & 0xffff);
+    if (known != null && known.generation() == key >>> 16) {
+      despawn(known); // the tick is computed again
+      known = null;
+    }
+    if (key < 0 || known != null) {
+      return entities.spawnProvisional(origin, archetype, x, y, angle, ownerId, parts.tick);
+    }
+    int id = key & 0xffff;
+    return entities.spawnAs(id, key >>> 16, archetype, x, y, angle, ownerId, false, parts.tick);
+  }
+
+  /** Destroys an entity, as {@link Simulation#despawn} says. */
+  void despawn(Entity entity) {
+    parts.calls.requireOutsidePhysics("despawn");
+    if (!entities.holds(entity) || (inputOf != null && !mayDespawn(entity))) {
+      return;
+    }
+    if (parts.history != null) {
+      parts.history.forget(entity.bodySlot());
+    }
+    if (entity.isRoot()) {
+      for (int i = 0; i < entities.capacity(); i++) {
+        Entity member = entities.get(i);
+        if (member != null && member != entity && member.root() == entity) {
+          despawn(member);
+        }
+      }
+    }
+    entities.despawn(entity);
+  }
+
+  /** Returns whether a server, or a client that foresees it, despawns an entity in an input. */
+  private boolean mayDespawn(Entity entity) {
+    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body();
+    return parts.role == Role.AUTHORITY || isOwn;
+  }
+}

@@ -1,0 +1,238 @@
+package carom.sim;
+
+import carom.physics.Body;
+import carom.physics.Collision;
+import carom.physics.CollisionListener;
+import carom.physics.Joint;
+import carom.physics.JointListener;
+import carom.physics.QueryFilter;
+import carom.physics.math.Aabb;
+import carom.sim.entity.CallRules;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
+import carom.sim.field.FieldStore;
+import carom.sim.level.Archetype;
+import carom.sim.message.Message;
+import carom.sim.message.WaitingMessages;
+import carom.sim.pool.Pools;
+import carom.sim.ruling.ForceCheck;
+import java.util.function.Consumer;
+
+/**
+ * One step of a simulation: which of the game's methods are called when, on which side, and what
+ * each of them may do meanwhile.
+ *
+ * <pre>
+ *   AUTHORITY    paths  message  beforeStep   input...  forces...  physics: collision, hit  afterStep
+ *   PREDICTION   paths  rulings of the server input...  forces...  physics: collision, hit  rulings
+ * </pre>
+ *
+ * <p>It allocates nothing of its own.
+ */
+final class Tick {
+  private final Simulation simulation;
+  private final SimParts parts;
+  private final Spawner spawner;
+  private final Game game;
+  private final CallRules calls;
+  private final FieldStore fields;
+  private final Pools pools;
+  private final float seconds;
+  private final ForceCheck forceCheck;
+  private final Aabb moving = new Aabb();
+  private final QueryFilter<Entity> geometry = (body, shape) -> body.user().isLevel();
+  private final Consumer<Body<Entity>> forces = this::applyForces;
+  private final WaitingMessages.Reader handleMessage = this::handle;
+
+  /** The phases of the match, or null if the game has none. */
+  private MatchClock clock;
+
+  /** Creates the step of a simulation, and listens to what its world tells from now on. */
+  Tick(Simulation simulation, SimParts parts, Spawner spawner) {
+    this.simulation = simulation;
+    this.parts = parts;
+    this.spawner = spawner;
+    game = parts.game;
+    calls = parts.calls;
+    fields = parts.fields;
+    pools = parts.pools;
+    seconds = 1f / parts.tickRate;
+    forceCheck = new ForceCheck(parts.world, parts.findings);
+    parts.world.listener(new Collisions());
+    parts.world.jointListener(new Joints());
+  }
+
+  /** Begins the match's phases, if it has any; once, after the game's set-up. */
+  void beginClock() {
+    clock = game.clock();
+    if (clock != null) {
+      clock.setUp(simulation);
+    }
+  }
+
+  /** Computes the tick after the present one. */
+  void step() {
+    parts.journals.stepping(simulation);
+    parts.tick++;
+    parts.inTick = true;
+    try {
+      compute();
+    } finally {
+      parts.inTick = false;
+      fields.end();
+    }
+    parts.capturePoses();
+    parts.journals.stepped(simulation);
+  }
+
+  private void compute() {
+    parts.entities.followPaths(parts.tick);
+    ruleBeforeStep();
+    for (int i = 0; i < parts.players.limit(); i++) {
+      Player player = parts.players.get(i);
+      if (player != null && player.isAlive()) {
+        takeInput(player);
+      }
+    }
+    fields.end();
+    applyForces();
+    during("hit");
+    calls.inPhysics(true);
+    try {
+      parts.world.step(seconds);
+    } finally {
+      calls.inPhysics(false);
+    }
+    ruleAfterStep();
+  }
+
+  private void ruleBeforeStep() {
+    if (parts.role == Role.AUTHORITY) {
+      parts.interference.beginRules();
+      during("message");
+      parts.received.forEach(handleMessage);
+      parts.received.clear();
+      during("beforeStep");
+      if (clock != null) {
+        clock.beforeStep(simulation);
+      }
+      game.beforeStep(simulation);
+      parts.interference.endRulesBeforeStep(parts.tick);
+    } else if (parts.rulings != null) {
+      parts.rulings.beforeStep(simulation);
+    }
+  }
+
+  private void ruleAfterStep() {
+    if (parts.role == Role.AUTHORITY) {
+      parts.interference.beginRules();
+      during("afterStep");
+      game.afterStep(simulation);
+      during("a callback between two steps");
+      parts.interference.endRulesAfterStep(parts.tick);
+    } else if (parts.rulings != null) {
+      parts.rulings.afterStep(simulation);
+    }
+  }
+
+  private void handle(int playerId, Message message) {
+    Player player = parts.players.participant(playerId);
+    if (player != null) { // one handled before may have removed it
+      Talk.handle(simulation, player, message);
+    }
+  }
+
+  private void takeInput(Player player) {
+    fields.beginInput(player, player.fieldValues(), player.body().fieldValues());
+    calls.inInput(true);
+    spawner.beginInput(player);
+    try {
+      game.input(simulation, player, player.input());
+    } finally {
+      spawner.endInput();
+      calls.inInput(false);
+    }
+    if (parts.role == Role.PREDICTION) {
+      spawner.dropUnforeseen(player);
+    }
+  }
+
+  /** Lets areas, pools and the game's forces act on each awake body. */
+  private void applyForces() {
+    boolean decides = parts.role == Role.AUTHORITY;
+    parts.areas.begin();
+    if (decides) {
+      pools.step(parts.tick);
+    }
+    for (int i = 0; i < pools.count(); i++) {
+      if (pools.readMoving(i, parts.tick, moving)) {
+        parts.areas.wake(moving);
+      }
+    }
+    forceCheck.beginTick(decides ? parts.tick : 1);
+    calls.inForces(true);
+    fields.beginForces();
+    parts.world.queryScope(geometry);
+    try {
+      parts.world.forEachAwake(forces);
+    } finally {
+      parts.world.queryScope(null);
+      fields.end();
+      calls.inForces(false);
+    }
+    if (decides) {
+      pools.close();
+    }
+  }
+
+  private void applyForces(Body<Entity> body) {
+    Entity entity = body.user();
+    Archetype kind = entity.archetype();
+    parts.areas.act(body, kind, seconds);
+    if (!kind.sensor()) {
+      pools.act(parts.world, body, parts.tick, kind.index(), kind.shapes(), kind.reach());
+    }
+    forceCheck.begin(body);
+    game.forces(simulation, entity);
+    forceCheck.end(body, parts.tick);
+  }
+
+  /** Names the method of the game that runs from now on, for advice to its developer. */
+  private void during(String callback) {
+    if (parts.fieldUse != null) {
+      parts.fieldUse.during(callback);
+    }
+  }
+
+  private final class Collisions implements CollisionListener<Entity> {
+    @Override
+    public boolean preSolve(Collision<Entity> c) {
+      fields.beginCollision();
+      boolean responds = game.collision(simulation, c);
+      fields.end();
+      return responds;
+    }
+
+    @Override
+    public void hit(Collision<Entity> c) {
+      game.hit(simulation, c);
+    }
+  }
+
+  private final class Joints implements JointListener<Entity> {
+    @Override
+    public void broke(Joint<Entity> joint) {
+      game.broke(simulation, joint);
+    }
+
+    @Override
+    public void created(Joint<Entity> joint) {
+      parts.joints.created(joint);
+    }
+
+    @Override
+    public void destroyed(Joint<Entity> joint) {
+      parts.joints.destroyed();
+    }
+  }
+}

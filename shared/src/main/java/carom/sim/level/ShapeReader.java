@@ -1,0 +1,150 @@
+package carom.sim.level;
+
+import static carom.json.JsonFields.bool;
+import static carom.json.JsonFields.knownFields;
+import static carom.json.JsonFields.list;
+import static carom.json.JsonFields.number;
+import static carom.json.JsonFields.require;
+import static carom.json.JsonFields.required;
+import static carom.json.JsonFields.vector;
+import static carom.json.JsonFields.word;
+import static carom.json.JsonFields.wrong;
+import static carom.sim.level.LevelReader.MAX_SIZE;
+import static carom.sim.level.LevelReader.MIN_SIZE;
+
+import carom.json.Json;
+import carom.json.JsonException;
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Capsule;
+import carom.physics.geometry.Chain;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Compound;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Polygon;
+import carom.physics.geometry.Segment;
+import carom.physics.geometry.Shape;
+import java.util.List;
+
+/** Reads the shapes of a level file. */
+final class ShapeReader {
+  static final int MAX_PARTS = 32;
+  static final int MAX_POINTS = 8;
+  static final int MAX_CHAIN_POINTS = 256;
+  static final List<String> CIRCLE = List.of("type", "radius", "at");
+  static final List<String> BOX = List.of("type", "width", "height", "at");
+  static final List<String> POLYGON = List.of("type", "points");
+  static final List<String> CAPSULE = List.of("type", "from", "to", "radius");
+  static final List<String> SEGMENT = List.of("type", "from", "to");
+  static final List<String> CHAIN = List.of("type", "points", "loop");
+  static final List<String> COMPOUND = List.of("type", "parts");
+  static final List<String> SHAPES =
+      List.of("circle", "box", "polygon", "capsule", "segment", "chain", "compound");
+  static final List<String> LINES = List.of("segment", "chain");
+
+  private ShapeReader() {}
+
+  /** Returns a shape, which may be a line or a compound unless it is a part of one. */
+  static Shape shape(Json node, boolean compoundAllowed) throws JsonException {
+    require(node, Json.Kind.OBJECT);
+    required(node, "type");
+    String type = word(node, "type", SHAPES, "");
+    if (type.equals("compound") && !compoundAllowed) {
+      throw wrong(node.fields.get("type"), "=\"compound\" can't be part of a compound");
+    }
+    if (LINES.contains(type) && !compoundAllowed) {
+      throw wrong(
+          node.fields.get("type"),
+          "=\"" + type + "\" is a line and can't be part of a compound; give it a body of its own");
+    }
+    try {
+      return switch (type) {
+        case "circle" -> circle(node);
+        case "box" -> boxShape(node);
+        case "polygon" -> polygon(node);
+        case "capsule" -> capsule(node);
+        case "segment" -> segment(node);
+        case "chain" -> chain(node);
+        default -> compound(node);
+      };
+    } catch (IllegalArgumentException e) {
+      throw wrong(node, ": " + e.getMessage());
+    }
+  }
+
+  private static Circle circle(Json node) throws JsonException {
+    knownFields(node, CIRCLE);
+    float[] at = offset(node);
+    return new Circle(size(node, "radius"), at[0], at[1]);
+  }
+
+  private static Box boxShape(Json node) throws JsonException {
+    knownFields(node, BOX);
+    float[] at = offset(node);
+    return new Box(size(node, "width") / 2, size(node, "height") / 2, at[0], at[1]);
+  }
+
+  private static Polygon polygon(Json node) throws JsonException {
+    knownFields(node, POLYGON);
+    required(node, "points");
+    List<Json> points = list(node, "points", MAX_POINTS);
+    if (points.size() < 3) {
+      throw wrong(node.fields.get("points"), " has " + points.size() + " points, needs 3 at least");
+    }
+    return Polygon.of(coordinates(points));
+  }
+
+  private static float[] coordinates(List<Json> points) throws JsonException {
+    float[] xy = new float[2 * points.size()];
+    for (int i = 0; i < points.size(); i++) {
+      float[] point = vector(points.get(i), MAX_SIZE);
+      xy[2 * i] = point[0];
+      xy[2 * i + 1] = point[1];
+    }
+    return xy;
+  }
+
+  private static Capsule capsule(Json node) throws JsonException {
+    knownFields(node, CAPSULE);
+    float[] from = vector(required(node, "from"), MAX_SIZE);
+    float[] to = vector(required(node, "to"), MAX_SIZE);
+    return new Capsule(from[0], from[1], to[0], to[1], size(node, "radius"));
+  }
+
+  private static Segment segment(Json node) throws JsonException {
+    knownFields(node, SEGMENT);
+    float[] from = vector(required(node, "from"), MAX_SIZE);
+    float[] to = vector(required(node, "to"), MAX_SIZE);
+    return new Segment(from[0], from[1], to[0], to[1]);
+  }
+
+  private static Chain chain(Json node) throws JsonException {
+    knownFields(node, CHAIN);
+    required(node, "points");
+    float[] xy = coordinates(list(node, "points", MAX_CHAIN_POINTS));
+    return bool(node, "loop", false) ? Chain.loop(xy) : Chain.open(xy);
+  }
+
+  private static Compound compound(Json node) throws JsonException {
+    knownFields(node, COMPOUND);
+    required(node, "parts");
+    List<Json> parts = list(node, "parts", MAX_PARTS);
+    if (parts.isEmpty()) {
+      throw wrong(node.fields.get("parts"), " has no part, needs 1 at least");
+    }
+    Convex[] convex = new Convex[parts.size()];
+    for (int i = 0; i < convex.length; i++) {
+      convex[i] = (Convex) shape(parts.get(i), false);
+    }
+    return Compound.of(convex);
+  }
+
+  private static float size(Json node, String field) throws JsonException {
+    required(node, field);
+    return number(node, field, 1, MIN_SIZE, MAX_SIZE);
+  }
+
+  private static float[] offset(Json node) throws JsonException {
+    Json at = node.fields.get("at");
+    return at == null ? new float[2] : vector(at, MAX_SIZE);
+  }
+}

@@ -1,0 +1,74 @@
+package carom.sim.outbox;
+
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
+import carom.sim.message.Message;
+import java.util.Objects;
+
+/**
+ * A message of the game on its way to clients, begun by {@code Simulation.send}. Without a call of
+ * {@code to} nobody gets it. It never matters to the simulation.
+ */
+public final class Delivery {
+  /** Who gets a message. */
+  public enum Recipients {
+    /** Nobody. */
+    NOBODY,
+    /** The participant {@link Delivery#id}. */
+    ONE,
+    /** The participants of the team {@link Delivery#id}. */
+    TEAM,
+    /** Everybody. */
+    ALL,
+    /** Those who look at the entity {@link Delivery#id} and may know it. */
+    NEAR
+  }
+
+  private final Message message;
+  private Recipients recipients = Recipients.NOBODY;
+  private int id;
+
+  Delivery(Message message) {
+    this.message = Objects.requireNonNull(message, "message");
+  }
+
+  /** Sends the message to one player. */
+  public void to(Player player) {
+    address(Recipients.ONE, player.id());
+  }
+
+  /** Sends the message to all players of a team. */
+  public void toTeam(int team) {
+    address(Recipients.TEAM, team);
+  }
+
+  /** Sends the message to all players. */
+  public void toAll() {
+    address(Recipients.ALL, 0);
+  }
+
+  /** Sends the message to all players who look at the place of an entity and may know it. */
+  public void toNear(Entity entity) {
+    address(Recipients.NEAR, entity.id());
+  }
+
+  private void address(Recipients recipients, int id) {
+    this.recipients = recipients;
+    this.id = id;
+  }
+
+  /** Returns the message. */
+  public Message message() {
+    return message;
+  }
+
+  /** Returns who gets it. */
+  public Recipients recipients() {
+    return recipients;
+  }
+
+  /** Returns the id of a player or an entity, or a team, see {@link #recipients}. */
+  public int id() {
+    return id;
+  }
+}

@@ -1,0 +1,311 @@
+package carom.lab.soak;
+
+import carom.client.ClientConfig;
+import carom.client.PredictionMode;
+import carom.client.link.ConnectionPhase;
+import carom.net.transport.Impairment;
+import carom.physics.Body;
+import carom.replay.RecordingReader;
+import carom.replay.Replay;
+import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
+import carom.server.match.MatchLibrary;
+import carom.server.metrics.Counter;
+import carom.server.room.Room;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.message.Emote;
+import carom.testkit.Scripts;
+import carom.testkit.SimulatedClient;
+import carom.testkit.Stepper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * One soak. It lets a server and its clients live through a script of incidents, and checks after
+ * every tick what must always hold:
+ *
+ * <ul>
+ *   <li>each state that a client decodes equals the server's of that tick;
+ *   <li>what a client shows is there, and what is there it shows, see {@link EntityWatch};
+ *   <li>all bodies have finite poses and velocities;
+ *   <li>no more seats are taken than a room has, and the server counts no error;
+ *   <li>a recording of each server's life replays to the same hashes.
+ * </ul>
+ *
+ * <p>All of it is in memory and virtual time, but for recordings: equal settings and incidents give
+ * equal soaks.
+ */
+final class Soak {
+  /**
+   * How a soak runs.
+   *
+   * @param seconds length, s of virtual time
+   * @param clients largest number of clients at a time
+   * @param predicting whether clients predict; otherwise they interpolate, which is cheaper
+   * @param recordings folder for recordings, or null for none
+   */
+  record Settings(long seed, double seconds, int clients, boolean predicting, Path recordings) {}
+
+  /** Datagrams that aren't lost are read every 2 ms, or once a tick where nothing is predicted. */
+  private static final int COARSE_SLICES = 8;
+
+  private static final int SEATS = 12; // of each room, fewer than clients: some are refused
+
+  private final Settings settings;
+  private final Stepper stepper;
+  private final SimulatedClient[] clients;
+  private final Map<Incident.Kind, Integer> happened = new EnumMap<>(Incident.Kind.class);
+  private final Map<Room, EntityWatch> watches = new HashMap<>();
+  private final Map<Room, Integer> checkedTicks = new HashMap<>();
+  private final Map<SimulatedClient, Long> thawNs = new HashMap<>();
+  private final long startNs;
+  private List<Path> recorded = List.of();
+  private int lives;
+  private long ticks;
+  private long compared;
+  private long entitiesSeen;
+  private long replayed;
+  private int number;
+
+  Soak(Settings settings) throws IOException {
+    this.settings = settings;
+    List<RoomConfig> rooms =
+        List.of(
+            new RoomConfig(
+                "cup", "", List.of("arena", "platformer", "commons"), SEATS, 1, Map.of()),
+            new RoomConfig("jump", "", List.of("platformer", "arena"), SEATS, 1, Map.of()));
+    ServerConfig config = ServerConfig.defaults().withSeed(settings.seed);
+    stepper = Stepper.ofRooms(config, MatchLibrary.INSTALLED, rooms.toArray(new RoomConfig[0]));
+    stepper.expectExpulsions();
+    clients = new SimulatedClient[settings.clients];
+    startNs = stepper.nowNs();
+    begin();
+  }
+
+  /**
+   * Runs the incidents, and goes on until the soak's end.
+   *
+   * @throws AssertionError when something doesn't hold
+   */
+  void run(List<Incident> incidents) throws IOException {
+    try (stepper) {
+      int next = 0;
+      while (elapsedS() < settings.seconds) {
+        while (next < incidents.size() && incidents.get(next).atS() <= elapsedS()) {
+          happen(incidents.get(next++));
+        }
+        step();
+      }
+      end();
+    }
+  }
+
+  /** Returns the virtual time since the soak began, s. */
+  double elapsedS() {
+    return (stepper.nowNs() - startNs) * 1e-9;
+  }
+
+  /** Returns what the soak saw, for people. */
+  String summary() {
+    return "ticks=%d states compared=%d entities seen=%d replayed ticks=%d incidents=%s"
+        .formatted(ticks, compared, entitiesSeen, replayed, happened);
+  }
+
+  private void step() {
+    for (Map.Entry<SimulatedClient, Long> frozen : List.copyOf(thawNs.entrySet())) {
+      if (stepper.nowNs() - frozen.getValue() >= 0) {
+        frozen.getKey().freeze(false);
+        thawNs.remove(frozen.getKey());
+      }
+    }
+    stepper.step(settings.predicting ? 1 : COARSE_SLICES);
+    for (Room room : stepper.server().rooms()) {
+      if (room.tick() != checkedTicks.getOrDefault(room, -1)) {
+        checkedTicks.put(room, room.tick());
+        ticks++;
+        check(room);
+      }
+    }
+  }
+
+  private void check(Room room) {
+    Simulation simulation = room.simulation();
+    for (int id = 0, left = simulation.entityCount(); left > 0; id++) {
+      Entity entity = simulation.entity(id);
+      if (entity == null) {
+        continue;
+      }
+      left--;
+      Body<Entity> body = entity.body();
+      float sum =
+          body.x()
+              + body.y()
+              + body.angle()
+              + body.velocityX()
+              + body.velocityY()
+              + body.angularVelocity();
+      if (!Float.isFinite(sum)) {
+        throw failure(room, "entity=" + id + " isn't finite: " + body);
+      }
+    }
+    if (room.seats().takenCount() > SEATS) {
+      throw failure(room, "taken seats=" + room.seats().takenCount() + " of " + SEATS);
+    }
+    EntityWatch watch = watches.computeIfAbsent(room, r -> new EntityWatch());
+    watch.tick(room.frames().newest(), room.match());
+    for (SimulatedClient client : clients) {
+      if (client != null && client.view().room().equals(room.name())) {
+        entitiesSeen += watch.check(client);
+      }
+    }
+  }
+
+  private AssertionError failure(Room room, String what) {
+    return new AssertionError("room=" + room.name() + " tick=" + room.tick() + ": " + what);
+  }
+
+  // ---- incidents
+
+  private void happen(Incident incident) throws IOException {
+    SimulatedClient client = clients[incident.client()];
+    boolean there = client != null;
+    switch (incident.kind()) {
+      case JOIN -> join(incident);
+      case LEAVE, DIE -> leave(incident);
+      case CUT -> {
+        if (there && client.isConnected()) {
+          client.cut();
+        }
+      }
+      case BLACKOUT -> {
+        if (there && client.isConnected()) {
+          disturb(client);
+          stepper.blackout(client, incident.detail() % 12_000 / 1e3);
+        }
+      }
+      case FREEZE -> {
+        if (there) {
+          disturb(client);
+          client.freeze(true);
+          thawNs.put(client, stepper.nowNs() + incident.detail() % 3_000 * 1_000_000);
+        }
+      }
+      case NETWORK -> {
+        if (there && client.isConnected()) {
+          disturb(client);
+          Impairment network = incident.network().withSeed(incident.detail());
+          client.impair(network);
+        }
+      }
+      case TALK -> {
+        if (isPlaying(client)) {
+          client.game().chat("this happened: " + incident.detail());
+        }
+      }
+      case EMOTE -> {
+        if (isPlaying(client)) {
+          client.game().emote(Emote.values()[(int) (incident.detail() % Emote.values().length)]);
+        }
+      }
+      case MOVE -> {
+        if (isPlaying(client)) {
+          client.game().changeRoom(client.view().room().equals("cup") ? "jump" : "cup");
+        }
+      }
+      case LEVEL -> {
+        List<Room> rooms = stepper.server().rooms();
+        rooms.get((int) (incident.detail() % rooms.size())).simulation().matchOver();
+      }
+      case STALL -> stepper.stallServer(incident.detail() % 2_000 / 1e3);
+      case RESTART -> {
+        end();
+        stepper.startServer();
+        begin();
+      }
+      default -> throw new AssertionError(incident);
+    }
+    happened.merge(incident.kind(), 1, Integer::sum);
+  }
+
+  private void join(Incident incident) {
+    if (clients[incident.client()] != null) {
+      return;
+    }
+    ClientConfig config =
+        ClientConfig.of("p" + number++)
+            .withServer("localhost", stepper.tcpPort(), stepper.udpPort())
+            .withPrediction(settings.predicting ? PredictionMode.ISLAND : PredictionMode.NONE);
+    clients[incident.client()] =
+        stepper.add(
+            config,
+            incident.network().withSeed(incident.detail()),
+            Scripts.wander(incident.detail()));
+  }
+
+  private void leave(Incident incident) {
+    SimulatedClient client = clients[incident.client()];
+    if (client == null) {
+      return;
+    }
+    if (incident.kind() == Incident.Kind.LEAVE) {
+      client.leave();
+    } else if (client.isConnected()) {
+      client.kill();
+    }
+    clients[incident.client()] = null;
+    thawNs.remove(client);
+    compared += client.compared();
+    stepper.remove(client);
+  }
+
+  private void disturb(SimulatedClient client) {
+    watches.values().forEach(watch -> watch.disturbed(client));
+  }
+
+  private static boolean isPlaying(SimulatedClient client) {
+    return client != null && client.view().phase() == ConnectionPhase.PLAYING;
+  }
+
+  // ---- the lives of the server
+
+  private void begin() throws IOException {
+    if (settings.recordings != null) {
+      Path folder = Files.createDirectories(settings.recordings.resolve("life" + lives));
+      recorded = stepper.server().record(folder);
+    }
+    lives++;
+  }
+
+  private void end() throws IOException {
+    long failed = stepper.count(Counter.SESSIONS_FAILED) + stepper.count(Counter.GAME_FAILURES);
+    if (failed > 0) {
+      throw new AssertionError("the server counted failures; " + stepper.server().status());
+    }
+    stepper.stopServer();
+    watches.clear();
+    checkedTicks.clear();
+    for (Path file : new ArrayList<>(recorded)) {
+      replay(file);
+    }
+  }
+
+  private void replay(Path file) throws IOException {
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      Replay replay = new Replay(reader);
+      while (replay.step() == Replay.Progress.TICK) {
+        if (replay.divergence() != null) {
+          throw new AssertionError(file + " replays to another state: " + replay.divergence());
+        }
+        replayed++;
+      }
+    }
+    Files.delete(file);
+  }
+}

@@ -1,0 +1,141 @@
+package carom.lab.soak;
+
+import java.io.IOException;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/**
+ * Runs a soak. A seed reproduces it; of a soak that fails, the shortest script that still fails is
+ * looked for and named.
+ */
+@Command(
+    name = "soak",
+    mixinStandardHelpOptions = true,
+    description = "Lets a server and its clients live through whatever a seed does to them.")
+public final class SoakMain implements Callable<Integer> {
+  @Option(
+      names = "--minutes",
+      paramLabel = "N",
+      description = "length in minutes of virtual time, default ${DEFAULT-VALUE}")
+  private double minutes = 5;
+
+  @Option(
+      names = "--clients",
+      paramLabel = "N",
+      description = "most clients at a time, default ${DEFAULT-VALUE}")
+  private int clients = 16;
+
+  @Option(names = "--predict", description = "clients predict, instead of interpolating")
+  private boolean predict;
+
+  @Option(names = "--no-recordings", description = "records nothing, and replays nothing")
+  private boolean noRecordings;
+
+  @Option(names = "--seed", paramLabel = "N", description = "seed; default: another every time")
+  private long seed = System.nanoTime();
+
+  @Option(
+      names = "--incidents",
+      paramLabel = "N",
+      description = "only the first N incidents of the seed")
+  private int incidents = Integer.MAX_VALUE;
+
+  private SoakMain() {}
+
+  /** Runs the command. */
+  public static void main(String[] args) {
+    System.exit(new CommandLine(new SoakMain()).execute(args));
+  }
+
+  @Override
+  public Integer call() throws Exception {
+    List<Incident> script = Incident.script(seed, minutes * 60, clients);
+    script = script.subList(0, Math.min(incidents, script.size()));
+    System.out.printf(
+        "soak: seed=%d minutes=%.1f clients=%d predict=%b incidents=%d%n",
+        seed, minutes, clients, predict, script.size());
+    long start = System.nanoTime();
+    Outcome outcome = attempt(script, minutes * 60);
+    double took = (System.nanoTime() - start) * 1e-9;
+    System.out.printf(
+        "%s%n%.0f s of virtual time in %.0f s: %.1f times real time%n",
+        outcome.summary, outcome.seconds, took, outcome.seconds / took);
+    if (outcome.failure == null) {
+      return 0;
+    }
+    outcome.failure.printStackTrace(System.out);
+    int fewest = shortest(script, outcome.seconds);
+    System.out.printf(
+        "the shortest script that fails: --seed %d --minutes %.3f --clients %d%s --incidents %d%n",
+        seed, outcome.seconds / 60 + 0.01, clients, predict ? " --predict" : "", fewest);
+    script.subList(Math.max(0, fewest - 10), fewest).forEach(System.out::println);
+    return 1;
+  }
+
+  /** How a soak ended. */
+  private record Outcome(double seconds, String summary, Throwable failure) {}
+
+  private Outcome attempt(List<Incident> script, double seconds) throws IOException {
+    Path folder = noRecordings ? null : Files.createTempDirectory("carom-soak");
+    Soak soak = new Soak(new Soak.Settings(seed, seconds, clients, predict, folder));
+    Throwable failure = null;
+    try {
+      soak.run(script);
+    } catch (AssertionError | RuntimeException | IOException e) {
+      failure = e;
+    } finally {
+      if (folder != null) {
+        delete(folder);
+      }
+    }
+    return new Outcome(soak.elapsedS(), soak.summary(), failure);
+  }
+
+  /** Returns the smallest number of incidents with which the soak fails up to the same moment. */
+  private int shortest(List<Incident> script, double seconds) throws IOException {
+    int passes = -1;
+    int fails = script.size();
+    for (int i = 0; i < script.size(); i++) {
+      if (script.get(i).atS() > seconds) {
+        fails = i;
+        break;
+      }
+    }
+    while (fails - passes > 1) {
+      int middle = (passes + fails) / 2;
+      if (attempt(script.subList(0, middle), seconds + 1).failure == null) {
+        passes = middle;
+      } else {
+        fails = middle;
+      }
+    }
+    return fails;
+  }
+
+  private static void delete(Path folder) throws IOException {
+    Files.walkFileTree(
+        folder,
+        new SimpleFileVisitor<>() {
+          @Override
+          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
+              throws IOException {
+            Files.delete(file);
+            return FileVisitResult.CONTINUE;
+          }
+
+          @Override
+          public FileVisitResult postVisitDirectory(Path dir, IOException e) throws IOException {
+            Files.delete(dir);
+            return FileVisitResult.CONTINUE;
+          }
+        });
+  }
+}

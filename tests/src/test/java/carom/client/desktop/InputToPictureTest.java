@@ -1,0 +1,106 @@
+package carom.client.desktop;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import carom.game.Games;
+import carom.net.kryo.KryoServerTransport;
+import carom.server.Server;
+import carom.server.config.ServerConfig;
+import carom.sim.level.Level;
+import carom.testkit.VirtualDisplay;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: what a player does is seen within two frames. Method: keys pressed through a virtual
+ * display, and what its screen shows of a body at rest; the server is 100 ms away.
+ */
+@Timeout(180)
+final class InputToPictureTest {
+  /** Colour of the first player of the arena. */
+  private static final int RED = 0xff5d5d;
+
+  /** Least way of the body's middle that counts as seen, px; at rest it varies by less. */
+  private static final double SEEN = 0.05;
+
+  @TempDir private Path folder;
+
+  @Test
+  void aKeyIsSeenByTheEndOfTheSecondFrameAndEscOpensTheMenu() throws Exception {
+    assumeTrue(VirtualDisplay.available(), "Xvfb is not installed (Debian: apt-get install xvfb)");
+    Path output = folder.resolve("output.txt");
+    try (VirtualDisplay display = VirtualDisplay.open();
+        Server server =
+            new Server(
+                ServerConfig.defaults().withGameName("arena"),
+                () -> Games.create("arena"),
+                Level.builtIn("arena"),
+                new KryoServerTransport(0, 0),
+                System::nanoTime)) {
+      server.start();
+      ProcessBuilder builder =
+          new ProcessBuilder(
+                  new File(System.getProperty("java.home"), "bin/java").getPath(),
+                  "-Dkryo.unsafe=false",
+                  "-cp",
+                  System.getProperty("java.class.path"),
+                  KeyWatcher.class.getName(),
+                  Integer.toString(RED),
+                  "--settings",
+                  folder.resolve("player.conf").toString(),
+                  "--host",
+                  "localhost",
+                  "--tcp-port",
+                  Integer.toString(server.tcpPort()),
+                  "--udp-port",
+                  Integer.toString(server.udpPort()),
+                  "--latency",
+                  "50",
+                  "--seconds",
+                  "100")
+              .redirectErrorStream(true)
+              .redirectOutput(output.toFile());
+      builder.environment().put("DISPLAY", display.name());
+      builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+      Process window = builder.start();
+      try {
+        assertTrue(window.waitFor(120, TimeUnit.SECONDS), () -> read(output));
+      } finally {
+        window.destroyForcibly();
+      }
+    }
+    List<Double> moved = numbers(output, "moved ");
+    assertEquals(10, moved.size(), () -> read(output));
+    assertEquals(
+        0, moved.stream().filter(way -> way < SEEN).count(), () -> "moved too late: " + moved);
+    List<Double> changed = numbers(output, "changed ");
+    assertTrue(changed.get(0) > 0.9, () -> "the menu covers the middle: " + changed);
+    assertTrue(changed.get(1) < 0.3, () -> "the game is back: " + changed);
+  }
+
+  /** Returns the numbers of the lines that begin with a word. */
+  private static List<Double> numbers(Path output, String word) {
+    return read(output)
+        .lines()
+        .filter(line -> line.startsWith(word))
+        .map(line -> Double.parseDouble(line.substring(word.length())))
+        .toList();
+  }
+
+  private static String read(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      return "no output: " + e;
+    }
+  }
+}

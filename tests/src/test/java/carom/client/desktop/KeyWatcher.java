@@ -1,0 +1,150 @@
+package carom.client.desktop;
+
+import carom.client.app.ClientMain;
+import com.badlogic.gdx.Gdx;
+import java.awt.AWTException;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+
+/**
+ * A program that opens the client's window, presses keys as a user does, through the display, and
+ * looks at the screen: prints for each press how far the own body has moved, in pixels, by the end
+ * of the second frame after it. Then it opens the menu and closes it.
+ */
+final class KeyWatcher {
+  private static final int TOLERANCE = 10;
+  private static final int PRESSES = 10;
+  private static final int AROUND = 60;
+
+  /** Way of the body's middle in a tenth of a second that counts as none, px. */
+  private static final double AT_REST = 0.02;
+
+  /** Two frames of a screen with 60 of them a second. */
+  private static final long TWO_FRAMES_NS = 33_400_000;
+
+  private final Robot robot;
+  private final int rgb;
+
+  private KeyWatcher(Robot robot, int rgb) {
+    this.robot = robot;
+    this.rgb = rgb;
+  }
+
+  /**
+   * Runs the program.
+   *
+   * @param args colour of the own body, and the flags of the client
+   */
+  public static void main(String[] args) {
+    int rgb = Integer.parseInt(args[0]);
+    Thread presser = new Thread(() -> press(rgb), "presser");
+    presser.setDaemon(true);
+    presser.start();
+    String[] flags = new String[args.length - 1];
+    System.arraycopy(args, 1, flags, 0, flags.length);
+    System.exit(ClientMain.run(flags));
+  }
+
+  private static void press(int rgb) {
+    try {
+      Robot robot = new Robot();
+      KeyWatcher watcher = new KeyWatcher(robot, rgb);
+      watcher.run();
+      watcher.openMenu();
+    } catch (AWTException | InterruptedException e) {
+      System.out.println("failed: " + e);
+    }
+    Gdx.app.exit();
+  }
+
+  private void run() throws InterruptedException {
+    robot.mouseMove(640, 60);
+    double[] found = null;
+    while (found == null || found[2] < 200) {
+      Thread.sleep(200);
+      found = find(new Rectangle(0, 0, 1_280, 720));
+    }
+    Thread.sleep(3_000); // until it has come to rest and the clocks have settled
+    for (int i = 0; i < PRESSES; i++) {
+      awaitRest();
+      found = find(new Rectangle(0, 0, 1_280, 720));
+      Rectangle near =
+          new Rectangle((int) found[0] - AROUND, (int) found[1] - AROUND, 2 * AROUND, 2 * AROUND);
+      double before = find(near)[0];
+      int key = i % 2 == 0 ? KeyEvent.VK_D : KeyEvent.VK_A;
+      robot.keyPress(key);
+      long frame = Gdx.graphics.getFrameId(); // its events are read when it ends
+      long pressedNs = System.nanoTime();
+      while (Gdx.graphics.getFrameId() < frame + 3
+          || System.nanoTime() - pressedNs < TWO_FRAMES_NS) {
+        Thread.onSpinWait();
+      }
+      double moved = find(near)[0] - before;
+      robot.keyRelease(key);
+      System.out.printf("moved %.3f%n", i % 2 == 0 ? moved : -moved);
+      Thread.sleep(500);
+    }
+  }
+
+  /**
+   * Opens the menu and closes it, and prints how much of the picture's middle changed each time.
+   */
+  private void openMenu() throws InterruptedException {
+    Rectangle middle = new Rectangle(540, 260, 200, 200);
+    BufferedImage game = robot.createScreenCapture(middle);
+    for (int i = 0; i < 2; i++) {
+      robot.keyPress(KeyEvent.VK_ESCAPE);
+      Thread.sleep(100);
+      robot.keyRelease(KeyEvent.VK_ESCAPE);
+      long frame = Gdx.graphics.getFrameId();
+      while (Gdx.graphics.getFrameId() < frame + 10) {
+        Thread.sleep(20);
+      }
+      BufferedImage now = robot.createScreenCapture(middle);
+      int changed = 0;
+      for (int pixel = 0; pixel < 40_000; pixel++) {
+        int x = pixel % 200;
+        int y = pixel / 200;
+        changed += game.getRGB(x, y) == now.getRGB(x, y) ? 0 : 1;
+      }
+      System.out.printf("changed %.3f%n", changed / 40_000.0);
+    }
+  }
+
+  /** Waits until the body stands still for half a second. */
+  private void awaitRest() throws InterruptedException {
+    int still = 0;
+    double[] last = find(new Rectangle(0, 0, 1_280, 720));
+    while (still < 5) {
+      Thread.sleep(100);
+      double[] now = find(new Rectangle(0, 0, 1_280, 720));
+      still = Math.hypot(now[0] - last[0], now[1] - last[1]) < AT_REST ? still + 1 : 0;
+      last = now;
+    }
+  }
+
+  /** Returns the middle of the pixels of the body's colour, and how many there are. */
+  private double[] find(Rectangle where) {
+    BufferedImage image = robot.createScreenCapture(where);
+    double x = 0;
+    double y = 0;
+    int count = 0;
+    for (int row = 0; row < image.getHeight(); row++) {
+      for (int column = 0; column < image.getWidth(); column++) {
+        int seen = image.getRGB(column, row);
+        if (near(seen, 16) && near(seen, 8) && near(seen, 0)) {
+          x += column;
+          y += row;
+          count++;
+        }
+      }
+    }
+    return new double[] {where.x + x / Math.max(1, count), where.y + y / Math.max(1, count), count};
+  }
+
+  private boolean near(int seen, int shift) {
+    return Math.abs((seen >> shift & 0xff) - (rgb >> shift & 0xff)) <= TOLERANCE;
+  }
+}

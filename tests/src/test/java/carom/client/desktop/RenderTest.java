@@ -1,0 +1,130 @@
+package carom.client.desktop;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import carom.client.bots.Bot;
+import carom.net.transport.Impairment;
+import carom.server.CaromMain;
+import carom.testkit.Stepper;
+import carom.testkit.VirtualDisplay;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Goal: a clip of a recorded game is one command. Method: a real game, drawn on a display. */
+@Timeout(180)
+final class RenderTest {
+  @TempDir private Path folder;
+  private Path recorded;
+
+  @BeforeEach
+  void record() throws Exception {
+    recorded = folder.resolve("match.carom");
+    try (Stepper stepper = Stepper.of("arena")) {
+      stepper.server().record(recorded);
+      stepper.join("Ann", Impairment.NONE, new Bot(1));
+      stepper.run(6);
+    }
+  }
+
+  private String render(int status, String... flags) throws Exception {
+    List<String> command = new ArrayList<>();
+    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
+    command.addAll(List.of("-cp", System.getProperty("java.class.path")));
+    command.addAll(List.of(CaromMain.class.getName(), "render", recorded.toString()));
+    command.addAll(List.of(flags));
+    Path output = folder.resolve("output.txt");
+    try (VirtualDisplay display = VirtualDisplay.open()) {
+      ProcessBuilder builder =
+          new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
+      builder.environment().put("DISPLAY", display.name());
+      builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+      Process program = builder.start();
+      assertTrue(program.waitFor(120, TimeUnit.SECONDS));
+      String text = Files.readString(output);
+      assertEquals(status, program.exitValue(), text);
+      return text;
+    }
+  }
+
+  @Test
+  void aClipHasItsPicturesAndThingsMoveInThem() throws Exception {
+    assumeTrue(VirtualDisplay.available(), "Xvfb is not installed (Debian: apt-get install xvfb)");
+    Path frames = folder.resolve("clip");
+    String text =
+        render(
+            0,
+            "--frames",
+            frames.toString(),
+            "--from",
+            "3",
+            "--seconds",
+            "1",
+            "--fps",
+            "8",
+            "--size",
+            "640x360",
+            "--speed",
+            "0.5",
+            "--follow",
+            "ann");
+    assertTrue(text.contains("8 pictures in "), text);
+    List<Path> files;
+    try (Stream<Path> found = Files.list(frames)) {
+      files = found.sorted().toList();
+    }
+    assertEquals(8, files.size());
+    assertEquals("frame-00000.png", files.get(0).getFileName().toString());
+    BufferedImage first = ImageIO.read(files.get(0).toFile());
+    BufferedImage last = ImageIO.read(files.get(7).toFile());
+    assertEquals(640, first.getWidth());
+    assertEquals(360, first.getHeight());
+    int changed = 0;
+    int drawn = 0;
+    for (int y = 0; y < 360; y++) {
+      for (int x = 0; x < 640; x++) {
+        changed += first.getRGB(x, y) == last.getRGB(x, y) ? 0 : 1;
+        drawn += (first.getRGB(x, y) & 0xff) > 0x60 ? 1 : 0;
+      }
+    }
+    assertTrue(changed > 500, "pixels that changed: " + changed);
+    assertTrue(drawn > 5_000, "bright pixels: " + drawn);
+    assertTrue(
+        render(2, "--frames", frames.toString()).contains("isn't empty"), "nothing is overwritten");
+    String unknown =
+        render(1, "--frames", folder.resolve("b").toString(), "--from", "2", "--follow", "Bob");
+    assertTrue(unknown.contains("nobody is called Bob") && unknown.contains("[Ann]"), unknown);
+  }
+
+  @Test
+  void badFlagsAreNamed() {
+    assertTrue(problem("--speed", "0.3").contains("--speed=0.3 is no power of 2"));
+    assertTrue(problem("--size", "10x10").contains("--size=10x10 is not within"));
+    assertTrue(problem("--fps", "0").contains("--fps=0 is outside 1..240"));
+    assertTrue(problem("--from", "-1").contains("--from=-1.0 is outside"));
+  }
+
+  private String problem(String... flags) {
+    List<String> args = new ArrayList<>(List.of("render", recorded.toString()));
+    args.addAll(List.of("--frames", folder.resolve("none").toString()));
+    args.addAll(List.of(flags));
+    StringWriter text = new StringWriter();
+    PrintWriter out = new PrintWriter(text);
+    assertEquals(2, CaromMain.run(out, out, args.toArray(new String[0])), text.toString());
+    return text.toString();
+  }
+}

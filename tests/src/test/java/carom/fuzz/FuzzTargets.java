@@ -1,0 +1,62 @@
+package carom.fuzz;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipInputStream;
+
+/** The targets by name, and the committed corpus of each: a zip file among the test resources. */
+final class FuzzTargets {
+  private static final Map<String, Supplier<FuzzTarget>> TARGETS = new LinkedHashMap<>();
+
+  static {
+    TARGETS.put("message", MessageTarget::new);
+    TARGETS.put("input", InputTarget::new);
+    TARGETS.put("snapshot", SnapshotTarget::new);
+    TARGETS.put("level", LevelTarget::new);
+    TARGETS.put("packed-level", PackedLevelTarget::new);
+    TARGETS.put("recording", RecordingTarget::new);
+    TARGETS.put("session", SessionTarget::new);
+  }
+
+  private FuzzTargets() {}
+
+  static List<String> names() {
+    return List.copyOf(TARGETS.keySet());
+  }
+
+  /** Returns a new target. */
+  static FuzzTarget create(String name) {
+    Supplier<FuzzTarget> target = TARGETS.get(name);
+    if (target == null) {
+      throw new IllegalArgumentException("target=" + name + " is unknown, known are " + names());
+    }
+    return target.get();
+  }
+
+  /** Returns the inputs that earlier runs found, by name; none when there is no corpus yet. */
+  static Map<String, byte[]> corpus(String name) throws IOException {
+    Map<String, byte[]> inputs = new LinkedHashMap<>();
+    try (InputStream file = FuzzTargets.class.getResourceAsStream("/fuzz/" + name + ".zip")) {
+      if (file != null) {
+        ZipInputStream zip = new ZipInputStream(file);
+        for (ZipEntry entry = zip.getNextEntry(); entry != null; entry = zip.getNextEntry()) {
+          inputs.put(entry.getName(), zip.readAllBytes());
+        }
+      }
+    }
+    return inputs;
+  }
+
+  /** Returns seeds and corpus of a target. */
+  static List<byte[]> inputs(String name) throws Exception {
+    List<byte[]> all = new ArrayList<>(create(name).seeds());
+    all.addAll(corpus(name).values());
+    return all;
+  }
+}

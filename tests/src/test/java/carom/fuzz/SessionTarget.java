@@ -1,0 +1,140 @@
+package carom.fuzz;
+
+import carom.net.kryo.KryoMessageCodec;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.InputDatagram;
+import carom.net.protocol.Limits;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.testkit.Levels;
+import carom.testkit.Stepper;
+import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A session's states, driven by what one peer sends: the pieces of an input are messages, datagrams
+ * and time that passes. The server counts no error and stays able to play.
+ */
+final class SessionTarget implements FuzzTarget {
+  private static final int MESSAGE = 0;
+  private static final int DATAGRAM = 1;
+  private static final int TIME = 2;
+  private static final int HELLO = 3;
+  private static final int READY = 4;
+  private static final int LEVEL = 5;
+  private static final int KINDS = 6;
+  private static final int MOST_PIECES = 64;
+
+  private final KryoMessageCodec codec = new KryoMessageCodec();
+
+  /** What a peer knows of its session. */
+  private static final class Peer implements LinkHandler {
+    private ServerMessage.Welcome welcome;
+    private boolean closed;
+
+    @Override
+    public void message(Link from, Object message) {
+      if (message instanceof ServerMessage.Welcome w) {
+        welcome = w;
+      }
+    }
+
+    @Override
+    public void datagram(Link from, byte[] bytes, int length) {}
+
+    @Override
+    public void closed(Link from, String reason) {
+      closed = true;
+    }
+  }
+
+  @Override
+  public void take(byte[] data) {
+    try (Stepper stepper = Stepper.of(Levels.emptyPlatformer(), ServerConfig.defaults())) {
+      stepper.expectExpulsions();
+      Pieces pieces = new Pieces(data);
+      Peer peer = new Peer();
+      Link link = stepper.transport().connect("localhost", 0, 0);
+      int count = 0;
+      for (byte[] piece = pieces.next();
+          piece != null && count < MOST_PIECES;
+          piece = pieces.next(), count++) {
+        if (peer.closed) {
+          peer = new Peer();
+          link = stepper.transport().connect("localhost", 0, 0);
+        }
+        act(stepper, link, peer, pieces.kind() % KINDS, piece);
+        stepper.step();
+        link.poll(peer, Limits.MAX_INPUTS);
+      }
+      stepper.run(0.1);
+      if (stepper.count(Counter.JOINS) > count) {
+        throw new AssertionError("joins=" + stepper.count(Counter.JOINS) + " of pieces=" + count);
+      }
+    }
+  }
+
+  private void act(Stepper stepper, Link link, Peer peer, int kind, byte[] piece) {
+    int key = peer.welcome == null ? 0 : peer.welcome.datagramKey();
+    switch (kind) {
+      case MESSAGE -> {
+        if (codec.decode(piece, 0, piece.length) instanceof ClientMessage message) {
+          link.send(message);
+        }
+      }
+      case DATAGRAM -> {
+        if (piece.length > 0 && piece.length <= Limits.MAX_DATAGRAM_BYTES) {
+          if (piece.length >= Integer.BYTES) {
+            ByteBuffer.wrap(piece).order(java.nio.ByteOrder.LITTLE_ENDIAN).putInt(0, key);
+          }
+          link.sendDatagram(piece, 0, piece.length);
+        }
+      }
+      case TIME -> stepper.run((piece.length & 0x3f) * 0.01);
+      case HELLO ->
+          link.send(new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), "fuzz", 0));
+      case READY ->
+          link.send(new ClientMessage.Ready(key, stepper.room().match().declarations().digest()));
+      default -> link.send(new ClientMessage.LevelRequest(key, piece.length));
+    }
+  }
+
+  @Override
+  public List<byte[]> seeds() {
+    List<byte[]> seeds = new ArrayList<>();
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    Pieces.add(out, HELLO, new byte[0]);
+    Pieces.add(out, TIME, new byte[3]);
+    Pieces.add(out, LEVEL, new byte[0]);
+    Pieces.add(out, TIME, new byte[3]);
+    Pieces.add(out, READY, new byte[0]);
+    Pieces.add(out, TIME, new byte[9]);
+    InputDatagram datagram = new InputDatagram();
+    datagram.count = 4;
+    datagram.newestTick = 20;
+    byte[] bytes = new byte[InputDatagram.MAX_BYTES];
+    int length = datagram.encode(bytes, 0);
+    Pieces.add(out, DATAGRAM, java.util.Arrays.copyOf(bytes, length));
+    Pieces.add(out, TIME, new byte[9]);
+    seeds.add(out.toByteArray());
+    for (ClientMessage message :
+        List.of(
+            new ClientMessage.Look(1.5f, -2, 0, 3, ClientMessage.Look.NOBODY),
+            new ClientMessage.Watch(Protocol.VERSION, Protocol.physicsDigest(), 1),
+            new ClientMessage.RecordingRequest(0),
+            new ClientMessage.Leave())) {
+      ByteArrayOutputStream more = new ByteArrayOutputStream();
+      more.writeBytes(seeds.get(0));
+      Pieces.add(more, MESSAGE, codec.encode(message));
+      Pieces.add(more, TIME, new byte[9]);
+      seeds.add(more.toByteArray());
+    }
+    return seeds;
+  }
+}

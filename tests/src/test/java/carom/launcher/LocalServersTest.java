@@ -1,0 +1,99 @@
+package carom.launcher;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.ClientConfig;
+import carom.client.GameClient;
+import carom.client.InputSource;
+import carom.client.app.LocalGames;
+import carom.client.app.LocalGames.Choice;
+import carom.client.link.ConnectionPhase;
+import carom.net.kryo.KryoClientTransport;
+import carom.net.transport.ClientTransport;
+import carom.sim.level.Level;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Goal: a player needs no server to play. Method: real games in this process, with bots. */
+@Timeout(60)
+final class LocalServersTest {
+  private static GameClient client(ClientTransport transport, int tcpPort, int udpPort) {
+    ClientConfig config = ClientConfig.of("me").withServer("localhost", tcpPort, udpPort);
+    return new GameClient(config, transport, InputSource.IDLE);
+  }
+
+  private static void await(GameClient client, BooleanSupplier condition)
+      throws InterruptedException {
+    long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
+    while (!condition.getAsBoolean()) {
+      assertTrue(System.nanoTime() < deadline, () -> client.view().message());
+      client.update(System.nanoTime());
+      Thread.sleep(4);
+    }
+  }
+
+  @Test
+  void theClientFindsThem() {
+    assertNotNull(LocalGames.find());
+    assertEquals("arena", LocalGames.find().levels().get(0));
+  }
+
+  @Test
+  void oneCanPlayEveryLevelWithBotsAndNoNetwork() throws Exception {
+    // Other tests add games, whose levels aren't files.
+    List<String> levels =
+        LocalGames.find().levels().stream()
+            .filter(name -> Level.class.getResource("/levels/" + name + ".json") != null)
+            .toList();
+    assertTrue(levels.containsAll(List.of("arena", "platformer", "rockets")), "levels=" + levels);
+    for (String level : levels) {
+      try (LocalServer game = LocalServers.start(new Choice(level, 3, false), 0, 0);
+          GameClient me = client(game.transport(), 0, 0)) {
+        assertEquals("", game.invitation());
+        await(me, () -> me.view().phase() == ConnectionPhase.PLAYING);
+        await(me, () -> me.view().players().size() == 4);
+        await(me, () -> me.stats().snapshots() > 10);
+      }
+    }
+  }
+
+  @Test
+  void othersJoinByTheNetworkIfTheyMay() throws Exception {
+    try (LocalServer game = LocalServers.start(new Choice("arena", 0, true), 0, 0);
+        KryoClientTransport sockets = new KryoClientTransport();
+        GameClient me = client(game.transport(), 0, 0);
+        GameClient other = client(sockets, game.server().tcpPort(), game.server().udpPort())) {
+      assertTrue(
+          game.invitation().endsWith(":" + game.server().tcpPort() + "/" + game.server().udpPort()),
+          game.invitation());
+      await(me, () -> me.view().phase() == ConnectionPhase.PLAYING);
+      await(other, () -> other.view().phase() == ConnectionPhase.PLAYING);
+      await(me, () -> me.view().players().size() == 2);
+    }
+  }
+
+  @Test
+  void whatCannotBeStartedIsExplained() {
+    String said =
+        assertThrows(
+                IllegalStateException.class,
+                () -> LocalServers.start(new Choice("nowhere", 0, false), 0, 0))
+            .getMessage();
+    assertTrue(said.contains("The level nowhere can't be played"), said);
+    try (LocalServer first = LocalServers.start(new Choice("arena", 0, true), 0, 0)) {
+      int tcp = first.server().tcpPort();
+      said =
+          assertThrows(
+                  IllegalStateException.class,
+                  () -> LocalServers.start(new Choice("arena", 0, true), tcp, 0))
+              .getMessage();
+      assertTrue(said.contains("Is another server running here?"), said);
+    }
+  }
+}

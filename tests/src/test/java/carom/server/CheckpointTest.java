@@ -1,0 +1,330 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.protocol.SessionState;
+import carom.server.match.LoadedLevel;
+import carom.server.match.MatchLibrary;
+import carom.server.metrics.Counter;
+import carom.server.session.Session;
+import carom.sim.Game;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
+import carom.sim.level.LevelException;
+import carom.sim.match.NextMatch;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Goal: a server that was killed goes on as if it had not been. Method: in virtual time; a crash is
+ * a copy of the folder at some moment, from which another server begins.
+ */
+@Timeout(120)
+class CheckpointTest {
+  private static final long START_NS = 1_000_000_000L;
+
+  @TempDir Path folder;
+  private int copies;
+
+  private Path crash() throws Exception {
+    Path kept = folder.resolve("kept" + copies);
+    KeptServer.settle(kept);
+    copies++;
+    return KeptServer.copy(kept, folder.resolve("kept" + copies));
+  }
+
+  /** Plays for a second and leaves two bodies behind, whose players have lost their links. */
+  private static void play(KeptServer kept, long seed) {
+    Random random = new Random(seed);
+    FakeClient ann = kept.join("Ann", 0);
+    FakeClient bob = kept.join("Bob", 0);
+    while (kept.tick() < 90) {
+      ann.input.move(random.nextInt(3) - 1, random.nextInt(3) - 1);
+      bob.input.hold(Input.ACTION, random.nextBoolean());
+      kept.step();
+    }
+    ann.link.close("cut");
+    bob.link.close("cut");
+    kept.clients.clear();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer", "commons", "lagoon", "sluice", "chain"})
+  void threeCrashesLaterTheWorldIsTheOneWithoutCrashes(String level) throws Exception {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    List<String> levels = List.of(level);
+    long expected;
+    try (KeptServer without = new KeptServer(KeptServer.library(), levels, null, START_NS)) {
+      play(without, seed);
+      without.runTo(600);
+      expected = without.hash();
+    }
+    Random random = new Random(seed);
+    KeptServer kept =
+        new KeptServer(KeptServer.library(), levels, folder.resolve("kept0"), START_NS);
+    try {
+      play(kept, seed);
+      for (int i = 0; i < 3; i++) {
+        kept.runTo(kept.tick() + 60 + random.nextInt(80));
+        int tick = kept.tick();
+        Path crashed = crash();
+        kept.close();
+        kept = new KeptServer(KeptServer.library(), levels, crashed, START_NS + kept.nowNs);
+        assertEquals(1, kept.server.count(Counter.ROOMS_RESUMED), "seed=" + seed);
+        int lost = tick - kept.resumedTick;
+        assertTrue(lost >= 0 && lost <= 16, "lost=" + lost + " ticks, seed=" + seed);
+        for (int id = 0; id < 2; id++) {
+          assertEquals(SessionState.GRACE, kept.room().session(id).state());
+        }
+      }
+      kept.runTo(600);
+      assertEquals(expected, kept.hash(), "seed=" + seed);
+    } finally {
+      kept.close();
+    }
+  }
+
+  @Test
+  void aPlayerComesBackToItsBodyTeamAndScoreByItsSecret() throws Exception {
+    List<String> levels = List.of("chain");
+    KeptServer kept =
+        new KeptServer(KeptServer.library(), levels, folder.resolve("kept0"), START_NS);
+    FakeClient ann = kept.join("Ann", 0);
+    FakeClient bob = kept.join("Bob", 0);
+    kept.room().session(1).seat().mute(true);
+    bob.input.hold(Input.ACTION, true);
+    kept.runTo(200);
+    Player before = kept.room().simulation().player(1);
+    int incarnation = bob.welcome.incarnation();
+    Path crashed = crash();
+    kept.close();
+    kept = new KeptServer(KeptServer.library(), levels, crashed, START_NS);
+    try {
+      int resumedTick = kept.resumedTick;
+      kept.runTo(resumedTick + 30);
+      FakeClient back = kept.join("Bob", bob.welcome.sessionSecret());
+      assertEquals(1, back.welcome.playerId());
+      assertEquals(bob.welcome.match(), back.welcome.match());
+      assertNotEquals(incarnation, back.welcome.incarnation());
+      assertEquals(resumedTick, back.welcome.courseTick());
+      Player player = kept.room().simulation().player(1);
+      assertEquals(before.body().id(), player.body().id());
+      assertEquals(before.body().generation(), player.body().generation());
+      assertTrue(player.score() > 0 && player.score() <= before.score(), "score");
+      Session session = kept.room().session(1);
+      assertTrue(session.seat().isMuted());
+      assertEquals(SessionState.GRACE, kept.room().session(0).state());
+      FakeClient again = kept.join("Ann", ann.welcome.sessionSecret());
+      assertEquals(0, again.welcome.playerId());
+      assertEquals(2, kept.server.count(Counter.RESUMES));
+      assertEquals(2, kept.room().simulation().playerCount());
+    } finally {
+      kept.close();
+    }
+  }
+
+  @Test
+  void eventsThatAClientHasNotAcknowledgedComeAfterTheCrash() throws Exception {
+    List<String> levels = List.of("chain");
+    MatchLibrary library = with(game -> game.teamsHide = true);
+    KeptServer kept = new KeptServer(library, levels, folder.resolve("kept0"), START_NS);
+    FakeClient ann = kept.join("Ann", 0);
+    kept.join("Eve", 0);
+    FakeClient bob = kept.join("Bob", 0); // Ann's team
+    bob.input.hold(Input.ACTION, true);
+    kept.runTo(60);
+    bob.input.hold(Input.ACTION, false);
+    kept.runTo(80);
+    int heard = ann.eventsBy.size();
+    assertTrue(heard > 5, "heard=" + heard);
+    ann.acks = false;
+    bob.input.hold(Input.ACTION, true);
+    kept.runTo(kept.tick() + 10);
+    bob.input.hold(Input.ACTION, false);
+    kept.runTo(150);
+    KeptServer.settle(folder.resolve("kept0")); // so that another checkpoint may begin
+    kept.runTo(300);
+    Path crashed = crash();
+    kept.close();
+    kept = new KeptServer(library, levels, crashed, START_NS);
+    try {
+      FakeClient back = kept.join("Ann", ann.welcome.sessionSecret());
+      kept.runTo(kept.tick() + 60);
+      int repeated = back.eventsBy.size();
+      assertTrue(repeated >= 8 && repeated <= 12, "repeated=" + repeated + " of about 10");
+    } finally {
+      kept.close();
+    }
+  }
+
+  private static MatchLibrary with(Consumer<TestGame> change) {
+    MatchLibrary library = KeptServer.library();
+    return new MatchLibrary() {
+      @Override
+      public Game game(String name) {
+        TestGame game = (TestGame) library.game(name);
+        change.accept(game);
+        return game;
+      }
+
+      @Override
+      public LoadedLevel level(String name) throws LevelException {
+        return library.level(name);
+      }
+    };
+  }
+
+  @Test
+  void theRotationGoesOnWhereItWasAndAWishedMatchIsNotForgotten() throws Exception {
+    List<String> levels = List.of("arena", "platformer", "commons");
+    KeptServer kept =
+        new KeptServer(MatchLibrary.INSTALLED, levels, folder.resolve("kept0"), START_NS);
+    kept.runTo(30);
+    kept.room().simulation().matchOver();
+    kept.step();
+    kept.runTo(70);
+    assertEquals("platformer", kept.room().match().game());
+    Path crashed = crash();
+    kept.close();
+    kept = new KeptServer(MatchLibrary.INSTALLED, levels, crashed, START_NS);
+    assertEquals("platformer", kept.room().match().game());
+    assertEquals(2, kept.room().match().number());
+    kept.room().simulation().matchOver();
+    kept.step();
+    kept.step();
+    assertEquals("Commons", kept.room().match().level().level().name());
+    assertEquals(3, kept.room().match().number());
+    kept.room().simulation().playNext(NextMatch.level("no such level"));
+    kept.step();
+    kept.step();
+    assertEquals("Commons", kept.room().match().level().level().name());
+    kept.close();
+  }
+
+  @Test
+  void aServerThatStopsInGoodOrderTakesALastCheckpoint() throws Exception {
+    List<String> levels = List.of("chain");
+    Path path = folder.resolve("kept0");
+    KeptServer kept = new KeptServer(KeptServer.library(), levels, path, START_NS);
+    FakeClient ann = kept.join("Ann", 0);
+    kept.runTo(77);
+    long hash = kept.hash();
+    kept.close();
+    kept = new KeptServer(KeptServer.library(), levels, path, START_NS);
+    try {
+      assertEquals(77, kept.resumedTick);
+      assertEquals(hash, kept.resumedHash);
+      assertEquals(1, kept.server.count(Counter.ROOMS_RESUMED));
+      FakeClient back = kept.join("Ann", ann.welcome.sessionSecret());
+      assertEquals(0, back.welcome.playerId());
+    } finally {
+      kept.close();
+    }
+  }
+
+  @Test
+  void aRoomThatFailsAgainAndAgainBeginsAnewInTheEnd() throws Exception {
+    Path path = folder.resolve("kept0");
+    List<String> levels = List.of("chain");
+    int[] failEvery = {0};
+    MatchLibrary library = with(game -> game.failEvery = failEvery[0]);
+    KeptServer kept = new KeptServer(library, levels, path, START_NS);
+    kept.runTo(100);
+    kept.close();
+    failEvery[0] = 1;
+    for (int run = 0; run < 4; run++) {
+      kept = new KeptServer(library, levels, path, START_NS);
+      assertEquals(run < 3 ? 1 : 0, kept.server.count(Counter.ROOMS_RESUMED), "run=" + run);
+      for (int i = 0; i < 70; i++) {
+        kept.step();
+      }
+      assertTrue(kept.server.hasFailed());
+      kept.close();
+    }
+  }
+
+  @Test
+  void twoServersDoNotShareAFolder() {
+    Path path = folder.resolve("kept0");
+    KeptServer kept = new KeptServer(KeptServer.library(), List.of("chain"), path, START_NS);
+    try {
+      UncheckedIOException refused =
+          assertThrows(
+              UncheckedIOException.class,
+              () -> new KeptServer(KeptServer.library(), List.of("chain"), path, START_NS));
+      assertTrue(refused.getMessage().contains("another server uses folder="), "" + refused);
+    } finally {
+      kept.close();
+    }
+  }
+
+  @Test
+  void aRoomOfOtherSettingsRefusesTheCheckpointAndKeepsTheFiles() throws Exception {
+    Path path = folder.resolve("kept0");
+    KeptServer kept = new KeptServer(MatchLibrary.INSTALLED, List.of("arena"), path, START_NS);
+    kept.runTo(100);
+    kept.close();
+    kept = new KeptServer(MatchLibrary.INSTALLED, List.of("platformer"), path, START_NS);
+    assertEquals("platformer", kept.room().match().game());
+    assertEquals(0, kept.server.count(Counter.ROOMS_RESUMED));
+    assertEquals(0, kept.resumedTick);
+    kept.close();
+    try (Stream<Path> files = Files.list(path.resolve("cup"))) {
+      assertTrue(files.anyMatch(file -> file.toString().endsWith(".log.refused")));
+    }
+  }
+
+  @Test
+  void onlyTheOwnerMayReadSlots() throws Exception {
+    Path path = folder.resolve("kept0");
+    KeptServer kept = new KeptServer(KeptServer.library(), List.of("chain"), path, START_NS);
+    kept.runTo(200);
+    kept.close();
+    int logs = 0;
+    try (Stream<Path> files = Files.list(path.resolve("cup"))) {
+      for (Path file : files.toList()) {
+        assertEquals(
+            "rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(file)));
+        logs += file.toString().endsWith(".log") ? 1 : 0;
+      }
+    }
+    assertEquals(2, logs, "the last two slots");
+  }
+
+  @Test
+  void aGameThatKeepsMoreThanItsStateIsNotKept() throws Exception {
+    Path path = folder.resolve("kept0");
+    List<String> levels = List.of("chain");
+    KeptServer kept = new KeptServer(with(game -> game.keepsMore = true), levels, path, START_NS);
+    kept.runTo(200);
+    assertEquals(0, kept.server.count(Counter.CHECKPOINTS));
+    kept.close();
+    try (Stream<Path> files = Files.list(path.resolve("cup"))) {
+      assertFalse(files.anyMatch(file -> file.toString().endsWith(".log")));
+    }
+  }
+
+  @Test
+  void aFolderThatCanNotBeUsedStopsTheStart() throws IOException {
+    Path file = Files.writeString(folder.resolve("file"), "");
+    assertThrows(
+        UncheckedIOException.class,
+        () -> new KeptServer(KeptServer.library(), List.of("chain"), file, START_NS));
+  }
+}

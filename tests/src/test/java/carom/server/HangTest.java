@@ -1,0 +1,161 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.kryo.KryoClientTransport;
+import carom.net.kryo.KryoServerTransport;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.Protocol;
+import carom.net.transport.Link;
+import carom.server.config.RoomConfig;
+import carom.server.match.HandedInMatch;
+import carom.server.metrics.Counter;
+import carom.server.room.Room;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: a game that hangs costs its own room a few seconds, and the others nothing. Method: a
+ * server with threads and sockets; a callback that loops on demand.
+ */
+@Timeout(120)
+class HangTest {
+  @TempDir Path folder;
+  private final TestGame[] games = new TestGame[8];
+  private int made;
+  private Server server;
+  private KryoClientTransport transport;
+
+  @AfterEach
+  void end() {
+    for (TestGame game : games) {
+      if (game != null) {
+        game.hangs = false;
+      }
+    }
+    transport.close();
+    server.close();
+  }
+
+  private synchronized TestGame make() {
+    games[made] = new TestGame(2);
+    return games[made++];
+  }
+
+  private void start(boolean keeps) throws Exception {
+    KryoServerTransport sockets = new KryoServerTransport(0, 0);
+    List<RoomConfig> rooms =
+        List.of(
+            new RoomConfig("hangs", "", List.of("test"), 4, 1, Map.of()),
+            new RoomConfig("goes-on", "", List.of("test"), 4, 2, Map.of()));
+    server =
+        new Server(
+            KeptServer.CONFIG,
+            rooms,
+            new HandedInMatch(this::make, TestGame.shortLevel()),
+            sockets,
+            System::nanoTime);
+    if (keeps) {
+      server.checkpoint(folder, 1);
+    }
+    server.start();
+    transport = new KryoClientTransport();
+  }
+
+  private FakeClient join(String name, String room, long secret) throws Exception {
+    FakeClient client =
+        new FakeClient(transport.connect("127.0.0.1", server.tcpPort(), server.udpPort()));
+    await("the link is open", () -> client.link.state() == Link.State.OPEN);
+    client.link.send(
+        new ClientMessage.Hello(
+            Protocol.VERSION, Protocol.physicsDigest(), name, secret, room, "", ""));
+    return client;
+  }
+
+  private void play(FakeClient client, Room room) throws Exception {
+    await(
+        "it plays",
+        () -> {
+          client.step(room.tick());
+          return client.decoder != null && client.decoder.hasAck();
+        });
+  }
+
+  private static void await(String what, BooleanSupplier done) throws Exception {
+    long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
+    while (!done.getAsBoolean()) {
+      assertTrue(System.nanoTime() < endNs, what + " isn't so after 30 s");
+      Thread.sleep(5);
+    }
+  }
+
+  private static void loop(TestGame game) {
+    game.hangs = true;
+  }
+
+  @Test
+  void aRoomWhoseGameHangsGoesOnFromItsCheckpointAndTheOtherNoticesNothing() throws Exception {
+    start(true);
+    Room hanging = server.rooms().get(0);
+    Room other = server.rooms().get(1);
+    FakeClient ann = join("Ann", "hangs", 0);
+    play(ann, hanging);
+    await("checkpoints are there", () -> hanging.counters().get(Counter.CHECKPOINTS) >= 2);
+    int tick = hanging.tick();
+    int age = other.age();
+    long beganNs = System.nanoTime();
+    loop(games[0]);
+    await("it is found", () -> server.count(Counter.CALLBACKS_ABANDONED) == 1);
+    await(
+        "the link is closed",
+        () -> {
+          ann.step(0);
+          return ann.closed;
+        });
+    await("another room is in its place", () -> server.rooms().get(0) != hanging);
+    Room next = server.rooms().get(0);
+    FakeClient back = join("Ann", "", ann.welcome.sessionSecret());
+    play(back, next);
+    double seconds = (System.nanoTime() - beganNs) * 1e-9;
+    assertEquals("hangs", back.welcome.room());
+    assertEquals(ann.welcome.playerId(), back.welcome.playerId());
+    assertTrue(next.tick() > tick - 60, "tick=" + next.tick() + " after " + tick);
+    assertEquals(1, server.count(Counter.ROOMS_RESUMED));
+    assertSame(other, server.rooms().get(1));
+    assertTrue(other.age() - age > 20 * seconds, "ticks=" + (other.age() - age) + " in " + seconds);
+    assertFalse(server.hasFailed());
+  }
+
+  @Test
+  void withoutCheckpointsTheRoomBeginsAnew() throws Exception {
+    start(false);
+    Room hanging = server.rooms().get(0);
+    loop(games[0]);
+    await("another room is in its place", () -> server.rooms().get(0) != hanging);
+    FakeClient ann = join("Ann", "hangs", 0);
+    play(ann, server.rooms().get(0));
+    assertEquals(0, server.count(Counter.ROOMS_RESUMED));
+  }
+
+  @Test
+  void withTwoAbandonedThreadsTheServerEndsForItsSupervisor() throws Exception {
+    start(true);
+    Room hanging = server.rooms().get(0);
+    loop(games[0]);
+    await("another room is in its place", () -> server.rooms().get(0) != hanging);
+    assertFalse(server.hasFailed());
+    loop(games[1]);
+    server.awaitStop(); // the test's timeout would end it
+    assertTrue(server.hasFailed(), "so that the process ends with another code than 0");
+  }
+}

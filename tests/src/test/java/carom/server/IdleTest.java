@@ -1,0 +1,82 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: an idle room costs next to nothing, and nobody can tell that it paused. Method: a server
+ * and its clients in virtual time.
+ */
+class IdleTest {
+  private static final ServerConfig PAUSES =
+      ServerConfig.defaults().withPausesIdleRooms(true).withGraceMs(1_000);
+
+  @Test
+  void aRoomWithoutPlayersPausesAfterItsFirstTick() {
+    try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
+      rig.seconds(10);
+      assertEquals(1, rig.room.tick());
+      assertTrue(rig.room.isPaused());
+      assertFalse(rig.room.hasFailed());
+    }
+  }
+
+  @Test
+  void aJoinerWakesTheRoomWhichDoesNotCatchUp() {
+    try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
+      rig.seconds(3_600);
+      FakeClient client = rig.join("Ann");
+      assertFalse(rig.room.isPaused());
+      assertTrue(rig.room.tick() < 60, "tick " + rig.room.tick());
+      assertEquals(0, rig.count(Counter.TICKS_DROPPED));
+      assertEquals(0, rig.count(Counter.TICKS_LATE));
+      int before = rig.room.tick();
+      rig.seconds(1);
+      assertEquals(before + 60, rig.room.tick(), 1);
+      assertTrue(client.decoder.hasAck());
+    }
+  }
+
+  @Test
+  void aRoomPausesAgainWhenTheLastPlayerCanNoLongerComeBack() {
+    try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
+      FakeClient client = rig.join("Ann");
+      client.link.close("the test");
+      rig.seconds(0.5);
+      assertFalse(rig.room.isPaused(), "the body waits for its player");
+      rig.seconds(2);
+      assertTrue(rig.room.isPaused());
+      int tick = rig.room.tick();
+      rig.seconds(60);
+      assertEquals(tick, rig.room.tick());
+      rig.join("Bob");
+      assertEquals(0, rig.count(Counter.TICKS_DROPPED));
+    }
+  }
+
+  @Test
+  void aRecordedRoomRunsOn(@TempDir Path folder) throws Exception {
+    try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
+      rig.server.record(folder.resolve("game.carom"));
+      rig.seconds(1);
+      assertFalse(rig.room.isPaused());
+      assertEquals(60, rig.room.tick(), 1);
+    }
+  }
+
+  @Test
+  void roomsRunOnUnlessToldToPause() {
+    try (Rig rig = new Rig(PAUSES.withPausesIdleRooms(false), new TestGame(3))) {
+      rig.seconds(1);
+      assertEquals(60, rig.room.tick(), 1);
+      assertFalse(rig.room.isPaused());
+    }
+  }
+}

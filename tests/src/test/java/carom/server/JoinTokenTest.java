@@ -1,0 +1,133 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.RefusalReason;
+import carom.server.access.AccessLists;
+import carom.server.config.DataFolder;
+import carom.server.config.ServerConfig;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.KeyPair;
+import java.security.KeyPairGenerator;
+import java.security.Signature;
+import java.time.Instant;
+import java.util.Base64;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Goal: the operator's backend decides who joins. Method: a whole server in virtual time. */
+final class JoinTokenTest {
+  private static final long NOW = 1_800_000_000L;
+
+  private final Rig rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+  @TempDir private Path folder;
+  private KeyPair backend;
+  private long now = NOW;
+
+  @BeforeEach
+  void demandTokens() throws Exception {
+    if (backend == null) {
+      backend = KeyPairGenerator.getInstance("Ed25519").generateKeyPair();
+    }
+    Path file = folder.resolve("join.pem");
+    byte[] key = backend.getPublic().getEncoded();
+    Files.writeString(
+        file,
+        "-----BEGIN PUBLIC KEY-----\n"
+            + Base64.getEncoder().encodeToString(key)
+            + "\n-----END PUBLIC KEY-----\n");
+    AccessLists lists =
+        new AccessLists(new DataFolder(folder), false, () -> Instant.ofEpochSecond(now));
+    lists.demandTokens(file, "us");
+    rig.server.admit(lists);
+  }
+
+  @AfterEach
+  void close() {
+    rig.close();
+  }
+
+  private static String base64(byte[] bytes) {
+    return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
+  }
+
+  private String token(String claims) throws Exception {
+    String text =
+        base64("{\"alg\":\"EdDSA\"}".getBytes(StandardCharsets.UTF_8))
+            + "."
+            + base64(claims.getBytes(StandardCharsets.UTF_8));
+    Signature signature = Signature.getInstance("Ed25519");
+    signature.initSign(backend.getPrivate());
+    signature.update(text.getBytes(StandardCharsets.US_ASCII));
+    return text + "." + base64(signature.sign());
+  }
+
+  private FakeClient join(String name, String token, long secret) {
+    FakeClient client = rig.connect();
+    client.link.send(
+        new ClientMessage.Hello(
+            Protocol.VERSION, Protocol.physicsDigest(), name, secret, "", "", token));
+    for (int i = 0; i < 60 && client.refused == null && !client.ready; i++) {
+      rig.step();
+    }
+    return client;
+  }
+
+  @Test
+  void aTokenNamesAccountAndName() throws Exception {
+    FakeClient ann =
+        join("anything", token("{\"sub\":\"7\",\"exp\":1800000060,\"name\":\"Ann\"}"), 0);
+    assertNull(ann.refused);
+    assertNotNull(ann.welcome);
+    for (int i = 0; i < 20; i++) {
+      rig.step();
+    }
+    assertEquals("Ann", ann.roster.entries().get(0).name());
+    Files.writeString(folder.resolve("bans.txt"), "account 8 cheats\n");
+    demandTokens();
+    FakeClient bob = join("Bob", token("{\"sub\":\"8\",\"exp\":1800000060}"), 0);
+    assertEquals(RefusalReason.BANNED, bob.refused.reason());
+  }
+
+  @Test
+  void withoutAGoodTokenNobodyJoins() throws Exception {
+    String good = token("{\"sub\":\"7\",\"exp\":1800000060}");
+    for (String token : new String[] {"", "x", good.substring(0, good.length() - 2), good + "A"}) {
+      FakeClient client = join("Eve", token, 0);
+      assertNotNull(client.refused, token);
+      assertEquals(RefusalReason.TOKEN_INVALID, client.refused.reason());
+    }
+    now += 60;
+    FakeClient late = join("Ann", good, 0);
+    assertEquals(RefusalReason.TOKEN_INVALID, late.refused.reason());
+    assertTrue(late.refused.text().contains("expired"), late.refused.text());
+  }
+
+  @Test
+  void aPlayerComesBackWithoutAToken() throws Exception {
+    FakeClient ann = join("Ann", token("{\"sub\":\"7\",\"exp\":1800000060}"), 0);
+    for (int i = 0; i < 10; i++) {
+      rig.step();
+    }
+    long secret = ann.welcome.sessionSecret();
+    ann.link.close("lost");
+    now += 3_600;
+    for (int i = 0; i < 120; i++) {
+      rig.step();
+    }
+    FakeClient again = join("Ann", "", secret);
+    assertNull(again.refused);
+    assertEquals(ann.welcome.playerId(), again.welcome.playerId());
+    FakeClient thief = join("Ann", "", secret + 1);
+    assertEquals(RefusalReason.TOKEN_INVALID, thief.refused.reason());
+  }
+}

@@ -1,0 +1,220 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.ClientConfig;
+import carom.client.GameClient;
+import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
+import carom.net.kryo.KryoClientTransport;
+import carom.net.transport.ClientTransport;
+import carom.replay.RecordingReader;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: a server process that is killed goes on, and players come back by themselves to their
+ * bodies. Method: a real process, {@code kill -9} at random moments, clients over sockets. How
+ * often is {@code -Dcarom.kills=N}, 5 without.
+ */
+class KillTest {
+  private static final int KILLS = Integer.getInteger("carom.kills", 5);
+  private static final int PLAYERS = 3;
+  private static final int TICK_RATE = 60;
+  private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+)");
+  private static final Pattern RESUMED =
+      Pattern.compile(
+          "resumed room=1 tick=(\\d+) checkpoint=(\\d+) inputs=(\\d+) players=(\\d+) hash=(\\w+)");
+
+  @TempDir Path folder;
+  private Process server;
+  private final List<GameClient> clients = new ArrayList<>();
+  private ClientTransport transport;
+  private int tcpPort;
+  private int udpPort;
+  private int starts;
+
+  @AfterEach
+  void end() {
+    clients.forEach(GameClient::close);
+    if (transport != null) {
+      transport.close();
+    }
+    if (server != null) {
+      server.destroyForcibly();
+    }
+  }
+
+  private Path log() {
+    return folder.resolve("err" + starts);
+  }
+
+  /** Starts the server and returns the milliseconds until players could join. */
+  private long start() throws Exception {
+    starts++;
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
+    command.add(System.getProperty("java.class.path"));
+    command.add(ServerMain.class.getName());
+    command.addAll(List.of("--data", folder.resolve("data").toString(), "--checkpoint", "1s"));
+    command.addAll(List.of("--tcp-port", "" + tcpPort, "--udp-port", "" + udpPort));
+    command.addAll(List.of("--no-web", "--bind", "127.0.0.1", "--grace", "600", "--log-keep", "0"));
+    long beganNs = System.nanoTime();
+    server = new ProcessBuilder(command).redirectError(log().toFile()).start();
+    server.getOutputStream().close();
+    BufferedReader out =
+        new BufferedReader(new InputStreamReader(server.getInputStream(), StandardCharsets.UTF_8));
+    Matcher ready = READY.matcher(String.valueOf(out.readLine()));
+    assertTrue(ready.matches(), () -> read(log()));
+    tcpPort = Integer.parseInt(ready.group(1)); // the next start keeps them
+    udpPort = Integer.parseInt(ready.group(2));
+    return TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - beganNs);
+  }
+
+  private static String read(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      return e.toString();
+    }
+  }
+
+  private void update() throws InterruptedException {
+    clients.forEach(client -> client.update(System.nanoTime()));
+    Thread.sleep(2);
+  }
+
+  private void updateUntil(String what, BooleanSupplier done) throws Exception {
+    long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+    while (!done.getAsBoolean()) {
+      assertTrue(System.nanoTime() < endNs, () -> what + " isn't so after 60 s\n" + read(log()));
+      update();
+    }
+  }
+
+  private boolean allPlay() {
+    return clients.stream()
+        .allMatch(
+            client ->
+                client.view().phase() == ConnectionPhase.PLAYING && client.view().own() != null);
+  }
+
+  @Test
+  void afterAKillTheServerGoesOnFromAProvenTickAndPlayersAreBackInTheirBodies() throws Exception {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    Random random = new Random(seed);
+    start();
+    transport = new KryoClientTransport();
+    for (int i = 0; i < PLAYERS; i++) {
+      ClientConfig config = ClientConfig.of("p" + i).withServer("127.0.0.1", tcpPort, udpPort);
+      clients.add(new GameClient(config, transport, new Bot(i, true)));
+    }
+    updateUntil("all play", this::allPlay);
+    long[] startMs = new long[KILLS];
+    long[] backMs = new long[KILLS];
+    int[] lostTicks = new int[KILLS];
+    for (int kill = 0; kill < KILLS; kill++) {
+      String which = "kill=" + kill + " seed=" + seed;
+      List<Long> bodies = bodies();
+      long untilNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(random.nextInt(4_000));
+      updateUntil("killed", () -> System.nanoTime() >= untilNs);
+      int heard = clients.stream().mapToInt(client -> client.decoder().tick()).max().getAsInt();
+      server.destroyForcibly(); // kill -9
+      assertTrue(server.waitFor(10, TimeUnit.SECONDS));
+      assertEquals(137, server.exitValue());
+      long killedNs = System.nanoTime();
+      int proven = lastTickOnDisk();
+      startMs[kill] = start();
+      Matcher resumed = RESUMED.matcher(read(log()));
+      assertTrue(resumed.find(), () -> which + "\n" + read(log()));
+      int tick = Integer.parseInt(resumed.group(1));
+      assertEquals(proven, tick, which);
+      assertEquals(hashOnDisk, resumed.group(5), which);
+      assertEquals(PLAYERS, Integer.parseInt(resumed.group(4)), which);
+      lostTicks[kill] = heard - tick;
+      assertTrue(lostTicks[kill] <= TICK_RATE, which + " lost=" + lostTicks[kill]);
+      int before = clients.stream().mapToInt(client -> client.stats().reconnects()).sum();
+      updateUntil(
+          "all are back, " + which,
+          () ->
+              allPlay()
+                  && clients.stream().mapToInt(client -> client.stats().reconnects()).sum()
+                      >= before + PLAYERS);
+      backMs[kill] = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - killedNs);
+      assertEquals(bodies, bodies(), which);
+      assertFalse(read(log()).contains("join:"), () -> which + "\n" + read(log()));
+    }
+    report("start to play ms", startMs);
+    report("kill to play ms", backMs);
+    report("lost ticks", Arrays.stream(lostTicks).asLongStream().toArray());
+  }
+
+  private String hashOnDisk = "";
+
+  /** Reads what the killed process has left, and returns the last tick that can be computed. */
+  private int lastTickOnDisk() throws IOException {
+    Path room = folder.resolve("data/checkpoints/1");
+    List<Integer> slots = new ArrayList<>();
+    try (var files = Files.list(room)) {
+      files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.endsWith(".seats"))
+          .forEach(name -> slots.add(Integer.valueOf(name.replace(".seats", ""))));
+    }
+    int newest = slots.stream().max(Integer::compare).get();
+    int tick = -1;
+    try (RecordingReader reader = RecordingReader.open(room.resolve(newest + ".log"))) {
+      for (RecordingReader.Event e = reader.next();
+          e != RecordingReader.Event.WAIT && e != RecordingReader.Event.END;
+          e = reader.next()) {
+        if (e == RecordingReader.Event.STATE) {
+          tick = reader.stateTick();
+        } else if (e == RecordingReader.Event.STEPPED) {
+          tick++;
+        }
+        hashOnDisk = "%016x".formatted(reader.hash());
+      }
+    }
+    return tick;
+  }
+
+  /** Returns the player and the body of each client. */
+  private List<Long> bodies() {
+    return clients.stream()
+        .map(
+            client ->
+                (long) client.view().playerId() << 32
+                    | (long) client.view().own().generation() << 16
+                    | client.view().own().id())
+        .toList();
+  }
+
+  private static void report(String what, long[] values) {
+    Arrays.sort(values);
+    System.out.printf(
+        "%s of %d kills: median %d, p95 %d, most %d%n",
+        what,
+        values.length,
+        values[values.length / 2],
+        values[Math.min(values.length - 1, values.length * 95 / 100)],
+        values[values.length - 1]);
+  }
+}

@@ -1,0 +1,143 @@
+package carom.server.access;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyPair;
+import java.security.KeyPairGenerator;
+import java.security.Signature;
+import java.time.Instant;
+import java.util.Base64;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: only the operator's own tokens let players in. Method: good ones, and all ways to cheat.
+ */
+final class JoinTokensTest {
+  private static final long NOW = 1_800_000_000L;
+  private static final String SERVER = "the-fingerprint";
+  private static final String HEAD = "{\"alg\":\"EdDSA\",\"typ\":\"JWT\"}";
+
+  @TempDir Path folder;
+  private final KeyPair backend = pair();
+  private final JoinTokens tokens =
+      new JoinTokens(backend.getPublic(), SERVER, () -> Instant.ofEpochSecond(NOW));
+
+  private static KeyPair pair() {
+    try {
+      return KeyPairGenerator.getInstance("Ed25519").generateKeyPair();
+    } catch (GeneralSecurityException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static String base64(byte[] bytes) {
+    return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
+  }
+
+  private static String token(KeyPair key, String head, String claims) {
+    String text =
+        base64(head.getBytes(StandardCharsets.UTF_8))
+            + "."
+            + base64(claims.getBytes(StandardCharsets.UTF_8));
+    try {
+      Signature signature = Signature.getInstance("Ed25519");
+      signature.initSign(key.getPrivate());
+      signature.update(text.getBytes(StandardCharsets.US_ASCII));
+      return text + "." + base64(signature.sign());
+    } catch (GeneralSecurityException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static String claims(String more) {
+    return "{\"sub\":\"42\",\"exp\":" + (NOW + 60) + more + "}";
+  }
+
+  private void refused(String token, String why) {
+    BadTokenException e = assertThrows(BadTokenException.class, () -> tokens.check(token), token);
+    assertTrue(e.getMessage().contains(why), e::getMessage);
+  }
+
+  @Test
+  void aGoodTokenSaysWhoItIs() throws BadTokenException {
+    assertEquals(
+        new JoinToken("42", "Zo\u00eb", "cup"),
+        tokens.check(
+            token(
+                backend,
+                HEAD,
+                claims(",\"name\":\"Zo\u00eb\",\"room\":\"cup\",\"server\":\"" + SERVER + "\""))));
+    assertEquals(new JoinToken("42", "", ""), tokens.check(token(backend, HEAD, claims(""))));
+  }
+
+  @Test
+  void aTokenOfAnotherTimeServerOrSignerIsRefused() {
+    refused(token(backend, HEAD, "{\"sub\":\"42\",\"exp\":" + NOW + "}"), "expired");
+    refused(token(backend, HEAD, "{\"sub\":\"42\"}"), "expired");
+    refused(token(backend, HEAD, "{\"sub\":\"42\",\"exp\":\"soon\"}"), "no number");
+    refused(token(backend, HEAD, claims(",\"nbf\":" + (NOW + 5))), "isn't valid yet");
+    refused(token(backend, HEAD, claims(",\"server\":\"other\"")), "another server");
+    refused(token(pair(), HEAD, claims("")), "isn't from this game's operator");
+    refused(token(backend, HEAD, "{\"exp\":" + (NOW + 60) + "}"), "no account");
+    refused(token(backend, HEAD, claims(",\"name\":\" \"")), "can't be used");
+    refused("", "Join through");
+  }
+
+  @Test
+  void theHeaderChoosesNoAlgorithm() {
+    for (String head :
+        List.of("{\"alg\":\"none\"}", "{\"alg\":\"HS256\"}", "{}", "{\"alg\":[\"EdDSA\"]}")) {
+      assertThrows(
+          BadTokenException.class, () -> tokens.check(token(backend, head, claims(""))), head);
+    }
+    String good = token(backend, HEAD, claims(""));
+    refused(good.substring(0, good.lastIndexOf('.') + 1), "operator");
+  }
+
+  @Test
+  void noCharacterMayChange() {
+    String good = token(backend, HEAD, claims(",\"name\":\"Ann\""));
+    SplittableRandom random = new SplittableRandom(7);
+    String letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.=";
+    int last = good.length() - 1; // whose lowest bits mean nothing
+    for (int i = 0; i < last; i++) {
+      char other = letters.charAt(random.nextInt(letters.length()));
+      if (other != good.charAt(i)) {
+        String bad = good.substring(0, i) + other + good.substring(i + 1);
+        assertThrows(BadTokenException.class, () -> tokens.check(bad), bad);
+      }
+    }
+    for (int length = 0; length < last; length++) {
+      String bad = good.substring(0, length);
+      assertThrows(BadTokenException.class, () -> tokens.check(bad), bad);
+    }
+  }
+
+  @Test
+  void theKeyIsReadFromPem() throws IOException, BadTokenException {
+    Path file = folder.resolve("join.pem");
+    String pem =
+        "-----BEGIN PUBLIC KEY-----\n"
+            + Base64.getMimeEncoder().encodeToString(backend.getPublic().getEncoded())
+            + "\n-----END PUBLIC KEY-----\n";
+    Files.writeString(file, pem);
+    JoinTokens read = JoinTokens.load(file, SERVER, () -> Instant.ofEpochSecond(NOW));
+    assertEquals("42", read.check(token(backend, HEAD, claims(""))).account());
+    Files.writeString(file, "nothing");
+    IOException e =
+        assertThrows(IOException.class, () -> JoinTokens.load(file, SERVER, Instant::now));
+    assertTrue(e.getMessage().contains("openssl genpkey"), e::getMessage);
+    assertThrows(
+        IOException.class, () -> JoinTokens.load(folder.resolve("none.pem"), SERVER, Instant::now));
+  }
+}

@@ -1,0 +1,31 @@
+package carom.server.console;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Goal: a user who starts a server for the first time sees on one screen what to do next. */
+class ReadyLineTest {
+  @Test
+  void theHintsNameEverythingInOneScreen() {
+    List<String> lines = ReadyLine.hints(54_555, 54_777, "http://127.0.0.1:8090");
+    String text = String.join("\n", lines);
+    assertTrue(lines.size() <= 12, text);
+    for (String word : new String[] {"ready", "./gradlew play", "carom-client --host", "-Pn=20"}) {
+      assertTrue(text.contains(word), word);
+    }
+    assertTrue(text.contains("page      http://127.0.0.1:8090"), text);
+    assertTrue(text.contains("stop      Ctrl-C"), text);
+    assertFalse(text.contains("--tcp-port"), "usual ports needn't be named");
+  }
+
+  @Test
+  void unusualPortsAreInEachCommand() {
+    String text = String.join("\n", ReadyLine.hints(1, 2, null));
+    assertEquals(4, text.split("--tcp-port 1 --udp-port 2", -1).length);
+    assertFalse(text.contains("page"), text);
+  }
+}

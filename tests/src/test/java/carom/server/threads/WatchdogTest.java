@@ -1,0 +1,154 @@
+package carom.server.threads;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Goal: a thread that doesn't come back from a game's code is found, and no other. */
+@Timeout(60)
+class WatchdogTest {
+  private volatile boolean ends;
+  private final AtomicInteger progress = new AtomicInteger();
+  private Watchdog watchdog;
+  private Worker worker;
+  private final CompletableFuture<String> found = new CompletableFuture<>();
+
+  @AfterEach
+  void end() {
+    ends = true;
+    watchdog.close();
+    worker.stop();
+    worker.join(System.nanoTime() + TimeUnit.SECONDS.toNanos(5));
+  }
+
+  /** Stands for the class through which all calls of games go. */
+  static final class Guard {
+    private Guard() {}
+
+    static void call(Runnable game) {
+      game.run();
+    }
+  }
+
+  private static final class Duty implements Worker.Duty {
+    private final Runnable turn;
+
+    Duty(Runnable turn) {
+      this.turn = turn;
+    }
+
+    @Override
+    public void turn(long nowNs) {
+      turn.run();
+    }
+
+    @Override
+    public long napNs(long nowNs) {
+      return 1_000_000;
+    }
+
+    @Override
+    public boolean hasFailed() {
+      return false;
+    }
+
+    @Override
+    public void fail(String why) {}
+
+    @Override
+    public void close(long nowNs) {}
+
+    @Override
+    public boolean isDeserted() {
+      return true;
+    }
+
+    @Override
+    public void closeLinks() {}
+  }
+
+  private void watch(Runnable turn) {
+    worker = new Worker("carom-watched", new Duty(turn), System::nanoTime, () -> {});
+    watchdog = new Watchdog(Guard.class);
+    watchdog.watch(
+        worker,
+        new Watchdog.Watched() {
+          @Override
+          public int progress() {
+            return progress.get();
+          }
+
+          @Override
+          public void hangs(String callback, String stack) {
+            found.complete(callback + "\n" + stack);
+          }
+        });
+    watchdog.start();
+    worker.start(Thread.NORM_PRIORITY);
+  }
+
+  private String foundWithin(int ms) throws Exception {
+    try {
+      return found.get(ms, TimeUnit.MILLISECONDS);
+    } catch (TimeoutException e) {
+      return null;
+    }
+  }
+
+  private void spin() {
+    while (!ends) {
+      Thread.onSpinWait();
+    }
+  }
+
+  private void sleep() {
+    while (!ends) {
+      LockSupport.parkNanos(100_000_000L);
+    }
+  }
+
+  @Test
+  void aCallbackThatLoopsIsFoundAndNamedWithItsStack() throws Exception {
+    watch(() -> Guard.call(this::spin));
+    String text = foundWithin(8_000); // 2 s by the watchdog's own looks; this machine may be busy
+    assertTrue(text != null && text.startsWith("call of "), "" + text);
+    assertTrue(text.contains("WatchdogTest.spin"), text);
+  }
+
+  @Test
+  void aCallbackThatWaitsIsFound() throws Exception {
+    watch(() -> Guard.call(this::sleep));
+    String text = foundWithin(8_000);
+    assertTrue(text != null && text.contains("WatchdogTest.sleep"), "" + text);
+  }
+
+  @Test
+  void workOutsideOfAGameIsNotFound() throws Exception {
+    watch(this::sleep);
+    assertNull(foundWithin(Watchdog.FOUND_MS + 1_500));
+  }
+
+  @Test
+  void aGameThatGetsOnIsNotFound() throws Exception {
+    watch(
+        () ->
+            Guard.call(
+                () -> {
+                  while (!ends) {
+                    progress.incrementAndGet();
+                    LockSupport.parkNanos(20_000_000L);
+                  }
+                }));
+    assertNull(foundWithin(Watchdog.FOUND_MS + 1_500));
+    assertEquals(0, found.getNumberOfDependents());
+  }
+}
