@@ -173,11 +173,8 @@ public final class ContactBlocks {
   /** Not 0 if the surfaces meet or part faster than the threshold when the step begins. */
   static final int FAST = COEFFICIENT + LANES;
 
-  /** Not 0 if the surfaces meet or part faster than the threshold after a substep's impacts. */
-  static final int FREE = FAST + LANES;
-
   /** Normal impulses of impacts so far, N s: of the first point, then of the second. */
-  static final int IMPACT_NORMAL = FREE + LANES;
+  static final int IMPACT_NORMAL = FAST + LANES;
 
   /** Friction impulses of impacts so far, N s: of the first point, then of the second. */
   static final int IMPACT_TANGENT = IMPACT_NORMAL + 2 * LANES;
@@ -211,8 +208,8 @@ public final class ContactBlocks {
   /** Trait: vector kernels solve the block. */
   static final int WIDE = 64;
 
-  /** Trait: vector kernels solve the block, but not in this substep, as some contact is free. */
-  static final int NARROWED = 128;
+  /** Trait: impacts alone answer some contact in this substep. */
+  public static final int FREE = 128;
 
   /** Traits that softness depends on. */
   static final int SOFTNESS = TWO | FIXED;

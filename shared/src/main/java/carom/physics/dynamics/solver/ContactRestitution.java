@@ -18,7 +18,6 @@ import static carom.physics.dynamics.solver.ContactBlocks.LANES;
 import static carom.physics.dynamics.solver.ContactBlocks.MASS_A;
 import static carom.physics.dynamics.solver.ContactBlocks.MASS_B;
 import static carom.physics.dynamics.solver.ContactBlocks.MOVING_SURFACE;
-import static carom.physics.dynamics.solver.ContactBlocks.NARROWED;
 import static carom.physics.dynamics.solver.ContactBlocks.NORMAL_ARM_A;
 import static carom.physics.dynamics.solver.ContactBlocks.NORMAL_ARM_B;
 import static carom.physics.dynamics.solver.ContactBlocks.NX;
@@ -33,7 +32,6 @@ import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_MASS;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_NORMAL;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_TANGENT;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
-import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
 import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
 import static carom.physics.dynamics.solver.SolverBodies.VX;
 import static carom.physics.dynamics.solver.SolverBodies.VY;
@@ -62,6 +60,24 @@ final class ContactRestitution {
   /** Most rounds in a substep. A row of n touching balls takes up to n of them. */
   private static final int MOST_ROUNDS = 32;
 
+  /**
+   * State: impacts are possible in the rest of this step. The contact bounces, and approached fast
+   * when the step began, or a body of it was struck since.
+   */
+  private static final int POSSIBLE = 1;
+
+  /** State: a body of it was struck since the contact was looked at. */
+  private static final int STRUCK = 2;
+
+  /** State: the surfaces meet or part faster than the threshold. */
+  private static final int FAST_NOW = 4;
+
+  /** The round before the first one. */
+  private static final int START = 1;
+
+  /** No link. */
+  private static final int NONE = -1;
+
   /** Part of the effective masses below which two points count as one. */
   private static final float SINGULAR = 1e-5f;
 
@@ -82,10 +98,25 @@ final class ContactRestitution {
 
   private float threshold;
 
-  /** Per slot: the last round of this step in which the body was struck, or 0. */
-  private int[] struck = new int[0];
+  /**
+   * Per lane: 0, or {@link #POSSIBLE} and what else is known of its impacts. Threads write the same
+   * where they write to one lane at once.
+   */
+  private byte[] state = new byte[0];
 
-  /** Number of the present round within the step, from 1 on. */
+  /**
+   * Per block: the last round of this step in which a body of its bouncing contacts was struck, or
+   * {@link #START} if a contact approached fast when the step began, or 0.
+   */
+  private int[] news = new int[0];
+
+  /** Per slot: the first link to a bouncing contact of the body, {@link #NONE} without. */
+  private int[] firstLink = new int[0];
+
+  /** Per link, two a lane, for A and for B: the next link of the same body, or {@link #NONE}. */
+  private int[] nextLink = new int[0];
+
+  /** Number of the present round within the step, from {@link #START} + 1 on. */
   private int round;
 
   /** Number of the first round of this substep. */
@@ -111,37 +142,67 @@ final class ContactRestitution {
    * @return whether anything meets or parts so fast that impacts are possible
    */
   boolean begin(SolverBodies bodies, float substep, float leastSpeed) {
-    if (!any()) {
+    if (!findFast()) {
       return false;
     }
     this.bodies = bodies;
     v = bodies.state;
     h = substep;
     threshold = leastSpeed;
-    int slots = v.length / STRIDE;
-    if (struck.length < slots) {
-      struck = new int[slots];
-    }
-    Arrays.fill(struck, 0, slots, 0);
-    round = 0;
+    round = START;
+    linkAll(v.length / STRIDE);
     if (found.length < parallel.count()) {
       found = new boolean[parallel.count()];
     }
     return true;
   }
 
-  private boolean any() {
+  /** Finds the contacts that approach or part fast; returns whether any does. */
+  private boolean findFast() {
+    if (news.length < blocks.count()) {
+      news = new int[blocks.traits.length];
+      state = new byte[blocks.bodyA.length];
+    }
+    Arrays.fill(news, 0, blocks.count(), 0);
+    Arrays.fill(state, 0, blocks.count() * LANES, (byte) 0);
+    boolean any = false;
     for (int block = 0; block < blocks.count(); block++) {
-      if ((blocks.traits[block] & RESTITUTION) != 0) {
-        int from = block * EXTRA + FAST;
-        for (int i = from; i < from + blocks.used[block]; i++) {
-          if (blocks.extra[i] != 0) {
-            return true;
-          }
+      int end = (blocks.traits[block] & RESTITUTION) != 0 ? blocks.used[block] : 0;
+      for (int i = 0; i < end; i++) {
+        if (blocks.extra[block * EXTRA + FAST + i] != 0) {
+          state[block * LANES + i] = POSSIBLE;
+          news[block] = START;
+          any = true;
         }
       }
     }
-    return false;
+    return any;
+  }
+
+  /** Lists the bouncing contacts of each body, so that a blow finds those it may lead to. */
+  private void linkAll(int slots) {
+    if (firstLink.length < slots) {
+      firstLink = new int[slots];
+    }
+    Arrays.fill(firstLink, 0, slots, NONE);
+    if (nextLink.length < 2 * blocks.bodyA.length) {
+      nextLink = new int[2 * blocks.bodyA.length];
+    }
+    for (int block = 0; block < blocks.count(); block++) {
+      int end = (blocks.traits[block] & RESTITUTION) != 0 ? blocks.used[block] : 0;
+      for (int i = 0; i < end; i++) {
+        if (blocks.extra[block * EXTRA + i + COEFFICIENT] != 0) {
+          int lane = block * LANES + i;
+          link(2 * lane, blocks.bodyA[lane] / STRIDE);
+          link(2 * lane + 1, blocks.bodyB[lane] / STRIDE);
+        }
+      }
+    }
+  }
+
+  private void link(int link, int slot) {
+    nextLink[link] = firstLink[slot];
+    firstLink[slot] = link;
   }
 
   /** Solves the impacts of a substep. No phases may be left to run. */
@@ -161,45 +222,37 @@ final class ContactRestitution {
     findFree();
   }
 
-  /**
-   * Finds the contacts that impacts alone answer in this substep, and takes their blocks from the
-   * vector kernels, which know of none.
-   */
+  /** Finds the blocks with contacts that impacts alone answer in this substep. */
   private void findFree() {
     for (int block = 0; block < blocks.count(); block++) {
-      if ((blocks.traits[block] & RESTITUTION) == 0) {
-        continue;
-      }
-      boolean any = false;
-      for (int i = 0; i < blocks.used[block]; i++) {
-        boolean free = isPossible(block, i) && isFastNow(block, i);
-        blocks.extra[block * EXTRA + FREE + i] = free ? 1 : 0;
-        any |= free;
-      }
-      if ((blocks.traits[block] & (any ? WIDE : NARROWED)) != 0) {
-        blocks.traits[block] ^= (byte) (WIDE | NARROWED);
+      if (news[block] != 0) {
+        int all = 0;
+        for (int lane = block * LANES; lane < (block + 1) * LANES; lane++) {
+          all |= state[lane];
+        }
+        blocks.traits[block] &= ~FREE;
+        blocks.traits[block] |= (byte) ((all & FAST_NOW) != 0 ? FREE : 0);
       }
     }
   }
 
-  private boolean isFastNow(int block, int i) {
-    int lane = block * LANES + i;
-    return Math.abs(scalar.normalSpeed(lane, FIRST)) > threshold
-        || ((blocks.traits[block] & TWO) != 0
-            && Math.abs(scalar.normalSpeed(lane, SECOND)) > threshold);
-  }
-
   /** Returns whether the surfaces of a contact meet or part so fast that impacts alone answer. */
   boolean isFree(int block, int i) {
-    return (blocks.traits[block] & RESTITUTION) != 0 && blocks.extra[block * EXTRA + FREE + i] != 0;
+    return (blocks.traits[block] & FREE) != 0 && (state[block * LANES + i] & FAST_NOW) != 0;
   }
 
+  /** Looks at all possible impacts in the first round of a substep, then where blows may lead. */
   private void solveBlocks(int from, int to, int worker) {
+    boolean first = round == firstRound;
     boolean any = false;
     for (int block = from; block < to; block++) {
-      int end = (blocks.traits[block] & RESTITUTION) != 0 ? blocks.used[block] : 0;
-      for (int i = 0; i < end; i++) {
-        any |= isPossible(block, i) && hasNews(block, i) && solve(block, i);
+      if (news[block] == 0 || (!first && news[block] < round - 1)) {
+        continue;
+      }
+      for (int i = 0; i < blocks.used[block]; i++) {
+        if ((state[block * LANES + i] & (first ? POSSIBLE : STRUCK)) != 0) {
+          any |= solve(block, i);
+        }
       }
     }
     if (any) {
@@ -207,47 +260,26 @@ final class ContactRestitution {
     }
   }
 
-  /**
-   * Returns whether impacts of a contact are possible in the rest of this step: it bounces, and
-   * approached fast when the step began, or a body of it was struck since.
-   */
-  private boolean isPossible(int block, int i) {
-    int more = block * EXTRA + i;
-    int lane = block * LANES + i;
-    return (blocks.traits[block] & RESTITUTION) != 0
-        && blocks.extra[more + COEFFICIENT] != 0
-        && (blocks.extra[more + FAST] != 0
-            || struck[blocks.bodyA[lane] / STRIDE] != 0
-            || struck[blocks.bodyB[lane] / STRIDE] != 0);
-  }
-
-  /**
-   * Returns whether a contact must be looked at in this round: in the first one of a substep, or
-   * because a body of it was struck in this round or the one before.
-   */
-  private boolean hasNews(int block, int i) {
-    int lane = block * LANES + i;
-    return round == firstRound
-        || struck[blocks.bodyA[lane] / STRIDE] >= round - 1
-        || struck[blocks.bodyB[lane] / STRIDE] >= round - 1;
-  }
-
   /** Solves the impact of a contact, if there is one; returns whether there was. */
   private boolean solve(int block, int i) {
     float[] d = blocks.data;
     int lane = block * LANES + i;
     int at = block * RECORD + i;
+    state[lane] = POSSIBLE;
     float parting1 = scalar.normalSpeed(lane, FIRST);
     float wanted1 = bounce(block, i, FIRST, parting1);
     if ((blocks.traits[block] & TWO) == 0) {
       if (wanted1 > 0) {
         strike(block, i, (wanted1 - parting1) / d[at + FIRST + INVERSE_NORMAL_MASS], 0);
+        return true;
       }
-      return wanted1 > 0;
+      noteSpeed(lane, parting1);
+      return false;
     }
     float parting2 = scalar.normalSpeed(lane, SECOND);
     float wanted2 = bounce(block, i, SECOND, parting2);
     if (wanted1 <= 0 && wanted2 <= 0) {
+      noteSpeed(lane, Math.max(Math.abs(parting1), Math.abs(parting2)));
       return false;
     }
     float k1 = d[at + FIRST + INVERSE_NORMAL_MASS] / ContactPacker.DIAGONAL_SCALE;
@@ -271,6 +303,13 @@ final class ContactRestitution {
     }
     strike(block, i, impulse1, impulse2);
     return true;
+  }
+
+  /** Notes how fast the surfaces of a contact meet or part. */
+  private void noteSpeed(int lane, float speed) {
+    if (Math.abs(speed) > threshold) {
+      state[lane] |= FAST_NOW;
+    }
   }
 
   /**
@@ -331,12 +370,21 @@ final class ContactRestitution {
       }
     }
     if (d[at + MASS_A] != 0) {
-      struck[a / STRIDE] = round;
+      tell(a / STRIDE);
       bodies.countOut(a / STRIDE, v[a + VX] - ax, v[a + VY] - ay, v[a + W] - aw);
     }
     if (d[at + MASS_B] != 0) {
-      struck[b / STRIDE] = round;
+      tell(b / STRIDE);
       bodies.countOut(b / STRIDE, v[b + VX] - bx, v[b + VY] - by, v[b + W] - bw);
+    }
+  }
+
+  /** Tells the contacts of a body that it was struck in this round. */
+  private void tell(int slot) {
+    for (int link = firstLink[slot]; link != NONE; link = nextLink[link]) {
+      int lane = link / 2;
+      state[lane] |= POSSIBLE | STRUCK;
+      news[lane / LANES] = round;
     }
   }
 

@@ -1,6 +1,9 @@
 package carom.physics.dynamics.solver;
 
+import static carom.physics.dynamics.solver.ContactBlocks.FIRST;
 import static carom.physics.dynamics.solver.ContactBlocks.FIXED;
+import static carom.physics.dynamics.solver.ContactBlocks.LANES;
+import static carom.physics.dynamics.solver.ContactBlocks.SECOND;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
 import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
 
@@ -163,9 +166,6 @@ public final class ContactSolver {
   /** Least speed of an impact, m/s. */
   float threshold;
 
-  /** Whether impacts are possible anywhere in this step. */
-  private boolean bouncing;
-
   /** Overlap that isn't pushed apart, m. */
   public float slop;
 
@@ -306,16 +306,35 @@ public final class ContactSolver {
     if (mightBounce) {
       phases.run();
     }
-    bouncing = mightBounce && restitution.begin(solverBodies, h, threshold);
-    return bouncing;
+    return mightBounce && restitution.begin(solverBodies, h, threshold);
   }
 
   /**
    * Returns whether impacts alone answer a contact in this substep. It depends on nothing but the
    * contact and what its bodies met: others far away mustn't change how it is solved.
    */
-  boolean bounces(int block, int i) {
-    return bouncing && restitution.isFree(block, i);
+  boolean isFree(int block, int i) {
+    return restitution.isFree(block, i);
+  }
+
+  /**
+   * Gives the free contacts of a block the biases that {@link ScalarContacts} gives them.
+   *
+   * @param n holds the biases of the first points, then of the second ones
+   * @param at where they begin
+   * @param rigid whether they are those of relaxing
+   */
+  public void freeBiases(int block, float[] n, int at, boolean rigid) {
+    boolean two = (blocks.traits[block] & TWO) != 0;
+    for (int i = 0; i < blocks.used[block]; i++) {
+      if (isFree(block, i)) {
+        int lane = block * LANES + i;
+        n[at + i] = scalar.freeBias(lane, FIRST, n[at + i], rigid);
+        if (two) {
+          n[at + LANES + i] = scalar.freeBias(lane, SECOND, n[at + LANES + i], rigid);
+        }
+      }
+    }
   }
 
   /** Solves the impacts of a substep. No phases may be left to run. */

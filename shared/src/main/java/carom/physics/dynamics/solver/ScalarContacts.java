@@ -246,17 +246,26 @@ final class ScalarContacts {
     applyImpulse(lane, at, normal, tangent, wa, wb);
   }
 
-  /**
-   * Returns the speed at which a gap may close in the next substep, m/s. One that is about to
-   * bounce may close at any speed: the impact comes first.
-   */
+  /** Returns the speed at which a gap may close in the next substep, m/s. */
   private float closing(int block, int i, int point, float gap) {
-    if (!(gap > 0)) {
-      return 0;
+    float bias = gap > 0 ? gap * solver.inverseH : 0;
+    return solver.isFree(block, i) ? freeBias(block * LANES + i, point, bias, true) : bias;
+  }
+
+  /**
+   * Returns the bias of a point that impacts alone answer. What parts after one isn't pushed: it
+   * would be lifted without losing speed. A gap that is about to bounce may close at any speed in
+   * the next substep: the impact comes first.
+   *
+   * @param bias what it is otherwise, m/s
+   * @param rigid whether the bias is that of relaxing
+   */
+  float freeBias(int lane, int point, float bias, boolean rigid) {
+    float speed = normalSpeed(lane, point);
+    if (rigid) {
+      return bias > 0 && -speed > solver.threshold ? ANY_SPEED : bias;
     }
-    return solver.bounces(block, i) && -normalSpeed(block * LANES + i, point) > solver.threshold
-        ? ANY_SPEED
-        : gap * solver.inverseH;
+    return bias < 0 && speed > solver.threshold ? 0 : bias;
   }
 
   private void addToTotals(int p) {
@@ -294,20 +303,15 @@ final class ScalarContacts {
     return sum - old;
   }
 
-  /**
-   * Returns the speed at which a gap may close, or overlap is pushed apart (negative), m/s. What
-   * parts after an impact isn't pushed: it would be lifted without losing speed.
-   */
+  /** Returns the speed at which a gap may close, or overlap is pushed apart (negative), m/s. */
   private float bias(int block, int i, int point, float gap, float rate) {
     if (gap > 0) {
       return gap * solver.inverseH;
     }
-    if (solver.bounces(block, i) && normalSpeed(block * LANES + i, point) > solver.threshold) {
-      return 0;
-    }
     float overlap = gap + solver.slop;
     float apart = rate * (overlap < 0 ? overlap : 0);
-    return apart > -solver.maxPushSpeed ? apart : -solver.maxPushSpeed;
+    float bias = apart > -solver.maxPushSpeed ? apart : -solver.maxPushSpeed;
+    return solver.isFree(block, i) ? freeBias(block * LANES + i, point, bias, false) : bias;
   }
 
   /** Solves the normal of a single point, and returns its impulse. */
