@@ -21,8 +21,8 @@ if [ -f "\$APP_HOME/lib/${applicationName}.jsa" ]; then
     cmp -s "\$jdk/release" "\$APP_HOME/lib/${applicationName}.release" && classes=\$APP_HOME/lib/${applicationName}.jsa
 fi
 priorities=
-<% if (applicationName in ['carom-server', 'carom-bots']) { %># Linux: Java's priorities count, as nice values, and the JIT compiler's threads leave the processors to those that play. Whoever isn't
-# root can't be preferred, only step back, and the JVM would say so at each start. Measured: docs/lab/crowd.md.
+<% if (applicationName in ['carom-server', 'carom-bots']) { %># Linux: Java's priorities count, as nice values, and the JIT compiler's threads leave the processors to those that play. Without root
+# a process can't be preferred, only step back, and the JVM would say so at each start. Measured: docs/lab/crowd.md.
 if [ "\$(uname)" = Linux ]; then
     priorities='-XX:ThreadPriorityPolicy=1 -XX:CompilerThreadPriority=10'
     [ "\$(id -u)" = 0 ] || priorities="\$priorities -XX:-PrintWarnings"

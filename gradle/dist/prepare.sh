@@ -38,8 +38,8 @@ until grep -q '^ready ' "$work/out"; do
     sleep 0.1
 done
 sleep 1 # the page's classes load after `ready`
-ports=$(sed -n 's/^ready tcp=\([0-9]*\) udp=\([0-9]*\).*/--tcp-port=\1 --udp-port=\2/p' "$work/out")
-(collect carom-bots $ports --count=2 --seconds=1) >/dev/null 2>&1 && keep carom-bots
+port=$(sed -n 's/^ready tcp=\([0-9]*\) .*/\1/p' "$work/out")
+(collect carom-bots --host="localhost:$port" --count=2 --seconds=1) >/dev/null 2>&1 && keep carom-bots
 kill "$server" && wait "$server"
 server=
 keep carom-server

@@ -11,7 +11,7 @@ import carom.values.Records;
  * @param host name or address of the server
  * @param tcpPort the server's TCP port, 1..65,535; 0 for an in-process transport, which has no
  *     ports
- * @param udpPort the server's UDP port, as the TCP port
+ * @param udpPort the server's UDP port, 0..65,535; 0 for the one that it tells over TCP
  * @param name the player's name, see {@link carom.net.protocol.PlayerName}
  * @param prediction what is simulated ahead of the server
  * @param maxRollbackTicks longest replay, 1..120 ticks; the oldest ticks of a longer one are left
@@ -23,8 +23,8 @@ import carom.values.Records;
  *     number of datagrams and adds a tick of lag
  * @param reconnect whether the client reconnects by itself when the link is lost
  * @param room name of the room in which to play; empty for any
- * @param game name of the game to play if the room is any; empty for any. It is a wish: the server
- *     may have no place in such a room
+ * @param game name of the game to play if the room is any; empty for any. It is a request: the
+ *     server may have no place in such a room
  * @param minInterpolationMs least time by which other players' bodies are drawn late, 0..300 ms; 0
  *     = as little as the connection allows
  * @param token join token, for servers whose operator demands one; empty for none
@@ -69,7 +69,7 @@ public record ClientConfig(
     return new ClientConfig(
         /* host= */ "localhost",
         /* tcpPort= */ ServerAddress.DEFAULT_TCP_PORT,
-        /* udpPort= */ ServerAddress.DEFAULT_UDP_PORT,
+        /* udpPort= */ ServerAddress.TOLD_UDP_PORT,
         /* name= */ name,
         /* prediction= */ PredictionMode.ISLAND,
         /* maxRollbackTicks= */ 60,
@@ -123,7 +123,7 @@ public record ClientConfig(
     return Records.with(this, "room", room);
   }
 
-  /** Returns a copy that wishes to play this game; empty for any. */
+  /** Returns a copy that asks for this game; empty for any. */
   public ClientConfig withGame(String game) {
     return Records.with(this, "game", game);
   }

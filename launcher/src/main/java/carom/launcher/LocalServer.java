@@ -6,6 +6,9 @@ import carom.client.bots.BotFarm;
 import carom.net.transport.ClientTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.Server;
+import carom.server.query.StatusFacts;
+import carom.server.query.StatusQuery;
+import java.io.IOException;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 
@@ -18,6 +21,7 @@ final class LocalServer implements LocalGames.LocalGame {
 
   private final Server server;
   private final JoinedTransport transport;
+  private final StatusQuery query;
   private final Thread bots;
   private volatile boolean stop;
 
@@ -30,11 +34,26 @@ final class LocalServer implements LocalGames.LocalGame {
   LocalServer(Server server, JoinedTransport transport, int count) {
     this.server = server;
     this.transport = transport;
+    query = transport.tcpPort() == 0 ? null : answerQueries();
     bots = new Thread(() -> playBots(count), "carom-local-bots");
     bots.setDaemon(true);
     bots.setPriority(Thread.MIN_PRIORITY);
     if (count > 0) {
       bots.start();
+    }
+  }
+
+  /** Lets the local network find this game. Returns null if another server answers there. */
+  private StatusQuery answerQueries() {
+    String name = server.config().serverName();
+    try {
+      return new StatusQuery(
+          null,
+          StatusQuery.DEFAULT_PORT,
+          new StatusFacts(
+              name, "played here", transport.tcpPort(), transport.udpPort(), server.rooms()));
+    } catch (IOException busy) {
+      return null; // the game goes on without being found
     }
   }
 
@@ -66,12 +85,8 @@ final class LocalServer implements LocalGames.LocalGame {
     if (transport.tcpPort() == 0) {
       return "";
     }
-    boolean usual =
-        transport.tcpPort() == LocalServers.TCP_PORT
-            && transport.udpPort() == LocalServers.UDP_PORT;
-    return "Others can join at "
-        + hostName()
-        + (usual ? "" : ":" + transport.tcpPort() + "/" + transport.udpPort());
+    boolean usual = transport.tcpPort() == LocalServers.TCP_PORT;
+    return "Others can join at " + hostName() + (usual ? "" : ":" + transport.tcpPort());
   }
 
   private static String hostName() {
@@ -89,6 +104,9 @@ final class LocalServer implements LocalGames.LocalGame {
       bots.join(GOODBYE_MS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+    if (query != null) {
+      query.close();
     }
     server.close();
   }

@@ -2,7 +2,7 @@ package carom.launcher;
 
 import carom.client.app.LocalGames;
 import carom.net.kryo.KryoServerTransport;
-import carom.net.kryo.PortUnavailableException;
+import carom.net.transport.PortUnavailableException;
 import carom.server.Server;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;

@@ -6,6 +6,7 @@ import carom.net.seal.Encryption;
 import carom.net.transport.Impairment;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions;
+import carom.options.Sockets;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
 import carom.server.query.ProtocolFlags;
@@ -34,7 +35,6 @@ import picocli.CommandLine.TypeConversionException;
  * <p><b>Length.</b> One option after the other, each with its text for people.
  */
 final class ServerFlags {
-  private static final int MAX_PORT = 65_535;
   private static final int MAX_SPECTATOR_DELAY_S = 3_600;
   private static final int MAX_GRACE_S = 600;
   private static final int MAX_KEPT = 10_000;
@@ -387,13 +387,11 @@ final class ServerFlags {
    * @throws BadFlag for the first flag that can't be used
    */
   void check() {
-    requireRange("--tcp-port", tcpPort, MAX_PORT);
-    requireRange("--udp-port", udpPort, MAX_PORT);
-    if (web.problem() != null) {
-      throw bad(web.problem());
-    }
-    if (protocols.problem() != null) {
-      throw bad(protocols.problem());
+    requireRange("--tcp-port", tcpPort, Sockets.MAX_PORT);
+    requireRange("--udp-port", udpPort, Sockets.MAX_PORT);
+    String problem = Sockets.first(web.problem(), protocols.problem());
+    if (problem != null) {
+      throw bad(problem);
     }
     requireRange("--grace", graceS, MAX_GRACE_S);
     requireRange("--checkpoint", checkpointS, Server.MAX_CHECKPOINT_S);

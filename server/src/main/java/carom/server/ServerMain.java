@@ -303,7 +303,7 @@ public final class ServerMain implements Callable<Integer> {
     // Players needn't wait for it: its libraries load for as long as all the rest.
     web.set(openPorts(server, commands));
     String page = web.get() == null ? null : web.get().url();
-    ReadyLine.printHints(System.out, server.tcpPort(), server.udpPort(), page);
+    ReadyLine.printHints(System.out, server.tcpPort(), page);
     if (flags.console) {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
     }

@@ -41,8 +41,23 @@ public final class GuardedGame implements Game {
     void failed(String callback, Simulation s, Throwable failure);
   }
 
-  /** What a player is told whose wish made the game fail. */
+  /** A callback about a subject, mostly a player, with one more argument. */
+  @FunctionalInterface
+  private interface Call<S, A> {
+    void run(Game game, Simulation s, S subject, A argument);
+  }
+
+  /** A callback that decides something. */
+  @FunctionalInterface
+  private interface Question<S, A, R> {
+    R ask(Game game, Simulation s, S subject, A argument);
+  }
+
+  /** What a player is told whose request made the game fail. */
   private static final String FAILED = "That is not possible now.";
+
+  private static final Question<Entity, Object, Audience> AUDIENCE =
+      (game, s, e, none) -> Objects.requireNonNull(game.audience(s, e), "audience");
 
   private final Game game;
   private final Watch watch;
@@ -114,110 +129,6 @@ public final class GuardedGame implements Game {
   }
 
   @Override
-  public String refuseTeam(Simulation s, Player p, int team) {
-    try {
-      return game.refuseTeam(s, p, team);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("refuseTeam of player " + p.id(), s, e);
-      return FAILED;
-    }
-  }
-
-  @Override
-  public void teamChanged(Simulation s, Player p) {
-    try {
-      game.teamChanged(s, p);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("teamChanged of player " + p.id(), s, e);
-    }
-  }
-
-  @Override
-  public String refuseRole(Simulation s, Player p, PlayerRole role) {
-    try {
-      return game.refuseRole(s, p, role);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("refuseRole of player " + p.id(), s, e);
-      return FAILED;
-    }
-  }
-
-  @Override
-  public void join(Simulation s, Player p) {
-    try {
-      game.join(s, p);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("join of player " + p.id(), s, e);
-    }
-  }
-
-  @Override
-  public void leave(Simulation s, Player p) {
-    try {
-      game.leave(s, p);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("leave of player " + p.id(), s, e);
-    }
-  }
-
-  @Override
-  public void input(Simulation s, Player p, Input in) {
-    try {
-      game.input(s, p, in);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("input of player " + p.id(), s, e);
-    }
-  }
-
-  @Override
-  public void message(Simulation s, Player p, Message m) {
-    try {
-      game.message(s, p, m);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("message " + m.kind().name() + " of player " + p.id(), s, e);
-    }
-  }
-
-  @Override
-  public String chat(Simulation s, Player p, String text) {
-    try {
-      return game.chat(s, p, text);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("chat of player " + p.id(), s, e);
-      return null; // unfiltered, it might say what the game would not allow
-    }
-  }
-
-  @Override
-  public boolean mayFollow(Simulation s, Player watcher, Player player) {
-    try {
-      return game.mayFollow(s, watcher, player);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("mayFollow of player " + watcher.id(), s, e);
-      return false;
-    }
-  }
-
-  @Override
-  public boolean emote(Simulation s, Player p, Emote emote) {
-    try {
-      return game.emote(s, p, emote);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("emote of player " + p.id(), s, e);
-      return false;
-    }
-  }
-
-  @Override
-  public void forces(Simulation s, Entity e) {
-    try {
-      game.forces(s, e);
-    } catch (RuntimeException | AssertionError | StackOverflowError failure) {
-      watch.failed("forces of " + e, s, failure);
-    }
-  }
-
-  @Override
   public List<Cooldown> cooldowns() {
     return game.cooldowns();
   }
@@ -228,77 +139,122 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public String refuseTeam(Simulation s, Player p, int team) {
+    return ask("refuseTeam", s, p, team, Game::refuseTeam, FAILED);
+  }
+
+  @Override
+  public void teamChanged(Simulation s, Player p) {
+    call("teamChanged", s, p, null, (g, sim, player, none) -> g.teamChanged(sim, player));
+  }
+
+  @Override
+  public String refuseRole(Simulation s, Player p, PlayerRole role) {
+    return ask("refuseRole", s, p, role, Game::refuseRole, FAILED);
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    call("join", s, p, null, (g, sim, player, none) -> g.join(sim, player));
+  }
+
+  @Override
+  public void leave(Simulation s, Player p) {
+    call("leave", s, p, null, (g, sim, player, none) -> g.leave(sim, player));
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    call("input", s, p, in, Game::input);
+  }
+
+  @Override
+  public void message(Simulation s, Player p, Message m) {
+    call("message " + m.kind().name(), s, p, m, Game::message);
+  }
+
+  @Override
+  public String chat(Simulation s, Player p, String text) {
+    // A failure sends nothing: unfiltered, the text might say what the game would not allow.
+    return ask("chat", s, p, text, Game::chat, null);
+  }
+
+  @Override
+  public boolean mayFollow(Simulation s, Player watcher, Player player) {
+    return ask("mayFollow", s, watcher, player, Game::mayFollow, false);
+  }
+
+  @Override
+  public boolean emote(Simulation s, Player p, Emote emote) {
+    return ask("emote", s, p, emote, Game::emote, false);
+  }
+
+  @Override
+  public void forces(Simulation s, Entity e) {
+    call("forces", s, e, null, (g, sim, entity, none) -> g.forces(sim, entity));
+  }
+
+  @Override
   public void phase(Simulation s, MatchPhase now) {
-    try {
-      game.phase(s, now);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("phase " + now.text(), s, e);
-    }
+    call("phase " + now.text(), s, null, now, (g, sim, none, phase) -> g.phase(sim, phase));
   }
 
   @Override
   public void beforeStep(Simulation s) {
-    try {
-      game.beforeStep(s);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("beforeStep", s, e);
-    }
+    call("beforeStep", s, null, null, (g, sim, no, none) -> g.beforeStep(sim));
   }
 
   @Override
   public void afterStep(Simulation s) {
-    try {
-      game.afterStep(s);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("afterStep", s, e);
-    }
+    call("afterStep", s, null, null, (g, sim, no, none) -> g.afterStep(sim));
   }
 
   @Override
   public boolean collision(Simulation s, Collision<Entity> c) {
-    try {
-      return game.collision(s, c);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("collision", s, e);
-      return true;
-    }
+    return ask("collision", s, null, c, (g, sim, none, it) -> g.collision(sim, it), true);
   }
 
   @Override
   public void hit(Simulation s, Collision<Entity> c) {
-    try {
-      game.hit(s, c);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("hit", s, e);
-    }
+    call("hit", s, null, c, (g, sim, none, it) -> g.hit(sim, it));
   }
 
   @Override
   public void broke(Simulation s, Joint<Entity> joint) {
-    try {
-      game.broke(s, joint);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("broke of " + joint, s, e);
-    }
+    call("broke", s, joint, null, (g, sim, it, none) -> g.broke(sim, it));
   }
 
   @Override
   public Audience audience(Simulation s, Entity e) {
-    try {
-      return Objects.requireNonNull(game.audience(s, e), "audience");
-    } catch (RuntimeException | AssertionError | StackOverflowError failure) {
-      watch.failed("audience of " + e, s, failure);
-      return Audience.NOBODY;
-    }
+    return ask("audience", s, e, null, AUDIENCE, Audience.NOBODY);
   }
 
   @Override
   public boolean seesAll(Simulation s, Player p) {
+    return ask("seesAll", s, p, null, (g, sim, player, none) -> g.seesAll(sim, player), false);
+  }
+
+  private <S, A> void call(String callback, Simulation s, S subject, A argument, Call<S, A> call) {
     try {
-      return game.seesAll(s, p);
+      call.run(game, s, subject, argument);
     } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      watch.failed("seesAll of player " + p.id(), s, e);
-      return false;
+      failed(callback, s, subject, e);
     }
+  }
+
+  /** Returns the game's answer, or another one if it fails. */
+  private <S, A, R> R ask(
+      String callback, Simulation s, S subject, A argument, Question<S, A, R> question, R failed) {
+    try {
+      return question.ask(game, s, subject, argument);
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
+      failed(callback, s, subject, e);
+      return failed;
+    }
+  }
+
+  private void failed(String callback, Simulation s, Object subject, Throwable failure) {
+    String of = subject instanceof Player p ? " of player " + p.id() : " of " + subject;
+    watch.failed(subject == null ? callback : callback + of, s, failure);
   }
 }

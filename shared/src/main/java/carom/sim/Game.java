@@ -93,8 +93,8 @@ public interface Game {
   void setUp(Simulation s);
 
   /**
-   * Returns how many may play at a time, 1 or more. Who comes when so many play is a spectator and
-   * may ask to play later.
+   * Returns how many may play at a time, 1 or more. A player who comes when so many play is a
+   * spectator and may ask to play later.
    */
   default int maxPlayers() {
     return Simulation.MAX_PLAYERS;

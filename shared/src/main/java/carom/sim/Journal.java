@@ -6,7 +6,8 @@ import carom.sim.message.PlayerRole;
 /**
  * Receives everything that enters a simulation and is not computed by it: players who join, leave
  * and change their role, their messages and their inputs. Level, seed, tick rate and a journal are
- * enough to compute every state again, bit for bit. {@code carom.replay} writes one to a file.
+ * enough to compute every state again, bit for bit. {@code carom.replay} writes one to a file. A
+ * journal that only follows the steps leaves out the rest.
  *
  * <p>{@link Simulation} itself calls it, so that no caller can forget to. A caller that changes the
  * world outside of {@link Game} and of these calls makes the journal incomplete. All methods run on
@@ -14,19 +15,19 @@ import carom.sim.message.PlayerRole;
  */
 public interface Journal {
   /** Receives a player who is about to join, before {@link Game#join}. */
-  void joining(Simulation s, int id, String name);
+  default void joining(Simulation s, int id, String name) {}
 
   /** Receives a spectator who is about to come. */
-  void watching(Simulation s, int id, String name);
+  default void watching(Simulation s, int id, String name) {}
 
   /**
    * Receives a participant who is about to change its role, before {@link Game#join} or {@link
    * Game#leave}, unless the game or a message changes it.
    */
-  void changing(Simulation s, int id, PlayerRole role);
+  default void changing(Simulation s, int id, PlayerRole role) {}
 
   /** Receives a participant who is about to leave, before {@link Game#leave}. */
-  void leaving(Simulation s, int id);
+  default void leaving(Simulation s, int id) {}
 
   /**
    * Receives the simulation before a step. The step will handle the messages that {@link

@@ -377,7 +377,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * Destroys an entity with its joints, and with the root of an assembly all of it. If it was a
    * player's body, the player then has none. Nothing happens when the entity is gone already.
    *
-   * <p>{@link Game#input} may call it on both roles. A client foresees it for what belongs to the
+   * <p>{@link Game#input} may call it on both roles. A client predicts it for what belongs to the
    * player and isn't its body. All else stays there until the server's word.
    *
    * @throws IllegalStateException during the physics
@@ -514,7 +514,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   /**
    * Asks the room to play something else after this tick: another level, or another game. It loads
    * while this match goes on, which takes some ticks, and then begins at tick 0 with the same
-   * players. If it can't be played, this match goes on. Of several wishes in a tick the last
+   * players. If it can't be played, this match goes on. Of several requests in a tick the last
    * counts, and while one loads, further ones are ignored. It is not part of the state; without a
    * room, and on {@link Role#PREDICTION}, nothing happens.
    */
@@ -615,7 +615,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Returns what the game does again and again although no client can foresee it, with advice; on
+   * Returns what the game does again and again although no client can predict it, with advice; on
    * {@link Role#AUTHORITY}, about what clients predict. No part of the state.
    */
   public Findings findings() {

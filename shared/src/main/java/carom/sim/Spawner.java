@@ -42,9 +42,9 @@ final class Spawner {
   }
 
   /** Removes what a player's input spawned on PREDICTION, unless the player is the own one. */
-  void dropUnforeseen(Player player) {
-    boolean foreseen = parts.ownSpawns != null && parts.ownSpawns.foresees(player.id());
-    for (int i = provisional.count() - 1; i >= 0 && !foreseen; i--) {
+  void dropUnpredicted(Player player) {
+    boolean predicted = parts.ownSpawns != null && parts.ownSpawns.predicts(player.id());
+    for (int i = provisional.count() - 1; i >= 0 && !predicted; i--) {
       if (provisional.at(i).ownerId() == player.id()) {
         entities.despawn(provisional.at(i));
       }
@@ -121,7 +121,7 @@ final class Spawner {
     entities.despawn(entity);
   }
 
-  /** Returns whether a server, or a client that foresees it, despawns an entity in an input. */
+  /** Returns whether a server, or a client that predicts it, despawns an entity in an input. */
   private boolean mayDespawn(Entity entity) {
     boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body();
     return parts.role == Role.AUTHORITY || isOwn;

@@ -153,7 +153,7 @@ final class Tick {
       calls.inInput(false);
     }
     if (parts.role == Role.PREDICTION) {
-      spawner.dropUnforeseen(player);
+      spawner.dropUnpredicted(player);
     }
   }
 

@@ -48,6 +48,24 @@ public final class Texts {
     return point == '\n' || point == '\r' || point == '\t' || point == 0x2028 || point == 0x2029;
   }
 
+  /**
+   * Returns whether a character has no shape of its own or none that is known: control and format
+   * characters, lone surrogates, private and unassigned ones, separators of lines and paragraphs.
+   */
+  public static boolean isInvisible(int point) {
+    return switch (Character.getType(point)) {
+      case Character.CONTROL,
+          Character.FORMAT,
+          Character.SURROGATE,
+          Character.UNASSIGNED,
+          Character.PRIVATE_USE,
+          Character.LINE_SEPARATOR,
+          Character.PARAGRAPH_SEPARATOR ->
+          true;
+      default -> false;
+    };
+  }
+
   private static boolean isHidden(int point) {
     return switch (Character.getType(point)) {
       case Character.CONTROL, Character.FORMAT, Character.SURROGATE, Character.PRIVATE_USE -> true;
@@ -55,7 +73,8 @@ public final class Texts {
     };
   }
 
-  private static boolean isMark(int point) {
+  /** Returns whether a character is an accent or another mark on the character before it. */
+  public static boolean isMark(int point) {
     int type = Character.getType(point);
     return type == Character.NON_SPACING_MARK
         || type == Character.ENCLOSING_MARK

@@ -10,10 +10,10 @@ import carom.sim.joint.JointTable;
 import java.util.Arrays;
 
 /**
- * Measures how far the pictures of one client draw joints torn open: the distance of both anchors
- * of a hinge, and of a wheel from its axis. A blow tears joints open in the world, too; so what
- * counts is by how much a picture exceeds what there was lately, in the server's world or in the
- * client's prediction.
+ * Measures how far the pictures of one client draw joints apart: the distance of both anchors of a
+ * hinge, and of a wheel from its axis. A blow tears joints open in the world, too; so what counts
+ * is by how much a picture exceeds what there was lately, in the server's world or in the client's
+ * prediction.
  */
 public final class AnchorGaps {
   /** Ticks for which a joint is excused by what it was in a world. */

@@ -42,7 +42,7 @@ public final class ForceGame implements Game {
   /** Tag of bodies that look at the ground and hover over it. */
   public static final int HOVER = 3;
 
-  /** Tag of bodies that the rules push before every step, which no client can foresee. */
+  /** Tag of bodies that the rules push before every step, which no client can predict. */
   public static final int PUSHED = 4;
 
   /** Tag of bodies that the rules throw up every second and a half. */

@@ -136,12 +136,12 @@ public final class MachineGame implements Game {
     link = s.archetypes().add(new ArchetypeDef("link").shape(new Box(0.09f, 0.05f), METAL));
     load = s.archetypes().add(new ArchetypeDef("load").shape(new Box(0.5f, 0.5f), METAL));
     if (s.role() == Role.AUTHORITY) {
-      furnish(s);
+      build(s);
     }
   }
 
   /** Makes what the level's spawns name: ragdolls, bridges, cranes and crates. */
-  private void furnish(Simulation s) {
+  private void build(Simulation s) {
     for (Level.Spawn spot : s.level().spawns()) {
       switch (spot.name()) {
         case "ragdoll" -> ragdoll(s, spot.x(), spot.y());

@@ -326,9 +326,16 @@ final class ArchitectureTest {
     allow("carom.text");
     allow("carom.json", "carom.text");
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
+    allow("carom.net.admission");
     allow("carom.net.seal");
     allow("carom.net.datagram");
-    allow("carom.net.frame", "carom.net.protocol", "carom.net.transport", "carom.net.seal");
+    allow(
+        "carom.net.frame",
+        "carom.net.protocol",
+        "carom.net.transport",
+        "carom.net.seal",
+        "carom.net.admission",
+        "carom.text");
     allow(
         "carom.net.kryo",
         "carom.text",
@@ -336,6 +343,7 @@ final class ArchitectureTest {
         "carom.net.transport",
         "carom.net.seal",
         "carom.net.datagram",
+        "carom.net.admission",
         "carom.net.frame",
         "carom.net.codec",
         "carom.values");

@@ -268,8 +268,7 @@ final class EndingWordsTest {
     command.addAll(List.of("-Dkryo.unsafe=false", "-XX:+UseSerialGC"));
     command.addAll(List.of("-cp", System.getProperty("java.class.path")));
     command.addAll(List.of(ClientMain.class.getName(), "--headless"));
-    command.addAll(List.of("--tcp-port", Integer.toString(real.tcpPort())));
-    command.addAll(List.of("--udp-port", Integer.toString(real.udpPort())));
+    command.addAll(List.of("--host", "localhost:" + real.tcpPort()));
     command.addAll(List.of(flags));
     return new ProcessBuilder(command)
         .redirectErrorStream(true)

@@ -13,9 +13,8 @@ import carom.net.transport.Impairment;
 import carom.net.transport.InProcessNetwork;
 import carom.physics.Body;
 import carom.sim.entity.Entity;
-import carom.sim.entity.Input;
 import carom.sim.level.Level;
-import carom.sim.random.SimRandom;
+import carom.testkit.Scripts;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
@@ -99,19 +98,6 @@ final class PredictionScenarioTest {
     }
   }
 
-  private static InputSource wanderer(long seed) {
-    SimRandom random = new SimRandom(seed);
-    Input held = new Input();
-    return (view, tick, out) -> {
-      if (random.nextInt(12) == 0) {
-        held.move(2 * random.nextFloat() - 1, 2 * random.nextFloat() - 1);
-        held.hold(Input.ACTION, random.nextInt(3) == 0);
-        held.hold(Input.JUMP, random.nextInt(3) == 0);
-      }
-      out.set(held);
-    };
-  }
-
   @Test
   void aloneAmongWallsNothingIsEverCorrected() throws Exception {
     for (Impairment bad :
@@ -119,7 +105,7 @@ final class PredictionScenarioTest {
           Impairment.NONE.withLatency(75, 0),
           Impairment.NONE.withSeed(5).withLatency(50, 10).withLoss(2)
         }) {
-      start(arena(), bad, wanderer(3));
+      start(arena(), bad, Scripts.wander(3));
       run(3);
       long before = client.stats().corrections();
       long compared = client.stats().compared();
@@ -140,7 +126,7 @@ final class PredictionScenarioTest {
     Level stairs = Level.parse("stairs.json", STAIRS.getBytes(StandardCharsets.UTF_8));
     for (int seed = 0; seed < 4; seed++) {
       Impairment bad = Impairment.NONE.withSeed(seed).withLatency(60, 8).withLoss(seed);
-      start(stairs, bad, wanderer(seed));
+      start(stairs, bad, Scripts.wander(seed));
       double highest = 0;
       for (int i = 0; i < 200; i++) {
         run(0.1);
@@ -158,7 +144,7 @@ final class PredictionScenarioTest {
 
   @Test
   void amongCratesCorrectionsAreTooSmallToSee() throws Exception {
-    start(Level.builtIn("platformer"), Impairment.NONE.withLatency(60, 0), wanderer(11));
+    start(Level.builtIn("platformer"), Impairment.NONE.withLatency(60, 0), Scripts.wander(11));
     run(25);
     assertTrue(client.stats().compared() > 1_000);
     double exact = client.stats().exactRate();
@@ -195,7 +181,7 @@ final class PredictionScenarioTest {
 
   @Test
   void aDeadlineMissedByASlowFrameIsMadeUp() throws Exception {
-    start(arena(), Impairment.NONE.withLatency(40, 0), wanderer(9));
+    start(arena(), Impairment.NONE.withLatency(40, 0), Scripts.wander(9));
     run(3);
     for (int i = 0; i < 60; i++) { // one second without a frame
       now += ScriptedServer.TICK_NS;

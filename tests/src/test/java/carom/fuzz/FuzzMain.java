@@ -1,12 +1,10 @@
 package carom.fuzz;
 
+import carom.testkit.Folders;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.SimpleFileVisitor;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -113,7 +111,7 @@ public final class FuzzMain implements Callable<Integer> {
 
   private Outcome fuzz(String target) throws Exception {
     Path folder = folder(target);
-    delete(folder.resolve("corpus"));
+    Folders.delete(folder.resolve("corpus"));
     Path corpus = Files.createDirectories(folder.resolve("corpus"));
     int number = 0;
     for (byte[] input : FuzzTargets.inputs(target)) {
@@ -177,7 +175,7 @@ public final class FuzzMain implements Callable<Integer> {
   /** Writes the smallest corpus that covers the same, without what would make it too large. */
   private void keep(String target) throws Exception {
     Path folder = folder(target);
-    delete(folder.resolve("smallest"));
+    Folders.delete(folder.resolve("smallest"));
     Path smallest = Files.createDirectories(folder.resolve("smallest"));
     int exit =
         jazzer(
@@ -209,27 +207,5 @@ public final class FuzzMain implements Callable<Integer> {
         zip.closeEntry();
       }
     }
-  }
-
-  private static void delete(Path folder) throws IOException {
-    if (!Files.exists(folder)) {
-      return;
-    }
-    Files.walkFileTree(
-        folder,
-        new SimpleFileVisitor<>() {
-          @Override
-          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
-              throws IOException {
-            Files.delete(file);
-            return FileVisitResult.CONTINUE;
-          }
-
-          @Override
-          public FileVisitResult postVisitDirectory(Path dir, IOException e) throws IOException {
-            Files.delete(dir);
-            return FileVisitResult.CONTINUE;
-          }
-        });
   }
 }

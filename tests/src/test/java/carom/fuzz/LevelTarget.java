@@ -1,12 +1,10 @@
 package carom.fuzz;
 
-import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.Simulation;
-import carom.sim.entity.Input;
-import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -32,7 +30,7 @@ final class LevelTarget implements FuzzTarget {
     }
     Simulation simulation;
     try {
-      simulation = new Simulation(new PlainGame(), level, 1, 60, Role.AUTHORITY);
+      simulation = new Simulation(new PlainGame("plain"), level, 1, 60, Role.AUTHORITY);
     } catch (IllegalArgumentException e) {
       printable(e.getMessage());
       return;
@@ -55,28 +53,6 @@ final class LevelTarget implements FuzzTarget {
     }
     seeds.add(SMALL_LEVEL.getBytes(StandardCharsets.UTF_8));
     return seeds;
-  }
-
-  /** A game without rules. */
-  private static final class PlainGame implements Game {
-    @Override
-    public String name() {
-      return "plain";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "arena";
-    }
-
-    @Override
-    public void setUp(Simulation s) {}
-
-    @Override
-    public void join(Simulation s, Player p) {}
-
-    @Override
-    public void input(Simulation s, Player p, Input in) {}
   }
 
   private static final String SMALL_LEVEL =

@@ -5,13 +5,12 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
-import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
-import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.testkit.Levels;
 import carom.testkit.Stepper;
+import carom.testkit.Stranger;
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -33,40 +32,19 @@ final class SessionTarget implements FuzzTarget {
 
   private final KryoMessageCodec codec = new KryoMessageCodec();
 
-  /** What a peer knows of its session. */
-  private static final class Peer implements LinkHandler {
-    private ServerMessage.Welcome welcome;
-    private boolean closed;
-
-    @Override
-    public void message(Link from, Object message) {
-      if (message instanceof ServerMessage.Welcome w) {
-        welcome = w;
-      }
-    }
-
-    @Override
-    public void datagram(Link from, byte[] bytes, int length) {}
-
-    @Override
-    public void closed(Link from, String reason) {
-      closed = true;
-    }
-  }
-
   @Override
   public void take(byte[] data) {
     try (Stepper stepper = Stepper.of(Levels.emptyPlatformer(), ServerConfig.defaults())) {
       stepper.expectExpulsions();
       Pieces pieces = new Pieces(data);
-      Peer peer = new Peer();
+      Stranger peer = new Stranger();
       Link link = stepper.transport().connect("localhost", 0, 0);
       int count = 0;
       for (byte[] piece = pieces.next();
           piece != null && count < MOST_PIECES;
           piece = pieces.next(), count++) {
-        if (peer.closed) {
-          peer = new Peer();
+        if (peer.closed()) {
+          peer = new Stranger();
           link = stepper.transport().connect("localhost", 0, 0);
         }
         act(stepper, link, peer, pieces.kind() % KINDS, piece);
@@ -80,8 +58,8 @@ final class SessionTarget implements FuzzTarget {
     }
   }
 
-  private void act(Stepper stepper, Link link, Peer peer, int kind, byte[] piece) {
-    int key = peer.welcome == null ? 0 : peer.welcome.datagramKey();
+  private void act(Stepper stepper, Link link, Stranger peer, int kind, byte[] piece) {
+    int key = peer.welcome() == null ? 0 : peer.welcome().datagramKey();
     switch (kind) {
       case MESSAGE -> {
         if (codec.decode(piece, 0, piece.length) instanceof ClientMessage message) {

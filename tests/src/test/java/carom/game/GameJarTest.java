@@ -6,10 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.arena.ArenaGame;
 import carom.game.tag.TagGame;
-import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.testkit.PlainGame;
 import java.io.File;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
@@ -28,29 +25,11 @@ class GameJarTest {
   @TempDir Path folder;
 
   /** A game whose author forgot a file that it reads at once. */
-  public static final class Forgetful implements Game {
+  public static final class Forgetful extends PlainGame {
     public Forgetful() {
+      super("forgetful", "arena");
       throw new IllegalStateException("no file of rules");
     }
-
-    @Override
-    public String name() {
-      return "forgetful";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "arena";
-    }
-
-    @Override
-    public void setUp(Simulation s) {}
-
-    @Override
-    public void join(Simulation s, Player p) {}
-
-    @Override
-    public void input(Simulation s, Player p, Input in) {}
   }
 
   /** The programs' class path, and behind it a folder that lists these games. */

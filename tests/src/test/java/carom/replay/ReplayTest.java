@@ -323,7 +323,7 @@ final class ReplayTest {
   }
 
   @Test
-  void whoeverSetsTheGameUpDifferentlyDivergesAtTickZero() throws Exception {
+  void aGameThatIsSetUpDifferentlyDivergesAtTickZero() throws Exception {
     Blocks blocks = duel(10);
     RecordingHeader h = RecordingHeader.of(start(), 8, 99); // another seed
     ByteSink header = new ByteSink();

@@ -45,7 +45,7 @@ class EdgeScenarioTest {
   @ValueSource(ints = {10, 20, 30, 128, 240})
   void everyTickRatePlays(int tickRateHz) throws Exception {
     // Goal: the rate is a setting, not an assumption. Method: agreement at rates from end to end;
-    // a player alone is foreseen exactly at each.
+    // a player alone is predicted exactly at each.
     ServerConfig config = ServerConfig.defaults().withTickRateHz(tickRateHz);
     try (Stepper stepper = Stepper.of(arena(), config)) {
       stepper.add("a", FAR, new Bot(1));

@@ -31,7 +31,7 @@ class EventScenarioTest {
   private static final double PLAY_SECONDS = 6;
   private static final double REST_SECONDS = 3;
 
-  /** An event that was foreseen may be up to a fifth of a second away from the server's. */
+  /** An event that was predicted may be up to a fifth of a second away from the server's. */
   private static final int TOLERANCE = 12;
 
   /** What one client hears. */
@@ -39,7 +39,7 @@ class EventScenarioTest {
     private final SimulatedClient client;
     private final Map<String, List<Integer>> ticks = new TreeMap<>();
     private int lastTick;
-    private int foreseen;
+    private int predicted;
     private int retracted;
     private int heard;
 
@@ -49,9 +49,9 @@ class EventScenarioTest {
     }
 
     @Override
-    public void happened(Event e, boolean isForeseen) {
+    public void happened(Event e, boolean isPredicted) {
       heard++;
-      foreseen += isForeseen ? 1 : 0;
+      predicted += isPredicted ? 1 : 0;
       ticks.computeIfAbsent(signature(e), s -> new ArrayList<>()).add(e.tick());
       int me = client.view().playerId();
       boolean own = e.player() == me || isOwnBody(e.first()) || isOwnBody(e.second());
@@ -124,15 +124,15 @@ class EventScenarioTest {
       Map<String, List<Integer>> truth = told(ring, from);
       assertTrue(ring.limit() - from > 20, "events=" + (ring.limit() - from));
       assertEquals(0, stepper.count(Counter.EVENTS_LOST));
-      int foreseen = 0;
+      int predicted = 0;
       for (Ear ear : ears) {
         String about = line + " " + ear.client + " heard=" + ear.heard;
         assertEquals(0, ear.client.stats().reconnects(), about);
         assertEquals(0, ear.client.stats().eventsMissed(), about);
         requireSame(truth, ear.ticks, about);
-        foreseen += ear.foreseen - ear.retracted;
+        predicted += ear.predicted - ear.retracted;
       }
-      assertTrue(foreseen > 0, "somebody's own deeds were foreseen");
+      assertTrue(predicted > 0, "somebody's own deeds were predicted");
     }
   }
 
@@ -219,7 +219,7 @@ class EventScenarioTest {
         jumps += e.getKey().startsWith("0 ") ? e.getValue().size() : 0;
       }
       assertTrue(jumps > 5, "jumps=" + jumps);
-      assertEquals(jumps, ear.foreseen);
+      assertEquals(jumps, ear.predicted);
       assertEquals(0, ear.retracted);
     }
   }

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Goal: what areas and a game's forces do to bodies is foreseen by clients, bit for bit. Method:
+ * Goal: what areas and a game's forces do to bodies is predicted by clients, bit for bit. Method:
  * real server and clients in virtual time at 150 ms and 2 % loss, the clients' own counts.
  */
 class ForceScenarioTest {
@@ -123,7 +123,7 @@ class ForceScenarioTest {
   @ParameterizedTest(name = "{0}")
   @MethodSource("rules")
   void whatTheRulesDoIsToldAndNotFoundOut(String what, int tag, String thing, int tens) {
-    // Goal: what no client can foresee is told as what it is: nearly no body is wrong without
+    // Goal: what no client can predict is told as what it is: nearly no body is wrong without
     // having
     // been told why, and the predicted set is rarely told anew. Method: a wanderer among crates
     // that the rules push, for half a minute.

@@ -8,16 +8,15 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
-import carom.net.protocol.ServerMessage;
 import carom.net.transport.Impairment;
 import carom.net.transport.Link;
-import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import carom.testkit.Stranger;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -34,12 +33,10 @@ class HostileScenarioTest {
   private record Result(long hash, long snapshots, double gapP99Ms, long corrections) {}
 
   /** A peer that talks as it likes. */
-  private static final class Offender implements LinkHandler {
+  private static final class Offender extends Stranger {
     final Link link;
     final long fields;
     final Random random;
-    ServerMessage.Welcome welcome;
-    boolean closed;
     boolean saidReady;
 
     Offender(Link link, long fields, long seed) {
@@ -54,7 +51,7 @@ class HostileScenarioTest {
 
     /** The key of the last Welcome, or any number. */
     int key() {
-      return welcome == null ? 0 : welcome.datagramKey();
+      return welcome() == null ? 0 : welcome().datagramKey();
     }
 
     void poll() {
@@ -65,9 +62,9 @@ class HostileScenarioTest {
     void garbageDatagram() {
       byte[] bytes = new byte[1 + random.nextInt(1_200)];
       random.nextBytes(bytes);
-      if (welcome != null && random.nextBoolean() && bytes.length > 4) {
+      if (welcome() != null && random.nextBoolean() && bytes.length > 4) {
         for (int i = 0; i < 4; i++) {
-          bytes[i] = (byte) (welcome.datagramKey() >>> 8 * i);
+          bytes[i] = (byte) (welcome().datagramKey() >>> 8 * i);
         }
       }
       link.sendDatagram(bytes, 0, bytes.length);
@@ -76,7 +73,7 @@ class HostileScenarioTest {
     /** Well-formed, with the right key, and absurd: any tick, any ack, any input. */
     void absurdInput() {
       InputDatagram datagram = new InputDatagram();
-      datagram.key = welcome.datagramKey();
+      datagram.key = welcome().datagramKey();
       datagram.sequence = random.nextInt(1 << 16);
       datagram.hasAck = true;
       datagram.ackSequence = random.nextInt(1 << 16);
@@ -100,21 +97,6 @@ class HostileScenarioTest {
         case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
         default -> link.send(new ClientMessage.Leave());
       }
-    }
-
-    @Override
-    public void message(Link from, Object message) {
-      if (message instanceof ServerMessage.Welcome w) {
-        welcome = w;
-      }
-    }
-
-    @Override
-    public void datagram(Link from, byte[] bytes, int length) {}
-
-    @Override
-    public void closed(Link from, String reason) {
-      closed = true;
     }
   }
 
@@ -140,7 +122,7 @@ class HostileScenarioTest {
         for (int i = 0; i < strangers; i++) {
           Offender o = offenders.get(i);
           o.poll();
-          if (o.closed) {
+          if (o.closed()) {
             offenders.set(i, offender(stepper, i + slice));
           } else if (o.random.nextInt(40) == 0) {
             // Never the one sentence that lets one in.
@@ -185,9 +167,9 @@ class HostileScenarioTest {
       Offender offender = offender(stepper, 1);
       for (int slice = 0; slice < 5_000; slice++) {
         offender.poll();
-        if (offender.closed) {
+        if (offender.closed()) {
           offender = offender(stepper, slice);
-        } else if (offender.welcome == null) {
+        } else if (offender.welcome() == null) {
           if (slice % 50 == 0) {
             offender.hello();
           }

@@ -350,7 +350,7 @@ final class MachineScenarioTest {
   @ParameterizedTest
   @ValueSource(strings = {"bridge", "ragdolls", "ropes"})
   void spectatorsSeeTheJointsOfAScene(String name) {
-    // Goal: --scene shows joints over the network: all are drawn, none torn open, and those that
+    // Goal: --scene shows joints over the network: all are drawn, none apart, and those that
     // broke are gone. Method: a spectator of a scene for a quarter of a minute.
     Level level = SceneGame.level(Scenes.get(name));
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
@@ -389,7 +389,8 @@ final class MachineScenarioTest {
   @ParameterizedTest(name = "{0}")
   @MethodSource("machines")
   void jointsHoldTogetherInThePicture(String what, String more) {
-    // Goal: no hinge is drawn torn open. Method: the distance of both anchors in every picture.
+    // Goal: no revolute joint is drawn apart. Method: the distance of both anchors in every
+    // picture.
     Level level = MachineGame.level(more);
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));

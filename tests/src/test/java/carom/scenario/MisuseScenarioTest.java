@@ -10,7 +10,6 @@ import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Game;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
@@ -22,6 +21,7 @@ import carom.sim.finding.Findings;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.testkit.PlainGame;
 import carom.testkit.Scripts;
 import carom.testkit.Stepper;
 import java.nio.charset.StandardCharsets;
@@ -40,17 +40,11 @@ class MisuseScenarioTest {
   private static final Ratio NITRO = Field.ratio("nitro").to(Audience.OWNER).startsAt(1);
 
   /** The nitro grows after each step, and input drives with it. */
-  public static final class Unwise implements Game {
+  public static final class Unwise extends PlainGame {
     private Archetype disc;
 
-    @Override
-    public String name() {
-      return "unwise";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "unwise";
+    public Unwise() {
+      super("unwise");
     }
 
     @Override

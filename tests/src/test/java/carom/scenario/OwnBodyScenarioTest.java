@@ -10,7 +10,6 @@ import carom.sim.Journal;
 import carom.sim.Simulation;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
-import carom.sim.message.PlayerRole;
 import carom.testkit.Condition;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;
@@ -93,18 +92,6 @@ class OwnBodyScenarioTest {
       this.given = given;
       this.player = player;
     }
-
-    @Override
-    public void joining(Simulation s, int id, String name) {}
-
-    @Override
-    public void watching(Simulation s, int id, String name) {}
-
-    @Override
-    public void changing(Simulation s, int id, PlayerRole role) {}
-
-    @Override
-    public void leaving(Simulation s, int id) {}
 
     @Override
     public void stepping(Simulation s) {

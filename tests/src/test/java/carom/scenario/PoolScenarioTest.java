@@ -27,7 +27,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: all clients have the particles of the server, and foresee what these do to bodies. Method:
+ * Goal: all clients have the particles of the server, and predict what these do to bodies. Method:
  * the level that ships with pools, real server and clients in virtual time.
  */
 class PoolScenarioTest {
@@ -69,7 +69,7 @@ class PoolScenarioTest {
   }
 
   @Test
-  void twoClientsHaveTheServersParticlesAndForeseeWhatTheyDoToBodies() throws Exception {
+  void twoClientsHaveTheServersParticlesAndPredictWhatTheyDoToBodies() throws Exception {
     try (Stepper stepper = sluice()) {
       ClientConfig all = ClientConfig.of("p").withPrediction(PredictionMode.ALL);
       SimulatedClient p = stepper.add(all, FAR, Scripts.wander(Stepper.SEED));

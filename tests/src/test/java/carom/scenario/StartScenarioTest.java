@@ -28,6 +28,7 @@ import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.testkit.PlainGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -50,18 +51,12 @@ final class StartScenarioTest {
       Field.choice("sort", Audience.class).of(Scope.ENTITY);
 
   /** Discs hit crates; each hit costs the crate a point, and every crate can die and come back. */
-  public static final class Crates implements Game {
+  public static final class Crates extends PlainGame {
     private Archetype disc;
     private Archetype tank;
 
-    @Override
-    public String name() {
-      return "crates";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "crates";
+    public Crates() {
+      super("crates");
     }
 
     @Override

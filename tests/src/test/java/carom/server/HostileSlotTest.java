@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.replay.RecordingReader;
 import carom.server.metrics.Counter;
+import carom.testkit.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -116,7 +117,7 @@ class HostileSlotTest {
       return tick;
     } finally {
       server.close();
-      KeptServer.delete(run);
+      Folders.delete(run);
     }
   }
 

@@ -130,4 +130,17 @@ final class JoinTokenTest {
     FakeClient thief = join("Ann", "", secret + 1);
     assertEquals(RefusalReason.TOKEN_INVALID, thief.refused.reason());
   }
+
+  @Test
+  void anAccountThatIsBannedWhileItIsAwayDoesNotComeBack() throws Exception {
+    FakeClient ann = join("Ann", token("{\"sub\":\"7\",\"exp\":1800000060}"), 0);
+    for (int i = 0; i < 10; i++) {
+      rig.step();
+    }
+    ann.link.close("lost");
+    Files.writeString(folder.resolve("bans.txt"), "account 7 cheats\n");
+    demandTokens();
+    FakeClient again = join("Ann", "", ann.welcome.sessionSecret());
+    assertEquals(RefusalReason.BANNED, again.refused.reason());
+  }
 }

@@ -11,6 +11,7 @@ import carom.server.match.MatchLibrary;
 import carom.server.room.Room;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.testkit.Folders;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -149,18 +150,7 @@ final class KeptServer implements AutoCloseable {
         if (attempt == 100) {
           throw e;
         }
-        delete(to);
-      }
-    }
-  }
-
-  static void delete(Path folder) throws IOException {
-    if (!Files.exists(folder)) {
-      return;
-    }
-    try (Stream<Path> files = Files.walk(folder)) {
-      for (Path file : files.sorted((a, b) -> b.compareTo(a)).toList()) {
-        Files.delete(file);
+        Folders.delete(to);
       }
     }
   }

@@ -102,7 +102,7 @@ class LobbyTest {
   }
 
   @Test
-  void whoeverLostTheConnectionFirstGivesWayToANewcomerOfAFullServer() {
+  void theSeatOfThePlayerWhoLostTheConnectionFirstGoesToANewcomerOfAFullServer() {
     FakeClient first = rig.join("a");
     FakeClient second = rig.join("b");
     first.link.close("gone");

@@ -2,7 +2,6 @@ package carom.server;
 
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
@@ -16,12 +15,13 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Random;
 
 /** A game with balls without gravity, one of which each player steers. It fails on demand. */
-final class TestGame implements Game {
+final class TestGame extends PlainGame {
   static final float SPEED = 6;
 
   private static final String LEVEL =
@@ -47,7 +47,7 @@ final class TestGame implements Game {
   /** All balls begin around the first player's body, in touch with each other. */
   boolean crowded;
 
-  /** Two teams that don't see each other; who presses the action emits an event. */
+  /** Two teams that don't see each other; a player that acts emits an event. */
   boolean teamsHide;
 
   boolean relaysAhead = true;
@@ -66,6 +66,7 @@ final class TestGame implements Game {
   EventKind shout;
 
   TestGame(int balls) {
+    super("test");
     this.balls = balls;
   }
 
@@ -90,16 +91,6 @@ final class TestGame implements Game {
     } catch (LevelException e) {
       throw new AssertionError(e);
     }
-  }
-
-  @Override
-  public String name() {
-    return "test";
-  }
-
-  @Override
-  public String defaultLevel() {
-    return "test";
   }
 
   @Override

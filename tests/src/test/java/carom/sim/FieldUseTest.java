@@ -18,6 +18,7 @@ import carom.sim.field.Ratio;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.function.BiConsumer;
@@ -26,7 +27,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: a game that uses fields so that clients can't foresee them is told which, where and how.
+ * Goal: a game that uses fields so that clients can't predict them is told which, where and how.
  */
 final class FieldUseTest {
   private static final Ratio NITRO = Field.ratio("nitro").to(Audience.OWNER).startsAt(1);
@@ -37,20 +38,14 @@ final class FieldUseTest {
   private final Rules rules = new Rules();
   private Simulation s;
 
-  private static final class Rules implements Game {
+  private static final class Rules extends PlainGame {
     BiConsumer<Simulation, Player> input = (s, p) -> {};
     BiConsumer<Simulation, Entity> forces = (s, e) -> {};
     Consumer<Simulation> afterStep = s -> {};
     private Archetype disc;
 
-    @Override
-    public String name() {
-      return "test";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "test";
+    Rules() {
+      super("test");
     }
 
     @Override

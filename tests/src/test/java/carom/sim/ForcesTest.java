@@ -11,8 +11,6 @@ import carom.physics.QueryHit;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.sim.entity.Entity;
-import carom.sim.entity.Input;
-import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
@@ -21,6 +19,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Area;
 import carom.sim.level.Level;
+import carom.testkit.PlainGame;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
@@ -39,7 +38,7 @@ final class ForcesTest {
   private final Rules rules = new Rules();
 
   /** A game whose forces a test gives. */
-  private static final class Rules implements Game {
+  private static final class Rules extends PlainGame {
     BiConsumer<Simulation, Entity> forces = (s, e) -> {};
     Archetype crate;
     Archetype marked;
@@ -48,14 +47,8 @@ final class ForcesTest {
     Archetype switched;
     List<Field<?>> fields = List.of(POWER);
 
-    @Override
-    public String name() {
-      return "test";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "test";
+    Rules() {
+      super("test");
     }
 
     @Override
@@ -95,12 +88,6 @@ final class ForcesTest {
     private static Material wood() {
       return new Material(1, 0.5f, 0);
     }
-
-    @Override
-    public void join(Simulation s, Player p) {}
-
-    @Override
-    public void input(Simulation s, Player p, Input in) {}
 
     @Override
     public void forces(Simulation s, Entity e) {

@@ -21,12 +21,12 @@ import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Transform;
 import carom.sim.entity.Entity;
-import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -49,18 +49,12 @@ final class LookingBackTest {
   private static final float EPS = 1e-4f;
 
   /** Things without a purpose. */
-  private static final class Things implements Game {
+  private static final class Things extends PlainGame {
     private final Archetype[] kinds = new Archetype[SHAPES.length];
     private boolean looksBack = true;
 
-    @Override
-    public String name() {
-      return "things";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "arena";
+    Things() {
+      super("things", "arena");
     }
 
     @Override
@@ -79,12 +73,6 @@ final class LookingBackTest {
         kinds[i] = s.archetypes().add(new ArchetypeDef("thing" + i).shape(SHAPES[i], SKIN));
       }
     }
-
-    @Override
-    public void join(Simulation s, Player p) {}
-
-    @Override
-    public void input(Simulation s, Player p, Input in) {}
   }
 
   private static final Material SKIN = new Material(1, 0.3f, 0.2f);

@@ -4,11 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.match.MatchPhase;
 import carom.sim.match.NextMatch;
+import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,15 +19,9 @@ class MatchClockTest {
   private final List<String> told = new ArrayList<>();
   private MatchClock clock;
 
-  private final class ClockGame implements Game {
-    @Override
-    public String name() {
-      return "clock";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "none";
+  private final class ClockGame extends PlainGame {
+    ClockGame() {
+      super("clock", "none");
     }
 
     @Override
@@ -39,15 +33,6 @@ class MatchClockTest {
     public void phase(Simulation s, MatchPhase now) {
       told.add(now.text() + "@" + s.tick());
     }
-
-    @Override
-    public void setUp(Simulation s) {}
-
-    @Override
-    public void join(Simulation s, Player p) {}
-
-    @Override
-    public void input(Simulation s, Player p, Input in) {}
   }
 
   private Simulation start(MatchClock withClock, Role role) throws Exception {

@@ -28,6 +28,7 @@ import carom.sim.message.BuiltInKinds;
 import carom.sim.message.MessageKind;
 import carom.sim.message.PlayerRole;
 import carom.sim.outbox.Delivery;
+import carom.testkit.PlainGame;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -38,7 +39,7 @@ import org.junit.jupiter.api.Test;
  */
 final class RosterTest {
   /** Discs in two teams, at most three of them. Nobody leaves while the door is shut. */
-  private static class Discs implements Game {
+  private static class Discs extends PlainGame {
     static final Count LIVES = Field.count("lives", 0, 9).startsAt(3);
     static final PlayerRef LEADER = Field.player("leader").of(Scope.MATCH);
     static final MessageKind WAVE = MessageKind.named("wave").fromClient();
@@ -46,14 +47,8 @@ final class RosterTest {
     String shut;
     Archetype disc;
 
-    @Override
-    public String name() {
-      return "discs";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "arena";
+    Discs() {
+      super("discs", "arena");
     }
 
     @Override

@@ -8,11 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.Body;
 import carom.physics.rows.BodyRow;
 import carom.sim.entity.Entity;
-import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.ruling.Ruling;
 import carom.sim.ruling.RulingLog;
 import carom.testkit.ForceGame;
+import carom.testkit.PlainGame;
 import java.util.Random;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
@@ -82,21 +82,12 @@ final class RulingTest {
   }
 
   /** Pushes a crate when a player joins, when one leaves, and on demand before each step. */
-  private static final class Pusher implements Game {
+  private static final class Pusher extends PlainGame {
     private boolean pushes;
 
-    @Override
-    public String name() {
-      return "pusher";
+    Pusher() {
+      super("pusher");
     }
-
-    @Override
-    public String defaultLevel() {
-      return "pusher";
-    }
-
-    @Override
-    public void setUp(Simulation s) {}
 
     @Override
     public void join(Simulation s, Player p) {
@@ -107,9 +98,6 @@ final class RulingTest {
     public void leave(Simulation s, Player p) {
       push(s);
     }
-
-    @Override
-    public void input(Simulation s, Player p, Input in) {}
 
     @Override
     public void beforeStep(Simulation s) {

@@ -25,6 +25,7 @@ import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.level.ScriptedMotion;
 import carom.sim.outbox.Outbox;
+import carom.testkit.PlainGame;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
@@ -36,17 +37,11 @@ class SimulationTest {
   private static final Ratio FUEL = Field.ratio("fuel").of(Scope.ENTITY);
 
   /** Does nothing but register one kind. */
-  private static final class Quiet implements Game {
+  private static final class Quiet extends PlainGame {
     Archetype disc;
 
-    @Override
-    public String name() {
-      return "quiet";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "quiet";
+    Quiet() {
+      super("quiet");
     }
 
     @Override

@@ -41,24 +41,13 @@ public final class NetworkOptions {
 
   @Option(
       names = "--host",
-      paramLabel = "HOST",
-      description = "Server's name or address (${DEFAULT-VALUE}).",
+      paramLabel = "HOST[:PORT]",
+      description =
+          "Server's name or address, and its TCP port where that isn't 54555 (${DEFAULT-VALUE})."
+              + " HOST:PORT/UDP if a router in between shows another UDP port than the server"
+              + " tells.",
       defaultValue = "localhost")
   String host = "localhost";
-
-  @Option(
-      names = "--tcp-port",
-      paramLabel = "N",
-      description = "Server's TCP port (${DEFAULT-VALUE}).",
-      defaultValue = "54555")
-  int tcpPort = ServerAddress.DEFAULT_TCP_PORT;
-
-  @Option(
-      names = "--udp-port",
-      paramLabel = "N",
-      description = "Server's UDP port (${DEFAULT-VALUE}).",
-      defaultValue = "54777")
-  int udpPort = ServerAddress.DEFAULT_UDP_PORT;
 
   @Option(
       names = "--room",
@@ -107,7 +96,7 @@ public final class NetworkOptions {
   /** Returns a config for this server and a player of this name. */
   public ClientConfig config(String name) {
     return ClientConfig.of(name)
-        .withServer(host, tcpPort, udpPort)
+        .withServer(address().host(), address().tcpPort(), address().udpPort())
         .withRoom(room)
         .withGame(game)
         .withToken(token);
@@ -115,11 +104,10 @@ public final class NetworkOptions {
 
   /** Returns what is wrong with the flags (flag, value, range), or null if nothing is. */
   public String problem() {
-    if (tcpPort < 1 || tcpPort > 65_535) {
-      return "--tcp-port=" + tcpPort + " is outside 1..65535";
-    }
-    if (udpPort < 1 || udpPort > 65_535) {
-      return "--udp-port=" + udpPort + " is outside 1..65535";
+    try {
+      address();
+    } catch (IllegalArgumentException e) {
+      return "--host=" + host + ": " + e.getMessage();
     }
     if (!room.isEmpty() && RoomName.problem(room) != null) {
       return "--room: " + RoomName.problem(room);
@@ -133,9 +121,13 @@ public final class NetworkOptions {
     return conditions.problem();
   }
 
-  /** Returns the server's address. */
+  /**
+   * Returns the server's address.
+   *
+   * @throws IllegalArgumentException when {@link #problem} says so
+   */
   public ServerAddress address() {
-    return new ServerAddress(host, tcpPort, udpPort);
+    return ServerAddress.parse(host);
   }
 
   /**
@@ -154,7 +146,7 @@ public final class NetworkOptions {
   public Trust trust(KnownServers known) {
     String fingerprint = fingerprint(token);
     if (fingerprint != null) {
-      known.expect(host + ":" + tcpPort, fingerprint);
+      known.expect(address().toString(), fingerprint);
     }
     return new Trust(encryption, known);
   }

@@ -15,6 +15,7 @@ import carom.client.desktop.paint.Theme;
 import carom.client.desktop.scene.SceneScreen;
 import carom.client.desktop.sound.AudioDevice;
 import carom.client.desktop.sound.EventSounds;
+import carom.client.discovery.LanSearch;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;
@@ -260,6 +261,15 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   @Override
   public void quit() {
     Gdx.app.exit();
+  }
+
+  @Override
+  public LanSearch searchLan() {
+    try {
+      return new LanSearch();
+    } catch (IOException e) {
+      return null; // the page says so
+    }
   }
 
   @Override

@@ -4,7 +4,6 @@ import carom.sim.Journal;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
-import carom.sim.message.PlayerRole;
 import carom.sim.outbox.Event;
 import java.util.ArrayList;
 import java.util.List;
@@ -111,18 +110,6 @@ public final class EventReconciler implements Journal {
   }
 
   // ---- the prediction
-
-  @Override
-  public void joining(Simulation s, int id, String name) {}
-
-  @Override
-  public void watching(Simulation s, int id, String name) {}
-
-  @Override
-  public void changing(Simulation s, int id, PlayerRole role) {}
-
-  @Override
-  public void leaving(Simulation s, int id) {}
 
   @Override
   public void stepping(Simulation s) {

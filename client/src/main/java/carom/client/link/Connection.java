@@ -119,8 +119,8 @@ public final class Connection implements LinkHandler {
    *
    * @param address of the server
    * @param playerName the player's name
-   * @param room name of the wished room, empty for any
-   * @param game name of the wished game, empty for any
+   * @param room name of the requested room, empty for any
+   * @param game name of the requested game, empty for any
    * @param token join token, empty for none
    * @param reconnects whether to come back after a link was lost
    */

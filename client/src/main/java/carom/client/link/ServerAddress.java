@@ -5,14 +5,14 @@ package carom.client.link;
  *
  * @param host name or address
  * @param tcpPort 1..65,535; 0 for an in-process transport, which has no ports
- * @param udpPort as the TCP port
+ * @param udpPort 1..65,535, or 0 for the one that the server tells over TCP
  */
 public record ServerAddress(String host, int tcpPort, int udpPort) {
   /** TCP port a server uses unless told otherwise. */
   public static final int DEFAULT_TCP_PORT = 54_555;
 
-  /** UDP port a server uses unless told otherwise. */
-  public static final int DEFAULT_UDP_PORT = 54_777;
+  /** UDP port that stands for the one that the server tells. */
+  public static final int TOLD_UDP_PORT = 0;
 
   /** Returns the address for people: the host and, if there is one, the TCP port. */
   @Override
@@ -22,8 +22,8 @@ public record ServerAddress(String host, int tcpPort, int udpPort) {
 
   /**
    * Returns the address that a text names: {@code host}, {@code host:port} or {@code
-   * host:tcpPort/udpPort}, where a host that has colons stands in brackets. A port that isn't named
-   * is the usual one.
+   * host:port/udpPort}, where a host that has colons stands in brackets. The UDP port is only for
+   * servers behind a router that shows another one than the server tells.
    *
    * @throws IllegalArgumentException in words for the player, when the text names no address
    */
@@ -41,13 +41,13 @@ public record ServerAddress(String host, int tcpPort, int udpPort) {
           "Enter the server's name or address, for instance localhost or play.example.org:54555.");
     }
     if (colon < 0) {
-      return new ServerAddress(host, DEFAULT_TCP_PORT, DEFAULT_UDP_PORT);
+      return new ServerAddress(host, DEFAULT_TCP_PORT, TOLD_UDP_PORT);
     }
     String[] ports = address.substring(colon + 1).split("/", -1);
     if (ports.length > 2) {
       throw badPort(address.substring(colon + 1));
     }
-    int udp = ports.length == 2 ? port(ports[1]) : DEFAULT_UDP_PORT;
+    int udp = ports.length == 2 ? port(ports[1]) : TOLD_UDP_PORT;
     return new ServerAddress(host, port(ports[0]), udp);
   }
 
@@ -65,16 +65,13 @@ public record ServerAddress(String host, int tcpPort, int udpPort) {
 
   private static IllegalArgumentException badPort(String text) {
     return new IllegalArgumentException(
-        "\""
-            + text
-            + "\" is no port: a port is a number from 1 to 65535; the usual ones are 54555"
-            + " (TCP) and 54777 (UDP).");
+        "\"" + text + "\" is no port: a port is a number from 1 to 65535; the usual one is 54555.");
   }
 
   /** Returns the shortest text from which {@link #parse} makes this address. */
   public String toText() {
     String shown = host.contains(":") ? "[" + host + "]" : host;
-    if (udpPort != DEFAULT_UDP_PORT) {
+    if (udpPort != TOLD_UDP_PORT) {
       return shown + ":" + tcpPort + "/" + udpPort;
     }
     return tcpPort == DEFAULT_TCP_PORT ? shown : shown + ":" + tcpPort;

@@ -249,7 +249,7 @@ public final class Prediction {
       return false; // its record is still on the way
     }
     if (!isAssemblyKnown() && waited++ < MOST_WAITED) {
-      return false; // without its joints it would fall apart, without its velocities be torn
+      return false; // without its joints it would fall apart, without its velocities jump
     }
     waited = 0;
     poses.begin(server.slot(), server.generation());

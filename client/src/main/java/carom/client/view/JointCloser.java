@@ -14,11 +14,11 @@ import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
 /**
- * Moves the bodies of a picture together where joints would be drawn torn open. Bodies are blended
- * and smoothed one by one, each on a way of its own: two that turn while they go from the past to
- * the present come apart by centimetres. Only what exceeds the gap in the predicted world is
- * closed, so a blow shows as it is. What is not predicted may be stretched in truth, as a long rope
- * is: only assemblies are closed there. One stay's; allocates only to grow.
+ * Moves the bodies of a picture together where joints would be drawn apart. Bodies are blended and
+ * smoothed one by one, each on a way of its own: two that turn while they go from the past to the
+ * present come apart by centimetres. Only what exceeds the gap in the predicted world is closed, so
+ * a blow shows as it is. What is not predicted may be stretched in truth, as a long rope is: only
+ * assemblies are closed there. One stay's; allocates only to grow.
  *
  * <p>Each pass goes through all joints and shifts both bodies of each, the own body and statics
  * excepted. Angles stay as they are.

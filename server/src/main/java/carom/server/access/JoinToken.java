@@ -4,7 +4,7 @@ package carom.server.access;
  * What the operator's own backend says about a player, in a token that it has signed.
  *
  * @param account the backend's name of the player's account, never empty
- * @param name the name to play under, or empty for the player's wish
- * @param room the room to play in, or empty for the player's wish
+ * @param name the name to play under, or empty for the one that the player asks for
+ * @param room the room to play in, or empty for the one that the player asks for
  */
 public record JoinToken(String account, String name, String room) {}

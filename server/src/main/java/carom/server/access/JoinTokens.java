@@ -2,6 +2,7 @@ package carom.server.access;
 
 import carom.json.Json;
 import carom.json.JsonException;
+import carom.net.protocol.Limits;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.RoomName;
 import java.io.IOException;
@@ -28,7 +29,6 @@ import java.util.Map;
  * one server that the token is for) may. Others are ignored.
  */
 public final class JoinTokens {
-  private static final int MAX_ACCOUNT_CHARACTERS = 64;
   private static final int SIGNATURE_BYTES = 64;
   private static final String ALGORITHM = "Ed25519";
 
@@ -112,7 +112,7 @@ public final class JoinTokens {
 
   private static void requireUsable(JoinToken token) throws BadTokenException {
     String account = token.account();
-    if (account.isBlank() || account.length() > MAX_ACCOUNT_CHARACTERS) {
+    if (account.isBlank() || account.length() > Limits.MAX_ACCOUNT_CHARACTERS) {
       throw new BadTokenException("The token has no account of 1 to 64 characters (sub).");
     }
     String problem = token.name().isEmpty() ? null : PlayerName.problem(token.name());

@@ -349,6 +349,7 @@ public final class RoomCheckpoints {
         seat.id(),
         seat.wantedName(),
         seat.name(),
+        seat.account(),
         seat.secret(),
         seat.isMuted(),
         left ? (int) Math.max(0, leftMs) : SavedSeat.PLAYED,

@@ -196,7 +196,12 @@ final class RoomResume {
     Seats.Seat seat =
         room.seats()
             .restore(
-                saved.id(), saved.wantedName(), saved.name(), saved.secret(), saved.courseTick());
+                saved.id(),
+                saved.wantedName(),
+                saved.name(),
+                saved.account(),
+                saved.secret(),
+                saved.courseTick());
     if (seat == null) {
       return; // the room has fewer seats now
     }

@@ -10,6 +10,7 @@ import carom.server.session.Seats;
  * @param id the player's number
  * @param wantedName the name that the player asked for
  * @param name the name that it plays under
+ * @param account the player's account by its join token, or empty
  * @param secret proves the player's identity; never 0
  * @param muted whether its chat is dropped
  * @param graceMs what was left of the grace period, ms; {@link #PLAYED} if the player was there
@@ -22,6 +23,7 @@ public record SavedSeat(
     int id,
     String wantedName,
     String name,
+    String account,
     long secret,
     boolean muted,
     int graceMs,
@@ -31,7 +33,7 @@ public record SavedSeat(
   public static final int PLAYED = -1;
 
   private static final int MAX_GRACE_MS = 600_000;
-  private static final int BYTES = 40;
+  private static final int BYTES = 44;
 
   /** Returns the least bytes that a seat takes. */
   static int bytes() {
@@ -44,6 +46,7 @@ public record SavedSeat(
     int id = a.integer("seat", reads ? 0 : s.id, 0, Limits.MAX_PLAYERS - 1);
     String wanted = a.text("wanted name", reads ? "" : s.wantedName, Limits.MAX_NAME_BYTES);
     String name = a.text("name", reads ? "" : s.name, Limits.MAX_NAME_BYTES);
+    String account = a.text("account", reads ? "" : s.account, Limits.MAX_ACCOUNT_CHARACTERS);
     long secret = a.bits("secret", reads ? 0 : s.secret);
     boolean muted = a.flag("muted", !reads && s.muted);
     int grace = a.integer("grace ms", reads ? 0 : s.graceMs, PLAYED, MAX_GRACE_MS);
@@ -51,6 +54,8 @@ public record SavedSeat(
     int count = a.count("events of seat", reads ? 0 : s.events.length, eventCount, Integer.BYTES);
     int[] events = reads ? new int[count] : s.events;
     a.integers("event of seat", events, count, 0, Math.max(0, eventCount - 1));
-    return reads ? new SavedSeat(id, wanted, name, secret, muted, grace, course, events) : s;
+    return reads
+        ? new SavedSeat(id, wanted, name, account, secret, muted, grace, course, events)
+        : s;
   }
 }

@@ -1,5 +1,7 @@
 package carom.server.command;
 
+import carom.text.Texts;
+
 /**
  * Makes text from players and files safe for a terminal: escape sequences would move its cursor or
  * change its title, and marks of writing direction would turn a line around.
@@ -16,26 +18,12 @@ public final class Printable {
     text.codePoints()
         .forEach(
             point -> {
-              if (point == '\n' || !isHidden(point)) {
+              if (point == '\n' || !Texts.isInvisible(point)) {
                 safe.appendCodePoint(point);
               } else {
                 safe.append(String.format("U+%04X", point));
               }
             });
     return safe.toString();
-  }
-
-  private static boolean isHidden(int point) {
-    return switch (Character.getType(point)) {
-      case Character.CONTROL,
-          Character.FORMAT,
-          Character.SURROGATE,
-          Character.UNASSIGNED,
-          Character.PRIVATE_USE,
-          Character.LINE_SEPARATOR,
-          Character.PARAGRAPH_SEPARATOR ->
-          true;
-      default -> false;
-    };
   }
 }

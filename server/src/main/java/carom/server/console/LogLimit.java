@@ -11,9 +11,10 @@ import java.util.function.LongSupplier;
 import org.slf4j.Marker;
 
 /**
- * Bounds the lines that one cause writes to the log, whoever triggers it: {@value #BURST} at once,
- * then {@value #PER_SECOND} a second. A cause is the text of a log call before its values are put
- * in. What is held back is counted, and the count is logged with a later line. Any thread.
+ * Bounds the lines that one cause writes to the log, no matter which client triggers it: {@value
+ * #BURST} at once, then {@value #PER_SECOND} a second. A cause is the text of a log call before its
+ * values are put in. What is held back is counted, and the count is logged with a later line. Any
+ * thread.
  */
 public final class LogLimit extends TurboFilter {
   static final int BURST = 100;

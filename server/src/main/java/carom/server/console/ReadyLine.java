@@ -14,7 +14,6 @@ import java.util.List;
 public final class ReadyLine {
   private static final String TERMINAL_PROPERTY = "carom.terminal";
   private static final int DEFAULT_TCP_PORT = 54_555;
-  private static final int DEFAULT_UDP_PORT = 54_777;
 
   private ReadyLine() {}
 
@@ -30,27 +29,26 @@ public final class ReadyLine {
    *
    * @param page address of the live page; null without one
    */
-  public static void printHints(PrintStream out, int tcp, int udp, String page) {
+  public static void printHints(PrintStream out, int tcp, String page) {
     if (isOnTerminal()) {
       out.println();
-      hints(tcp, udp, page).forEach(out::println);
+      hints(tcp, page).forEach(out::println);
       out.println();
       out.flush();
     }
   }
 
   /** Returns the hints, a line each. */
-  static List<String> hints(int tcp, int udp, String page) {
-    boolean defaults = tcp == DEFAULT_TCP_PORT && udp == DEFAULT_UDP_PORT;
-    String ports = defaults ? "" : " --tcp-port " + tcp + " --udp-port " + udp;
-    String playArgs = defaults ? "" : " -Pargs='--host localhost" + ports + "'";
-    String botArgs = defaults ? "" : " -Pargs='" + ports.strip() + "'";
+  static List<String> hints(int tcp, String page) {
+    boolean usual = tcp == DEFAULT_TCP_PORT;
+    String port = usual ? "" : ":" + tcp;
+    String args = usual ? "" : " -Pargs='--host localhost" + port + "'";
     List<String> lines = new ArrayList<>();
     lines.add("  The server is ready. Players can join.");
     lines.add("");
-    lines.add("  join      ./gradlew play" + playArgs);
-    lines.add("            carom-client --host " + hostName() + ports + "   (another machine)");
-    lines.add("  add bots  ./gradlew bots -Pn=20" + botArgs);
+    lines.add("  join      ./gradlew play" + args);
+    lines.add("            carom-client --host " + hostName() + port + "   (another machine)");
+    lines.add("  add bots  ./gradlew bots -Pn=20" + args);
     if (page != null) {
       lines.add("  page      " + page);
     }

@@ -36,8 +36,9 @@ import org.slf4j.LoggerFactory;
  *
  * <p>A player who returns with a session's secret goes to the room that holds the session. A player
  * who names a room goes there. Any other player goes to the fullest room that still has a seat,
- * because players want company: one that plays the wished game, if there is one; among equals, the
- * first. If there is no seat, the lobby refuses the newcomer. Rooms that have failed count as full.
+ * because players want company: one that plays the requested game, if there is one; among equals,
+ * the first. If there is no seat, the lobby refuses the newcomer. Rooms that have failed count as
+ * full.
  *
  * <p>One thread calls {@link #doWork}. It need not be a room's thread.
  *
@@ -219,16 +220,16 @@ public final class Lobby {
    * visitor of the address that holds the most seats while loading, at least two. The newcomer's
    * address is exempt.
    *
-   * @param wished the room whose seats are short, or null for all
+   * @param requested the room whose seats are short, or null for all
    */
-  private Visitor oldestOfBusiestAddress(String newcomer, Room wished) {
+  private Visitor oldestOfBusiestAddress(String newcomer, Room requested) {
     Visitor oldest = null;
     int most = 1;
     for (int i = 0; i < visitors.size(); i++) {
       Visitor v = visitors.get(i);
       if (!v.done
           && v.state == SessionState.LOADING
-          && (wished == null || v.room == wished)
+          && (requested == null || v.room == requested)
           && !v.address.equals(newcomer)) {
         int held = countLoading(v.address);
         if (held > most) { // the list is in order of arrival
@@ -241,7 +242,8 @@ public final class Lobby {
   }
 
   /** What a player wants, and its account by a join token. */
-  private record Wish(String name, String account, String room, String game, long resumeSecret) {}
+  private record JoinRequest(
+      String name, String account, String room, String game, long resumeSecret) {}
 
   /** A link from its first message to its room. */
   private final class Visitor implements LinkHandler {
@@ -252,7 +254,7 @@ public final class Lobby {
     private Seats.Seat seat;
     private int datagramKey;
     private final String address;
-    private Wish waiting;
+    private JoinRequest waiting;
     private int lists;
     private long waitsUntilNs;
     private long askAgainNs;
@@ -385,36 +387,39 @@ public final class Lobby {
       if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
         return;
       }
-      Wish wish = wish(hello);
-      if (wish == null) {
+      JoinRequest request = requestOf(hello);
+      if (request == null) {
         return;
       }
-      String problem = PlayerName.problem(wish.name());
+      String problem = PlayerName.problem(request.name());
       if (problem != null) {
         refuse(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
         return;
       }
-      if (!requireEntry(wish.name(), wish.account())) {
+      if (!requireEntry(request.name(), request.account())) {
         return;
       }
-      waiting = wish;
+      waiting = request;
       waitsUntilNs = nowNs + ENTRANCE_WAIT_MS * NS_PER_MS;
       tryToEnter();
     }
 
     /**
      * Returns what the player wants and may want by its join token, or refuses and returns null. A
-     * player who comes back proves by the session's secret that the token was good.
+     * player who comes back proves by the session's secret that the token was good, and keeps the
+     * account.
      */
-    private Wish wish(ClientMessage.Hello hello) {
+    private JoinRequest requestOf(ClientMessage.Hello hello) {
       String name = hello.name().strip();
       JoinTokens joinTokens = entryRule.tokens();
-      if (joinTokens == null || chooser.expecting(hello.resumeSecret()) != null) {
-        return new Wish(name, "", hello.room(), hello.game(), hello.resumeSecret());
+      Room expecting = chooser.expecting(hello.resumeSecret());
+      if (joinTokens == null || expecting != null) {
+        String account = expecting == null ? "" : expecting.seats().accountOf(hello.resumeSecret());
+        return new JoinRequest(name, account, hello.room(), hello.game(), hello.resumeSecret());
       }
       try {
         JoinToken token = joinTokens.check(hello.token());
-        return new Wish(
+        return new JoinRequest(
             token.name().isEmpty() ? name : token.name(),
             token.account(),
             token.room().isEmpty() ? hello.room() : token.room(),
@@ -440,8 +445,8 @@ public final class Lobby {
         return;
       }
       Room expecting = chooser.expecting(waiting.resumeSecret());
-      Room wished = waiting.room().isEmpty() ? null : directory.find(waiting.room());
-      if (expecting == null && wished == null && !waiting.room().isEmpty()) {
+      Room requested = waiting.room().isEmpty() ? null : directory.find(waiting.room());
+      if (expecting == null && requested == null && !waiting.room().isEmpty()) {
         refuse(RefusalReason.ROOM_UNKNOWN, directory.describe());
         return;
       }
@@ -451,32 +456,34 @@ public final class Lobby {
         room = expecting;
         seat = room.seats().claim(waiting.resumeSecret(), nowNs);
       } else if (allowed) {
-        full = !takeSeat(wished) && chooser.seatsLeft(wished) == 0 && !askForSeat(wished);
+        full = !takeSeat(requested) && chooser.seatsLeft(requested) == 0 && !askForSeat(requested);
       }
       boolean late = nowNs - waitsUntilNs >= 0;
       if (seat != null) {
         rate.count(address, nowNs);
         waiting = null;
         welcome();
-      } else if (full || (allowed && chooser.seatsLeft(wished) == 0 && late)) {
-        refuseFull(wished);
+      } else if (full || (allowed && chooser.seatsLeft(requested) == 0 && late)) {
+        refuseFull(requested);
       } else if (late) {
         refuse(RefusalReason.TOO_MANY_CONNECTIONS, "");
       }
     }
 
-    private void refuseFull(Room wished) {
-      int count = wished == null ? places : wished.seats().count();
+    private void refuseFull(Room requested) {
+      int count = requested == null ? places : requested.seats().count();
       String text =
           (count == 1 ? "The only place is taken." : "All %d places are taken.").formatted(count);
       refuse(
-          wished == null ? RefusalReason.SERVER_FULL : RefusalReason.ROOM_FULL,
-          wished == null ? text : text + " " + directory.describe());
+          requested == null ? RefusalReason.SERVER_FULL : RefusalReason.ROOM_FULL,
+          requested == null ? text : text + " " + directory.describe());
     }
 
-    /** Takes a seat in the wished room, or the fullest that has one; returns whether it got one. */
-    private boolean takeSeat(Room wished) {
-      Room chosen = wished == null ? chooser.fullestWithSeat(waiting.game()) : wished;
+    /**
+     * Takes a seat in the requested room, or the fullest that has one; returns whether it got one.
+     */
+    private boolean takeSeat(Room requested) {
+      Room chosen = requested == null ? chooser.fullestWithSeat(waiting.game()) : requested;
       if (chosen != null
           && countLoading(address) < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
         room = chosen;
@@ -489,12 +496,12 @@ public final class Lobby {
      * Asks a room, or else the busiest other address, to give up a seat that nobody plays in.
      * Returns false if every seat is played in.
      */
-    private boolean askForSeat(Room wished) {
+    private boolean askForSeat(Room requested) {
       if (nowNs - askAgainNs < 0) {
         return true; // the seat asked for is soon free, unless another visitor takes it first
       }
-      boolean asked = chooser.askToGiveWay(wished);
-      Visitor crowding = asked ? null : oldestOfBusiestAddress(address, wished);
+      boolean asked = chooser.askToGiveWay(requested);
+      Visitor crowding = asked ? null : oldestOfBusiestAddress(address, requested);
       if (crowding != null) {
         asked = true;
         crowding.refuse(RefusalReason.TOO_SLOW, "Others wait for the place.");

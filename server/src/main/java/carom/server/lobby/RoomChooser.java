@@ -52,11 +52,11 @@ final class RoomChooser {
   /**
    * Returns the seats that are neither taken nor promised.
    *
-   * @param wished the one room that matters, or null for all open rooms
+   * @param requested the one room that matters, or null for all open rooms
    */
-  int seatsLeft(Room wished) {
-    if (wished != null) {
-      return wished.seats().count() - wished.seats().takenCount();
+  int seatsLeft(Room requested) {
+    if (requested != null) {
+      return requested.seats().count() - requested.seats().takenCount();
     }
     int left = 0;
     for (Room room : rooms) {
@@ -68,11 +68,11 @@ final class RoomChooser {
   /**
    * Asks a room to give up a seat that nobody plays in. Returns whether one will.
    *
-   * @param wished the room, or null for all in turn
+   * @param requested the room, or null for all in turn
    */
-  boolean askToGiveWay(Room wished) {
-    if (wished != null) {
-      return wished.giveWay();
+  boolean askToGiveWay(Room requested) {
+    if (requested != null) {
+      return requested.giveWay();
     }
     for (Room room : rooms) {
       if (!room.hasFailed() && room.giveWay()) {

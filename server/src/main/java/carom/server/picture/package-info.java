@@ -5,6 +5,6 @@
  *
  * <p>Allowed imports: {@code carom.physics}, {@code carom.sim}, {@code carom.server.match}, {@code
  * carom.server.replication}, {@code carom.server.session}, slf4j, the JDK. Read first: {@link
- * carom.server.picture.Pictures}, {@link carom.server.picture.Picture}.
+ * carom.server.picture.RoomPictures}, {@link carom.server.picture.Picture}.
  */
 package carom.server.picture;

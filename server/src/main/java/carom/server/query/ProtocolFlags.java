@@ -1,5 +1,6 @@
 package carom.server.query;
 
+import carom.options.Sockets;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.Settings;
@@ -7,15 +8,12 @@ import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.UnknownHostException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine.Option;
 
 /** The server's flags about standard protocols. Picocli fills them in. */
 public final class ProtocolFlags {
-  private static final int MAX_PORT = 65_535;
-
   @Option(
       names = "--query",
       paramLabel = "true|false",
@@ -64,18 +62,10 @@ public final class ProtocolFlags {
 
   /** Returns what is wrong with the flags, or null. */
   public String problem() {
-    if (queryPort < 0 || queryPort > MAX_PORT) {
-      return "--query-port=" + queryPort + " is outside 0.." + MAX_PORT;
-    }
-    if (rconPort < 0 || rconPort > MAX_PORT) {
-      return "--rcon-port=" + rconPort + " is outside 0.." + MAX_PORT;
-    }
-    try {
-      InetAddress.getByName(rconBind);
-      return null;
-    } catch (UnknownHostException e) {
-      return "--rcon-bind=" + rconBind + " is no address; give one such as 127.0.0.1 or ::1";
-    }
+    return Sockets.first(
+        Sockets.portProblem("--query-port", queryPort),
+        Sockets.portProblem("--rcon-port", rconPort),
+        Sockets.addressProblem("--rcon-bind", rconBind));
   }
 
   /**

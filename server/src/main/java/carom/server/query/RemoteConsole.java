@@ -20,9 +20,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Source RCON: the operator's commands over TCP, for those who know the password. Each connection
- * has a daemon thread, and there are at most {@value #MAX_CONNECTIONS}. The protocol isn't
- * encrypted.
+ * Source RCON: the operator's commands over TCP, for programs that know the password. Each
+ * connection has a daemon thread, and there are at most {@value #MAX_CONNECTIONS}. RCON sends the
+ * password and all commands unencrypted.
  */
 public final class RemoteConsole implements AutoCloseable {
   /** Most connections at once. */

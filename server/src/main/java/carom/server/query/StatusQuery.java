@@ -20,13 +20,16 @@ import org.slf4j.LoggerFactory;
  * Answers A2S status queries (INFO, PLAYER, RULES) on a UDP port and a daemon thread of its own,
  * also those that are broadcast to a local network.
  *
- * <p>Anybody can write somebody else's address on a datagram. So a query is first answered with a
- * challenge, which is never larger than the query, and only who sends the challenge back, and so
+ * <p>A sender can put another's address on a datagram. So a query is first answered with a
+ * challenge, which is never larger than the query. Only a sender that returns the challenge, and so
  * has the address, gets the answer. Challenges are computed from the address and a secret of this
  * run, so that nothing is kept about strangers. Beyond {@value #MOST_PER_S} datagrams a second, the
  * rest of the second's are dropped.
  */
 public final class StatusQuery implements AutoCloseable {
+  /** Port at which server lists look. */
+  public static final int DEFAULT_PORT = 27_015;
+
   /** Asks for the server's name, level and number of players. */
   static final byte INFO = 'T';
 

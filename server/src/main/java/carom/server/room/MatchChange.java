@@ -42,7 +42,7 @@ import org.slf4j.LoggerFactory;
 final class MatchChange implements RoomCourse {
   private static final Logger LOG = LoggerFactory.getLogger(MatchChange.class);
 
-  /** Time for which a wish that couldn't be fulfilled isn't tried again. */
+  /** Time for which a request that couldn't be fulfilled isn't tried again. */
   private static final long RETRY_NS = 10_000_000_000L;
 
   private final RoomContext room;

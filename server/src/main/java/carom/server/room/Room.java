@@ -19,7 +19,7 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.Stage;
 import carom.server.metrics.StageTimes;
-import carom.server.picture.Pictures;
+import carom.server.picture.RoomPictures;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.server.room.match.Match;
@@ -90,7 +90,7 @@ public final class Room {
   private final LongSupplier clock;
   private final Counters counters;
   private final StageTimes stages;
-  private final Pictures pictures = new Pictures();
+  private final RoomPictures pictures = new RoomPictures();
   private final RoomRecording recording;
   private final TickLoop loop;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
@@ -572,7 +572,7 @@ public final class Room {
   }
 
   /** Returns the pictures of the room for people who watch it; from any thread. */
-  public Pictures pictures() {
+  public RoomPictures pictures() {
     return pictures;
   }
 

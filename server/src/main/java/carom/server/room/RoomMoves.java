@@ -51,11 +51,11 @@ final class RoomMoves {
           sessions.sendTo(session, message);
         }
       }
-      String wish = session.wishedRoom();
-      if (wish != null
+      String request = session.requestedRoom();
+      if (request != null
           && session.state() == SessionState.PLAYING
           && session.playedTicks() >= rate) {
-        move(session, wish, nowNs);
+        move(session, request, nowNs);
       }
     }
   }
@@ -76,7 +76,7 @@ final class RoomMoves {
       return;
     }
     if (!room.seats().release(session.seat())) {
-      to.seats().unclaim(seat); // the player comes back over another link; the wish waits
+      to.seats().unclaim(seat); // the player comes back over another link; the request waits
       return;
     }
     Link link = departures.moveOut(session, name);

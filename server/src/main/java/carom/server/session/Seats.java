@@ -55,15 +55,16 @@ public final class Seats {
   /**
    * Gives a player of an earlier run of the room the seat back. It counts as occupied.
    *
+   * @param account as {@link Seat#account}
    * @param courseTick as {@link Seat#courseTick}
    * @return the seat, or null if there is no such seat, or it is taken
    */
   public synchronized Seat restore(
-      int id, String wantedName, String name, long secret, int courseTick) {
+      int id, String wantedName, String name, String account, long secret, int courseTick) {
     if (id >= taken.length || taken[id] != null || secret == 0) {
       return null;
     }
-    Seat seat = new Seat(id, wantedName, name, "", secret); // slots keep no accounts
+    Seat seat = new Seat(id, wantedName, name, account, secret);
     seat.courseTick = courseTick;
     seat.occupied = true;
     foldedNames.add(PlayerName.folded(name));
@@ -130,6 +131,12 @@ public final class Seats {
   /** Returns whether a seat belongs to a secret. */
   public synchronized boolean knows(long secret) {
     return find(secret) != null;
+  }
+
+  /** Returns the account of the player whose seat belongs to a secret, or an empty text. */
+  public synchronized String accountOf(long secret) {
+    Seat seat = find(secret);
+    return seat == null ? "" : seat.account;
   }
 
   private Seat find(long secret) {

@@ -86,7 +86,7 @@ public final class Session implements LinkHandler {
   private int playedTicks;
   private boolean asksForRooms;
   private int roomsToldTicks = Short.MAX_VALUE; // long ago
-  private String wishedRoom;
+  private String requestedRoom;
   private boolean linkLost;
   private String linkLostReason = "";
   private Departure departure = Departure.NONE;
@@ -265,7 +265,7 @@ public final class Session implements LinkHandler {
     } else if (message instanceof ClientMessage.ListRooms) {
       asksForRooms = true;
     } else if (message instanceof ClientMessage.ChangeRoom change) {
-      wishedRoom = change.room();
+      requestedRoom = change.room();
     } else if (state == SessionState.LOADING) {
       loading(message);
     } else if (message instanceof ClientMessage.Look look) {
@@ -584,13 +584,13 @@ public final class Session implements LinkHandler {
   }
 
   /** Returns the name of the room that the player wants to go to, or null. */
-  public String wishedRoom() {
-    return wishedRoom;
+  public String requestedRoom() {
+    return requestedRoom;
   }
 
   /** Forgets the room that the player wanted to go to. */
   public void forgetWishedRoom() {
-    wishedRoom = null;
+    requestedRoom = null;
   }
 
   /** Returns the number of ticks for which the session plays; meaningful while it does. */

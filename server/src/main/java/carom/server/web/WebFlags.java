@@ -1,6 +1,7 @@
 package carom.server.web;
 
 import carom.net.transport.NetworkCounter;
+import carom.options.Sockets;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.Settings;
@@ -11,7 +12,6 @@ import carom.server.web.page.LivePage;
 import carom.server.web.page.PageConfig;
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -25,8 +25,6 @@ import picocli.CommandLine.Option;
 
 /** The server's flags about HTTP: the live page, health and metrics. Picocli fills them in. */
 public final class WebFlags {
-  private static final int MAX_PORT = 65_535;
-
   @Option(
       names = "--web",
       paramLabel = "true|false",
@@ -51,8 +49,8 @@ public final class WebFlags {
       paramLabel = "ADDRESS",
       defaultValue = "127.0.0.1",
       description =
-          "Address of this machine for HTTP. On a loopback address whoever reaches it may watch, on"
-              + " another only who knows the token in admin.token of the data folder"
+          "Address of this machine for HTTP. On a loopback address any visitor may watch, on"
+              + " another only visitors that know the token in admin.token of the data folder"
               + " (${DEFAULT-VALUE}).")
   private String webBind;
 
@@ -69,15 +67,9 @@ public final class WebFlags {
 
   /** Returns what is wrong with the flags, or null. */
   public String problem() {
-    if (webPort < 0 || webPort > MAX_PORT) {
-      return "--web-port=" + webPort + " is outside 0.." + MAX_PORT;
-    }
-    try {
-      InetAddress.getByName(webBind);
-      return null;
-    } catch (UnknownHostException e) {
-      return "--web-bind=" + webBind + " is no address; give one such as 127.0.0.1 or ::1";
-    }
+    return Sockets.first(
+        Sockets.portProblem("--web-port", webPort),
+        Sockets.addressProblem("--web-bind", webBind));
   }
 
   /**

@@ -1,6 +1,7 @@
 /**
- * The server's UDP socket, and what bounds the datagrams of one link: a budget, a meter for floods,
- * and the table from the number in a datagram to its link. It knows neither frames nor KryoNet.
+ * The UDP sockets of both sides, and what bounds the datagrams of one link at the server: a budget,
+ * a meter for floods, and the table from the number in a datagram to its link. It knows neither
+ * frames nor KryoNet.
  *
  * <p>Imports the JDK only.
  *

@@ -1,5 +1,6 @@
 package carom.net.frame;
 
+import carom.net.admission.WorkProof;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.DatagramOpener;
 import carom.net.seal.DatagramSealer;
@@ -26,6 +27,7 @@ public abstract class ClientEnd extends FramedLink {
   private static final int UNREAD_DATAGRAMS = 512;
   private static final long DATAGRAM_SILENCE_NANOS = 1_000_000_000L;
   private static final long IDLE_NANOS = 10_000_000_000L;
+  private static final long REGISTER_NANOS = 100_000_000L;
   private static final String USED_UP = "the keys of this connection are used up";
 
   private final String host;
@@ -42,9 +44,12 @@ public abstract class ClientEnd extends FramedLink {
   private long token;
   private int toldUdpPort;
   private byte[] serverKey;
+  private long solution;
   private KeyExchange.Offer offer;
   private boolean tcpRegistered;
   private boolean udpRegistered;
+  private int registrations;
+  private long registeredAt;
   private final byte[] received = new byte[Frame.MAX_DATAGRAM_BYTES + 1];
   private final ByteBuffer opened = ByteBuffer.wrap(received);
 
@@ -61,7 +66,7 @@ public abstract class ClientEnd extends FramedLink {
    * @param trust which servers may be trusted
    * @param host name or address of the server
    * @param tcpPort the server's TCP port, 1..65,535
-   * @param udpPort the server's UDP port, 1..65,535
+   * @param udpPort the server's UDP port, 1..65,535, or 0 for the one that the server tells
    * @param connectMillis time limit for connecting, ms
    * @throws IllegalArgumentException when a port is outside its range
    */
@@ -71,14 +76,15 @@ public abstract class ClientEnd extends FramedLink {
     this.codec = codec;
     this.trust = trust;
     this.host = host;
-    this.tcpPort = checkedPort("tcpPort", tcpPort);
-    this.udpPort = checkedPort("udpPort", udpPort);
+    this.tcpPort = checkedPort("tcpPort", tcpPort, 1);
+    this.udpPort = checkedPort("udpPort", udpPort, 0);
     connectNanos = connectMillis * 1_000_000L;
   }
 
-  private static int checkedPort(String name, int port) {
-    if (port < 1 || port > 65_535) {
-      throw new IllegalArgumentException(name + "=" + port + " must be from 1 to 65535");
+  private static int checkedPort(String name, int port, int least) {
+    if (port < least || port > 65_535) {
+      throw new IllegalArgumentException(
+          name + "=" + port + " must be from " + least + " to 65535");
     }
     return port;
   }
@@ -93,9 +99,12 @@ public abstract class ClientEnd extends FramedLink {
     return tcpPort;
   }
 
-  /** Returns the server's port for datagrams. */
+  /**
+   * Returns the server's port for datagrams. It is valid once {@link #isTcpRegistered} is true,
+   * because a server tells it over TCP.
+   */
   protected final int udpPort() {
-    return udpPort;
+    return udpPort == 0 ? toldUdpPort : udpPort;
   }
 
   /**
@@ -107,11 +116,17 @@ public abstract class ClientEnd extends FramedLink {
   }
 
   /**
-   * Returns the token that proves to the server that a datagram comes from this client. It is valid
-   * once {@link #isTcpRegistered} is true.
+   * Tells the server this link's UDP address, each 100 ms until the server confirms it. Call it
+   * once {@link #isTcpRegistered} is true and the UDP socket is open, about 20 times a second.
    */
-  protected final long token() {
-    return token;
+  protected final void registerUdp(long now) {
+    if (udpRegistered || (registrations > 0 && now - registeredAt < REGISTER_NANOS)) {
+      return;
+    }
+    registrations++;
+    registeredAt = now;
+    byte[] fields = Frame.registration(id, token, solution);
+    transmitDatagram(Frame.REGISTER_UDP, fields, 0, fields.length);
   }
 
   /** Returns whether the server has sent a frame of the Carom protocol. */
@@ -223,9 +238,18 @@ public abstract class ClientEnd extends FramedLink {
     token = fields.getLong();
     toldUdpPort = Short.toUnsignedInt(fields.getShort());
     byte mode = fields.get();
+    int workBits = fields.get();
     serverKey = new byte[ExchangeKey.BYTES];
     fields.get(serverKey);
     tcpRegistered = true;
+    if (workBits < 0 || workBits > WorkProof.MAX_BITS) {
+      lose(
+          "the server demands too much work: workBits="
+              + workBits
+              + " must be in 0.."
+              + WorkProof.MAX_BITS);
+      return;
+    }
     if (mode != trust.encryption().code()) {
       lose(
           trust.encryption() == Encryption.ON
@@ -240,7 +264,9 @@ public abstract class ClientEnd extends FramedLink {
             : trust.servers().problem(remote(), ServerKey.fingerprint(serverKey));
     if (problem != null) {
       lose(problem);
+      return;
     }
+    solution = new WorkProof().solve(id, token, workBits);
   }
 
   private void offerKey() {
@@ -355,13 +381,13 @@ public abstract class ClientEnd extends FramedLink {
     }
     return keys == null
         ? "the server didn't answer the exchange of keys"
-        : "server reachable, but its answers from UDP port " + udpPort + " are blocked";
+        : "server reachable, but its answers from UDP port " + udpPort() + " are blocked";
   }
 
   /** Returns the reason for blocked datagrams. */
   protected final String blocked() {
-    String text = "server reachable by TCP, but UDP port " + udpPort + " is blocked";
-    boolean other = tcpRegistered && toldUdpPort != udpPort;
+    String text = "server reachable by TCP, but UDP port " + udpPort() + " is blocked";
+    boolean other = tcpRegistered && toldUdpPort != udpPort();
     return other ? text + "; the server itself uses UDP port " + toldUdpPort : text;
   }
 

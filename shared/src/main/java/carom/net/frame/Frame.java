@@ -4,6 +4,7 @@ import carom.net.protocol.Limits;
 import carom.net.seal.DatagramSealer;
 import carom.net.seal.Encryption;
 import carom.net.seal.ExchangeKey;
+import carom.text.Texts;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
@@ -13,8 +14,9 @@ import java.nio.charset.StandardCharsets;
  *
  * <pre>
  * tag              over       fields
- *  1 REGISTER_TCP  TCP s-&gt;c   link i32, token i64, UDP port u16, encryption u8, server's key 32   first frame
- *  2 REGISTER_UDP  UDP c-&gt;s   link i32, token i64   repeated each 100 ms until answered
+ *  1 REGISTER_TCP  TCP s-&gt;c   link i32, token i64, UDP port u16, encryption u8, bits of work u8,
+ *                             server's key 32       first frame
+ *  2 REGISTER_UDP  UDP c-&gt;s   link i32, token i64, solution i64   repeated each 100 ms until answered
  *                  TCP s-&gt;c   none                  the UDP address is known now
  *  9 KEY_OFFER     TCP c-&gt;s   encryption u8, new key 32
  * 10 KEY_ANSWER    TCP s-&gt;c   new key 32, proof 32  the server's last frame in the clear
@@ -52,10 +54,10 @@ public final class Frame {
   public static final int LENGTH_BYTES = 4;
 
   /** Bytes of REGISTER_TCP's fields. */
-  public static final int GREETING_BYTES = 4 + 8 + 2 + 1 + ExchangeKey.BYTES;
+  public static final int GREETING_BYTES = 4 + 8 + 2 + 1 + 1 + ExchangeKey.BYTES;
 
   /** Bytes of REGISTER_UDP from a client. */
-  public static final int REGISTRATION_BYTES = 1 + 4 + 8;
+  public static final int REGISTRATION_BYTES = 1 + 4 + 8 + 8;
 
   /** Bytes of the fields of CHALLENGE and ANSWER. */
   public static final int NONCE_BYTES = 8;
@@ -134,13 +136,23 @@ public final class Frame {
 
   /** Returns the fields of REGISTER_TCP. */
   public static byte[] greeting(
-      int link, long token, int udpPort, Encryption encryption, byte[] serverKey) {
+      int link, long token, int udpPort, Encryption encryption, int workBits, byte[] serverKey) {
     return ByteBuffer.allocate(GREETING_BYTES)
         .putInt(link)
         .putLong(token)
         .putShort((short) udpPort)
         .put(encryption.code())
+        .put((byte) workBits)
         .put(serverKey)
+        .array();
+  }
+
+  /** Returns the fields of a client's REGISTER_UDP. */
+  public static byte[] registration(int link, long token, long solution) {
+    return ByteBuffer.allocate(REGISTRATION_BYTES - 1)
+        .putInt(link)
+        .putLong(token)
+        .putLong(solution)
         .array();
   }
 
@@ -149,10 +161,12 @@ public final class Frame {
     return ByteBuffer.allocate(8).putLong(nonce).array();
   }
 
-  /** Returns the text of a BYE whose tag has been read, as one line without control characters. */
+  /**
+   * Returns the text of a BYE whose tag has been read, as one line without invisible characters.
+   */
   public static String byeText(ByteBuffer buffer) {
     byte[] bytes = new byte[Math.min(buffer.remaining(), Limits.MAX_TEXT_BYTES)];
     buffer.get(bytes);
-    return new String(bytes, StandardCharsets.UTF_8).replaceAll("\\p{Cntrl}", " ").strip();
+    return Texts.clean(new String(bytes, StandardCharsets.UTF_8)).strip();
   }
 }

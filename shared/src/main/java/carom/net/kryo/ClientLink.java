@@ -1,5 +1,6 @@
 package carom.net.kryo;
 
+import carom.net.datagram.ClientDatagrams;
 import carom.net.frame.ClientEnd;
 import carom.net.frame.Frame;
 import carom.net.frame.Trust;
@@ -8,21 +9,20 @@ import com.esotericsoftware.kryonet.Client;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.KeepAlive;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
-import com.esotericsoftware.kryonet.FrameworkMessage.RegisterUDP;
 import com.esotericsoftware.kryonet.KryoNetException;
-import com.esotericsoftware.kryonet.Listener;
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.NoRouteToHostException;
-import java.net.PortUnreachableException;
 import java.net.UnknownHostException;
 import java.nio.ByteBuffer;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
 /**
- * Client's end of a link over KryoNet, with the thread that drives KryoNet's client. This class
- * does not use KryoNet's own {@code start()} and {@code stop()}, because a close on a second thread
+ * Client's end of a link: TCP over KryoNet, with the thread that drives KryoNet's client, and a UDP
+ * socket of {@link ClientDatagrams}, opened when the server has told its port. This class does not
+ * use KryoNet's own {@code start()} and {@code stop()}, because a close on a second thread
  * deadlocks with a receive on the first. Instead, other threads request the close, and the driver
  * closes between two updates, when it holds no lock.
  *
@@ -41,15 +41,14 @@ final class ClientLink extends ClientEnd {
   private final Consumer<ClientLink> finished;
   private final Thread driver;
   private final Thread connector;
-  private final Frame.Payload datagram = new Frame.Payload();
-  private final Object datagramLock = new Object();
-  private final AtomicInteger users =
-      new AtomicInteger(2); // number of threads that use the endpoint
+  private final ClientDatagrams datagrams;
+  private final AtomicInteger users = new AtomicInteger(2); // threads that use the endpoint
   private volatile Endpoint endpoint;
-  private volatile Thread datagramSender;
+  private volatile ClientDatagrams.Socket udp;
 
   ClientLink(
       KryoMessageCodec codec,
+      ClientDatagrams datagrams,
       Trust trust,
       String host,
       int tcpPort,
@@ -57,6 +56,7 @@ final class ClientLink extends ClientEnd {
       int connectMillis,
       Consumer<ClientLink> finished) {
     super(codec, trust, host, tcpPort, udpPort, connectMillis);
+    this.datagrams = datagrams;
     this.connectMillis = connectMillis;
     this.finished = finished;
     driver = new Thread(this::drive, "carom-link-" + remote());
@@ -92,9 +92,12 @@ final class ClientLink extends ClientEnd {
 
   @Override
   protected boolean transmitDatagram(byte tag, byte[] bytes, int offset, int length) {
-    synchronized (datagramLock) {
-      return endpoint.sendUDP(datagram.set(tag, bytes, offset, length)) > 0;
+    ClientDatagrams.Socket socket = udp;
+    if (socket == null || isDisconnected()) {
+      return false;
     }
+    datagramLeft();
+    return socket.send(tag, bytes, offset, length);
   }
 
   @Override
@@ -116,7 +119,11 @@ final class ClientLink extends ClientEnd {
       connector.start();
       while (!isDisconnected() && state() != State.CLOSED) {
         step(client);
-        checkDeadlines(System.nanoTime());
+        long now = System.nanoTime();
+        if (udp != null) {
+          registerUdp(now);
+        }
+        checkDeadlines(now);
       }
       long left = System.nanoTime(); // the owner sent BYE, and the server closes
       while (!isDisconnected() && System.nanoTime() - left < Frame.LINGER_NANOS) {
@@ -135,6 +142,9 @@ final class ClientLink extends ClientEnd {
   private void release(Endpoint client) {
     if (client == null) {
       return;
+    }
+    if (udp != null) {
+      udp.close();
     }
     connector.interrupt(); // ends a connection attempt that is no use
     client.closeNow();
@@ -156,10 +166,6 @@ final class ClientLink extends ClientEnd {
   private void step(Endpoint client) {
     try {
       client.update(SELECT_MILLIS);
-    } catch (PortUnreachableException x) {
-      if (state() == State.CONNECTING) {
-        lose(blocked());
-      } // otherwise the server's UDP port has just closed, and TCP will report why
     } catch (IOException x) {
       lose(isTcpRegistered() ? gone() : notCarom());
     } catch (KryoNetException x) {
@@ -192,7 +198,7 @@ final class ClientLink extends ClientEnd {
           break;
         }
         try {
-          endpoint.connect(connectMillis, addresses[i], tcpPort(), udpPort());
+          endpoint.connect(connectMillis, addresses[i], tcpPort());
           return null;
         } catch (IOException x) {
           failure = explain(x);
@@ -208,9 +214,6 @@ final class ClientLink extends ClientEnd {
 
   private String explain(IOException failure) {
     String text = String.valueOf(failure.getMessage());
-    if (failure instanceof PortUnreachableException || text.contains("during UDP registration")) {
-      return blocked();
-    }
     if (text.contains("during TCP registration")) {
       return notCarom();
     }
@@ -228,19 +231,12 @@ final class ClientLink extends ClientEnd {
       setTimeout(0); // checkDeadlines() does this
       setKeepAliveTCP(Frame.KEEP_ALIVE_MILLIS);
       setIdleThreshold(0);
-      addListener(
-          new Listener() {
-            @Override
-            public void connected(Connection connection) {
-              udpRegistered();
-            }
-          });
     }
 
     @Override
     public int sendTCP(Object frame) {
-      if (isDisconnected()) {
-        return 0;
+      if (isDisconnected() || (frame instanceof KeepAlive && !isUdpRegistered())) {
+        return 0; // before that, a server accepts no frame
       }
       if (WRITE_BUFFER_BYTES - getTcpWriteBufferSize() < FrameCodec.tcpBytes(frame)) {
         lose("the server doesn't read what it is sent");
@@ -248,29 +244,9 @@ final class ClientLink extends ClientEnd {
       }
       try {
         return super.sendTCP(frame);
-      } catch (
-          RuntimeException
-              x) { // two senders overflowed the buffer at once, or the key is cancelled
-        lose("connection lost");
+      } catch (RuntimeException x) {
+        lose("connection lost"); // two senders overflowed the buffer, or the key is cancelled
         return 0;
-      }
-    }
-
-    @Override
-    public int sendUDP(Object frame) {
-      if (isDisconnected() || frame instanceof KeepAlive) {
-        return 0; // KryoNet's keep-alives aren't sealed; checkDeadlines() sends others
-      }
-      synchronized (datagramLock) {
-        datagramSender = Thread.currentThread();
-        try {
-          datagramLeft();
-          return super.sendUDP(frame);
-        } catch (RuntimeException x) {
-          return 0;
-        } finally {
-          datagramSender = null;
-        }
       }
     }
 
@@ -279,8 +255,7 @@ final class ClientLink extends ClientEnd {
     public void close() {
       if (Thread.currentThread() == connector) {
         super.close();
-      } else if (datagramSender
-          != Thread.currentThread()) { // a datagram that can't be sent is simply lost
+      } else {
         lose(gone());
       }
     }
@@ -290,13 +265,38 @@ final class ClientLink extends ClientEnd {
     }
   }
 
-  /** The codec through which KryoNet makes the driver thread read. */
+  /** Opens the UDP socket to the machine that answers by TCP, at the port that it told. */
+  private void openDatagrams() {
+    try {
+      InetAddress server = endpoint.getRemoteAddressTCP().getAddress();
+      udp =
+          datagrams.open(
+              new InetSocketAddress(server, udpPort()),
+              new ClientDatagrams.Receiver() {
+                @Override
+                public void datagram(ByteBuffer datagram) {
+                  readDatagram(datagram);
+                }
+
+                @Override
+                public void unreachable() {
+                  if (state() == State.CONNECTING) {
+                    lose(blocked());
+                  } // otherwise the server's UDP port has just closed, and TCP will report why
+                }
+              });
+      registerUdp(System.nanoTime());
+    } catch (IOException x) {
+      lose("no UDP socket: " + x.getMessage());
+    }
+  }
+
+  /** The codec through which KryoNet makes the driver thread read TCP. */
   private final class ClientFrames extends FrameCodec {
-    private ByteBuffer tcpBuffer;
 
     @Override
     void writeRegistration(Connection connection, ByteBuffer buffer, Object registration) {
-      buffer.putInt(id()).putLong(token());
+      throw new IllegalStateException("a client registers by a datagram");
     }
 
     @Override
@@ -305,35 +305,32 @@ final class ClientLink extends ClientEnd {
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // the buffer's identity tells UDP from TCP
     public Object read(Connection connection, ByteBuffer buffer) {
-      if (tcpBuffer == null) {
-        tcpBuffer = buffer; // UDP doesn't start before the first TCP frame
-      }
       int end = buffer.limit();
       try {
-        if (buffer == tcpBuffer) {
-          return register(readFrame(buffer));
-        }
-        readDatagram(buffer);
+        return register(readFrame(buffer));
       } catch (RuntimeException x) {
-        if (buffer == tcpBuffer) {
-          lose("the server sent an invalid frame");
-        }
+        lose("the server sent an invalid frame");
+        return FrameCodec.HANDLED;
       } finally {
         buffer.limit(end).position(end);
       }
-      return FrameCodec.HANDLED;
     }
 
-    /** Returns the KryoNet object for a frame that KryoNet must know about. */
+    /** Does what follows a frame. Returns the KryoNet object if KryoNet must know about it. */
     private Object register(byte tag) {
-      if (tag == Frame.REGISTER_TCP) {
-        RegisterTCP registered = new RegisterTCP();
-        registered.connectionID = id();
-        return registered;
+      if (tag == Frame.REGISTER_UDP) {
+        udpRegistered();
       }
-      return tag == Frame.REGISTER_UDP ? new RegisterUDP() : FrameCodec.HANDLED;
+      if (tag != Frame.REGISTER_TCP) {
+        return FrameCodec.HANDLED;
+      }
+      if (state() == State.CONNECTING && udp == null) {
+        openDatagrams();
+      }
+      RegisterTCP registered = new RegisterTCP();
+      registered.connectionID = id();
+      return registered;
     }
   }
 }

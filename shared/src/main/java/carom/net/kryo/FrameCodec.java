@@ -40,11 +40,11 @@ abstract class FrameCodec implements Serialization {
    * {@inheritDoc}
    *
    * <p>KryoNet calls it under the lock of the connection's stream, so sealed frames leave in the
-   * order of their counters. Datagrams come here sealed.
+   * order of their counters.
    */
   @Override
   public final void write(Connection connection, ByteBuffer buffer, Object frame) {
-    StreamSeal seal = buffer.isDirect() ? null : streamSeal(connection); // UDP's is direct
+    StreamSeal seal = streamSeal(connection);
     int start = buffer.position();
     writePlain(connection, buffer, frame);
     if (seal != null) {

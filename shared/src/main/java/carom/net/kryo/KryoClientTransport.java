@@ -1,5 +1,7 @@
 package carom.net.kryo;
 
+import carom.net.datagram.ClientDatagrams;
+import carom.net.frame.Frame;
 import carom.net.frame.Trust;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
@@ -8,12 +10,14 @@ import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Client transport over TCP and UDP. Each link has one daemon thread that waits in a selector, and
- * a second one while it connects. Any thread may connect; only the owner's thread may poll a link.
+ * a second one while it connects; one more reads the datagrams of all links. Any thread may
+ * connect; only the owner's thread may poll a link.
  */
 public final class KryoClientTransport implements ClientTransport {
   private static final int CONNECT_MILLIS = 5_000;
 
   private final KryoMessageCodec codec = new KryoMessageCodec();
+  private final ClientDatagrams datagrams = new ClientDatagrams(Frame.SERVER_BUFFER_BYTES);
   private final Set<ClientLink> links = ConcurrentHashMap.newKeySet();
   private final Trust trust;
   private final int connectMillis;
@@ -56,7 +60,8 @@ public final class KryoClientTransport implements ClientTransport {
       throw new IllegalStateException("the transport is closed; create another one to connect");
     }
     ClientLink link =
-        new ClientLink(codec, trust, host, tcpPort, udpPort, connectMillis, links::remove);
+        new ClientLink(
+            codec, datagrams, trust, host, tcpPort, udpPort, connectMillis, links::remove);
     links.add(link);
     link.start();
     return link;
@@ -73,6 +78,7 @@ public final class KryoClientTransport implements ClientTransport {
     for (ClientLink link : links) {
       interrupted |= link.await(deadline);
     }
+    datagrams.close();
     if (interrupted) {
       Thread.currentThread().interrupt();
     }

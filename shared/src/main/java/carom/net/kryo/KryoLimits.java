@@ -6,11 +6,14 @@ import carom.values.Records;
 /**
  * Limits on what a server lets unknown clients use. It is immutable; start from {@link #DEFAULT}.
  *
- * @param maxConnections largest number of connections at once, 1..10,000, half-open ones included;
- *     keep it well below the process's limit of open files, because KryoNet spins when it can't
- *     accept
+ * @param maxConnections largest number of open links at once, 1..10,000; for a moment it may be
+ *     exceeded by links that opened together. Keep the sum of this and the next well below the
+ *     process's limit of open files, because KryoNet spins when it can't accept
+ * @param maxPending largest number of connections at once that have proven nothing, 1..4,096; a
+ *     quarter as many again may exchange keys. One more makes the oldest give way, see {@link
+ *     carom.net.admission.Entrance}. Each takes about 70 kB
  * @param maxPerAddress largest number of connections at once from one IPv4 address or one IPv6 /64
- *     network, 1..10,000
+ *     network, 1..10,000; it counts as soon as half of {@code maxConnections} are open
  * @param handshakeMillis time limit for each of the two steps to an open link, 50..60,000 ms:
  *     registering UDP, and answering a datagram
  * @param idleMillis time without a complete frame over TCP after which a link closes, 100..600,000
@@ -28,6 +31,7 @@ import carom.values.Records;
  */
 public record KryoLimits(
     int maxConnections,
+    int maxPending,
     int maxPerAddress,
     int handshakeMillis,
     int idleMillis,
@@ -41,6 +45,7 @@ public record KryoLimits(
   public static final KryoLimits DEFAULT =
       new KryoLimits(
           /* maxConnections= */ 320,
+          /* maxPending= */ 1_024,
           /* maxPerAddress= */ 128,
           /* handshakeMillis= */ 2_000,
           /* idleMillis= */ 10_000,
@@ -58,6 +63,7 @@ public record KryoLimits(
    */
   public KryoLimits {
     check("maxConnections", maxConnections, 1, 10_000);
+    check("maxPending", maxPending, 1, 4_096);
     check("maxPerAddress", maxPerAddress, 1, 10_000);
     check("handshakeMillis", handshakeMillis, 50, 60_000);
     check("idleMillis", idleMillis, 100, 600_000);
@@ -78,6 +84,11 @@ public record KryoLimits(
   /** Returns a copy with other limits on the number of connections. */
   public KryoLimits withConnections(int max, int perAddress) {
     return Records.with(this, "maxConnections", max, "maxPerAddress", perAddress);
+  }
+
+  /** Returns a copy with another limit on connections that have proven nothing. */
+  public KryoLimits withPending(int max) {
+    return Records.with(this, "maxPending", max);
   }
 
   /** Returns a copy with other time limits, ms. */

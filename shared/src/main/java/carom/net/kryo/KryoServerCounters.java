@@ -19,6 +19,9 @@ public final class KryoServerCounters {
   /** Number of accepted connections that were refused because of a limit. */
   public final AtomicLong refused = new AtomicLong();
 
+  /** Number of connections that gave way to newcomers before they had opened. */
+  public final AtomicLong evicted = new AtomicLong();
+
   /** Number of accepted connections that did not finish the handshake in time. */
   public final AtomicLong expired = new AtomicLong();
 
@@ -67,6 +70,8 @@ public final class KryoServerCounters {
         counter("opened", "Accepted connections that became an open link.", opened),
         counter("refused", "Accepted connections that were refused because of a limit.", refused),
         counter(
+            "evicted", "Connections that gave way to newcomers before they had opened.", evicted),
+        counter(
             "expired", "Accepted connections that did not finish the handshake in time.", expired),
         counter(
             "expelled",
@@ -104,6 +109,7 @@ public final class KryoServerCounters {
   String troubles() {
     StringBuilder text = new StringBuilder();
     append(text, refused, "refused");
+    append(text, evicted, "gave way before they had opened");
     append(text, expired, "never finished the handshake");
     append(text, expelled, "expelled");
     append(text, strangeDatagrams, "datagrams from unknown addresses");

@@ -3,6 +3,7 @@ package carom.net.kryo;
 import carom.net.seal.Encryption;
 import carom.net.transport.Link;
 import carom.net.transport.NetworkCounter;
+import carom.net.transport.PortUnavailableException;
 import carom.net.transport.ServerTransport;
 import java.io.IOException;
 import java.net.BindException;
@@ -68,7 +69,7 @@ public final class KryoServerTransport implements ServerTransport {
         network.bind(new InetSocketAddress(address, tcp), new InetSocketAddress(address, udpPort));
         break;
       } catch (IOException x) {
-        PortUnavailableException explained = explain(x, address, tcp, udpPort);
+        PortUnavailableException explained = PortUnavailableException.of(x, address, tcp, udpPort);
         boolean chosenHere = explained.port() != tcpPort && explained.port() != udpPort;
         if (!chosenHere || attempt == EPHEMERAL_ATTEMPTS || !(x instanceof BindException)) {
           network.dispose();
@@ -92,44 +93,6 @@ public final class KryoServerTransport implements ServerTransport {
     try (ServerSocket probe = new ServerSocket(0, 1, address)) {
       return probe.getLocalPort();
     }
-  }
-
-  /**
-   * Returns an exception that names the port that failed. KryoNet's exception doesn't name it, so a
-   * second attempt on TCP finds out.
-   */
-  private static PortUnavailableException explain(
-      IOException failure, InetAddress address, int tcp, int udp) {
-    if (address != null && !isOurs(address)) {
-      String name = address.getHostAddress();
-      String text = name + " is no address of this machine; choose one with --bind";
-      return new PortUnavailableException("TCP", tcp, text, failure);
-    }
-    try {
-      new ServerSocket(tcp, 1, address).close();
-    } catch (IOException x) {
-      return explain("TCP", tcp, "--tcp-port", failure);
-    }
-    return explain("UDP", udp, "--udp-port", failure);
-  }
-
-  private static boolean isOurs(InetAddress address) {
-    try {
-      new ServerSocket(0, 1, address).close();
-      return true;
-    } catch (IOException x) {
-      return false;
-    }
-  }
-
-  private static PortUnavailableException explain(
-      String protocol, int port, String flag, IOException failure) {
-    String name = protocol + " port " + port;
-    String text =
-        String.valueOf(failure.getMessage()).contains("in use")
-            ? name + " is busy: another server is probably running; stop it, or choose another port"
-            : name + " can't be opened (" + failure.getMessage() + "); choose another port";
-    return new PortUnavailableException(protocol, port, text + " with " + flag, failure);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package carom.net.kryo;
 
+import carom.net.admission.Entrance;
+import carom.net.admission.Origin;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.FloodMeter;
 import carom.net.datagram.TokenBucket;
@@ -35,7 +37,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
  * <p><b>Length.</b> The steps from an unknown client to an open link, and what each may do, share
  * the connection's phase, keys and addresses.
  */
-final class ServerConnection extends Connection {
+final class ServerConnection extends Connection implements Entrance.Guest {
 
   /**
    * Phase of a connection. It only moves down this list. The port's thread sets KEYING and OPEN,
@@ -88,9 +90,8 @@ final class ServerConnection extends Connection {
   // set by the network thread before the client hears of this connection
   private volatile int number;
   private byte[] greeting;
-
-  /** Address group that counts as one household. It is set before the client can register UDP. */
-  Object addressKey;
+  private int workBits;
+  private Origin origin;
 
   ServerConnection(ServerNetwork network, long token, long nonce) {
     this.network = network;
@@ -148,6 +149,30 @@ final class ServerConnection extends Connection {
     return phase;
   }
 
+  @Override
+  public Entrance.Stage stage() {
+    return switch (phase) {
+      case PENDING -> Entrance.Stage.UNPROVEN;
+      case KEYING, CHALLENGED -> Entrance.Stage.PROVEN;
+      default -> Entrance.Stage.IN;
+    };
+  }
+
+  @Override
+  public Origin origin() {
+    return origin;
+  }
+
+  /** Notes where the client is, before it hears of this connection. */
+  void origin(Origin from) {
+    origin = from;
+  }
+
+  /** Returns how much work the client must prove before any key is computed for it. */
+  int workBits() {
+    return workBits;
+  }
+
   /** Returns the number that this connection's datagrams carry, or 0 before it is admitted. */
   int number() {
     return number;
@@ -164,9 +189,10 @@ final class ServerConnection extends Connection {
   }
 
   /** Notes this connection's number, and what the client is told first. */
-  void admitted(int asNumber) {
-    number = asNumber;
-    greeting = network.greeting(asNumber, token);
+  void admitted(int asNumber, int bits) {
+    workBits = bits;
+    greeting = network.greeting(asNumber, token, bits);
+    number = asNumber; // volatile: the port's thread sees what was set before
   }
 
   /** Returns the seal of what leaves by TCP, or null before. Call it under the stream's lock. */
@@ -311,15 +337,17 @@ final class ServerConnection extends Connection {
 
   /** Closes the connection at once. Called on the network thread. */
   void closeNow(String reason) {
+    boolean wasOpen;
     synchronized (phaseLock) {
       if (phase == Phase.CLOSED) {
         return;
       }
+      wasOpen = phase.compareTo(Phase.OPEN) >= 0;
       phase = Phase.CLOSED;
     }
     broken = true;
     link.finish(reason);
-    network.forget(this, udpAddress);
+    network.forget(this, udpAddress, wasOpen);
     super.close();
   }
 
@@ -524,7 +552,7 @@ final class ServerConnection extends Connection {
       return;
     }
     if (floodMeter.count(now) && link.state() == Link.State.OPEN) {
-      network.refuseForAWhile(addressKey, now);
+      network.hosts.refuseForAWhile(origin.host(), now);
       network.counters.expelled.incrementAndGet();
       link.close(
           "more than "

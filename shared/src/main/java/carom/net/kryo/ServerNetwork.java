@@ -1,5 +1,9 @@
 package carom.net.kryo;
 
+import carom.net.admission.Entrance;
+import carom.net.admission.Hosts;
+import carom.net.admission.Origin;
+import carom.net.admission.WorkProof;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.LinkTable;
 import carom.net.frame.Frame;
@@ -10,14 +14,10 @@ import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
 import com.esotericsoftware.kryonet.Server;
 import java.io.IOException;
-import java.net.Inet6Address;
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.security.SecureRandom;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -25,6 +25,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jctools.queues.atomic.SpscAtomicArrayQueue;
@@ -40,11 +41,6 @@ final class ServerNetwork implements Runnable {
       30; // above 25, or KryoNet also sleeps after 100 quiet selects
   private static final long SWEEP_NANOS = 50_000_000L;
   private static final long KEY_IDLE_SECONDS = 10;
-  private static final int MAX_REFUSED = 4_096;
-  private static final long NANOS_PER_SECOND = 1_000_000_000L;
-
-  /** How long the address of a flood gets no new connection, s. */
-  static final int REFUSAL_SECONDS = 30;
 
   private static final long SHUTDOWN_NANOS = 2 * SWEEP_NANOS + Frame.LINGER_NANOS;
 
@@ -66,30 +62,36 @@ final class ServerNetwork implements Runnable {
 
   // used by the network thread
   private final List<ServerConnection> connections = new ArrayList<>();
-  private final Map<Object, Integer> perAddress = new HashMap<>();
+  private final Entrance<ServerConnection> entrance;
 
   // used by both threads
   private final LinkTable<ServerConnection> links; // the network thread adds and removes
+  private final AtomicInteger open = new AtomicInteger();
   private final Map<InetSocketAddress, ServerConnection> byAddress = new ConcurrentHashMap<>();
-  private final Map<Object, Long> refusedUntil = new ConcurrentHashMap<>();
+  final Hosts hosts = new Hosts();
 
   // used by the port's thread
   private final byte[] received = new byte[Frame.SERVER_BUFFER_BYTES];
   private final ByteBuffer receivedView = ByteBuffer.wrap(received);
+  private final WorkProof workProof = new WorkProof();
 
   private final ThreadPoolExecutor keyMaker;
 
   ServerNetwork(KryoLimits limits, ServerIdentity identity) {
     this.limits = limits;
     this.identity = identity;
-    links = new LinkTable<>(limits.maxConnections(), ServerConnection::number);
+    int unproven = limits.maxPending();
+    int proven = Math.max(1, unproven / 4);
+    entrance = new Entrance<>(unproven, proven, this::evict);
+    links =
+        new LinkTable<>(limits.maxConnections() + unproven + 2 * proven, ServerConnection::number);
     keyMaker =
         new ThreadPoolExecutor(
             1,
             1,
             KEY_IDLE_SECONDS,
             TimeUnit.SECONDS,
-            new ArrayBlockingQueue<>(limits.maxConnections()),
+            new ArrayBlockingQueue<>(2 * proven),
             work -> {
               Thread thread = new Thread(work, "carom-server-keys");
               thread.setDaemon(true);
@@ -125,9 +127,9 @@ final class ServerNetwork implements Runnable {
   }
 
   /** Returns what a client is told first. */
-  byte[] greeting(int link, long token) {
+  byte[] greeting(int link, long token, int workBits) {
     return Frame.greeting(
-        link, token, udpPort(), identity.encryption(), identity.key().publicKey());
+        link, token, udpPort(), identity.encryption(), workBits, identity.key().publicKey());
   }
 
   /** Runs work on the thread for keys, or counts a refusal if too much waits. */
@@ -225,6 +227,7 @@ final class ServerNetwork implements Runnable {
         return nextSweep;
       }
       each(connection -> connection.sweep(now));
+      entrance.sort();
       return now + SWEEP_NANOS;
     } catch (Throwable x) { // whatever the error, the other connections go on
       counters.error(x);
@@ -271,19 +274,23 @@ final class ServerNetwork implements Runnable {
       return false;
     }
     connection.remote(text(remote));
-    connection.addressKey = addressKey(remote.getAddress());
-    int before = connections.size();
+    connection.origin(Origin.of(remote.getAddress()));
+    String host = connection.origin().host();
+    int inside = open.get();
     connections.add(connection);
-    int sameAddress = perAddress.merge(connection.addressKey, 1, Integer::sum);
+    int sameHost = hosts.add(host);
+    boolean isCrowded = inside >= limits.maxConnections() / 2;
     String refusal = null;
     if (stopping) {
       refusal = "the server is shutting down";
-    } else if (before >= limits.maxConnections()) {
-      refusal = "the server is full (" + limits.maxConnections() + " connections)";
-    } else if (isRefused(connection.addressKey)) {
+    } else if (inside >= limits.maxConnections()) {
+      refusal = full();
+    } else if (hosts.isRefused(host, System.nanoTime())) {
       refusal =
-          "your address sent far too many datagrams; try again in " + REFUSAL_SECONDS + " seconds";
-    } else if (sameAddress > limits.maxPerAddress()) {
+          "your address sent far too many datagrams; try again in "
+              + Hosts.REFUSAL_SECONDS
+              + " seconds";
+    } else if (isCrowded && sameHost > limits.maxPerAddress()) {
       refusal = "too many connections from your address (" + limits.maxPerAddress() + ")";
     }
     if (refusal != null) {
@@ -291,43 +298,24 @@ final class ServerNetwork implements Runnable {
       connection.dismiss(refusal);
       return false;
     }
-    connection.admitted(links.add(connection));
+    int workBits = entrance.workBits();
+    entrance.add(connection);
+    connection.admitted(links.add(connection), workBits);
     return true;
   }
 
-  private boolean isRefused(Object addressKey) {
-    Long until = refusedUntil.get(addressKey);
-    if (until == null) {
-      return false;
-    }
-    if (System.nanoTime() - until < 0) {
-      return true;
-    }
-    refusedUntil.remove(addressKey);
-    return false;
+  private String full() {
+    return "the server is full (" + limits.maxConnections() + " connections)";
   }
 
-  /** Refuses connections of an address for a while. Any thread may call it. */
-  void refuseForAWhile(Object addressKey, long now) {
-    if (refusedUntil.size() >= MAX_REFUSED) {
-      refusedUntil.values().removeIf(until -> now - until >= 0);
-    }
-    if (refusedUntil.size() < MAX_REFUSED) {
-      refusedUntil.put(addressKey, now + REFUSAL_SECONDS * NANOS_PER_SECOND);
-    }
+  private void evict(ServerConnection connection) {
+    counters.evicted.incrementAndGet();
+    connection.dismiss("too many are connecting to this server; try again in a moment");
   }
 
   private static String text(InetSocketAddress remote) {
     String address = remote.getAddress().getHostAddress();
     return (address.indexOf(':') < 0 ? address : "[" + address + "]") + ":" + remote.getPort();
-  }
-
-  /** Returns the key of one household: an IPv4 address, or an IPv6 /64 network. */
-  private static Object addressKey(InetAddress address) {
-    if (address instanceof Inet6Address) {
-      return ByteBuffer.wrap(Arrays.copyOf(address.getAddress(), 8));
-    }
-    return address;
   }
 
   /** Takes a datagram that came in by UDP. Called on the port's thread. */
@@ -353,7 +341,11 @@ final class ServerNetwork implements Runnable {
     }
     receivedView.limit(length).position(1);
     ServerConnection newcomer = links.get(receivedView.getInt());
-    if (newcomer == null || !newcomer.hasToken(receivedView.getLong())) {
+    long token = receivedView.getLong();
+    if (newcomer == null
+        || !newcomer.hasToken(token)
+        || !workProof.isSolved(
+            newcomer.number(), token, newcomer.workBits(), receivedView.getLong())) {
       return false;
     }
     newcomer.addressKnown(from, nowNs);
@@ -376,7 +368,9 @@ final class ServerNetwork implements Runnable {
     }
     claim(address, connection);
     counters.opened.incrementAndGet();
-    if (!opened.offer(link)) {
+    if (open.incrementAndGet() > limits.maxConnections()) {
+      link.close(full());
+    } else if (!opened.offer(link)) {
       link.close("the server is busy");
     }
   }
@@ -398,13 +392,22 @@ final class ServerNetwork implements Runnable {
     }
   }
 
-  void forget(ServerConnection connection, InetSocketAddress address) {
+  /**
+   * Forgets a connection that is closed.
+   *
+   * @param wasOpen whether its link had opened
+   */
+  void forget(ServerConnection connection, InetSocketAddress address, boolean wasOpen) {
+    if (wasOpen) {
+      open.decrementAndGet();
+    }
     links.remove(connection);
     if (address != null) {
       byAddress.remove(address, connection);
     }
     if (connections.remove(connection)) {
-      perAddress.computeIfPresent(connection.addressKey, (key, n) -> n == 1 ? null : n - 1);
+      hosts.remove(connection.origin().host());
+      entrance.remove(connection);
     }
   }
 

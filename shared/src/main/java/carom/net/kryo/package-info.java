@@ -9,8 +9,8 @@
  * as frames).
  *
  * <p>Imports {@code carom.net.protocol}, {@code carom.net.transport}, {@code carom.net.frame},
- * {@code carom.net.datagram}, {@code carom.net.seal}, {@code carom.text}, KryoNet, Kryo, JCTools
- * and the JDK only.
+ * {@code carom.net.datagram}, {@code carom.net.admission}, {@code carom.net.seal}, {@code
+ * carom.text}, KryoNet, Kryo, JCTools and the JDK only.
  *
  * <p>Read first: {@link carom.net.kryo.KryoServerTransport}, {@link
  * carom.net.kryo.KryoClientTransport}, {@link carom.net.kryo.KryoLimits}.

@@ -19,7 +19,7 @@ public sealed interface ClientMessage {
    * @param resumeSecret secret of an earlier session's {@link ServerMessage.Welcome}, or 0
    * @param room name of the room in which the player wants to play; empty for any
    * @param game name of the game that the player wants to play if the room is any; empty for any.
-   *     It is a wish: if no room that plays it has a place, the server chooses another
+   *     It is a request: if no room that plays it has a place, the server chooses another
    * @param token join token of the operator's own backend, at most {@link Limits#MAX_TOKEN_BYTES}
    *     characters of ASCII; empty for none
    */

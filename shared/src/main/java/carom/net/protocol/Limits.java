@@ -21,6 +21,9 @@ public final class Limits {
   /** Largest message of a game, in bytes, in either direction. */
   public static final int MAX_GAME_MESSAGE_BYTES = 900;
 
+  /** Longest account that a join token names, in characters. */
+  public static final int MAX_ACCOUNT_CHARACTERS = 64;
+
   /** Longest player name in UTF-8 bytes, see {@link PlayerName}. The shortest has 1 byte. */
   public static final int MAX_NAME_BYTES = 32;
 

@@ -1,12 +1,12 @@
 package carom.net.protocol;
 
+import carom.text.Texts;
 import java.nio.charset.StandardCharsets;
 import java.text.Normalizer;
 import java.util.Locale;
 
 /** Rule for player names, which appear on the screens of all players and in the operator's log. */
 public final class PlayerName {
-
   /**
    * Largest number of accents and other marks on one character. More would spill over neighbouring
    * characters.
@@ -75,7 +75,7 @@ public final class PlayerName {
       if (isHidden(point)) {
         return String.format("the name has the character U+%04X, which can't be shown", point);
       }
-      marks = isMark(point) ? marks + 1 : 0;
+      marks = Texts.isMark(point) ? marks + 1 : 0;
       if (marks > MAX_MARKS) {
         return "the name has an accent with nothing below it, or too many of them on one letter";
       }
@@ -87,28 +87,13 @@ public final class PlayerName {
   }
 
   private static boolean isHidden(int point) {
-    return switch (Character.getType(point)) {
-      case Character.CONTROL,
-          Character.FORMAT,
-          Character.SURROGATE,
-          Character.UNASSIGNED,
-          Character.PRIVATE_USE,
-          Character.LINE_SEPARATOR,
-          Character.PARAGRAPH_SEPARATOR ->
-          true;
-      case Character.SPACE_SEPARATOR -> point != ' ';
-      default -> BLANKS.indexOf(point) >= 0 || isVariationSelector(point);
-    };
+    return Texts.isInvisible(point)
+        || (Character.getType(point) == Character.SPACE_SEPARATOR && point != ' ')
+        || BLANKS.indexOf(point) >= 0
+        || isVariationSelector(point);
   }
 
   private static boolean isVariationSelector(int point) {
     return point >= 0xfe00 && point <= 0xfe0f || point >= 0xe0100 && point <= 0xe01ef;
-  }
-
-  private static boolean isMark(int point) {
-    int type = Character.getType(point);
-    return type == Character.NON_SPACING_MARK
-        || type == Character.ENCLOSING_MARK
-        || type == Character.COMBINING_SPACING_MARK;
   }
 }

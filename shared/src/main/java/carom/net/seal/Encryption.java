@@ -6,7 +6,9 @@ public enum Encryption {
    * Frames are in the clear. Each carries the key of its session as a tag, which keeps out senders
    * that see nothing of the session, but no one who can read its packets.
    */
-  OFF("nothing is encrypted: who sees packets can read them, change them and be any player"),
+  OFF(
+      "nothing is encrypted: a program that sees packets can read them, change them and be any"
+          + " player"),
   /** Frames are encrypted and authenticated by AES-128-GCM. */
   ON("links are encrypted");
 

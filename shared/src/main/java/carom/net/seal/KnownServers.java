@@ -16,7 +16,7 @@ import java.util.Map;
  * use it.
  *
  * <p>The file has a line for each server: the address, a space and the fingerprint. Servers on this
- * machine aren't remembered, because nobody can stand between, and whoever develops starts many.
+ * machine aren't remembered, because nobody can stand between, and developers start many.
  */
 public final class KnownServers {
   private final Path file; // null for none

@@ -27,7 +27,7 @@ final class Selection {
   /** Share of the budget, at most, that is tried. */
   private static final double SPARE_SHARE = 1.4;
 
-  /** Factor for an entity that the client can't foresee from what it knows. */
+  /** Factor for an entity that the client can't predict from what it knows. */
   private static final float NEWS = 2;
 
   /** Factor for an entity at rest: until that arrives, the client shows it moving on. */

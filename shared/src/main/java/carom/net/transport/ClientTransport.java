@@ -10,7 +10,7 @@ public interface ClientTransport extends AutoCloseable {
    *
    * @param host name or address of the server
    * @param tcpPort 1..65,535
-   * @param udpPort 1..65,535
+   * @param udpPort 1..65,535, or 0 for the one that the server tells over TCP
    */
   Link connect(String host, int tcpPort, int udpPort);
 

@@ -14,7 +14,7 @@ import java.util.Arrays;
 /**
  * The stage of a step that updates the contacts. The narrow phase updates each row; this class
  * decides which rows with a sleeping body are left out, which bodies wake, and notes which bodies
- * are pressed into others.
+ * overlap others deeply.
  *
  * <p>One thread at a time; the narrow phase itself shares its rows with other threads.
  */
@@ -68,7 +68,7 @@ final class CollideStage {
     if (all) {
       touching = 0;
       undecided = false;
-      continuous.forgetPressed();
+      continuous.forgetOverlaps();
     }
     contacts.beginUpdate();
     narrowPhase.begin();
@@ -88,8 +88,8 @@ final class CollideStage {
     if (sleeping.anyAsleep()) {
       decide();
     }
-    if (settings.continuous() && narrowPhase.pressed()) {
-      notePressed();
+    if (settings.continuous() && narrowPhase.overlaps()) {
+      noteOverlaps();
     }
   }
 
@@ -151,7 +151,7 @@ final class CollideStage {
   }
 
   /** Notes the dynamic bodies that overlap static or kinematic ones. */
-  private void notePressed() {
+  private void noteOverlaps() {
     for (int row = 0; row < contacts.count(); row++) {
       float overlap = -contacts.leastSeparation(row);
       if (overlap > settings.slop() && !narrowPhase.isLeft(row)) {
@@ -159,7 +159,7 @@ final class CollideStage {
         int b = contacts.bodyB(row);
         boolean dynamic = bodies.type[a] == BodyStore.DYNAMIC;
         if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC)) {
-          continuous.press(dynamic ? a : b, overlap);
+          continuous.noteOverlap(dynamic ? a : b, overlap);
         }
       }
     }

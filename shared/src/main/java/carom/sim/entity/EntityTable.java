@@ -56,7 +56,7 @@ public final class EntityTable
   private long version;
 
   /**
-   * Creates the entities and players of a simulation, of whom there are none yet.
+   * Creates the table of a simulation's entities and players, which is empty.
    *
    * @param clock returns the tick
    * @param authority refuses a call, by its name, that only a server may make

@@ -3,7 +3,7 @@ package carom.sim.field;
 /**
  * A player, an entity or the match: what has values of a game's fields. Reading a value is one load
  * from an array. On a client, values that the player may not know stay as they began, and writes
- * that it can't foresee are dropped, see {@link FieldStore}.
+ * that it can't predict are dropped, see {@link FieldStore}.
  *
  * <p>All methods throw {@link IllegalArgumentException} for a field that isn't declared by the game
  * or belongs to another scope. Methods without an index are for fields with one value, those with

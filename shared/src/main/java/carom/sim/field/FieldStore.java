@@ -9,7 +9,7 @@ import java.util.function.IntSupplier;
  * the moment. The values themselves are with the players, the entities and the match.
  *
  * <p>A server takes every write but those of {@code Game.collision} and {@code Game.forces}. A
- * client takes the writes that it can foresee: those of {@code Game.input} to that player, its body
+ * client takes the writes that it can predict: those of {@code Game.input} to that player, its body
  * and what it spawned, of fields that players are told. It drops all others, and the server's word
  * follows. One thread; a write allocates nothing.
  */
@@ -95,7 +95,7 @@ public final class FieldStore {
     return changes[scope.ordinal()];
   }
 
-  /** Drops from now on what a client can't foresee. A client calls it after set-up. */
+  /** Drops from now on what a client can't predict. A client calls it after set-up. */
   public void predict() {
     rest = Writes.NONE;
     writes = Writes.NONE;
@@ -104,7 +104,7 @@ public final class FieldStore {
   /**
    * Notes from now on how the game uses its fields. A server calls it.
    *
-   * @param findings receives what no client can foresee
+   * @param findings receives what no client can predict
    * @return what notes it
    */
   public FieldUse noteUse(Findings findings, FieldUse.Owners owners) {
@@ -158,7 +158,7 @@ public final class FieldStore {
     }
   }
 
-  /** Returns whether a client couldn't foresee a write to these values now. */
+  /** Returns whether a client couldn't predict a write to these values now. */
   boolean isRuling(FieldValues values) {
     return !isInput || !isOwn(values);
   }

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Finds fields that a game uses so that no client can foresee them: rules write them again and
+ * Finds fields that a game uses so that no client can predict them: rules write them again and
  * again, and {@code Game.input} or {@code Game.forces} reads them; or these read what clients
  * aren't told. Writes are noted always, reads in some ticks only. One thread; allocates for a
  * finding, and for the first write of a rule to a word.
@@ -102,7 +102,7 @@ public final class FieldUse {
             + ".");
   }
 
-  /** Notes a write that no client can foresee. */
+  /** Notes a write that no client can predict. */
   void wrote(FieldValues values, int word, Habit habit, int tick) {
     if (habit.note(tick, RISE) && written.size() < MOST_WRITTEN) {
       written.add(new Written(values, word, callback, habit.firstTick()));

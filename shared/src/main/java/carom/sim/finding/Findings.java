@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What a game does again and again although no client can foresee it, each thing once, with advice:
+ * What a game does again and again although no client can predict it, each thing once, with advice:
  * {@code beforeStep pushes entity 17 (crate) every tick, so clients can't predict it; use
  * Game.forces. First seen at tick 311.} For developers: a finding changes nothing.
  *

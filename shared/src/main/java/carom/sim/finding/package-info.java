@@ -1,5 +1,5 @@
 /**
- * What a game does again and again although no client can foresee it, told to its developer once,
+ * What a game does again and again although no client can predict it, told to its developer once,
  * with advice.
  *
  * <p>Allowed imports: the JDK. Read first: {@link carom.sim.finding.Findings}, {@link

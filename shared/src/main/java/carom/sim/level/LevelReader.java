@@ -19,6 +19,7 @@ import carom.json.Json;
 import carom.json.JsonException;
 import carom.physics.BodyType;
 import carom.physics.Material;
+import carom.physics.geometry.Shape;
 import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
 import java.util.ArrayList;
@@ -37,6 +38,13 @@ final class LevelReader {
   static final int MAX_STATIC_ITEMS = 2048;
   static final int MAX_BODY_ITEMS = 1024;
   static final int MAX_PLACEMENTS = 16_384;
+
+  /**
+   * Most convex parts of all placed statics and bodies together: what a level costs in memory and
+   * time before anybody plays, about 30 MB. A file of 4 kB can ask for millions.
+   */
+  static final int MAX_PLACED_PARTS = 65_536;
+
   static final int MAX_SPAWNS = 1024;
   static final int MAX_ZONES = 256;
   static final int MAX_AREAS = 256;
@@ -118,6 +126,7 @@ final class LevelReader {
   private final String file;
   private final LevelJointReader jointReader = new LevelJointReader(this);
   private final Map<String, Material> materials = new LinkedHashMap<>();
+  private int placedParts;
 
   LevelReader(String file, byte[] bytes) throws LevelException {
     this.file = file;
@@ -263,7 +272,8 @@ final class LevelReader {
     float[] at = vector(required(node, "at"), MAX_COORDINATE);
     float angle = number(node, "angle", 0, -360, 360) * RAD_PER_DEGREE;
     Material material = material(node.fields.get("material"));
-    def.shape(ShapeReader.shape(required(node, "shape"), true), material);
+    Shape shape = ShapeReader.shape(required(node, "shape"), true);
+    def.shape(shape, material);
     def.oneWay(bool(node, "oneWay", false));
     def.sensor(bool(node, "sensor", false));
     def.tag(integer(node, "tag", 0, 0, 65535));
@@ -274,7 +284,7 @@ final class LevelReader {
       readMoving(node, def, at);
     }
     int first = out.size();
-    place(node, at, angle, out);
+    place(node, at, angle, shape.parts().size(), out);
     jointReader.item(def.name, isStatic, first, out.size() - first);
     archetypes.add(def);
   }
@@ -342,7 +352,7 @@ final class LevelReader {
     }
   }
 
-  private void place(Json node, float[] at, float angle, List<Level.Placement> out)
+  private void place(Json node, float[] at, float angle, int parts, List<Level.Placement> out)
       throws JsonException {
     int columns = 1;
     int rows = 1;
@@ -361,6 +371,18 @@ final class LevelReader {
               + (out.size() + columns * rows)
               + ", beyond the limit of "
               + MAX_PLACEMENTS);
+    }
+    placedParts += columns * rows * parts;
+    if (placedParts > MAX_PLACED_PARTS) {
+      throw wrong(
+          node,
+          " brings the number of convex parts to "
+              + placedParts
+              + ", beyond the limit of "
+              + MAX_PLACED_PARTS
+              + "; repeat it less often, or give its shape fewer points or parts (it has "
+              + parts
+              + ")");
     }
     for (int row = 0; row < rows; row++) {
       for (int column = 0; column < columns; column++) {

@@ -132,7 +132,7 @@ public final class Pool {
    * @throws IllegalArgumentException if there is none of that name
    */
   public void open(String name, boolean open) {
-    pools.wish(firstSpout + spout(name), open);
+    pools.request(firstSpout + spout(name), open);
   }
 
   /** Returns whether a spout is open, or will be after the delay. */

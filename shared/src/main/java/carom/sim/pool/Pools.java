@@ -43,10 +43,10 @@ public final class Pools {
   private final OrderLog log = new OrderLog();
 
   /** What the game ordered since the last row was closed. */
-  private final int[] wishes = new int[OrderLog.WORDS];
+  private final int[] requests = new int[OrderLog.WORDS];
 
   private int open;
-  private int wishedOpen;
+  private int requestedOpen;
   private int spouts;
   private int particles;
   private boolean begun;
@@ -108,7 +108,7 @@ public final class Pools {
       spouts++;
     }
     particles += def.most();
-    wishedOpen = open;
+    requestedOpen = open;
     pools.add(pool);
     return pool;
   }
@@ -173,19 +173,19 @@ public final class Pools {
     return open;
   }
 
-  void wish(int spout, boolean on) {
+  void request(int spout, boolean on) {
     if (decides) {
-      wishedOpen = on ? wishedOpen | 1 << spout : wishedOpen & ~(1 << spout);
+      requestedOpen = on ? requestedOpen | 1 << spout : requestedOpen & ~(1 << spout);
     }
   }
 
   boolean isWished(int spout) {
-    return (wishedOpen >>> spout & 1) != 0;
+    return (requestedOpen >>> spout & 1) != 0;
   }
 
   boolean order(int kind, int pool, float x, float y, float radius, float vx, float vy) {
     PoolDef.Box box = pools.get(pool).def().box();
-    return decides && OrderLog.add(wishes, box, kind, pool, x, y, radius, vx, vy);
+    return decides && OrderLog.add(requests, box, kind, pool, x, y, radius, vx, vy);
   }
 
   // ---- time
@@ -211,10 +211,10 @@ public final class Pools {
     if (isQuiet(period)) {
       return;
     }
-    int[] row = log.begin(period, wishedOpen, particleHash());
-    OrderLog.copyOrders(wishes, row);
+    int[] row = log.begin(period, requestedOpen, particleHash());
+    OrderLog.copyOrders(requests, row);
     forces.order(row, pools);
-    Arrays.fill(wishes, 0);
+    Arrays.fill(requests, 0);
   }
 
   /** Returns the row that the last tick of the server closed, or null. */
@@ -225,7 +225,10 @@ public final class Pools {
 
   /** Returns whether nothing happens until a period, so that its row needn't be told. */
   private boolean isQuiet(int period) {
-    if (!areStill() || forces.areStirring() || OrderLog.orders(wishes) > 0 || wishedOpen != open) {
+    if (!areStill()
+        || forces.areStirring()
+        || OrderLog.orders(requests) > 0
+        || requestedOpen != open) {
       return false;
     }
     for (int p = period - OrderLog.AHEAD; p < period; p++) {
@@ -404,8 +407,8 @@ public final class Pools {
   /** Returns 64 bits of everything that decides the future of the pools. */
   public long stateHash() {
     long h = tick * 31L + open;
-    h = h * 31 + wishedOpen;
-    for (int word : wishes) {
+    h = h * 31 + requestedOpen;
+    for (int word : requests) {
       h = h * 31 + word;
     }
     for (Pool pool : pools) {
@@ -430,8 +433,8 @@ public final class Pools {
     PoolsState s = reuse == null ? new PoolsState(pools.size()) : reuse;
     s.tick = tick;
     s.open = open;
-    s.wishedOpen = wishedOpen;
-    s.copyWishes(wishes);
+    s.requestedOpen = requestedOpen;
+    s.copyRequests(requests);
     s.log.copy(log);
     for (int i = 0; i < pools.size(); i++) {
       s.particles[i] = pools.get(i).particles().save(s.particles[i]);
@@ -448,8 +451,8 @@ public final class Pools {
   public void restore(PoolsState s) {
     tick = s.tick;
     open = s.open;
-    wishedOpen = s.wishedOpen;
-    System.arraycopy(s.wishes, 0, wishes, 0, wishes.length);
+    requestedOpen = s.requestedOpen;
+    System.arraycopy(s.requests, 0, requests, 0, requests.length);
     if (decides) {
       log.copy(s.log);
     } else {

@@ -14,10 +14,10 @@ public final class PoolsState {
   final ParticleState[] particles;
   final int[] stillTicks;
   final OrderLog log = new OrderLog();
-  final int[] wishes = new int[OrderLog.WORDS];
+  final int[] requests = new int[OrderLog.WORDS];
   int tick;
   int open;
-  int wishedOpen;
+  int requestedOpen;
 
   PoolsState(int pools) {
     particles = new ParticleState[pools];
@@ -54,9 +54,9 @@ public final class PoolsState {
     a.require(n == particles.length, "pools=" + n + " aren't this level's " + particles.length);
     tick = a.integer("tick of pools", tick, 0, most);
     open = a.integer("open spouts", open, least, most);
-    wishedOpen = a.integer("spouts to open", wishedOpen, least, most);
+    requestedOpen = a.integer("spouts to open", requestedOpen, least, most);
     a.integers("still ticks", stillTicks, n, 0, most);
-    a.integers("wish", wishes, OrderLog.WORDS, least, most);
+    a.integers("request", requests, OrderLog.WORDS, least, most);
     int rows = a.count("rows of orders", countRows(), OrderLog.KEPT, OrderLog.WORDS);
     int[] row = new int[OrderLog.WORDS];
     int at = -1;
@@ -72,8 +72,8 @@ public final class PoolsState {
       }
     }
     a.require(
-        OrderLog.orders(wishes) >= 0 && OrderLog.orders(wishes) <= OrderLog.MAX_ORDERS,
-        "wishes=" + OrderLog.orders(wishes));
+        OrderLog.orders(requests) >= 0 && OrderLog.orders(requests) <= OrderLog.MAX_ORDERS,
+        "requests=" + OrderLog.orders(requests));
   }
 
   private int countRows() {
@@ -92,8 +92,8 @@ public final class PoolsState {
     return at;
   }
 
-  void copyWishes(int[] from) {
-    System.arraycopy(from, 0, wishes, 0, wishes.length);
+  void copyRequests(int[] from) {
+    System.arraycopy(from, 0, requests, 0, requests.length);
   }
 
   void copyStill(int index, int ticks) {

@@ -9,7 +9,7 @@ public interface OwnSpawns {
   int UNKNOWN = -1;
 
   /** Returns whether the entities that a player's input spawns are shown before the server's. */
-  boolean foresees(int playerId);
+  boolean predicts(int playerId);
 
   /**
    * Returns what the server calls an entity: {@code id | generation << 16}, or {@link #UNKNOWN}.

@@ -139,7 +139,7 @@ public final class VectorColumns extends ColumnLanes {
     IntVector rest = moved.and(STEP - 1);
     IntVector early = rest.sub(error + 1);
     IntVector late = rest.neg().add(STEP - error - 1);
-    IntVector unsure = early.or(late).lanewise(ASHR, 31);
-    moved.lanewise(ASHR, STEP_SHIFT).and(Quantizer.ANGLE_STEPS - 1).or(unsure).intoArray(to, at);
+    IntVector uncertain = early.or(late).lanewise(ASHR, 31);
+    moved.lanewise(ASHR, STEP_SHIFT).and(Quantizer.ANGLE_STEPS - 1).or(uncertain).intoArray(to, at);
   }
 }

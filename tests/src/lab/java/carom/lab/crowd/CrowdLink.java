@@ -20,7 +20,6 @@ import java.nio.channels.SocketChannel;
  * thread writes. Speaks the frames of {@link Frame} without KryoNet's client.
  */
 final class CrowdLink extends ClientEnd {
-  private static final long REGISTER_NANOS = 100_000_000L;
   private static final long KEEP_ALIVE_NANOS = Frame.KEEP_ALIVE_MILLIS * 1_000_000L;
 
   private final ByteBuffer frames =
@@ -34,7 +33,6 @@ final class CrowdLink extends ClientEnd {
   private volatile SelectionKey tcpKey;
 
   // the transport's thread
-  private long registerAt;
   private long keepAliveAt;
   private long closedSince;
 
@@ -64,10 +62,6 @@ final class CrowdLink extends ClientEnd {
       tcp.configureBlocking(false);
       tcp.socket().setTcpNoDelay(true);
       tcpKey = tcp.register(selector, SelectionKey.OP_CONNECT, this);
-      udp = DatagramChannel.open();
-      udp.configureBlocking(false);
-      udp.connect(new InetSocketAddress(address.getAddress(), udpPort()));
-      udp.register(selector, SelectionKey.OP_READ, this);
       if (tcp.connect(address)) {
         connected();
       }
@@ -137,7 +131,7 @@ final class CrowdLink extends ClientEnd {
       byte tag = readFrame(frames.limit(end));
       frames.limit(filled).position(end);
       if (tag == Frame.REGISTER_TCP) {
-        register(System.nanoTime());
+        openDatagrams();
       } else if (tag == Frame.REGISTER_UDP) {
         udpRegistered();
       }
@@ -145,11 +139,15 @@ final class CrowdLink extends ClientEnd {
     frames.compact();
   }
 
-  /** Tells the server this link's UDP address, again and again until the server confirms. */
-  private void register(long now) {
-    registerAt = now + REGISTER_NANOS;
-    byte[] fields = ByteBuffer.allocate(12).putInt(id()).putLong(token()).array();
-    transmitDatagram(Frame.REGISTER_UDP, fields, 0, fields.length);
+  private void openDatagrams() throws IOException {
+    if (udp == null && !isDisconnected()) {
+      udp = DatagramChannel.open();
+      udp.configureBlocking(false);
+      InetSocketAddress server = (InetSocketAddress) tcp.getRemoteAddress();
+      udp.connect(new InetSocketAddress(server.getAddress(), udpPort()));
+      udp.register(selector, SelectionKey.OP_READ, this);
+      registerUdp(System.nanoTime());
+    }
   }
 
   /** Checks deadlines. Called about 20 times a second. */
@@ -167,9 +165,7 @@ final class CrowdLink extends ClientEnd {
       }
       return;
     }
-    if (!isUdpRegistered() && now - registerAt >= 0) {
-      register(now);
-    }
+    registerUdp(now);
     if (now - keepAliveAt >= 0) {
       keepAliveAt = now + KEEP_ALIVE_NANOS;
       if (isUdpRegistered()) { // before that, a server accepts no message over TCP

@@ -90,7 +90,7 @@ final class FeelFigures {
         Figure.shown(where + "own body wrong then", sum.corrected / minutes, "/min")
             .withNote("a lost input of the own or of others, a difference that wasn't told yet"),
         Figure.shown(
-                where + "differences that could not be foreseen", sum.disagreed / minutes, "/min")
+                where + "differences that could not be predicted", sum.disagreed / minutes, "/min")
             .withNote("per player: the hash of what is near was another, with all inputs known"),
         Figure.shown(where + "present computed again", sum.rollbacks / minutes, "/min")
             .withNote("per player; by nature: others did something new while it was on the way"),

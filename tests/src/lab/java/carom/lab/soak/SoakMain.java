@@ -1,11 +1,9 @@
 package carom.lab.soak;
 
+import carom.testkit.Folders;
 import java.io.IOException;
-import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.SimpleFileVisitor;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
@@ -93,7 +91,7 @@ public final class SoakMain implements Callable<Integer> {
       failure = e;
     } finally {
       if (folder != null) {
-        delete(folder);
+        Folders.delete(folder);
       }
     }
     return new Outcome(soak.elapsedS(), soak.summary(), failure);
@@ -118,24 +116,5 @@ public final class SoakMain implements Callable<Integer> {
       }
     }
     return fails;
-  }
-
-  private static void delete(Path folder) throws IOException {
-    Files.walkFileTree(
-        folder,
-        new SimpleFileVisitor<>() {
-          @Override
-          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
-              throws IOException {
-            Files.delete(file);
-            return FileVisitResult.CONTINUE;
-          }
-
-          @Override
-          public FileVisitResult postVisitDirectory(Path dir, IOException e) throws IOException {
-            Files.delete(dir);
-            return FileVisitResult.CONTINUE;
-          }
-        });
   }
 }

@@ -69,10 +69,8 @@ final class BotReportTest {
       code =
           BotsMain.run(
               new Hurry(),
-              "--tcp-port",
-              "1",
-              "--udp-port",
-              "1",
+              "--host",
+              "localhost:1",
               "--count",
               "2",
               "--seconds",
@@ -97,7 +95,7 @@ final class BotReportTest {
     try {
       System.setErr(new PrintStream(complained, true, StandardCharsets.UTF_8));
       assertEquals(2, BotsMain.run("--count", "0"));
-      assertEquals(2, BotsMain.run("--tcp-port", "70000"));
+      assertEquals(2, BotsMain.run("--host", "localhost:70000"));
       assertEquals(2, BotsMain.run("--colour", "red"));
     } finally {
       System.setErr(err);

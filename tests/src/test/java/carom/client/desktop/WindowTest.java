@@ -142,11 +142,7 @@ final class WindowTest {
     ProcessBuilder builder =
         client(
             "--host",
-            "localhost",
-            "--tcp-port",
-            Integer.toString(server.tcpPort()),
-            "--udp-port",
-            Integer.toString(server.udpPort()),
+            "localhost:" + server.tcpPort(),
             "--name",
             "Viewer",
             "--seconds",

@@ -10,12 +10,12 @@ import org.junit.jupiter.api.Test;
 class ServerAddressTest {
   @Test
   void anAddressIsReadAsPeopleWriteIt() {
-    assertEquals(new ServerAddress("localhost", 54_555, 54_777), ServerAddress.parse("localhost"));
-    assertEquals(new ServerAddress("a.b", 27_960, 54_777), ServerAddress.parse(" a.b:27960 "));
+    assertEquals(new ServerAddress("localhost", 54_555, 0), ServerAddress.parse("localhost"));
+    assertEquals(new ServerAddress("a.b", 27_960, 0), ServerAddress.parse(" a.b:27960 "));
     assertEquals(new ServerAddress("10.0.0.1", 1, 2), ServerAddress.parse("10.0.0.1:1/2"));
-    assertEquals(new ServerAddress("::1", 54_555, 54_777), ServerAddress.parse("::1"));
-    assertEquals(new ServerAddress("fe80::1", 7, 54_777), ServerAddress.parse("[fe80::1]:7"));
-    assertEquals(new ServerAddress("::1", 54_555, 54_777), ServerAddress.parse("[::1]"));
+    assertEquals(new ServerAddress("::1", 54_555, 0), ServerAddress.parse("::1"));
+    assertEquals(new ServerAddress("fe80::1", 7, 0), ServerAddress.parse("[fe80::1]:7"));
+    assertEquals(new ServerAddress("::1", 54_555, 0), ServerAddress.parse("[::1]"));
   }
 
   @Test

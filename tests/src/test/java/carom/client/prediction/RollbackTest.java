@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.sim.Journal;
 import carom.sim.Simulation;
-import carom.sim.message.PlayerRole;
 import carom.testkit.IslandRig;
 import carom.testkit.RollbackFigure;
 import org.junit.jupiter.api.Test;
@@ -116,18 +115,6 @@ class RollbackTest {
     rig.predicted()
         .addJournal(
             new Journal() {
-              @Override
-              public void joining(Simulation s, int id, String name) {}
-
-              @Override
-              public void watching(Simulation s, int id, String name) {}
-
-              @Override
-              public void changing(Simulation s, int id, PlayerRole role) {}
-
-              @Override
-              public void leaving(Simulation s, int id) {}
-
               @Override
               public void stepping(Simulation s) {}
 

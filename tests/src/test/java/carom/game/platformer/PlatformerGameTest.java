@@ -328,7 +328,7 @@ class PlatformerGameTest {
     }
   }
 
-  /** Whoever keeps running right and jumping gets through the shipped level and finds coins. */
+  /** A player who keeps running right and jumping crosses the shipped level and finds coins. */
   @Test
   void aSimpleRunnerCrossesTheLevel() {
     Simulation s = GamesTest.start("platformer", 1, Role.AUTHORITY);

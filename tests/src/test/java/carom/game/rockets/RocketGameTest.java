@@ -14,7 +14,7 @@ import carom.sim.entity.Player;
 import carom.sim.match.MatchPhase;
 import org.junit.jupiter.api.Test;
 
-/** Goal: the rules of a match. Method: the shipped level; two players, one of whom shoots. */
+/** Goal: the rules of a match. Method: the shipped level; two players; one shoots. */
 final class RocketGameTest {
   private final Simulation s = GamesTest.start("rockets", 1, Role.AUTHORITY);
   private final Player ann = s.join("ann");

@@ -78,7 +78,7 @@ class ColumnLanesTest {
     float[] cos = new float[width];
     float[] sin = new float[width];
     int[] got = new int[width];
-    int unsure = 0;
+    int uncertain = 0;
     for (int batch = 0; batch < BATCHES; batch++) {
       for (int i = 0; i < width; i++) {
         double angle = random.nextInt(2) == 0 ? random.nextInt(2048) * Math.PI / 1024 : 0;
@@ -90,13 +90,13 @@ class ColumnLanesTest {
       for (int i = 0; i < width; i++) {
         int exact = Quantizer.angle(Trig.atan2(sin[i], cos[i]));
         if (got[i] < 0) {
-          unsure++;
+          uncertain++;
         } else {
           assertEquals(exact, got[i], "seed=" + seed + " cos=" + cos[i] + " sin=" + sin[i]);
         }
       }
     }
-    assertTrue(unsure < BATCHES * width / 2, "unsure=" + unsure + " seed=" + seed);
+    assertTrue(uncertain < BATCHES * width / 2, "uncertain=" + uncertain + " seed=" + seed);
   }
 
   @Test

@@ -11,11 +11,12 @@ class KryoLimitsTest {
     KryoLimits other =
         KryoLimits.DEFAULT
             .withConnections(11, 12)
+            .withPending(9)
             .withTimes(130, 140)
             .withRates(15, 16)
             .withInbox(17, 18);
     int unsent = KryoLimits.DEFAULT.unsentBytes();
-    assertEquals(new KryoLimits(11, 12, 130, 140, 15, 16, 17, 18, unsent), other);
+    assertEquals(new KryoLimits(11, 9, 12, 130, 140, 15, 16, 17, 18, unsent), other);
   }
 
   @Test

@@ -17,6 +17,7 @@ import carom.net.seal.ExchangeKey;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
+import carom.net.transport.PortUnavailableException;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.DatagramSocket;
@@ -405,7 +406,8 @@ public class KryoTransportTest {
   @Test
   void aServerThatIsNoneOrGoesMadOnlyEndsTheLink() throws IOException {
     byte[] fields =
-        Frame.greeting(1, 0x0101010101010101L, 1, Encryption.ON, ExchangeKey.random().publicKey());
+        Frame.greeting(
+            1, 0x0101010101010101L, 1, Encryption.ON, 0, ExchangeKey.random().publicKey());
     byte[] registration =
         join(new byte[] {0, 0, 0, 1 + Frame.GREETING_BYTES, Frame.REGISTER_TCP}, fields);
     List<byte[]> greetings =

@@ -118,14 +118,15 @@ final class LinkSetupTest {
         Socket tcp = new Socket(Network.HOST, network.server.tcpPort());
         DatagramChannel udp = DatagramChannel.open()) {
       udp.connect(new InetSocketAddress(Network.HOST, network.server.udpPort()));
-      byte[] first = tcp.getInputStream().readNBytes(4 + 1 + 47);
-      assertArrayEquals(new byte[] {0, 0, 0, 48, 1}, Arrays.copyOf(first, 5));
-      byte[] greeting = Arrays.copyOfRange(first, 5, 52);
+      byte[] first = tcp.getInputStream().readNBytes(4 + 1 + 48);
+      assertArrayEquals(new byte[] {0, 0, 0, 49, 1}, Arrays.copyOf(first, 5));
+      byte[] greeting = Arrays.copyOfRange(first, 5, 53);
       int link = ByteBuffer.wrap(greeting).getInt();
       assertEquals(network.server.udpPort(), ByteBuffer.wrap(greeting).getShort(12) & 0xffff);
       assertEquals(1, greeting[14], "encryption");
-      byte[] lasting = Arrays.copyOfRange(greeting, 15, 47);
-      udp.write(ByteBuffer.allocate(13).put((byte) 2).put(greeting, 0, 12).flip());
+      assertEquals(0, greeting[15], "bits of work");
+      byte[] lasting = Arrays.copyOfRange(greeting, 16, 48);
+      udp.write(ByteBuffer.allocate(21).put((byte) 2).put(greeting, 0, 12).putLong(0).flip());
       assertArrayEquals(new byte[] {0, 0, 0, 1, 2}, tcp.getInputStream().readNBytes(5));
 
       KeyPair fresh = KeyPairGenerator.getInstance("X25519").generateKeyPair();
@@ -137,7 +138,7 @@ final class LinkSetupTest {
       byte[] theirs = Arrays.copyOfRange(answer, 5, 37);
       MessageDigest hash = MessageDigest.getInstance("SHA-256");
       hash.update("carom link 9".getBytes(StandardCharsets.US_ASCII));
-      hash.update(new byte[] {0, 0, 0, 47});
+      hash.update(new byte[] {0, 0, 0, 48});
       byte[] transcript = hash.digest(join(greeting, offer, theirs));
       byte[] secret =
           mac(transcript, agree(fresh.getPrivate(), theirs), agree(fresh.getPrivate(), lasting));

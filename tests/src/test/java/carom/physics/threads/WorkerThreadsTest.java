@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Every task once, whoever does it. */
+/** Each task runs once, on any thread. */
 final class WorkerThreadsTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 5})

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /**
  * Goal: machines are shared over real sockets as in virtual time. Method: KryoNet on loopback in
  * real time, 150 ms there and back, 2 % loss. A busy computer delays inputs, and the server then
- * steps with a guess that no client can foresee. So a second counts only if every input was there
+ * steps with a guess that no client can predict. So a second counts only if every input was there
  * in time, in it and in the second before.
  */
 @Timeout(120)
@@ -45,7 +45,7 @@ class MachineSocketTest {
             + " 1]}'",
         "a bridge | ', {\"name\": \"bridge\", \"at\": [-20, 3.5], \"team\": 12}'"
       })
-  void machinesAreForeseen(String what, String more) {
+  void machinesArePredicted(String what, String more) {
     try (Stepper stepper = Stepper.overSockets(MachineGame.level(more), ServerConfig.defaults())) {
       SimulatedClient ann = stepper.join("ann", FAR, driver(0));
       stepper.run(3);

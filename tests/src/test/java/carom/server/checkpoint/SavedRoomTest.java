@@ -20,8 +20,10 @@ import org.junit.jupiter.api.Test;
 class SavedRoomTest {
   private static SavedRoom room(long physics, int layout, String config) {
     SavedSeat ann =
-        new SavedSeat(3, "Ann", "Ann (2)", -77, true, 1_234, Seats.Seat.SAME_COURSE, new int[0]);
-    SavedSeat bob = new SavedSeat(1_023, "Zoë", "Zoë", 5, false, SavedSeat.PLAYED, 9, new int[0]);
+        new SavedSeat(
+            3, "Ann", "Ann (2)", "4711", -77, true, 1_234, Seats.Seat.SAME_COURSE, new int[0]);
+    SavedSeat bob =
+        new SavedSeat(1_023, "Zoë", "Zoë", "", 5, false, SavedSeat.PLAYED, 9, new int[0]);
     return new SavedRoom(
         physics,
         layout,
@@ -45,6 +47,7 @@ class SavedRoomTest {
     SavedRoom read = SavedRoom.parse(room().toBytes());
     assertArrayEquals(room().toBytes(), read.toBytes());
     assertEquals("Zoë", read.seats().get(1).name());
+    assertEquals("4711", read.seats().get(0).account());
     assertEquals(-77, read.seats().get(0).secret());
     assertEquals(1_234, read.seats().get(0).graceMs());
     assertEquals("commons", read.pending().level());

@@ -25,6 +25,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -46,7 +47,7 @@ final class FieldStateTest {
       List.of(AMMO, RELOAD, SECRET, TARGET, FUEL, TOUCHED, KING, GOALS);
 
   /** Balls without gravity, and callbacks that a test gives. */
-  private static final class Balls implements Game {
+  private static final class Balls extends PlainGame {
     private final List<Field<?>> fields;
     private Archetype ball;
     private Runnable inInput = () -> {};
@@ -54,17 +55,8 @@ final class FieldStateTest {
     private Runnable inHit = () -> {};
 
     Balls(List<Field<?>> fields) {
+      super("balls");
       this.fields = fields;
-    }
-
-    @Override
-    public String name() {
-      return "balls";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "balls";
     }
 
     @Override
@@ -179,7 +171,7 @@ final class FieldStateTest {
   }
 
   @Test
-  void aClientTakesOnlyTheWritesThatItCanForesee() {
+  void aClientTakesOnlyTheWritesThatItCanPredict() {
     Simulation s = start(game, Role.PREDICTION);
     Player own = s.mirror().join(0, "ann");
     Player other = s.mirror().join(1, "bob");

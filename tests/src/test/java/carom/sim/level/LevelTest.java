@@ -191,6 +191,20 @@ class LevelTest {
                 + BOX
                 + "}]",
             "4:136: bodies[1] brings the number of bodies to 16400, beyond the limit of 16384"));
+    StringBuilder points = new StringBuilder("[0, 0]");
+    for (int i = 1; i < 256; i++) {
+      points.append(", [").append(i).append(", ").append(i % 2).append(']');
+    }
+    c.add(
+        meaning(
+            "a small file of millions of parts",
+            "\"statics\": [{\"at\": [0, 0], \"repeat\": {\"columns\": 100, \"rows\": 100, \"step\":"
+                + " [0, 0]}, \"shape\": {\"type\": \"chain\", \"points\": ["
+                + points
+                + "]}}]",
+            "4:13: statics[0] brings the number of convex parts to 2550000, beyond the limit of"
+                + " 65536; repeat it less often, or give its shape fewer points or parts (it has"
+                + " 255)"));
     c.add(
         field(
             "long name",

@@ -11,11 +11,11 @@ import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
-import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.outbox.Delivery;
 import carom.sim.outbox.Delivery.Recipients;
+import carom.testkit.PlainGame;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -28,18 +28,12 @@ final class MessageOrderTest {
   private static final MessageKind ADD = MessageKind.named("add").fromClient().count("n", 0, 99);
   private static final MessageKind SUM = MessageKind.named("sum").fromServer().count("n", 0, 999);
 
-  private static final class Notes implements Game {
+  private static final class Notes extends PlainGame {
     final List<String> heard = new ArrayList<>();
     String censored = "";
 
-    @Override
-    public String name() {
-      return "notes";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "notes";
+    Notes() {
+      super("notes");
     }
 
     @Override
@@ -47,12 +41,6 @@ final class MessageOrderTest {
       s.messageKinds().add(ADD);
       s.messageKinds().add(SUM);
     }
-
-    @Override
-    public void join(Simulation s, Player p) {}
-
-    @Override
-    public void input(Simulation s, Player p, Input in) {}
 
     @Override
     public void message(Simulation s, Player p, Message m) {

@@ -28,6 +28,7 @@ import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -38,21 +39,15 @@ final class SpawnInInputTest {
   private static final EntityRef LAST = Field.entity("last").to(Audience.OWNER);
 
   /** ACTION fires as many rockets as {@link #shots}; SECOND despawns all of the player's. */
-  private static final class Rules implements Game {
+  private static final class Rules extends PlainGame {
     Archetype man;
     Archetype rocket;
     int shots = 1;
     boolean foreign;
     boolean plain;
 
-    @Override
-    public String name() {
-      return "test";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "test";
+    Rules() {
+      super("test");
     }
 
     @Override
@@ -121,7 +116,7 @@ final class SpawnInInputTest {
   private static OwnSpawns told(int key) {
     return new OwnSpawns() {
       @Override
-      public boolean foresees(int playerId) {
+      public boolean predicts(int playerId) {
         return playerId == 0;
       }
 

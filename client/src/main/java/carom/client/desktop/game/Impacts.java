@@ -148,7 +148,7 @@ final class Impacts {
         }
       } else if (struck[id]) {
         struck[id] = false;
-        strike(id, kind, x, y, steered);
+        show(id, kind, x, y, steered);
       }
     }
     lastX[id] = vx;
@@ -156,7 +156,7 @@ final class Impacts {
   }
 
   /** Shows a blow that is over, unless it is weak or follows another one closely. */
-  private void strike(int id, Archetype kind, float x, float y, boolean steered) {
+  private void show(int id, Archetype kind, float x, float y, boolean steered) {
     float dx = lastX[id] - fromX[id];
     float dy = lastY[id] - fromY[id];
     float blow = Vector2.len(dx, dy);

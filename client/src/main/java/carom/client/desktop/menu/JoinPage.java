@@ -1,17 +1,21 @@
 package carom.client.desktop.menu;
 
+import carom.client.discovery.LanSearch;
+import carom.client.discovery.LanServer;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.settings.PlayerSettings;
 import carom.net.protocol.ServerMessage.RoomEntry;
+import com.badlogic.gdx.scenes.scene2d.ui.Label;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
+import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
 import com.badlogic.gdx.scenes.scene2d.ui.TextField;
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Joins a server: by its address, or from the favourites and those played on lately, with what each
- * tells of itself. Render thread only.
+ * Joins a server: by its address, or from those on this network, the favourites and those played on
+ * lately, with what each tells of itself. Render thread only.
  */
 final class JoinPage implements Page {
   private static final int MAX_ADDRESS_LENGTH = 280;
@@ -23,6 +27,9 @@ final class JoinPage implements Page {
   private final StartTarget target;
   private final Runnable rebuild;
   private final List<KnownServer> known = new ArrayList<>();
+  private final List<Label> lanLabels = new ArrayList<>();
+  private LanSearch search;
+  private List<LanServer> lan = List.of();
   private List<RoomEntry> rooms = List.of();
   private RoomBrowser browser;
   private TextField name;
@@ -56,6 +63,9 @@ final class JoinPage implements Page {
     if (known.isEmpty()) {
       ask(s);
     }
+    if (search == null) {
+      search = target.searchLan();
+    }
     into.defaults().space(8).left();
     into.add(widgets.heading("Join a server")).colspan(2).row();
     name = widgets.field(name == null ? s.name() : name.getText(), MAX_NAME_LENGTH);
@@ -65,7 +75,7 @@ final class JoinPage implements Page {
     into.add(widgets.label("Server")).padRight(14);
     into.add(address).height(Widgets.HEIGHT).growX().row();
     into.add();
-    into.add(widgets.small("host or host:port; host:tcp/udp where both ports are unusual")).row();
+    into.add(widgets.small("host or host:port")).row();
     Table buttons = new Table();
     buttons.defaults().height(Widgets.HEIGHT + 4).space(8);
     buttons.add(widgets.primary("Join", () -> join(""))).growX();
@@ -76,6 +86,7 @@ final class JoinPage implements Page {
       into.add(widgets.problem(message)).colspan(2).growX().row();
     }
     rooms(into);
+    lan(into, s);
     for (int i = 0; i < known.size(); i++) {
       KnownServer server = known.get(i);
       boolean favourite = i < s.favourites().size();
@@ -83,7 +94,23 @@ final class JoinPage implements Page {
         String heading = favourite ? "Favourites" : "Played lately";
         into.add(widgets.muted(heading)).colspan(2).padTop(8).row();
       }
-      into.add(line(server, s.favourites().contains(server.text()))).colspan(2).growX().row();
+      line(into, server.text(), server.text(), widgets.muted(server.about()), s);
+    }
+  }
+
+  private void lan(Table into, PlayerSettings s) {
+    into.add(widgets.muted("On this network")).colspan(2).padTop(8).row();
+    lanLabels.clear();
+    for (LanServer server : lan) {
+      String address = server.address().toText();
+      Label about = widgets.muted(KnownServer.describe(server));
+      lanLabels.add(about);
+      String name = server.status().name();
+      line(into, address, name.isEmpty() ? address : name + "  (" + address + ")", about, s);
+    }
+    if (lan.isEmpty()) {
+      String none = search == null ? "the network can't be searched" : "no server has answered yet";
+      into.add(widgets.small(none)).colspan(2).row();
     }
   }
 
@@ -106,13 +133,18 @@ final class JoinPage implements Page {
     }
   }
 
-  private Table line(KnownServer server, boolean favourite) {
+  /** Adds a server that can be joined, kept among the favourites and taken from them. */
+  private void line(Table into, String server, String shown, Label about, PlayerSettings s) {
     Table line = new Table();
     line.defaults().height(Widgets.HEIGHT).space(6);
-    String text = server.text() + "     " + server.about();
-    line.add(widgets.row(text, () -> join(server))).growX().minWidth(0);
-    line.add(widgets.button(favourite ? "forget" : "keep", () -> toggle(server))).width(STAR_WIDTH);
-    return line;
+    TextButton row = widgets.row(shown, about, () -> joinAt(server));
+    row.setName(server); // keeps the focus when other servers come and go
+    line.add(row).growX().minWidth(0);
+    String verb = s.favourites().contains(server) ? "forget" : "keep";
+    TextButton toggle = widgets.button(verb, () -> toggle(server));
+    toggle.setName(verb + server);
+    line.add(toggle).width(STAR_WIDTH);
+    into.add(line).colspan(2).growX().row();
   }
 
   /** Asks all servers of the lists what they play. */
@@ -122,13 +154,13 @@ final class JoinPage implements Page {
     servers.forEach(server -> known.add(new KnownServer(server, target::browse)));
   }
 
-  private void join(KnownServer server) {
-    address.setText(server.text());
+  private void joinAt(String server) {
+    address.setText(server);
     join("");
   }
 
-  private void toggle(KnownServer server) {
-    host.change(host.settings().withFavouriteToggled(server.text()));
+  private void toggle(String server) {
+    host.change(host.settings().withFavouriteToggled(server));
     known.forEach(KnownServer::close);
     known.clear();
     rebuild.run();
@@ -182,7 +214,7 @@ final class JoinPage implements Page {
 
   @Override
   public boolean update(long nowNs) {
-    boolean changed = false;
+    boolean changed = updateLan();
     for (KnownServer server : known) {
       changed |= server.update(nowNs);
     }
@@ -198,8 +230,31 @@ final class JoinPage implements Page {
     return changed;
   }
 
+  /** Takes in what was found. Returns whether other servers are to be shown than before. */
+  private boolean updateLan() {
+    List<LanServer> found = search == null ? lan : search.servers();
+    if (found == lan) {
+      return false;
+    }
+    boolean same = addresses(found).equals(addresses(lan)) && lanLabels.size() == found.size();
+    lan = found;
+    for (int i = 0; same && i < found.size(); i++) {
+      lanLabels.get(i).setText(KnownServer.describe(found.get(i)));
+    }
+    return !same;
+  }
+
+  private static List<ServerAddress> addresses(List<LanServer> servers) {
+    return servers.stream().map(LanServer::address).toList();
+  }
+
   @Override
   public void close() {
+    if (search != null) {
+      search.close();
+      search = null;
+    }
+    lan = List.of();
     known.forEach(KnownServer::close);
     known.clear();
     rooms = List.of();

@@ -1,7 +1,10 @@
 package carom.client.desktop.menu;
 
+import carom.client.discovery.LanServer;
+import carom.client.discovery.StatusAnswer;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
+import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import java.util.List;
 import java.util.Locale;
@@ -73,8 +76,20 @@ final class KnownServer implements AutoCloseable {
             : rooms.size() == 1
                 ? rooms.get(0).game() + ", " + rooms.get(0).level()
                 : rooms.size() + " rooms";
-    return String.format(
-        Locale.ROOT, "%s     %d/%d players     %.0f ms", game, players, places, pingMs);
+    return describe(game, players, places, pingMs);
+  }
+
+  /** Returns a line about a server of this network. */
+  static String describe(LanServer server) {
+    StatusAnswer told = server.status();
+    return told.protocol() == Protocol.VERSION
+        ? describe(
+            told.game() + ", " + told.level(), told.players(), told.places(), server.pingMs())
+        : "another version of Carom";
+  }
+
+  private static String describe(String game, int players, int places, double pingMs) {
+    return String.format(Locale.ROOT, "%s    %d/%d    %.0f ms", game, players, places, pingMs);
   }
 
   @Override

@@ -54,8 +54,13 @@ final class MenuStage implements Disposable {
     viewport.update(width, height, true);
   }
 
-  /** Shows a menu that fills the window; the focus stays at its place. */
+  /**
+   * Shows a menu that fills the window. The focus stays with the part of the same name, or without
+   * one at its place.
+   */
   void show(Table content) {
+    Actor before = stage.getKeyboardFocus();
+    String focused = before == null ? null : before.getName();
     stage.clear();
     content.setFillParent(true);
     stage.addActor(content);
@@ -68,7 +73,17 @@ final class MenuStage implements Disposable {
         });
     parts.clear();
     collect(content);
-    focus(Math.min(focus, parts.size() - 1));
+    int named = focused == null ? -1 : indexOf(focused);
+    focus(named >= 0 ? named : Math.min(focus, parts.size() - 1));
+  }
+
+  private int indexOf(String name) {
+    for (int i = 0; i < parts.size(); i++) {
+      if (name.equals(parts.get(i).getName())) {
+        return i;
+      }
+    }
+    return -1;
   }
 
   private void collect(Actor actor) {

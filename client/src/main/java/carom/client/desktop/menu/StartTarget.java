@@ -1,6 +1,7 @@
 package carom.client.desktop.menu;
 
 import carom.client.app.LocalGames;
+import carom.client.discovery.LanSearch;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.sim.scene.Scene;
@@ -33,6 +34,9 @@ public interface StartTarget {
 
   /** Quits the program. */
   void quit();
+
+  /** Begins to search the local network for servers; null if the system doesn't allow it. */
+  LanSearch searchLan();
 
   /** Asks a server for its rooms. */
   RoomBrowser browse(ServerAddress server);

@@ -114,6 +114,14 @@ public final class Widgets implements Disposable {
     return row;
   }
 
+  /** Returns a button that is a line of a list, with a second text at its right. */
+  TextButton row(String text, Label right, Runnable action) {
+    TextButton row = row(text, action);
+    row.getLabelCell().minWidth(0);
+    row.add(right).padLeft(12);
+    return row;
+  }
+
   private static TextButton button(
       String text, BitmapFont font, Color color, Drawable up, Drawable over, Runnable action) {
     TextButton.TextButtonStyle style = new TextButton.TextButtonStyle();

@@ -69,7 +69,7 @@ public final class SpawnMatches implements OwnSpawns {
   }
 
   @Override
-  public boolean foresees(int player) {
+  public boolean predicts(int player) {
     return player == playerId;
   }
 

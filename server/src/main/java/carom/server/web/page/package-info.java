@@ -10,9 +10,9 @@
  *     Downloads    recordings, each for a ticket
  * </pre>
  *
- * <p>Whoever opens the page is a stranger until the secret is given. What strangers send is bounded
- * and decoded by hand. No tick waits for any of this: a room makes a picture when it is asked for
- * one, and slow viewers miss pictures.
+ * <p>A viewer is a stranger until it has given the secret. What strangers send is bounded and
+ * decoded by hand. No tick waits for any of this: a room makes a picture when it is asked for one,
+ * and slow viewers miss pictures.
  *
  * <p>Allowed imports: {@code carom.server.picture}, {@code .login}, {@code .command}, {@code
  * .console}, {@code .metrics}, {@code .room}, {@code carom.json}, {@code carom.sim.level}, {@code

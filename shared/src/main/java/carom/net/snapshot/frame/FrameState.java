@@ -28,9 +28,9 @@ public final class FrameState {
   private boolean filling;
   private boolean hashed;
   private long hash;
-  private Identities who;
+  private Identities identities;
 
-  /** Whether another frame holds {@link #who}, too, so that no entity can be added. */
+  /** Whether another frame holds {@link #identities}, too, so that no entity can be added. */
   private boolean shared;
 
   private final PoseTable poses = new PoseTable();
@@ -77,7 +77,7 @@ public final class FrameState {
   void begin(int tick, FrameState previous) {
     this.tick = tick;
     this.previous = previous;
-    be(pool.take());
+    adopt(pool.take());
     limit = 0;
     special.clear();
     players.clear();
@@ -86,12 +86,12 @@ public final class FrameState {
     hashed = false;
   }
 
-  private void be(Identities next) {
-    if (who != null) {
-      who.holders--;
+  private void adopt(Identities next) {
+    if (identities != null) {
+      identities.holders--;
     }
-    who = next;
-    who.holders++;
+    identities = next;
+    identities.holders++;
   }
 
   /**
@@ -162,10 +162,10 @@ public final class FrameState {
    * @param other of the same ring
    */
   public void identifyAs(FrameState other) {
-    if (!filling || shared || who.count > 0) {
+    if (!filling || shared || identities.count > 0) {
       throw new IllegalStateException("identifyAs() after a put(), or outside begin() and end()");
     }
-    be(other.who);
+    adopt(other.identities);
     shared = true;
     ensure(other.limit);
     limit = other.limit;
@@ -200,16 +200,16 @@ public final class FrameState {
     check("archetype", archetype, 0, 65_535);
     check("owner", owner, -1, Ownership.MAX);
     ensure(slot + 1);
-    if (who.kind[slot] != FREE) {
+    if (identities.kind[slot] != FREE) {
       throw new IllegalStateException("slot=" + slot + " was put twice");
     }
-    who.add(slot, archetype << 8 | generation, owner);
-    limit = who.limit;
+    identities.add(slot, archetype << 8 | generation, owner);
+    limit = identities.limit;
   }
 
   /**
-   * Says who is told about an entity of this frame, in the terms of whoever asks for {@link
-   * #audience}; 0 unless said. A change of it counts as a change of the entity.
+   * Sets who is told about an entity of this frame; 0 unless set. Only the caller of {@link
+   * #audience} knows what the value means. A change of it counts as a change of the entity.
    */
   public void setAudience(int slot, int audience) {
     if (!filling || !alive(slot)) {
@@ -244,7 +244,7 @@ public final class FrameState {
       changed.ensure(room);
       renamed.ensure(room);
     }
-    who.ensure(room);
+    identities.ensure(room);
   }
 
   /** Finds what changed since the frame before. */
@@ -257,7 +257,7 @@ public final class FrameState {
     findRenamed(known);
     for (int word = 0; word << 6 < limit; word++) {
       long moved = word << 6 < known ? poses.differing(previous.poses, word, known) : 0;
-      long bits = renamed.word(word) | (moved | readdressed(word)) & who.living.word(word);
+      long bits = renamed.word(word) | (moved | readdressed(word)) & identities.living.word(word);
       if (bits != 0) {
         changed.addWord(word, bits);
       }
@@ -266,10 +266,10 @@ public final class FrameState {
     filling = false;
   }
 
-  /** Finds who isn't who was there before; slots that are new count, too. */
+  /** Finds slots whose entity is another one than before; slots that are new count, too. */
   private void findRenamed(int known) {
     for (int word = 0; !shared && word << 6 < known; word++) {
-      long bits = who.differing(previous.who, word, known);
+      long bits = identities.differing(previous.identities, word, known);
       if (bits != 0) {
         renamed.addWord(word, bits);
       }
@@ -278,7 +278,7 @@ public final class FrameState {
       renamed.add(slot);
     }
     if (previous != null && !shared && renamed.nextWord(0) < 0) {
-      be(previous.who);
+      adopt(previous.identities);
     }
   }
 
@@ -305,7 +305,7 @@ public final class FrameState {
       throw new IllegalStateException("setTeleports() of slot=" + slot + " before its put()");
     }
     int sent = teleports & (1 << TELEPORT_BITS) - 1;
-    who.kind[slot] = who.kind[slot] & IDENTITY | sent << TELEPORT_SHIFT;
+    identities.kind[slot] = identities.kind[slot] & IDENTITY | sent << TELEPORT_SHIFT;
   }
 
   /** Returns the tick after which this is the state. */
@@ -320,7 +320,7 @@ public final class FrameState {
 
   /** Returns the number of living entities. */
   public int count() {
-    return who == null ? 0 : who.count;
+    return identities == null ? 0 : identities.count;
   }
 
   /**
@@ -333,32 +333,32 @@ public final class FrameState {
 
   /** Returns whether a slot holds an entity; false for slots beyond {@link #slotLimit}. */
   public boolean alive(int slot) {
-    return slot < limit && who.kind[slot] != FREE;
+    return slot < limit && identities.kind[slot] != FREE;
   }
 
   /** Returns the generation of the slot's entity, 0..255. */
   public int generation(int slot) {
-    return who.kind[slot] & 0xff;
+    return identities.kind[slot] & 0xff;
   }
 
   /** Returns the archetype of the slot's entity. */
   public int archetype(int slot) {
-    return who.kind[slot] >>> 8 & 0xffff;
+    return identities.kind[slot] >>> 8 & 0xffff;
   }
 
   /** Returns how often the slot's entity was teleported, modulo 16. */
   public int teleports(int slot) {
-    return who.kind[slot] >>> TELEPORT_SHIFT;
+    return identities.kind[slot] >>> TELEPORT_SHIFT;
   }
 
   /** Returns the player id of the owner, or -1. */
   public int owner(int slot) {
-    return Ownership.player(who.owner[slot]);
+    return Ownership.player(identities.owner[slot]);
   }
 
   /** Returns whose the entity is, see {@link Ownership}. */
   public int ownership(int slot) {
-    return who.owner[slot];
+    return identities.owner[slot];
   }
 
   /** Returns the audience of the slot's entity, as {@link #setAudience} set it. */
@@ -399,11 +399,11 @@ public final class FrameState {
   }
 
   private long computeHash() {
-    long h = who.count;
+    long h = identities.count;
     for (int slot = 0; slot < limit; slot++) {
-      if (who.kind[slot] != FREE) {
-        h = mix(h, slot, who.kind[slot]);
-        h = mix(h, who.owner[slot], angle(slot));
+      if (identities.kind[slot] != FREE) {
+        h = mix(h, slot, identities.kind[slot]);
+        h = mix(h, identities.owner[slot], angle(slot));
         h = mix(h, x(slot), y(slot));
         h = mix(h, still(slot) ? 1 : 0, 0);
       }
@@ -433,8 +433,8 @@ public final class FrameState {
   public boolean sameIdentity(FrameState other, int slot) {
     return alive(slot)
         && other.alive(slot)
-        && who.kind[slot] == other.who.kind[slot]
-        && who.owner[slot] == other.who.owner[slot];
+        && identities.kind[slot] == other.identities.kind[slot]
+        && identities.owner[slot] == other.identities.owner[slot];
   }
 
   /** Copies the slot's pose. */
@@ -449,7 +449,7 @@ public final class FrameState {
 
   /** Returns the slots that hold an entity. */
   public SlotSet living() {
-    return who.living;
+    return identities.living;
   }
 
   /** Returns the slots whose entity, owner, archetype or teleports changed in this tick. */

@@ -11,10 +11,10 @@ import carom.net.snapshot.frame.QuantizedPose;
  * tables.
  *
  * <p>Of a body that stands still at the baseline, the ticks for which it went on resting come
- * first. Then it is foreseen to stay, and the client learns when it began to move.
+ * first. Then it is predicted to stay, and the client learns when it began to move.
  *
  * <p>The <em>head</em> is one symbol: whether the body stands still, and which of x, y and the
- * angle were foreseen wrongly. Each of those follows with its sign, length and highest digits as
+ * angle were predicted wrongly. Each of those follows with its sign, length and highest digits as
  * one symbol. How likely each is, one of the {@link Profiles} says, as a product over the nodes of
  * a tree of yes and no. Which tree it is depends on what is known by then: on the {@link Track},
  * and on the numbers before. Of a body that stood still at the baseline and went far since, the

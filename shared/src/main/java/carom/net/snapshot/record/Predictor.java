@@ -4,7 +4,7 @@ import carom.net.codec.Quantizer;
 import carom.net.snapshot.frame.QuantizedPose;
 
 /**
- * Foresees the pose of a body from the poses of a baseline; the difference to the truth is sent. It
+ * Predicts the pose of a body from the poses of a baseline; the difference to the truth is sent. It
  * computes with integers only, so that both sides compute the same. A better prediction saves bytes
  * and never changes what is decoded.
  *
@@ -135,7 +135,7 @@ public final class Predictor {
   }
 
   /**
-   * Foresees the pose after a track that was {@linkplain #study studied}.
+   * Predicts the pose after a track that was {@linkplain #study studied}.
    *
    * @param profile of {@link Profiles}
    * @param out a pose in range
@@ -144,7 +144,7 @@ public final class Predictor {
     predict(t, Profiles.SHARES, profile * SHARES, out);
   }
 
-  /** Foresees a pose with shares that begin at an index. */
+  /** Predicts a pose with shares that begin at an index. */
   static void predict(Track t, short[] shares, int first, QuantizedPose out) {
     int stride = Baseline.stride(t.baseline);
     int age = Baseline.age(t.baseline);

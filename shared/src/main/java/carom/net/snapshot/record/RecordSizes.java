@@ -2,7 +2,7 @@ package carom.net.snapshot.record;
 
 /**
  * Expected sizes of records: running means of what was written to one client. The encoder uses them
- * to foresee how many records fit a budget.
+ * to predict how many records fit a budget.
  */
 public final class RecordSizes {
   /** Sizes assumed before any record was written, bits. */

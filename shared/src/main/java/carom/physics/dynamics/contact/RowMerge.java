@@ -130,7 +130,7 @@ final class RowMerge {
         next++;
         k = next < end ? candidates[next] : Long.MAX_VALUE;
       }
-      next += k == own ? 1 : 0; // most pairs that are found have rows, and which is not foreseen
+      next += k == own ? 1 : 0; // most pairs that are found have rows, and which is not predicted
       last = own;
       leaving[gone] = row;
       gone += stays(row) ? 0 : 1;

@@ -116,19 +116,19 @@ public final class ContinuousCollision {
     crossings = new SensorCrossings(pairs, bodies, parts, contacts, fast, target);
   }
 
-  /** Forgets which bodies were pressed in, when a step begins to find contacts. */
-  public void forgetPressed() {
-    fast.forgetPressed();
+  /** Forgets which bodies overlapped deeply, when a step begins to find contacts. */
+  public void forgetOverlaps() {
+    fast.forgetOverlaps();
   }
 
   /**
-   * Notes that a dynamic body overlaps a static or kinematic one when the step begins. One that is
-   * pressed in deep is swept however slow it is, or it could be squeezed through bit by bit.
+   * Notes that a dynamic body overlaps a static or kinematic one when the step begins. One that
+   * overlaps deeply is swept however slow it is, or it could be squeezed through bit by bit.
    *
    * @param overlap how deep, m
    */
-  public void press(int body, float overlap) {
-    fast.press(body, overlap);
+  public void noteOverlap(int body, float overlap) {
+    fast.noteOverlap(body, overlap);
   }
 
   /**

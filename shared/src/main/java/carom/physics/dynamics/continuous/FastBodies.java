@@ -40,10 +40,10 @@ final class FastBodies {
 
   private final KeySorter sorter = new KeySorter();
 
-  /** Bodies pressed into static or kinematic ones when the step began. */
-  private boolean[] isPressed = new boolean[FIRST_CAPACITY];
+  /** Bodies that overlapped static or kinematic ones deeply when the step began. */
+  private boolean[] isDeep = new boolean[FIRST_CAPACITY];
 
-  private boolean anyPressed;
+  private boolean anyDeep;
 
   /** Whether anything that moves may be a target. */
   private boolean moving;
@@ -126,26 +126,26 @@ final class FastBodies {
   }
 
   /**
-   * Notes that a dynamic body overlaps a static or kinematic one when the step begins: one that is
-   * pressed in deep is swept however slow it is, or it could be squeezed through bit by bit.
+   * Notes that a dynamic body overlaps a static or kinematic one when the step begins: one that
+   * overlaps deeply is swept however slow it is, or it could be squeezed through bit by bit.
    *
    * @param overlap how deep, m
    */
-  void press(int body, float overlap) {
+  void noteOverlap(int body, float overlap) {
     if (overlap > ContinuousCollision.DEEP * bodies.innerRadius[body]) {
-      if (isPressed.length <= body) {
-        isPressed = Arrays.copyOf(isPressed, bodies.type.length);
+      if (isDeep.length <= body) {
+        isDeep = Arrays.copyOf(isDeep, bodies.type.length);
       }
-      anyPressed |= !isPressed[body];
-      isPressed[body] = true;
+      anyDeep |= !isDeep[body];
+      isDeep[body] = true;
     }
   }
 
-  /** Forgets which bodies were pressed in, before a step notes them anew. */
-  void forgetPressed() {
-    if (anyPressed) {
-      Arrays.fill(isPressed, false);
-      anyPressed = false;
+  /** Forgets which bodies overlapped deeply, before a step notes them anew. */
+  void forgetOverlaps() {
+    if (anyDeep) {
+      Arrays.fill(isDeep, false);
+      anyDeep = false;
     }
   }
 
@@ -168,9 +168,9 @@ final class FastBodies {
         noteStriker(body);
         continue;
       }
-      boolean pressedIn = anyPressed && body < isPressed.length && isPressed[body];
-      if (pressedIn || !isSlow(body)) {
-        add(body, pressedIn ? 0 : ContinuousCollision.GATE * bodies.innerRadius[body]);
+      boolean deep = anyDeep && body < isDeep.length && isDeep[body];
+      if (deep || !isSlow(body)) {
+        add(body, deep ? 0 : ContinuousCollision.GATE * bodies.innerRadius[body]);
       } else if (parts.anySensors() && bodies.innerRadius[body] == Float.POSITIVE_INFINITY) {
         add(body, settings.speculativeDistance());
       }
@@ -203,7 +203,7 @@ final class FastBodies {
     return s[at + SolverBodies.COS] > 0 && free >= 0 && dx * dx + dy * dy <= free * free;
   }
 
-  /** Notes a kinematic body that moves so far in the step that contacts may not foresee it. */
+  /** Notes a kinematic body that moves so far in the step that contacts may not predict it. */
   private void noteStriker(int body) {
     motion(body, sweep);
     float turned = bodies.reach[body] * Math.abs(sweep.angleRad);

@@ -72,7 +72,7 @@ abstract class ConstraintRow {
   static final float TWO_PI = 6.2831855f;
 
   /**
-   * Most error that counts, m. Anchors that are further apart were torn by a teleport or by absurd
+   * Most error that counts, m. Anchors that are further apart were moved by a teleport or by absurd
    * forces. They are drawn together as if they were that far apart, at some 100 m/s, and each
    * impulse acts at its own anchor. At full speed and with arms that long, a chain of which one
    * link is teleported by 80 m blows up instead of closing.

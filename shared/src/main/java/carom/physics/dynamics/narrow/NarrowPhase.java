@@ -79,11 +79,11 @@ public final class NarrowPhase {
     private int used;
 
     private int touching;
-    private boolean pressed;
+    private boolean overlaps;
 
     void begin(int kernelRuns) {
       touching = 0;
-      pressed = false;
+      overlaps = false;
       granted = boxes == null ? 0 : kernelRuns;
       used = 0;
       if (boxes != null) {
@@ -94,7 +94,7 @@ public final class NarrowPhase {
     void end(float slop) {
       if (boxes != null) {
         touching += boxes.touching();
-        pressed |= boxes.deepest() > slop;
+        overlaps |= boxes.deepest() > slop;
       }
     }
 
@@ -102,7 +102,7 @@ public final class NarrowPhase {
     void note(Manifold m, float slop) {
       if (m.count > 0) {
         touching++;
-        pressed |= -m.minSeparation() > slop;
+        overlaps |= -m.minSeparation() > slop;
       }
     }
   }
@@ -185,9 +185,9 @@ public final class NarrowPhase {
   }
 
   /** Returns whether any updated row overlaps by more than the slop. */
-  public boolean pressed() {
+  public boolean overlaps() {
     for (Scratch scratch : scratches) {
-      if (scratch.pressed) {
+      if (scratch.overlaps) {
         return true;
       }
     }
@@ -312,7 +312,7 @@ public final class NarrowPhase {
       deepest = Math.min(deepest, gap);
     }
     scratch.touching += followed;
-    scratch.pressed |= -deepest > settings.slop();
+    scratch.overlaps |= -deepest > settings.slop();
     return rest;
   }
 

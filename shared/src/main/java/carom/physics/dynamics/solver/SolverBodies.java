@@ -400,7 +400,7 @@ public final class SolverBodies {
    * order, then normalised; the error of the angle is below a^5 / 120, and no trigonometry is
    * needed.
    *
-   * <p>Constraints that were torn far apart may ask for any speed here; what is absurd or not a
+   * <p>Constraints that were pulled far apart may ask for any speed here; what is absurd or not a
    * number is cut, so that it never gets into a pose.
    */
   private void move(int from, int to) {

@@ -134,9 +134,9 @@ final class DeltasTest {
     return Arrays.copyOf(bytes, range.finish());
   }
 
-  /** What was asked for first is kept; neither that nor what else was asked for may be seen. */
+  /** Deltas keep what they computed first. A run must not show what was computed before it. */
   @Test
-  void aRunIsTheSameWhoeverAskedForSomeOfItsSlotsBefore() {
+  void aRunIsTheSameWhicheverOfItsSlotsWereAskedForBefore() {
     for (int i = 0; i < 6; i++) {
       frame(200);
     }

@@ -149,7 +149,7 @@ public final class ProfileTraining {
       }
     }
 
-    /** Takes an error of a prediction in: what the way and the bend foresee, and the truth. */
+    /** Takes an error of a prediction in: what the way and the bend predict, and the truth. */
     void learn(int shareClass, double way, double bend, double truth, double error) {
       double weight = 1 / (1 + Math.abs(error));
       double[] s = sums[shareClass];
@@ -315,7 +315,7 @@ public final class ProfileTraining {
     return best;
   }
 
-  /** Learns the shares that would have foreseen a group's poses. */
+  /** Learns the shares that would have predicted a group's poses. */
   private void learn(Group group, Candidate candidate) {
     for (int i = 0; i < group.records && !group.unseen; i++) {
       group.get(i, track, actual);

@@ -175,7 +175,7 @@ final class RecordCodecTest {
   }
 
   @Test
-  void fallingBodiesAreForeseen() {
+  void fallingBodiesArePredicted() {
     Predictor falling = new Predictor(60);
     falling.gravity(0, -10);
     Track track = new Track();
@@ -198,7 +198,7 @@ final class RecordCodecTest {
   }
 
   @Test
-  void whatIsForeseenIsAPoseWhateverTheTrackIs() {
+  void whatIsPredictedIsAPoseWhateverTheTrackIs() {
     Random random = new Random(SEED);
     Predictor falling = new Predictor(1);
     falling.gravity(-1e9f, 1e9f);

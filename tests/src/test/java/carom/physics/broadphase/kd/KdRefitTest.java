@@ -84,7 +84,7 @@ final class KdRefitTest {
   }
 
   @Test
-  void aBadBoxEmptiesTheTreeWhoeverReadsIt() {
+  void aBadBoxEmptiesTheTreeInAnyOrderOfReading() {
     place(new SplittableRandom(1));
     float[] bad = {Float.NaN, Float.POSITIVE_INFINITY, 1e30f};
     for (float x : bad) {

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Every part once, in an order that domains can stand, whoever does it. */
+/** Each part runs once and in an order that domains allow, on any thread. */
 final class DomainPhasesTest {
   /** One thread for all tasks, the last one first. */
   private record Backwards(int count) implements Workers {
@@ -168,9 +168,9 @@ final class DomainPhasesTest {
     return cells[0].clone();
   }
 
-  /** Its thread stands still in the midst of a part: whoever waits goes, and all is done. */
+  /** A thread stands still in the middle of a part: threads that wait leave, and all is done. */
   @Test
-  void whoStandsStillHoldsNobodyForEver() {
+  void aThreadThatStandsStillHoldsNoOtherForEver() {
     try (WorkerThreads workers = new WorkerThreads(3)) {
       AtomicInteger parts = new AtomicInteger();
       DomainPhases schedule = new DomainPhases();

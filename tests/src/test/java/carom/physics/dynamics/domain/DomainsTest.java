@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Domains that weigh the same, and slots in their order, whoever comes, goes and touches. */
+/** Domains weigh the same and keep their slots in order while bodies come, go and touch. */
 final class DomainsTest {
   /** Two of them hold so many bodies' states; threads never come closer to each other's. */
   private static final int CACHE_LINES = 128 / (Float.BYTES * SolverBodies.STRIDE);

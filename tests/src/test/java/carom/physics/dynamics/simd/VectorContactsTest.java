@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Test;
 class VectorContactsTest {
   /**
    * A heap of boxes and discs, with friction, bounces and moving surfaces, some of which resist
-   * rolling; and a hanging net of plain hinges with some motors, of which one corner is torn.
+   * rolling; and a hanging net of plain hinges with some motors, of which one corner is cut.
    */
   static final class Heap {
     private static final int WIDE = 20;

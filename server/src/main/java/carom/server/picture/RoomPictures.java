@@ -22,8 +22,8 @@ import org.slf4j.LoggerFactory;
  * after its next tick, and any thread {@linkplain #poll takes} it. While nobody asks, a room spends
  * one read of a variable per turn on this and allocates nothing.
  */
-public final class Pictures {
-  private static final Logger LOG = LoggerFactory.getLogger(Pictures.class);
+public final class RoomPictures {
+  private static final Logger LOG = LoggerFactory.getLogger(RoomPictures.class);
   private static final int MAX_CELLS = 20_000;
   private static final int MAX_CONTACTS = 20_000;
 
@@ -39,7 +39,7 @@ public final class Pictures {
   private boolean broken;
 
   /** Creates the pictures of a room that nobody watches. */
-  public Pictures() {}
+  public RoomPictures() {}
 
   /** Asks for a picture. It replaces a request that waits. Any thread. */
   public void ask(PictureRequest request) {

@@ -1,0 +1,5 @@
+/**
+ * Attacks on a real server process over loopback, and the honest players that come meanwhile. See
+ * docs/RELIABILITY.md.
+ */
+package carom.lab.attack;
