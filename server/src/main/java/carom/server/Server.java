@@ -20,9 +20,9 @@ import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
-import carom.server.room.HangingRooms;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
+import carom.server.session.ChatCommands;
 import carom.server.threads.LoaderThread;
 import carom.server.threads.Watchdog;
 import carom.server.threads.Worker;
@@ -94,6 +94,7 @@ public final class Server implements AutoCloseable {
   private final List<Room> roomsShown = Collections.unmodifiableList(rooms);
   private final RoomBuilder builder;
   private final HangingRooms hanging;
+  private final RoomDirectory directory;
   private final Watchdog watchdog = new Watchdog(GuardedGame.class);
   private final Lobby lobby;
   private final StatusLine status;
@@ -163,7 +164,7 @@ public final class Server implements AutoCloseable {
     this.clock = clock;
     this.helpers =
         config.threads() == 1 ? null : new WorkerThreads(config.threads(), System::nanoTime);
-    RoomDirectory directory = new RoomDirectory();
+    directory = new RoomDirectory();
     builder =
         new RoomBuilder(
             config,
@@ -285,6 +286,11 @@ public final class Server implements AutoCloseable {
     }
     recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
     lobby.allowSpectators(List.copyOf(recordings), delaySeconds);
+  }
+
+  /** Sets who takes commands that players write into the chat; without it nobody does. */
+  public void chatCommands(ChatCommands commands) {
+    directory.chatCommands(commands);
   }
 
   /**

@@ -9,6 +9,7 @@ import carom.options.NetworkConditions;
 import carom.options.Sockets;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
+import carom.server.lobby.Lobby;
 import carom.server.query.ProtocolFlags;
 import carom.server.recording.RotationLimit;
 import carom.server.web.WebFlags;
@@ -214,6 +215,15 @@ final class ServerFlags {
       description =
           "Seconds the body of a player who lost the connection waits, 0..600 (${DEFAULT-VALUE}).")
   private int graceS;
+
+  @Option(
+      names = "--idle-kick",
+      paramLabel = "S",
+      defaultValue = "60",
+      description =
+          "Seconds without another input after which a player gives way to a newcomer, if the room"
+              + " is full, 0..86400; 0 = never (${DEFAULT-VALUE}).")
+  private int idleKickS;
 
   @Option(
       names = "--checkpoint",
@@ -486,6 +496,7 @@ final class ServerFlags {
           .withRooms(roomCount())
           .withThreads(threads)
           .withGraceMs(graceS * 1_000)
+          .withIdleKickS(idleKickS)
           .withInputHoldTicks(tickRate / 2)
           .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)
           .withStatusIntervalS(statusIntervalS)
@@ -496,13 +507,14 @@ final class ServerFlags {
   }
 
   /**
-   * Returns the transport's limits for connections, half-open ones included. A single address may
+   * Returns the transport's limits for open links. Those that play, those that wait and those that
+   * watch have limits of their own in the lobby; here is room for all of them. A single address may
    * hold all seats, because a whole school may be behind one router.
    *
    * @param places number of seats of all rooms
    */
   KryoLimits limits(int places) {
-    return KryoLimits.DEFAULT.withConnections(2 * places + 64, places + 32);
+    return KryoLimits.DEFAULT.withConnections(Lobby.mostLinks(places), places + 32);
   }
 
   /** Returns the folder of the server's own files. */

@@ -5,6 +5,7 @@ import carom.options.BadFlag;
 import carom.options.VectorApi;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
+import carom.server.access.AdminChat;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
 import carom.server.command.ServerCommands;
@@ -318,6 +319,7 @@ public final class ServerMain implements Callable<Integer> {
     CommandRegistry commands = new CommandRegistry();
     RoomCommands.add(commands, server.rooms(), flags.dataFolder());
     AccessCommands.add(commands, access, server.rooms());
+    server.chatCommands(new AdminChat(commands, access, server.rooms()));
     ServerCommands.add(
         commands, server::status, settings(), ServerMain::replay, ServerMain::stopSoon);
     return commands;

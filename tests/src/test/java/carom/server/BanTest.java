@@ -8,15 +8,22 @@ import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoLimits;
 import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.ServerIdentity;
+import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
 import carom.net.seal.Encryption;
 import carom.net.transport.Link;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
+import carom.server.access.AdminChat;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
+import carom.sim.message.BuiltInKinds;
+import carom.sim.message.Message;
+import carom.sim.message.MessageKind.Direction;
+import carom.sim.message.MessageKinds;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;
@@ -37,6 +44,8 @@ final class BanTest {
   private final KryoClientTransport transport = new KryoClientTransport();
   private Server server;
   private Thread watch;
+  private final MessageKinds kinds = new MessageKinds(); // the room's belong to its thread
+  private int said;
 
   @BeforeEach
   void start() throws IOException {
@@ -52,6 +61,7 @@ final class BanTest {
     AccessLists lists = new AccessLists(new DataFolder(folder), false, InstantSource.system());
     server.admit(lists);
     watch = AccessCommands.add(commands, lists, server.rooms());
+    server.chatCommands(new AdminChat(commands, lists, server.rooms()));
     server.start();
   }
 
@@ -115,6 +125,45 @@ final class BanTest {
     run("unban \"Bob B\"");
     assertNotNull(join("Bob B"));
     assertEquals("nobody is banned", run("ban"));
+  }
+
+  private void say(FakeClient client, String text) {
+    byte[] bytes = kinds.encode(BuiltInKinds.SAY.of(false, text), Direction.FROM_CLIENT);
+    client.link.send(new ClientMessage.GameMessage(++said, bytes));
+  }
+
+  /** Returns what the server has said to a client, as a player reads it. */
+  private String heard(FakeClient client) {
+    StringBuilder lines = new StringBuilder();
+    for (Object message : client.messages) {
+      if (message instanceof ServerMessage.GameMessage m) {
+        Message line = kinds.decode(m.bytes(), 0, m.bytes().length, Direction.FROM_SERVER);
+        if (line.is(BuiltInKinds.SAID)) {
+          lines.append(line.count("player")).append(": ").append(line.text("text")).append('\n');
+        }
+      }
+    }
+    return lines.toString();
+  }
+
+  @Test
+  void onlyAnAdminGivesCommandsInTheChat() throws Exception {
+    FakeClient ann = join("Ann");
+    FakeClient bob = join("Bob");
+    ann.link.send(new ClientMessage.Heard(0));
+    bob.link.send(new ClientMessage.Heard(0));
+    say(ann, "/ban name bob");
+    await(bob, () -> heard(bob).contains(": /ban name bob")); // Ann is no admin: it is chat
+    assertTrue(commands.run("admin Ann").text().contains("anybody can take the name"));
+    Files.writeString(folder.resolve("admin.txt"), "name Ann\naddress 127.0.0.1\n");
+    await(ann, () -> run("admin").equals("address 127.0.0.1")); // the name has no effect
+    say(ann, "/ban name bob");
+    await(ann, () -> heard(ann).contains("-1: banned name \"bob\" forever; 1 player removed"));
+    await(bob, () -> bob.goodbye != null);
+    say(ann, "/unadmin 127.0.0.1");
+    await(ann, () -> heard(ann).contains("-1: unadmin works at the server's console only"));
+    run("unadmin 127.0.0.1");
+    assertEquals("nobody gives commands in the chat", run("admin"));
   }
 
   @Test

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.ClientMessage;
+import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.server.config.ServerConfig;
@@ -116,6 +117,37 @@ class LobbyTest {
     assertEquals(1, rig.count(Counter.PLAYERS_IN_GRACE));
     FakeClient back = rig.join("b", second.welcome.sessionSecret());
     assertEquals(second.welcome.playerId(), back.welcome.playerId(), "the other one is waited for");
+  }
+
+  @Test
+  void anIdlePlayerGivesWayToANewcomerOfAFullServerAndOnlyThen() {
+    rig.close();
+    rig = new Rig(ServerConfig.defaults().withMaxPlayers(2).withIdleKickS(10), new TestGame(3));
+    FakeClient idle = rig.join("idle");
+    FakeClient busy = rig.join("busy");
+    FakeClient tooSoon = rig.connect().hello("early");
+    rig.steps(3);
+    assertEquals(RefusalReason.SERVER_FULL, tooSoon.refused.reason());
+    for (int second = 0; second < 30; second++) {
+      busy.input.move(second % 2, 0);
+      rig.seconds(1);
+    }
+    assertEquals(2, rig.count(Counter.PLAYERS), "nobody else wanted to play");
+    assertEquals(1, rig.count(Counter.PLAYERS_IDLE));
+    FakeClient newcomer = rig.join("newcomer");
+    assertEquals(idle.welcome.playerId(), newcomer.welcome.playerId());
+    assertEquals(GoodbyeReason.IDLE, idle.goodbye.reason());
+    assertNull(busy.goodbye);
+  }
+
+  @Test
+  void linksThatSayNothingDoNotKeepPlayersOut() {
+    for (int i = 0; i < 500; i++) {
+      rig.connect();
+    }
+    rig.step();
+    assertTrue(rig.server.visitorCount() < 100, "visitors=" + rig.server.visitorCount());
+    rig.join("Ann");
   }
 
   @Test

@@ -199,6 +199,11 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     screen.resize(Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
   }
 
+  /** Returns the screen that is shown. */
+  Screen screen() {
+    return screen;
+  }
+
   // ---- what the start screen asks for
 
   @Override

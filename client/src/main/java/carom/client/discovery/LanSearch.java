@@ -120,7 +120,7 @@ public final class LanSearch implements AutoCloseable {
             new DatagramPacket(
                 question, question.length, new InetSocketAddress(target, queryPort)));
       } catch (IOException unreachable) {
-        continue; // another network may do
+        // another network may do
       }
     }
     long startNs = System.nanoTime();

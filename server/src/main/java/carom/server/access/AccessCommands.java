@@ -77,6 +77,21 @@ public final class AccessCommands {
             "Takes a name, account or address from that list.",
             words -> all.remove(lists.allowed(), words, "entry"),
             place -> place == 0 ? values(lists.allowed()) : List.of()));
+    registry.add(
+        new Command(
+            "admin",
+            "[ADDRESS[/BITS] | account ID]",
+            "Lets an account or address give commands in the chat (/kick bob). Alone: shows the"
+                + " list.",
+            all::admin,
+            Command.NONE));
+    registry.add(
+        new Command(
+            "unadmin",
+            "ADDRESS[/BITS] | account ID",
+            "Takes an account or address from that list.",
+            words -> all.remove(lists.admins(), words, "entry"),
+            place -> place == 0 ? values(lists.admins()) : List.of()));
     Thread thread = new Thread(all::watch, "carom-access");
     thread.setDaemon(true);
     thread.start();
@@ -223,6 +238,21 @@ public final class AccessCommands {
     AccessEntry entry = entry(words);
     change(lists.allowed(), List.of(entry));
     return "allowed " + entry.what();
+  }
+
+  private String admin(CommandWords words) throws CommandException {
+    if (!words.has(0)) {
+      return show(lists.admins(), "nobody gives commands in the chat");
+    }
+    AccessEntry entry = entry(words);
+    if (entry.name() != null) {
+      throw new CommandException(
+          "anybody can take the name "
+              + entry.name()
+              + "; name an account (admin account ID) or an address");
+    }
+    change(lists.admins(), List.of(entry));
+    return entry.what() + " may give commands in the chat";
   }
 
   private static AccessEntry entry(CommandWords words) throws CommandException {

@@ -28,6 +28,7 @@ final class AccessFile {
 
   private final Path file;
   private final String head;
+  private final boolean takesNames;
   private volatile List<AccessEntry> entries = List.of();
   private FileTime readTime;
   private long readSize;
@@ -36,11 +37,13 @@ final class AccessFile {
    * Reads the file, if it is there.
    *
    * @param head first line of a new file, a comment
+   * @param takesNames whether entries may be about names, which anybody can take
    * @throws IOException if it can't be read; the message says what to do
    */
-  AccessFile(Path file, String head) throws IOException {
+  AccessFile(Path file, String head, boolean takesNames) throws IOException {
     this.file = file;
     this.head = head;
+    this.takesNames = takesNames;
     noteTime();
     entries = read();
   }
@@ -89,7 +92,12 @@ final class AccessFile {
     for (int i = 0; i < lines.size(); i++) {
       try {
         if (isEntry(lines.get(i))) {
-          found.add(AccessEntry.parse(lines.get(i)));
+          AccessEntry entry = AccessEntry.parse(lines.get(i));
+          if (entry.name() != null && !takesNames) {
+            throw new IllegalArgumentException(
+                "anybody can take a name; list an account or an address");
+          }
+          found.add(entry);
         }
       } catch (IllegalArgumentException e) {
         LOG.error("{}: {}: {}; the line has no effect", file, i + 1, e.getMessage());

@@ -7,18 +7,19 @@ import java.nio.file.Path;
 import java.time.InstantSource;
 
 /**
- * The bans, and the list of players who alone may play if the operator wants that. Both are files
- * in the data folder, see {@link AccessFile}. Any thread may use this.
+ * The bans, the list of players who alone may play if the operator wants that, and the admins. They
+ * are files in the data folder, see {@link AccessFile}. Any thread may use this.
  */
 public final class AccessLists implements EntryRule {
   private final AccessFile bans;
   private final AccessFile allowed;
+  private final AccessFile admins;
   private final boolean onlyAllowed;
   private final InstantSource clock;
   private volatile JoinTokens tokens;
 
   /**
-   * Reads both files.
+   * Reads the files.
    *
    * @param onlyAllowed whether only players of the second list may play
    * @param clock tells when bans end
@@ -30,12 +31,20 @@ public final class AccessLists implements EntryRule {
     bans =
         new AccessFile(
             data.root().resolve("bans.txt"),
-            "# Who may not play. The server reads this file again when it changes.");
+            "# Who may not play. The server reads this file again when it changes.",
+            true);
     allowed =
         new AccessFile(
             data.root().resolve("allow.txt"),
             "# Who may play, if allow-list = true. The server reads this file again when it"
-                + " changes.");
+                + " changes.",
+            true);
+    admins =
+        new AccessFile(
+            data.root().resolve("admin.txt"),
+            "# Who may give the server's commands in the chat. The server reads this file again"
+                + " when it changes.",
+            false);
   }
 
   AccessFile bans() {
@@ -44,6 +53,26 @@ public final class AccessLists implements EntryRule {
 
   AccessFile allowed() {
     return allowed;
+  }
+
+  AccessFile admins() {
+    return admins;
+  }
+
+  /**
+   * Returns whether a player may give commands in the chat.
+   *
+   * @param account the player's account by its join token, or empty
+   * @param remote address and port, as the link tells them
+   */
+  boolean isAdmin(String account, String remote) {
+    byte[] address = AddressRange.addressOf(remote).orElse(null);
+    for (AccessEntry admin : admins.entries()) {
+      if (admin.covers(null, account, address, clock.instant())) {
+        return true;
+      }
+    }
+    return false;
   }
 
   boolean onlyAllowed() {
@@ -57,7 +86,8 @@ public final class AccessLists implements EntryRule {
   /** Reads the files that have changed again, and returns whether one has. */
   boolean reloadIfChanged() {
     boolean bansChanged = bans.reloadIfChanged();
-    return allowed.reloadIfChanged() || bansChanged;
+    boolean adminsChanged = admins.reloadIfChanged();
+    return allowed.reloadIfChanged() || bansChanged || adminsChanged;
   }
 
   /**

@@ -30,6 +30,8 @@ import java.util.Objects;
  *     don't count
  * @param graceMs how long the body of a player whose link was lost stays in the game, 0..600,000; 0
  *     removes it at once
+ * @param idleKickS time without another input after which a player gives way to a newcomer of a
+ *     full room, s, 0..86,400; 0 = never
  * @param catchUpTicks most ticks that a room runs in one burst after a pause, 1..60. A quarter of a
  *     second bridges a pause of the garbage collector or of a busy machine. The room drops and
  *     counts older ticks, so that a long pause doesn't cause a longer one
@@ -62,6 +64,7 @@ public record ServerConfig(
     int loadTimeoutMs,
     int silenceTimeoutMs,
     int graceMs,
+    int idleKickS,
     int catchUpTicks,
     int inputWindowTicks,
     int inputHoldTicks,
@@ -115,6 +118,7 @@ public record ServerConfig(
     check("loadTimeoutMs", loadTimeoutMs, 100, 600_000, "withLoadTimeoutMs");
     check("silenceTimeoutMs", silenceTimeoutMs, 500, 60_000, "withSilenceTimeoutMs");
     check("graceMs", graceMs, 0, 600_000, "--grace");
+    check("idleKickS", idleKickS, 0, 86_400, "--idle-kick");
     check("catchUpTicks", catchUpTicks, 1, 60, "withCatchUpTicks");
     check("inputWindowTicks", inputWindowTicks, 4, 64, "withInputWindowTicks");
     check("inputHoldTicks", inputHoldTicks, 0, 240, "withInputHoldTicks");
@@ -151,11 +155,12 @@ public record ServerConfig(
         /* loadTimeoutMs= */ 20_000,
         /* silenceTimeoutMs= */ 6_000,
         /* graceMs= */ 30_000,
+        /* idleKickS= */ 60,
         /* catchUpTicks= */ 15,
         /* inputWindowTicks= */ 32,
         /* inputHoldTicks= */ 30,
         /* snapshotRateHz= */ 60,
-        /* keepAliveRateHz= */ 6,
+        /* keepAliveRateHz= */ 4,
         /* snapshotBitsPerSecond= */ 512_000,
         /* viewMetres= */ 0,
         /* rosterIntervalMs= */ 250,
@@ -221,6 +226,11 @@ public record ServerConfig(
   /** Returns a copy with this grace period. */
   public ServerConfig withGraceMs(int value) {
     return Records.with(this, "graceMs", value);
+  }
+
+  /** Returns a copy with this time after which an idle player gives way. */
+  public ServerConfig withIdleKickS(int value) {
+    return Records.with(this, "idleKickS", value);
   }
 
   /** Returns a copy with this catch-up bound. */

@@ -4,17 +4,16 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Limits how often clients of one address may join: {@value #LEAST_BURST} times at once, or as many
+ * Limits how often clients of one host may join: {@value #LEAST_BURST} times at once, or as many
  * times as the server has seats if that is more, then {@value #PER_SECOND} times per second. A
- * crowd behind one address joins unhindered, but a client that joins and leaves in a loop can't
- * flood the log and the screens of others. One thread; keeps at most {@value #MAX_ADDRESSES}
- * addresses.
+ * crowd behind one router joins unhindered, but a client that joins and leaves in a loop can't
+ * flood the log and the screens of others. One thread; keeps at most {@value #MAX_HOSTS} hosts.
  */
 final class AdmissionRate {
   static final int LEAST_BURST = 256;
   static final int PER_SECOND = 4;
 
-  private static final int MAX_ADDRESSES = 4_096;
+  private static final int MAX_HOSTS = 4_096;
   private static final double NS_PER_S = 1e9;
 
   private final Map<String, Bucket> buckets = new HashMap<>();
@@ -29,7 +28,7 @@ final class AdmissionRate {
     burst = Math.max(LEAST_BURST, places);
   }
 
-  /** The number of joins that an address has left: a token bucket. */
+  /** The number of joins that a host has left: a token bucket. */
   private final class Bucket {
     private double tokens = burst;
     private long sinceNs;
@@ -40,15 +39,9 @@ final class AdmissionRate {
     }
   }
 
-  /** Returns the part of {@code Link.remote} that all links of one machine share. */
-  static String address(String remote) {
-    int port = remote.lastIndexOf(':');
-    return port < 0 ? remote : remote.substring(0, port);
-  }
-
-  /** Returns whether one more client of this address may join now. */
-  boolean allows(String address, long nowNs) {
-    Bucket bucket = buckets.get(address);
+  /** Returns whether one more client of this host may join now. */
+  boolean allows(String host, long nowNs) {
+    Bucket bucket = buckets.get(host);
     if (bucket == null) {
       return true;
     }
@@ -56,15 +49,15 @@ final class AdmissionRate {
     return bucket.tokens >= 1;
   }
 
-  /** Counts a client of this address that has joined. */
-  void count(String address, long nowNs) {
-    if (buckets.size() >= MAX_ADDRESSES && !buckets.containsKey(address)) {
+  /** Counts a client of this host that has joined. */
+  void count(String host, long nowNs) {
+    if (buckets.size() >= MAX_HOSTS && !buckets.containsKey(host)) {
       buckets.values().removeIf(b -> isFull(b, nowNs));
-      if (buckets.size() >= MAX_ADDRESSES) {
-        buckets.clear(); // so many active addresses are no loop of one client: forget, don't grow
+      if (buckets.size() >= MAX_HOSTS) {
+        buckets.clear(); // so many active hosts are no loop of one client: forget, don't grow
       }
     }
-    Bucket bucket = buckets.computeIfAbsent(address, a -> new Bucket());
+    Bucket bucket = buckets.computeIfAbsent(host, h -> new Bucket());
     bucket.fill(nowNs);
     bucket.tokens--;
   }

@@ -1,5 +1,7 @@
 package carom.server.lobby;
 
+import carom.net.admission.Entrance;
+import carom.net.admission.Origin;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
@@ -57,7 +59,7 @@ public final class Lobby {
   private static final long ENTRANCE_WAIT_MS = 2_500;
 
   /**
-   * Number of seats that visitors of one address may hold while they load the level, or half of the
+   * Number of seats that visitors of one host may hold while they load the level, or half of the
    * free seats if that is more.
    */
   private static final int MIN_LOADING = 8;
@@ -72,8 +74,8 @@ public final class Lobby {
   private final RoomChooser chooser;
   private final RoomDirectory directory;
   private final int places;
-  private final int maxVisitors;
   private final List<Visitor> visitors = new ArrayList<>();
+  private final Entrance<Visitor> entrance;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final AdmissionRate rate;
   private final Spectators spectators;
@@ -96,8 +98,20 @@ public final class Lobby {
     this.chooser = new RoomChooser(rooms);
     this.spectators = new Spectators(rooms);
     this.places = rooms.stream().mapToInt(room -> room.seats().count()).sum();
-    this.maxVisitors = 2 * places + 32;
+    this.entrance = new Entrance<>(placesToWait(places), placesToWait(places), Visitor::giveWay);
     this.rate = new AdmissionRate(places);
+  }
+
+  private static int placesToWait(int places) {
+    return places + 32;
+  }
+
+  /**
+   * Returns the largest number of links that may be open for a server with so many places: those
+   * that play or load, those that wait, those that watch, and those that are told goodbye.
+   */
+  public static int mostLinks(int places) {
+    return 2 * places + 2 * placesToWait(places) + Spectators.MAX;
   }
 
   /**
@@ -115,11 +129,9 @@ public final class Lobby {
         break;
       }
       work++;
-      if (visitors.size() >= maxVisitors) {
-        sendRefusal(link, RefusalReason.SERVER_FULL, "Too many connections are waiting to play.");
-      } else {
-        visitors.add(new Visitor(link));
-      }
+      Visitor visitor = new Visitor(link);
+      visitors.add(visitor);
+      entrance.add(visitor);
     }
     for (int i = visitors.size() - 1; i >= 0; i--) {
       Visitor visitor = visitors.get(i);
@@ -135,7 +147,11 @@ public final class Lobby {
       }
       if (visitor.done) {
         visitors.remove(i);
+        entrance.remove(visitor);
       }
+    }
+    if (work > 0) {
+      entrance.sort();
     }
     return work;
   }
@@ -205,24 +221,24 @@ public final class Lobby {
     partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
   }
 
-  /** Returns the number of visitors of an address that hold a seat and still load the level. */
-  private int countLoading(String address) {
+  /** Returns the number of visitors of a host that hold a seat and still load the level. */
+  private int countLoading(String host) {
     int count = 0;
     for (int i = 0; i < visitors.size(); i++) {
       Visitor v = visitors.get(i);
-      count += !v.done && v.state == SessionState.LOADING && v.address.equals(address) ? 1 : 0;
+      count += !v.done && v.state == SessionState.LOADING && v.origin.host().equals(host) ? 1 : 0;
     }
     return count;
   }
 
   /**
    * Returns the visitor that must give up its seat when seats are short, or null. It is the oldest
-   * visitor of the address that holds the most seats while loading, at least two. The newcomer's
-   * address is exempt.
+   * visitor of the host that holds the most seats while loading, at least two. The newcomer's host
+   * is exempt.
    *
    * @param requested the room whose seats are short, or null for all
    */
-  private Visitor oldestOfBusiestAddress(String newcomer, Room requested) {
+  private Visitor oldestOfBusiestHost(String newcomer, Room requested) {
     Visitor oldest = null;
     int most = 1;
     for (int i = 0; i < visitors.size(); i++) {
@@ -230,8 +246,8 @@ public final class Lobby {
       if (!v.done
           && v.state == SessionState.LOADING
           && (requested == null || v.room == requested)
-          && !v.address.equals(newcomer)) {
-        int held = countLoading(v.address);
+          && !v.origin.host().equals(newcomer)) {
+        int held = countLoading(v.origin.host());
         if (held > most) { // the list is in order of arrival
           most = held;
           oldest = v;
@@ -246,14 +262,14 @@ public final class Lobby {
       String name, String account, String room, String game, long resumeSecret) {}
 
   /** A link from its first message to its room. */
-  private final class Visitor implements LinkHandler {
+  private final class Visitor implements LinkHandler, Entrance.Guest {
     private final Link link;
     private SessionState state = SessionState.CONNECTED;
     private long deadlineNs;
     private Room room;
     private Seats.Seat seat;
     private int datagramKey;
-    private final String address;
+    private final Origin origin;
     private JoinRequest waiting;
     private int lists;
     private long waitsUntilNs;
@@ -264,9 +280,27 @@ public final class Lobby {
 
     Visitor(Link link) {
       this.link = link;
-      this.address = AdmissionRate.address(link.remote());
+      this.origin = Origin.ofRemote(link.remote());
       this.deadlineNs = nowNs + config.handshakeTimeoutMs() * NS_PER_MS;
       this.askAgainNs = nowNs;
+    }
+
+    @Override
+    public Origin origin() {
+      return origin;
+    }
+
+    /** A visitor that has said what it wants displaces none that has a seat, nor the other way. */
+    @Override
+    public Entrance.Stage stage() {
+      if (done || state == SessionState.LOADING) {
+        return Entrance.Stage.IN;
+      }
+      return waiting == null ? Entrance.Stage.UNPROVEN : Entrance.Stage.PROVEN;
+    }
+
+    private void giveWay() {
+      refuse(RefusalReason.TOO_MANY_CONNECTIONS, "Others wait to play.");
     }
 
     /**
@@ -433,8 +467,8 @@ public final class Lobby {
 
     /**
      * Gives a visitor that has sent Hello a seat as soon as it may have one. A visitor waits while
-     * its address joins too often or holds too many seats without playing, and while a full room
-     * gives up the seat of a player who lost the connection.
+     * its host joins too often or holds too many seats without playing, and while a full room gives
+     * up the seat of a player who lost the connection.
      */
     void tryToEnter() {
       if (done || waiting == null) {
@@ -450,7 +484,7 @@ public final class Lobby {
         refuse(RefusalReason.ROOM_UNKNOWN, directory.describe());
         return;
       }
-      boolean allowed = rate.allows(address, nowNs);
+      boolean allowed = rate.allows(origin.host(), nowNs);
       boolean full = false;
       if (allowed && expecting != null) {
         room = expecting;
@@ -460,7 +494,7 @@ public final class Lobby {
       }
       boolean late = nowNs - waitsUntilNs >= 0;
       if (seat != null) {
-        rate.count(address, nowNs);
+        rate.count(origin.host(), nowNs);
         waiting = null;
         welcome();
       } else if (full || (allowed && chooser.seatsLeft(requested) == 0 && late)) {
@@ -485,7 +519,7 @@ public final class Lobby {
     private boolean takeSeat(Room requested) {
       Room chosen = requested == null ? chooser.fullestWithSeat(waiting.game()) : requested;
       if (chosen != null
-          && countLoading(address) < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
+          && countLoading(origin.host()) < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
         room = chosen;
         seat = room.seats().take(waiting.name(), waiting.account());
       }
@@ -493,15 +527,15 @@ public final class Lobby {
     }
 
     /**
-     * Asks a room, or else the busiest other address, to give up a seat that nobody plays in.
-     * Returns false if every seat is played in.
+     * Asks a room, or else the busiest other host, to give up a seat that nobody plays in. Returns
+     * false if every seat is played in.
      */
     private boolean askForSeat(Room requested) {
       if (nowNs - askAgainNs < 0) {
         return true; // the seat asked for is soon free, unless another visitor takes it first
       }
       boolean asked = chooser.askToGiveWay(requested);
-      Visitor crowding = asked ? null : oldestOfBusiestAddress(address, requested);
+      Visitor crowding = asked ? null : oldestOfBusiestHost(origin.host(), requested);
       if (crowding != null) {
         asked = true;
         crowding.refuse(RefusalReason.TOO_SLOW, "Others wait for the place.");

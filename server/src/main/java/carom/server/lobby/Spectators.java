@@ -1,5 +1,6 @@
 package carom.server.lobby;
 
+import carom.net.admission.Origin;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
@@ -14,7 +15,9 @@ import carom.server.room.Room;
 import carom.server.session.PartingLinks;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -35,12 +38,17 @@ final class Spectators implements LinkHandler {
 
   private static final Logger LOG = LoggerFactory.getLogger(Spectators.class);
   private static final int MAX_POLL = 32;
+
+  /** A network's share of the places is one in so many, as soon as all are taken. */
+  private static final int SHARES = 16;
+
   private static final long NS_PER_MS = 1_000_000;
   private static final long SILENCE_MS = 10_000;
   private static final long PARTING_MS = 1_000;
 
   private static final class Spectator {
     private final Link link;
+    private final Origin origin;
     private final Room room;
     private final DelayedRecording recording;
 
@@ -56,6 +64,7 @@ final class Spectators implements LinkHandler {
 
     Spectator(Link link, Room room, DelayedRecording recording, long nowNs) {
       this.link = link;
+      origin = Origin.ofRemote(link.remote());
       this.room = room;
       this.recording = recording;
       skipped = recording.skippableBytes(room.age());
@@ -99,7 +108,7 @@ final class Spectators implements LinkHandler {
           RefusalReason.ROOM_UNKNOWN,
           "There is no room=" + room + ", they are 1.." + recordings.size() + ".");
     }
-    if (spectators.size() >= MAX) {
+    if (spectators.size() >= MAX && !makeRoom(Origin.ofRemote(link.remote()))) {
       return new ServerMessage.Refused(RefusalReason.SERVER_FULL, MAX + " people watch already.");
     }
     Room watched = rooms.get(room - 1);
@@ -109,6 +118,30 @@ final class Spectators implements LinkHandler {
     link.send(new ServerMessage.Watching(delaySeconds));
     LOG.info("spectator joined room {}: {}, {} in all", room, link.remote(), spectators.size());
     return null;
+  }
+
+  /**
+   * Ends the stay of a network's newest spectator, if that network has more than its share and more
+   * than the newcomer's. Returns whether there is room now.
+   */
+  private boolean makeRoom(Origin newcomer) {
+    Map<String, Integer> counts = new HashMap<>();
+    spectators.forEach(s -> counts.merge(s.origin.network(), 1, Integer::sum));
+    int most = counts.values().stream().mapToInt(n -> n).max().orElse(0);
+    if (most <= MAX / SHARES || counts.getOrDefault(newcomer.network(), 0) >= most) {
+      return false;
+    }
+    for (int i = spectators.size() - 1; i >= 0; i--) {
+      Spectator s = spectators.get(i);
+      if (counts.get(s.origin.network()) == most) {
+        spectators.remove(i);
+        count(s.room);
+        s.link.send(new ServerMessage.Goodbye(GoodbyeReason.IDLE, ""));
+        partings.add(s.link, "gave way to a newcomer", nowNs + PARTING_MS * NS_PER_MS);
+        return true;
+      }
+    }
+    return false;
   }
 
   private void count(Room room) {

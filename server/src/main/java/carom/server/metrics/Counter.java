@@ -11,6 +11,7 @@ public enum Counter {
   TICKS_OVERRUN("Steps that took longer than their period."),
   PLAYERS(Kind.GAUGE, "Players with a link."),
   PLAYERS_IN_GRACE(Kind.GAUGE, "Players whose link was lost and whose body waits for them."),
+  PLAYERS_IDLE(Kind.GAUGE, "Players whose input hasn't changed for as long as --idle-kick says."),
   SPECTATORS(Kind.GAUGE, "Spectators."),
   JOINS("Players who joined, returning ones included."),
   RESUMES("Players who came back within their grace period."),

@@ -1,5 +1,7 @@
 package carom.server.replication;
 
+import carom.net.protocol.Limits;
+
 /**
  * Estimates from the acks how fast one client's line takes snapshots.
  *
@@ -12,9 +14,6 @@ package carom.server.replication;
  * <p>Counts what is on the wire, headers included. The room's thread, no allocation.
  */
 final class LinkPace {
-  /** IPv4, UDP and the frame's tag around a datagram's payload. */
-  static final int HEADER_BYTES = 29;
-
   private static final int INTERVALS_PER_SECOND = 3;
 
   /**
@@ -76,8 +75,8 @@ final class LinkPace {
    * @param acked whether the client acks it soon, see {@link #acked}
    */
   void sent(int payloadBytes, boolean acked) {
-    tokens -= payloadBytes + HEADER_BYTES;
-    sent += acked ? payloadBytes + HEADER_BYTES : 0;
+    tokens -= payloadBytes + Limits.DATAGRAM_OVERHEAD_BYTES;
+    sent += acked ? payloadBytes + Limits.DATAGRAM_OVERHEAD_BYTES : 0;
   }
 
   /**
@@ -117,12 +116,16 @@ final class LinkPace {
 
   /** Returns the bytes of payload that may leave now. Not positive when the line needs a rest. */
   int allowance() {
-    return (int) Math.min(Integer.MAX_VALUE, tokens - HEADER_BYTES);
+    return payload(tokens);
   }
 
-  /** Returns what {@link #allowance} comes to, but for rounding, when nothing is sent for long. */
+  /** Returns what {@link #allowance} comes to when nothing is sent for long. */
   int mostAllowance() {
-    return (int) (0.9f * rate * BURST_SECONDS) - HEADER_BYTES;
+    return payload(rate * BURST_SECONDS);
+  }
+
+  private static int payload(float bytes) {
+    return (int) Math.min(Integer.MAX_VALUE, bytes - Limits.DATAGRAM_OVERHEAD_BYTES);
   }
 
   /** Returns the present pace, bytes on the wire per second. */

@@ -1,6 +1,7 @@
 package carom.server.replication;
 
 import carom.net.codec.Sequence;
+import carom.net.protocol.Limits;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRing;
@@ -185,7 +186,7 @@ public final class SnapshotSender {
   /** Earns budget for a tick; call once per tick, before anything else. */
   public void tick() {
     bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
-    pace.tick(encoder.ackedBytes() + LinkPace.HEADER_BYTES * encoder.ackedDatagrams());
+    pace.tick(encoder.ackedBytes() + Limits.DATAGRAM_OVERHEAD_BYTES * encoder.ackedDatagrams());
   }
 
   /**

@@ -3,11 +3,12 @@ package carom.server.room;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.session.PartingLinks;
 import carom.server.session.RosterNews;
+import carom.server.session.SeatRequests;
 import carom.server.session.Session;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -31,7 +32,7 @@ final class Departures {
   private final RosterNews roster;
   private final Announcer announcer;
   private final PartingLinks partings;
-  private final AtomicInteger seatsAskedFor = new AtomicInteger();
+  private final SeatRequests requests;
 
   /**
    * Creates an object that has nobody to remove.
@@ -49,61 +50,41 @@ final class Departures {
     this.roster = roster;
     this.announcer = announcer;
     this.partings = partings;
+    ServerConfig config = room.config();
+    requests =
+        new SeatRequests(
+            room.counters(), room.seats(), (long) config.idleKickS() * config.tickRateHz());
   }
 
-  /**
-   * Asks for a seat for a newcomer, from any thread: in the next tick the player that lost the
-   * connection first gives it up, unless that player is just coming back.
-   *
-   * @return false when no player has lost the connection
-   */
+  /** Asks for a seat for a newcomer, from any thread, see {@link SeatRequests#ask}. */
   boolean askForSeat() {
-    long waiting = room.counters().get(Counter.PLAYERS_IN_GRACE);
-    if (waiting > seatsAskedFor.get()) {
-      seatsAskedFor.incrementAndGet();
-    }
-    return waiting > 0;
+    return requests.ask();
   }
 
   /** Ends the sessions whose time has come. */
   void serve(long nowNs) {
-    Session givesWay = longestInGrace();
+    Session givesWay = requests.next(sessions.bySeat());
     int departures = 0;
     for (int i = sessions.count() - 1; i >= 0 && departures < MAX_PER_TICK; i--) {
       departures += endIfDue(sessions.get(i), givesWay, nowNs) ? 1 : 0;
     }
   }
 
-  /**
-   * Returns the session that has waited longest for its player, if its seat is asked for; or null.
-   */
-  private Session longestInGrace() {
-    Session first = null;
-    for (int i = 0; i < sessions.count() && seatsAskedFor.get() > 0; i++) {
-      Session session = sessions.get(i);
-      if (session.state() == SessionState.GRACE
-          && !room.seats().isClaimed(session.seat())
-          && (first == null || session.graceEndNs() - first.graceEndNs() < 0)) {
-        first = session;
-      }
-    }
-    if (first == null) {
-      seatsAskedFor.set(0);
-    }
-    return first;
-  }
-
   /** Ends a session, or begins its grace period, if it is time. Returns whether it was. */
   private boolean endIfDue(Session session, Session givesWay, long nowNs) {
     if (session.state() == SessionState.GRACE) {
       if (session == givesWay) {
-        seatsAskedFor.decrementAndGet();
+        requests.served();
         remove(session, "gave way to a newcomer", " is gone", nowNs);
       } else if (session.graceIsOver(nowNs) && !room.seats().isClaimed(session.seat())) {
         remove(session, "did not come back", " is gone", nowNs);
       } else {
         return false;
       }
+    } else if (session == givesWay) {
+      requests.served();
+      session.sayGoodbye(GoodbyeReason.IDLE, "");
+      remove(session, "was idle, gave way to a newcomer", " was idle and gave way", nowNs);
     } else if (session.departure() == Session.Departure.LEAVE) {
       room.counters().add(Counter.LEAVES, 1);
       session.sayGoodbye(GoodbyeReason.LEFT, "");

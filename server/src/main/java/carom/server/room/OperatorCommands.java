@@ -13,6 +13,7 @@ import carom.sim.Simulation;
 import carom.sim.field.FieldHolder;
 import carom.sim.match.NextMatch;
 import carom.sim.message.BuiltInKinds;
+import carom.sim.message.Message;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -260,6 +261,27 @@ public final class OperatorCommands {
     } catch (NoAnswer e) {
       return 0;
     }
+  }
+
+  /**
+   * Says lines to one player, as the server, if the player is in this room.
+   *
+   * @param lines at most {@link BuiltInKinds#MAX_CHAT} characters each
+   * @return what was done
+   */
+  public String tell(PlayerInfo player, List<String> lines) {
+    return ask(
+        () -> {
+          Session session = sessions.onSeat(player.id());
+          if (session == null || !session.remote().equals(player.remote())) {
+            return player.name() + " isn't here";
+          }
+          for (String line : lines) {
+            Message said = BuiltInKinds.SAID.of(BuiltInKinds.SERVER, false, line);
+            room.simulation().send(said).to(session.player());
+          }
+          return "told " + player.name();
+        });
   }
 
   private String ask(Callable<String> what) {

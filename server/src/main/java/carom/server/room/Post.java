@@ -13,17 +13,19 @@ import java.util.function.Consumer;
 final class Post {
   private final RoomContext room;
   private final RoomSessions sessions;
+  private final RoomDirectory directory;
   private final Consumer<Delivery> deliver = this::deliver;
 
-  Post(RoomContext room, RoomSessions sessions) {
+  Post(RoomContext room, RoomSessions sessions, RoomDirectory directory) {
     this.room = room;
     this.sessions = sessions;
+    this.directory = directory;
   }
 
-  /** Hands the messages of players to the next tick. */
+  /** Hands the messages of players to the next tick, but for commands. */
   void collect() {
     for (int i = sessions.count() - 1; i >= 0; i--) {
-      sessions.get(i).deliverMessages();
+      sessions.get(i).deliverMessages(directory.chatCommands());
     }
   }
 

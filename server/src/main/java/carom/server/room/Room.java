@@ -166,7 +166,7 @@ public final class Room {
     operator =
         new OperatorCommands(
             context, number, sessions, departures, recording, changes, clock, () -> closed);
-    post = new Post(context, sessions);
+    post = new Post(context, sessions, directory);
     sendNotice = announcer::notice;
     sendTo = sessions::sendTo;
     context.match().capture().capture();
@@ -403,10 +403,10 @@ public final class Room {
   }
 
   /**
-   * Asks for a seat for a newcomer, from any thread: in the next tick the player that lost the
-   * connection first gives it up, unless that player is just coming back.
+   * Asks for a seat for a newcomer, from any thread: in the next tick a player that lost the
+   * connection gives it up, or one that is idle.
    *
-   * @return false when no player has lost the connection
+   * @return false when there is no such player
    */
   public boolean giveWay() {
     return departures.askForSeat();

@@ -3,6 +3,7 @@ package carom.server.room;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Broadcast;
+import carom.server.session.ChatCommands;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -17,6 +18,7 @@ public final class RoomDirectory {
   private static final long LIST_AGE_NS = 250_000_000;
 
   private volatile List<Room> rooms = List.of();
+  private volatile ChatCommands chatCommands = ChatCommands.NONE;
   private List<Broadcast> list = List.of();
   private long listedNs;
 
@@ -30,6 +32,15 @@ public final class RoomDirectory {
    */
   public void open(List<Room> all) {
     rooms = all;
+  }
+
+  /** Sets who takes commands that players write into the chat of any room. */
+  public void chatCommands(ChatCommands commands) {
+    chatCommands = commands;
+  }
+
+  ChatCommands chatCommands() {
+    return chatCommands;
   }
 
   /** Returns a room that is open, or null if there is none of this name. */

@@ -77,6 +77,8 @@ public final class Session implements LinkHandler {
   private final LogInterval divergenceLines = new LogInterval();
   private long nowNs;
   private int silentTicks;
+  private long lastInput;
+  private int idleTicks;
   private long sequenceArrivalNs;
   private long graceEndNs;
   private LevelUpload upload;
@@ -151,6 +153,7 @@ public final class Session implements LinkHandler {
     feedback.present = false;
     feedback.consumedTick = tick;
     silentTicks = 0;
+    idleTicks = 0;
     knowsRoster = false;
     seat.follows();
   }
@@ -403,6 +406,11 @@ public final class Session implements LinkHandler {
     }
     silentTicks++;
     long input = inputs.consume(tick);
+    idleTicks++;
+    if (!inputs.lastWasMissing() && input != lastInput) {
+      lastInput = input;
+      idleTicks = 0;
+    }
     player.viewDelay(player.isSpectator() ? 0 : viewDelay);
     player.input().unpack(player.isSpectator() ? NEUTRAL : input);
     if (!inputs.lastWasMissing()) {
@@ -463,9 +471,9 @@ public final class Session implements LinkHandler {
     return link != null && link.send(message);
   }
 
-  /** Hands the messages of the player to the next tick. */
-  public void deliverMessages() {
-    messages.deliver(seat.isMuted());
+  /** Hands the messages of the player to the next tick, but for commands. */
+  public void deliverMessages(ChatCommands commands) {
+    messages.deliver(this, commands);
   }
 
   /** Sends the messages of the game that are queued, when there is a link. */
@@ -537,6 +545,11 @@ public final class Session implements LinkHandler {
   /** Returns why the link has closed. */
   public String linkLostReason() {
     return linkLostReason;
+  }
+
+  /** Returns how many ticks the player has played since its input last changed. */
+  public int idleTicks() {
+    return idleTicks;
   }
 
   /**

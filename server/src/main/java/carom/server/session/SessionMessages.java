@@ -108,17 +108,26 @@ public final class SessionMessages {
   /**
    * Hands over what the next tick should handle.
    *
-   * @param muted whether chat and emotes are dropped
+   * @param session whose messages these are
+   * @param commands takes lines of chat that are commands
    */
-  void deliver(boolean muted) {
+  void deliver(Session session, ChatCommands commands) {
+    boolean muted = session.seat().isMuted();
     while (!waiting.isEmpty() && rates.take(waiting.peek().kind(), seconds())) {
       Message message = waiting.remove();
+      if (isCommand(message) && commands.take(PlayerInfo.of(session), message.text("text"))) {
+        continue;
+      }
       if (muted && (message.is(BuiltInKinds.SAY) || message.is(BuiltInKinds.EMOTE))) {
         counters.add(Counter.MESSAGES_MUTED, 1);
       } else if (!simulation.receive(player, message)) {
         counters.add(Counter.MESSAGES_DROPPED, 1);
       }
     }
+  }
+
+  private static boolean isCommand(Message message) {
+    return message.is(BuiltInKinds.SAY) && message.text("text").startsWith(ChatCommands.BEGIN);
   }
 
   private double seconds() {

@@ -5,6 +5,6 @@
  * of the simulation hold here too: no clock, no thread, no {@code Math.sin} or {@code
  * java.util.Random}, no iteration over a hash map.
  *
- * <p>Read first: {@link carom.game.arena.ArenaGame}.
+ * <p>Read first: {@link carom.game.arena.ArenaGame}, {@link carom.game.arena.ArenaFields}.
  */
 package carom.game.arena;

@@ -18,7 +18,9 @@ public enum GoodbyeReason {
   /** The client broke the protocol. */
   PROTOCOL_ERROR("The server closed the connection because of data it couldn't understand.", false),
   /** The server or its game had an error. */
-  SERVER_ERROR("The server had to stop the game because of an error.", true);
+  SERVER_ERROR("The server had to stop the game because of an error.", true),
+  /** The player did nothing, and a newcomer took the seat. */
+  IDLE("You did nothing for a while, and the place was needed.", false);
 
   private final String playerText;
   private final boolean retryUseful;

@@ -9,6 +9,12 @@ public final class Limits {
    */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
+  /**
+   * Bytes on the wire around a datagram's payload: 20 of IPv4, 8 of UDP, 27 of the frame (tag,
+   * link, counter, proof). IPv6 takes 20 more.
+   */
+  public static final int DATAGRAM_OVERHEAD_BYTES = 20 + 8 + 27;
+
   /** Largest encoded message from a client, in bytes. */
   public static final int MAX_CLIENT_MESSAGE_BYTES = 1_024;
 

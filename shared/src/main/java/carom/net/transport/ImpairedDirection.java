@@ -19,9 +19,6 @@ final class ImpairedDirection {
    */
   static final int MAX_QUEUE_MS = 250;
 
-  /** Bytes of IP and UDP headers that each datagram adds on the line. */
-  static final int HEADER_BYTES = 28;
-
   /** A message or datagram in flight. */
   static final class Item implements Comparable<Item> {
     long dueNs;
@@ -82,7 +79,7 @@ final class ImpairedDirection {
     if (lost(loss) || datagrams.size() >= MAX_DATAGRAMS || queueNs(nowNs) > MAX_QUEUE_NS) {
       return 1;
     }
-    long dueNs = passLine(length + HEADER_BYTES, nowNs) + delayNs(jitter);
+    long dueNs = passLine(length + Limits.DATAGRAM_OVERHEAD_BYTES, nowNs) + delayNs(jitter);
     if (!impairment.jitterReorders()) {
       if (anyDatagram && dueNs - lastDatagramDueNs < 0) {
         dueNs = lastDatagramDueNs;
@@ -164,7 +161,7 @@ final class ImpairedDirection {
   void addMessage(Object message, int bytes, long nowNs) {
     Item item = new Item(NO_BYTES);
     item.message = message;
-    item.dueNs = messageDue(passLine(bytes + HEADER_BYTES, nowNs));
+    item.dueNs = messageDue(passLine(bytes + Limits.DATAGRAM_OVERHEAD_BYTES, nowNs));
     item.order = nextOrder++;
     messages.add(item);
   }

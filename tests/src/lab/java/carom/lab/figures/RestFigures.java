@@ -2,6 +2,7 @@ package carom.lab.figures;
 
 import carom.client.InputSource;
 import carom.lab.measure.Figure;
+import carom.net.protocol.Limits;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -11,9 +12,6 @@ import java.util.List;
 
 /** Measures the traffic of an idle player in a world at rest, headers included. Virtual time. */
 final class RestFigures {
-  /** Size of the IPv4 and UDP headers and the frame's tag, bytes. */
-  private static final int HEADER_BYTES = 29;
-
   private static final double REACH_KBIT = 3;
 
   private RestFigures() {}
@@ -39,8 +37,8 @@ final class RestFigures {
   }
 
   private static Figure figure(String direction, long bytes, long datagrams, double seconds) {
-    double kbit = (bytes + HEADER_BYTES * datagrams) * 8 / seconds / 1_000;
+    double kbit = (bytes + Limits.DATAGRAM_OVERHEAD_BYTES * datagrams) * 8 / seconds / 1_000;
     return Figure.atMost(REACH_KBIT, "at rest, 1,000 bodies, " + direction, kbit, "kbit/s")
-        .withNote("%.1f datagrams a second, IP and UDP headers included", datagrams / seconds);
+        .withNote("%.1f datagrams a second, IP, UDP and frame included", datagrams / seconds);
   }
 }

@@ -1,7 +1,9 @@
 package carom.client.desktop;
 
 import carom.client.app.ClientMain;
+import carom.client.view.ClientView;
 import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Input;
 import java.awt.AWTException;
 import java.awt.Rectangle;
 import java.awt.Robot;
@@ -20,9 +22,6 @@ final class KeyWatcher {
 
   /** Way of the body's middle in a tenth of a second that counts as none, px. */
   private static final double AT_REST = 0.02;
-
-  /** Two frames of a screen with 60 of them a second. */
-  private static final long TWO_FRAMES_NS = 33_400_000;
 
   private final Robot robot;
   private final int rgb;
@@ -75,16 +74,29 @@ final class KeyWatcher {
       double before = find(near)[0];
       int key = i % 2 == 0 ? KeyEvent.VK_D : KeyEvent.VK_A;
       robot.keyPress(key);
-      long frame = Gdx.graphics.getFrameId(); // its events are read when it ends
-      long pressedNs = System.nanoTime();
-      while (Gdx.graphics.getFrameId() < frame + 3
-          || System.nanoTime() - pressedNs < TWO_FRAMES_NS) {
-        Thread.onSpinWait();
-      }
+      awaitSecondFrame(i % 2 == 0 ? Input.Keys.D : Input.Keys.A);
       double moved = find(near)[0] - before;
       robot.keyRelease(key);
       System.out.printf("moved %.3f%n", i % 2 == 0 ? moved : -moved);
       Thread.sleep(500);
+    }
+  }
+
+  /**
+   * Waits for the end of the second frame after the one that read the key. On a machine that keeps
+   * up, a tick begins in each of the two; on one that doesn't, the frames that no tick began in
+   * aren't counted, as they can't show more.
+   */
+  private void awaitSecondFrame(int key) {
+    while (!Gdx.input.isKeyPressed(key)) {
+      Thread.onSpinWait();
+    }
+    ClientView view =
+        ((GameScreen) ((CaromWindow) Gdx.app.getApplicationListener()).screen()).view();
+    int tick = view.tick();
+    long frame = Gdx.graphics.getFrameId();
+    while (Gdx.graphics.getFrameId() < frame + 3 || view.tick() < tick + 2) {
+      Thread.onSpinWait();
     }
   }
 

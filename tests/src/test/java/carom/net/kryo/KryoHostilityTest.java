@@ -11,21 +11,15 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.DatagramSealer;
-import carom.net.seal.Encryption;
-import carom.net.seal.KeyExchange;
-import carom.net.seal.LinkKeys;
-import carom.net.seal.StreamSeal;
 import carom.net.transport.Link;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketException;
-import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
 import java.nio.charset.StandardCharsets;
-import java.security.GeneralSecurityException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -79,155 +73,6 @@ final class KryoHostilityTest {
         new byte[] {1, 2, 3}, canary.atServer.datagrams.get(canary.atServer.datagrams.size() - 1));
   }
 
-  private static byte[] bytes(int... numbers) {
-    byte[] bytes = new byte[numbers.length];
-    for (int i = 0; i < numbers.length; i++) {
-      bytes[i] = (byte) numbers[i];
-    }
-    return bytes;
-  }
-
-  private static byte[] frameOf(byte first, byte[] rest) {
-    return ByteBuffer.allocate(1 + rest.length).put(first).put(rest).array();
-  }
-
-  /** Somebody who speaks bytes, not KryoNet. */
-  private final class Stranger implements AutoCloseable {
-    final Socket tcp = new Socket();
-    final DatagramChannel udp;
-    final byte[] greeting;
-    final int id;
-    final long token;
-    LinkKeys keys;
-
-    Stranger() throws IOException {
-      this(DatagramChannel.open());
-      udp.connect(new InetSocketAddress(Network.HOST, network.server.udpPort()));
-    }
-
-    Stranger(DatagramChannel udp) throws IOException {
-      this.udp = udp;
-      tcp.connect(new InetSocketAddress(Network.HOST, network.server.tcpPort()), 2_000);
-      tcp.setSoTimeout(3_000);
-      byte[] frame = readFrame();
-      assertEquals(Frame.REGISTER_TCP, frame[0]);
-      greeting = Arrays.copyOfRange(frame, 1, frame.length);
-      id = ByteBuffer.wrap(greeting).getInt();
-      token = ByteBuffer.wrap(greeting).getLong(4);
-    }
-
-    byte[] readFrame() throws IOException {
-      ByteBuffer length = ByteBuffer.wrap(tcp.getInputStream().readNBytes(4));
-      if (length.remaining() < 4) {
-        throw new SocketException("closed");
-      }
-      byte[] frame = tcp.getInputStream().readNBytes(length.getInt());
-      if (keys == null) {
-        return frame;
-      }
-      return Arrays.copyOf(frame, keys.streamIn().open(frame, 0, frame.length));
-    }
-
-    /** Sends bytes as they are. */
-    void raw(int... bytes) throws IOException {
-      udp.write(ByteBuffer.wrap(bytes(bytes)));
-    }
-
-    /** Sends a genuine datagram. */
-    void datagram(int tag, int... fields) throws IOException {
-      udp.write(ByteBuffer.wrap(sealed(tag, bytes(fields))));
-    }
-
-    byte[] sealed(int tag, byte[] fields) {
-      int length = keys.datagramsOut().seal((byte) tag, fields, 0, fields.length);
-      return Arrays.copyOf(keys.datagramsOut().bytes(), length);
-    }
-
-    /** Receives a datagram, and returns its tag and fields. */
-    byte[] receive() throws IOException {
-      ByteBuffer buffer = ByteBuffer.allocate(2_000);
-      udp.read(buffer);
-      byte[] bytes = buffer.array();
-      int fields = keys.datagramsIn().open(bytes, buffer.position());
-      assertTrue(fields >= 0, "fields=" + fields);
-      byte[] opened =
-          Arrays.copyOfRange(
-              bytes, DatagramSealer.HEAD_BYTES - 1, DatagramSealer.HEAD_BYTES + fields);
-      opened[0] = bytes[0];
-      return opened;
-    }
-
-    void register(int asId, long withToken) throws IOException {
-      ByteBuffer bytes = ByteBuffer.allocate(Frame.REGISTRATION_BYTES);
-      bytes.put(Frame.REGISTER_UDP).putInt(asId).putLong(withToken).putLong(0).flip();
-      udp.write(bytes);
-    }
-
-    /** The handshake up to the keys. */
-    void exchangeKeys() throws IOException {
-      register(id, token);
-      register(id, token); // a client repeats itself until it is answered
-      assertEquals(Frame.REGISTER_UDP, readFrame()[0]);
-      byte[] key = Arrays.copyOfRange(greeting, greeting.length - 32, greeting.length);
-      KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, key, greeting);
-      frame(frameOf(Frame.KEY_OFFER, offer.bytes()));
-      byte[] answer = readFrame();
-      assertEquals(Frame.KEY_ANSWER, answer[0]);
-      try {
-        keys =
-            offer.finish(
-                Arrays.copyOfRange(answer, 1, answer.length), id, Frame.SERVER_BUFFER_BYTES * 20);
-      } catch (GeneralSecurityException x) {
-        throw new AssertionError(x);
-      }
-    }
-
-    /** The whole handshake, up to an open link at the server. */
-    Link join() throws IOException {
-      exchangeKeys();
-      frame(new byte[] {Frame.KEY_CONFIRM});
-      byte[] challenge = receive();
-      assertEquals(Frame.CHALLENGE, challenge[0]);
-      udp.write(ByteBuffer.wrap(sealed(Frame.ANSWER, Arrays.copyOfRange(challenge, 1, 1 + 8))));
-      Link[] link = new Link[1];
-      eventually(() -> (link[0] = network.server.accept()) != null, () -> "not accepted");
-      return link[0];
-    }
-
-    void write(byte[] bytes) throws IOException {
-      tcp.getOutputStream().write(bytes);
-      tcp.getOutputStream().flush();
-    }
-
-    /** Sends a frame, sealed once there are keys. */
-    void frame(byte[] content) throws IOException {
-      byte[] frame = content;
-      if (keys != null) {
-        frame = Arrays.copyOf(content, content.length + StreamSeal.EXTRA_BYTES);
-        keys.streamOut().seal(frame, 0, content.length);
-      }
-      write(ByteBuffer.allocate(4 + frame.length).putInt(frame.length).put(frame).array());
-    }
-
-    /** Whether the server closes this connection, its last words read away. */
-    boolean closedByServer() throws IOException {
-      try {
-        tcp.getInputStream().transferTo(OutputStream.nullOutputStream());
-        return true;
-      } catch (SocketTimeoutException x) {
-        return false;
-      } catch (SocketException x) {
-        return true;
-      }
-    }
-
-    @Override
-    public void close() throws IOException {
-      tcp.close();
-      udp.close();
-    }
-  }
-
   @Test
   void zeroBytesAndGarbageDatagramsFromNobody() throws IOException {
     long seed = Long.getLong("carom.seed", System.nanoTime());
@@ -253,7 +98,7 @@ final class KryoHostilityTest {
   void garbageDatagramsFromALinkAreDroppedAndTheLinkStays() throws IOException {
     long seed = Long.getLong("carom.seed", System.nanoTime());
     SplittableRandom random = new SplittableRandom(seed);
-    try (Stranger stranger = new Stranger()) {
+    try (RawPeer stranger = new RawPeer(network)) {
       Link link = stranger.join();
       stranger.raw();
       stranger.raw(0);
@@ -318,7 +163,7 @@ final class KryoHostilityTest {
     attacks.addAll(sealed);
     for (int i = 0; i < attacks.size(); i++) {
       byte[] attack = attacks.get(i);
-      try (Stranger stranger = new Stranger()) {
+      try (RawPeer stranger = new RawPeer(network)) {
         Link link = stranger.join();
         if (i < unsealed) {
           stranger.write(attack);
@@ -337,7 +182,7 @@ final class KryoHostilityTest {
     long seed = Long.getLong("carom.seed", System.nanoTime());
     SplittableRandom random = new SplittableRandom(seed);
     for (int i = 0; i < 30; i++) {
-      try (Stranger stranger = new Stranger()) {
+      try (RawPeer stranger = new RawPeer(network)) {
         Link link = stranger.join();
         for (int n = 0; n < 20 && link.state() == Link.State.OPEN; n++) {
           byte[] content = new byte[1 + random.nextInt(300)];
@@ -359,7 +204,7 @@ final class KryoHostilityTest {
 
   @Test
   void talkingBeforeTheHandshakeClosesTheTalker() throws IOException {
-    try (Stranger stranger = new Stranger()) {
+    try (RawPeer stranger = new RawPeer(network)) {
       stranger.frame(new byte[] {Frame.KEEP_ALIVE});
       assertTrue(stranger.closedByServer());
     }
@@ -370,7 +215,7 @@ final class KryoHostilityTest {
     try (Network patient = new Network(LIMITS.withTimes(500, 400))) {
       Network before = network;
       network = patient;
-      try (Stranger stranger = new Stranger()) {
+      try (RawPeer stranger = new RawPeer(network)) {
         Link link = stranger.join();
         OutputStream out = stranger.tcp.getOutputStream();
         out.write(new byte[] {0, 0, 4, 0});
@@ -394,12 +239,12 @@ final class KryoHostilityTest {
 
   @Test
   void connectionsThatNeverRegisterUdpAreDroppedInTime() throws IOException {
-    List<Stranger> strangers = new ArrayList<>();
+    List<RawPeer> strangers = new ArrayList<>();
     for (int i = 0; i < 40; i++) {
-      strangers.add(new Stranger());
+      strangers.add(new RawPeer(network));
     }
     assertCanarySings();
-    for (Stranger stranger : strangers) {
+    for (RawPeer stranger : strangers) {
       assertTrue(stranger.closedByServer());
       stranger.close();
     }
@@ -428,8 +273,8 @@ final class KryoHostilityTest {
 
   @Test
   void anAddressIsNotHijackedWithoutTheToken() throws IOException {
-    try (Stranger victim = new Stranger();
-        Stranger thief = new Stranger()) {
+    try (RawPeer victim = new RawPeer(network);
+        RawPeer thief = new RawPeer(network)) {
       for (int i = -2; i < 4; i++) {
         thief.register(victim.id + i, thief.token + 1);
         thief.register(victim.id, i);
@@ -449,7 +294,7 @@ final class KryoHostilityTest {
 
   @Test
   void nobodyReceivesAStreamThatHeDidNotAskFor() throws IOException {
-    try (Stranger stranger = new Stranger()) {
+    try (RawPeer stranger = new RawPeer(network)) {
       stranger.exchangeKeys();
       stranger.frame(new byte[] {Frame.KEY_CONFIRM});
       assertTrue(stranger.closedByServer(), "no answer to the challenge");
@@ -466,7 +311,7 @@ final class KryoHostilityTest {
 
   @Test
   void aClientThatNeverReadsIsClosedAndSendingNeverThrows() throws IOException {
-    try (Stranger stranger = new Stranger()) {
+    try (RawPeer stranger = new RawPeer(network)) {
       Link link = stranger.join();
       Object chunk = new ServerMessage.LevelChunk(0, new byte[4_096]);
       int sent = 0;
@@ -484,7 +329,7 @@ final class KryoHostilityTest {
     try (Network strict = new Network(LIMITS.withRates(20, 100))) {
       Network before = network;
       network = strict;
-      try (Stranger stranger = new Stranger()) {
+      try (RawPeer stranger = new RawPeer(network)) {
         Link link = stranger.join();
         try {
           for (int i = 0; i < 100; i++) {
@@ -503,7 +348,7 @@ final class KryoHostilityTest {
 
   @Test
   void unreadMessagesHaveAnEnd() throws IOException {
-    try (Stranger stranger = new Stranger()) {
+    try (RawPeer stranger = new RawPeer(network)) {
       Link link = stranger.join();
       byte[] leave = {Frame.MESSAGE, ClientMessageCodec.encode(new ClientMessage.Leave())[0]};
       try {
@@ -523,7 +368,7 @@ final class KryoHostilityTest {
     try (Network strict = new Network(LIMITS.withRates(2_000, 50))) {
       Network before = network;
       network = strict;
-      try (Stranger stranger = new Stranger()) {
+      try (RawPeer stranger = new RawPeer(network)) {
         Link link = stranger.join();
         Network.Inbox inbox = new Network.Inbox();
         for (int i = 0; i < 2_000; i++) {
@@ -546,7 +391,7 @@ final class KryoHostilityTest {
 
   @Test
   void datagramsThatNobodyPollsAreDroppedAndTheNextOnesArrive() throws IOException {
-    try (Stranger stranger = new Stranger()) {
+    try (RawPeer stranger = new RawPeer(network)) {
       Link link = stranger.join();
       for (int i = 0; i < 200; i++) {
         stranger.datagram(Frame.DATAGRAM, i);
@@ -574,16 +419,16 @@ final class KryoHostilityTest {
 
   @Test
   void aHalfOpenConnectionEndsAndItsReplacementGetsTheSameAddress() throws IOException {
-    try (Stranger stranger = new Stranger();
-        Stranger thief = new Stranger(stranger.udp)) { // its client came back
+    try (RawPeer stranger = new RawPeer(network);
+        RawPeer thief = new RawPeer(network, stranger.udp)) { // its client came back
       Link old = stranger.join();
       thief.register(thief.id, thief.token);
       assertEquals(Frame.REGISTER_UDP, thief.readFrame()[0]);
       Network.pause(50);
       assertEquals(Link.State.OPEN, old.state(), "anybody may forge an address");
     }
-    try (Stranger stranger = new Stranger();
-        Stranger again = new Stranger(stranger.udp)) {
+    try (RawPeer stranger = new RawPeer(network);
+        RawPeer again = new RawPeer(network, stranger.udp)) {
       Link old = stranger.join();
       assertEquals(Link.State.OPEN, again.join().state());
       eventually(() -> old.state() == Link.State.CLOSED, old::toString);
@@ -593,7 +438,7 @@ final class KryoHostilityTest {
 
   @Test
   void silenceEndsALink() throws IOException {
-    try (Stranger stranger = new Stranger()) {
+    try (RawPeer stranger = new RawPeer(network)) {
       Link link = stranger.join();
       eventually(() -> link.state() == Link.State.CLOSED, link::toString);
       assertEquals("nothing heard for 3500 ms", link.closeReason());

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.protocol.Limits;
 import java.security.GeneralSecurityException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -63,6 +64,8 @@ final class SealTest {
         byte[] there = sealed(ends.client().datagramsOut(), fields);
         byte[] back = sealed(ends.server().datagramsOut(), fields);
         assertEquals(1 + length + DatagramSealer.EXTRA_BYTES, there.length);
+        int ipAndUdp = 20 + 8;
+        assertEquals(Limits.DATAGRAM_OVERHEAD_BYTES, ipAndUdp + there.length - length);
         assertEquals(LINK, DatagramOpener.link(there, there.length));
         assertEquals(length, ends.server().datagramsIn().open(there, there.length));
         assertEquals(length, ends.client().datagramsIn().open(back, back.length));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.protocol.Limits;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -216,11 +217,11 @@ class ImpairedLinkTest {
 
   @Test
   void aSlowLineCarriesItsBandwidthAndLosesWhatWouldWaitTooLong() {
-    // 64 kbit/s = 8 bytes a millisecond; datagrams of 72 + 28 bytes take 12.5 ms each.
+    // 64 kbit/s = 8 bytes a millisecond; datagrams of 45 + 55 bytes take 12.5 ms each.
     ImpairedLink link = impaired(Impairment.NONE.withBandwidth(64));
     int sent = 1_000;
     for (int i = 0; i < sent; i++) {
-      link.sendDatagram(new byte[72], 0, 72);
+      link.sendDatagram(new byte[45], 0, 45);
       tick(link, 5);
     }
     int after5Seconds = atServer.datagrams.size();
@@ -239,7 +240,7 @@ class ImpairedLinkTest {
             Impairment.NONE.withBandwidth(8),
             Impairment.NONE,
             () -> now,
-            message -> 1_000 - ImpairedDirection.HEADER_BYTES);
+            message -> 1_000 - Limits.DATAGRAM_OVERHEAD_BYTES);
     for (int i = 0; i < 4; i++) {
       link.send("message " + i); // a second each
     }

@@ -55,13 +55,6 @@ final class AdmissionRateTest {
   }
 
   @Test
-  void addressesAreToldFromPorts() {
-    assertEquals("127.0.0.1", AdmissionRate.address("127.0.0.1:5000"));
-    assertEquals("0:0:0:0:0:0:0:1", AdmissionRate.address("0:0:0:0:0:0:0:1:5000"));
-    assertEquals("in-process", AdmissionRate.address("in-process"));
-  }
-
-  @Test
   void manyAddressesDoNotFillTheMemory() {
     for (int i = 0; i < 100_000; i++) {
       rate.count("address" + i, i);

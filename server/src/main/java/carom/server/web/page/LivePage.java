@@ -176,7 +176,7 @@ public final class LivePage implements AutoCloseable {
   /** Takes a message of a viewer; one that breaks a rule ends its connection. */
   private void receive(Viewer viewer, String text) {
     if (!viewer.heard(System.nanoTime())) {
-      viewer.close();
+      viewer.refuse("too many messages");
       return;
     }
     try {
@@ -188,7 +188,7 @@ public final class LivePage implements AutoCloseable {
         default -> command(viewer, message);
       }
     } catch (JsonException e) {
-      viewer.close();
+      viewer.refuse("the message isn't JSON");
     }
   }
 
@@ -273,7 +273,7 @@ public final class LivePage implements AutoCloseable {
                 ? PageJson.refused("there is no such recording")
                 : PageJson.download(address));
       }
-      default -> viewer.close();
+      default -> viewer.refuse("there is no such message");
     }
   }
 
@@ -303,7 +303,7 @@ public final class LivePage implements AutoCloseable {
     String figures = PageJson.second(histories);
     for (Viewer viewer : viewers) {
       if (nowNs - viewer.heardNs() > SILENCE_NS) {
-        viewer.close();
+        viewer.refuse("no sign of life");
       } else if (watches(viewer)) {
         viewer.send(figures);
       }

@@ -3,6 +3,7 @@ package carom.server.web.page;
 import carom.server.match.MatchInfo;
 import carom.server.picture.BodyLook;
 import carom.server.picture.Picture;
+import io.undertow.websockets.core.CloseMessage;
 import io.undertow.websockets.core.WebSocketCallback;
 import io.undertow.websockets.core.WebSocketChannel;
 import io.undertow.websockets.core.WebSockets;
@@ -50,6 +51,19 @@ final class Viewer {
         @Override
         public void onError(WebSocketChannel on, Void context, Throwable error) {
           waiting.decrementAndGet();
+          close();
+        }
+      };
+
+  private final WebSocketCallback<Void> refused =
+      new WebSocketCallback<>() {
+        @Override
+        public void complete(WebSocketChannel on, Void context) {
+          close();
+        }
+
+        @Override
+        public void onError(WebSocketChannel on, Void context, Throwable error) {
           close();
         }
       };
@@ -160,6 +174,14 @@ final class Viewer {
     logSeen = number;
   }
 
+  /**
+   * Ends the connection and says why. A connection that just ends isn't noticed by every client.
+   */
+  void refuse(String why) {
+    WebSockets.sendClose(CloseMessage.MSG_VIOLATES_POLICY, why, channel, refused);
+  }
+
+  /** Ends the connection at once: for a viewer that doesn't read. */
   void close() {
     try {
       channel.close();

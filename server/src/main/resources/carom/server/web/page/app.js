@@ -63,8 +63,8 @@ function connect() {
     const handle = handlers[message.t];
     if (handle) handle(message);
   };
-  socket.onclose = () => {
-    state('no connection', 'lost');
+  socket.onclose = event => {
+    state(event.reason || 'no connection', 'lost');
     setTimeout(connect, waitMs);
     waitMs = Math.min(10000, 2 * waitMs);
   };

@@ -5,6 +5,7 @@ import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.client.link.ConnectionPhase;
 import carom.lab.measure.Figure;
+import carom.net.protocol.Limits;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -22,9 +23,6 @@ import java.util.List;
  * are that old. The client decodes, and its states are compared with the server's. Virtual time.
  */
 public final class SnapshotFigures {
-  /** Size of the IPv4 and UDP headers and the frame's tag, bytes. */
-  private static final int HEADER_BYTES = 29;
-
   private static final int ONE_WAY_MS = 50;
   private static final int NO_LIMIT = 80_000_000;
   private static final int FAR_METRES = 4_096;
@@ -82,9 +80,9 @@ public final class SnapshotFigures {
                   scene, datagrams / seconds, 1.0 * bytes / datagrams),
           Figure.shown(
                   label + "whole datagrams",
-                  kbit(bytes + HEADER_BYTES * datagrams, seconds),
+                  kbit(bytes + Limits.DATAGRAM_OVERHEAD_BYTES * datagrams, seconds),
                   "kbit/s")
-              .withNote("IP and UDP headers included"));
+              .withNote("IP, UDP and frame included"));
     }
   }
 

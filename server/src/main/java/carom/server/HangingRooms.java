@@ -1,6 +1,7 @@
-package carom.server.room;
+package carom.server;
 
 import carom.server.metrics.Counter;
+import carom.server.room.Room;
 import carom.server.threads.Worker;
 import java.util.List;
 import java.util.function.Consumer;
@@ -17,7 +18,7 @@ import org.slf4j.LoggerFactory;
  * <p>With {@value #MOST} abandoned threads, the server ends, so that its supervisor starts it
  * again.
  */
-public final class HangingRooms {
+final class HangingRooms {
   /** Abandoned threads with which the server ends. */
   public static final int MOST = 2;
 
