@@ -320,6 +320,7 @@ public final class ContactSolver {
   /**
    * Gives the free contacts of a block the biases that {@link ScalarContacts} gives them.
    *
+   * @param block its number
    * @param n holds the biases of the first points, then of the second ones
    * @param at where they begin
    * @param rigid whether they are those of relaxing
