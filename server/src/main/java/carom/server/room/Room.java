@@ -17,14 +17,15 @@ import carom.server.match.MatchInfo;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.server.metrics.Stage;
 import carom.server.metrics.StageTimes;
+import carom.server.metrics.TurnStage;
 import carom.server.picture.RoomPictures;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
 import carom.server.schedule.LoadWarnings;
+import carom.server.schedule.TickLoad;
 import carom.server.schedule.TickLoop;
 import carom.server.session.PartingLinks;
 import carom.server.session.RosterNews;
@@ -93,6 +94,7 @@ public final class Room {
   private final RoomPictures pictures = new RoomPictures();
   private final RoomRecording recording;
   private final TickLoop loop;
+  private final TickLoad load;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final RoomSessions sessions;
   private final RosterNews roster;
@@ -153,6 +155,7 @@ public final class Room {
     context = new RoomContext(config, label, counters, seats, firstMatch(loader));
     recording = new RoomRecording(context);
     loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
+    load = new TickLoad(config.tickRateHz());
     sessions = new RoomSessions(seats.count(), label, counters);
     Announcer announcer = new Announcer(sessions, config.tickRateHz());
     roster = new RosterNews(seats.count(), config.rosterIntervalMs());
@@ -280,6 +283,7 @@ public final class Room {
       loop.pause();
     }
     int due = paused ? 0 : loop.due(nowNs);
+    counters.set(Counter.LOAD_PERCENT, load.percent());
     warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
     for (int left = due; left > 0 && !closed; left--) {
@@ -288,7 +292,7 @@ public final class Room {
     if ((due > 0 || paused) && pictures.isWanted()) {
       stages.begin();
       pictures.take(context.match().info(), context.simulation(), sessions.bySeat());
-      stages.end(Stage.PICTURE);
+      stages.end(TurnStage.PICTURE);
     }
     return work + due;
   }
@@ -302,8 +306,8 @@ public final class Room {
   }
 
   /**
-   * An exception that gets through every inner guard is a bug. Counted by ticks, not by turns: most
-   * turns have no tick to do and succeed.
+   * Steps the room and guards it. An exception that gets through every inner guard is a bug.
+   * Counted by ticks, not by turns: most turns have no tick to do and succeed.
    */
   private void guardedTick(long nowNs, boolean sends) {
     try {
@@ -339,18 +343,19 @@ public final class Room {
     int next = simulation.tick() + 1;
     for (int i = sessions.count() - 1; i >= 0; i--) {
       sessions.get(i).consumeInput(next);
+      sessions.get(i).tellPace(load.pacePercent());
     }
     post.collect();
-    stages.end(Stage.INPUTS);
+    stages.end(TurnStage.INPUTS);
     boolean stepped = step();
-    stages.end(Stage.STEP);
+    stages.end(TurnStage.STEP);
     if (stepped) {
       match.capture().capture();
-      stages.end(Stage.CAPTURE);
+      stages.end(TurnStage.CAPTURE);
       counters.add(Counter.EVENTS_LOST, match.takeDroppedEvents());
       if (sends) {
         snapshots.run(beginNs, nowNs);
-        stages.end(Stage.SNAPSHOTS);
+        stages.end(TurnStage.SNAPSHOTS);
       }
       post.send();
       simulation.outbox().drainNotices(sendNotice);
@@ -368,9 +373,13 @@ public final class Room {
     }
     tick = context.simulation().tick();
     phase = presentPhase();
-    stages.end(Stage.REST);
+    stages.end(TurnStage.REST);
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
+    if (load.tickTook(tookNs)) {
+      loop.pace(load.pacePercent(), nowNs + tookNs);
+      warnings.paceChanged(load.pacePercent(), nowNs);
+    }
     if (tookNs > loop.periodNs()) {
       counters.add(Counter.TICKS_OVERRUN, 1);
     }
