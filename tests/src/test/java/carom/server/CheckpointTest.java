@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.SessionState;
+import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.match.LoadedLevel;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
@@ -16,6 +17,10 @@ import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.LevelException;
 import carom.sim.match.NextMatch;
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -23,6 +28,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Random;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -30,6 +36,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.slf4j.LoggerFactory;
 
 /**
  * Goal: a server that was killed goes on as if it had not been. Method: in virtual time; a crash is
@@ -235,6 +242,45 @@ class CheckpointTest {
       assertEquals(0, back.welcome.playerId());
     } finally {
       kept.close();
+    }
+  }
+
+  @Test
+  void aDiskThatTakesNothingIsToldOnceAndAlsoWhenItDoesAgain() throws Exception {
+    Logger logger = (Logger) LoggerFactory.getLogger(RoomCheckpoints.class);
+    ListAppender<ILoggingEvent> log = new ListAppender<>();
+    log.start();
+    logger.addAppender(log);
+    logger.setLevel(Level.INFO);
+    Path path = folder.resolve("kept0");
+    KeptServer kept = new KeptServer(KeptServer.library(), List.of("chain"), path, START_NS);
+    try {
+      kept.runTo(100);
+      Path files = Files.list(path).filter(Files::isDirectory).findFirst().orElseThrow();
+      Path away = Files.move(files, folder.resolve("away"));
+      stepUntil(kept, () -> kept.server.count(Counter.CHECKPOINTS_FAILED) >= 3);
+      assertEquals(1, lines(log, "another one is tried each second"));
+      Files.move(away, files);
+      stepUntil(kept, () -> lines(log, "the disk takes checkpoints again") > 0);
+      assertEquals(1, lines(log, "another one is tried each second"));
+      assertEquals(1, lines(log, "the disk takes checkpoints again"));
+    } finally {
+      logger.setLevel(null);
+      logger.detachAppender(log);
+      kept.close();
+    }
+  }
+
+  private static long lines(ListAppender<ILoggingEvent> log, String text) {
+    return List.copyOf(log.list).stream()
+        .filter(line -> line.getFormattedMessage().contains(text))
+        .count();
+  }
+
+  private static void stepUntil(KeptServer kept, BooleanSupplier what) throws Exception {
+    while (!what.getAsBoolean()) {
+      kept.step();
+      Thread.sleep(1); // the disk has a thread of its own; the test's time limit ends this
     }
   }
 

@@ -96,7 +96,11 @@ public final class RoomCheckpoints {
   private int dueTick;
   private int seatsVersion;
   private int seatsTick;
-  private boolean toldFailure;
+  private boolean countedFailure;
+
+  /** Whether the disk took no checkpoint lately, which the log has. The disk's thread ends it. */
+  private volatile boolean failing;
+
   private boolean toldTooLarge;
 
   /**
@@ -222,14 +226,18 @@ public final class RoomCheckpoints {
   }
 
   private void giveUp(String failure) {
-    if (!toldFailure && !failure.isEmpty()) {
-      toldFailure = true;
+    if (!countedFailure && !failure.isEmpty()) {
+      countedFailure = true;
       room.counters().add(Counter.CHECKPOINTS_FAILED, 1);
-      LOG.error(
-          "{}checkpoint {}: {}; another one begins as soon as the disk is free",
-          room.label(),
-          slot.number(),
-          failure);
+      if (!failing) {
+        failing = true;
+        LOG.error(
+            "{}checkpoint {}: {}; another one is tried each second, and the log says when the disk"
+                + " takes it",
+            room.label(),
+            slot.number(),
+            failure);
+      }
       dueTick = course.match().simulation().tick() + room.config().tickRateHz();
     }
   }
@@ -238,7 +246,7 @@ public final class RoomCheckpoints {
     Simulation s = course.match().simulation();
     SlotFile next = new SlotFile(disk, folder, ++lastSlot);
     dueTick = s.tick() + intervalTicks;
-    toldFailure = false;
+    countedFailure = false;
     try {
       if (recorder == null) {
         recorder = new Recorder(s, header, next, Recorder.Pace.LOG);
@@ -276,6 +284,10 @@ public final class RoomCheckpoints {
             forgetFailures();
           }
           safeSlot = number;
+          if (failing) {
+            failing = false;
+            LOG.info("{}checkpoint {}: the disk takes checkpoints again", room.label(), number);
+          }
         });
     room.counters().add(Counter.CHECKPOINTS, 1);
   }

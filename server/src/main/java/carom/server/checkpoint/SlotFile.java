@@ -107,7 +107,7 @@ final class SlotFile implements BlockSink {
                         })));
   }
 
-  /** Closes the file after all that was handed in. */
+  /** Closes the file after all that was handed in. A slot that is of no use is deleted. */
   void close() {
     disk.write(
         () ->
@@ -120,7 +120,18 @@ final class SlotFile implements BlockSink {
                       fail("can't close it: " + e);
                     }
                   }
+                  if (broken && !safe) {
+                    deleteUseless();
+                  }
                 }));
+  }
+
+  private void deleteUseless() {
+    try {
+      folder.delete(number);
+    } catch (IOException stays) {
+      // the next slot that the disk takes deletes it
+    }
   }
 
   /** Makes the slot take nothing more, such as when the room's thread is abandoned. */
