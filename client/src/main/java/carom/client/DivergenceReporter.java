@@ -53,7 +53,9 @@ final class DivergenceReporter {
     checkNear(tick, nowNs);
   }
 
-  /** Alone among statics, a prediction that follows an exact one must be exact. */
+  /**
+   * Checks the own body. Alone among statics, a prediction that follows an exact one must be exact.
+   */
   private void checkOwn(int tick, boolean alone, long nowNs) {
     if (!prediction.result().compared() || !alone) {
       exactTick = -1;
@@ -78,7 +80,7 @@ final class DivergenceReporter {
     }
   }
 
-  /** From equal hashes and real inputs, the predicted set must be exact, too. */
+  /** Checks the predicted set. From equal hashes and real inputs it must be exact, too. */
   private void checkNear(int tick, long nowNs) {
     Agreement agreement = prediction.agreement();
     Neighbourhood state = agreement.divergedState();

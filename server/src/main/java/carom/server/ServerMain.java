@@ -11,9 +11,9 @@ import carom.server.command.RoomCommands;
 import carom.server.command.ServerCommands;
 import carom.server.config.BadSettingException;
 import carom.server.config.DataFolder;
+import carom.server.config.EffectiveSettings;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
-import carom.server.config.Settings;
 import carom.server.config.SettingsLayers;
 import carom.server.console.Console;
 import carom.server.console.LogFiles;
@@ -360,7 +360,7 @@ public final class ServerMain implements Callable<Integer> {
     new Thread(() -> System.exit(0), "carom-exit").start();
   }
 
-  private Settings settings() {
+  private EffectiveSettings settings() {
     return layers.settings(spec.commandLine().getParseResult());
   }
 

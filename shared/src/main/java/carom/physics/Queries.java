@@ -100,6 +100,8 @@ public final class Queries<T> {
   private int question;
 
   /**
+   * Creates the queries of a world.
+   *
    * @param poses poses of the bodies; null for those they have now
    */
   Queries(World<T> world, Poses poses) {

@@ -161,7 +161,7 @@ class DartScenarioTest {
   }
 
   @Test
-  void dartsThatAreSensorsAreForeseenToTheirHit() {
+  void dartsThatAreSensorsArePredictedToTheirHit() {
     try (Stepper stepper = play(0)) {
       SimulatedClient ann = stepper.join("Ann", FAR, thrower());
       stepper.run(2);

@@ -204,7 +204,7 @@ class EventScenarioTest {
   }
 
   @Test
-  void ownDeedsOfAPlayerAloneAreForeseenAndConfirmed() {
+  void ownDeedsOfAPlayerAloneArePredictedAndConfirmed() {
     // Goal: nothing is heard late or taken back where prediction is exact. Method: a bot alone.
     try (Stepper stepper = Stepper.of("platformer")) {
       SimulatedClient client =

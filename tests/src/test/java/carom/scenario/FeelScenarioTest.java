@@ -40,7 +40,7 @@ class FeelScenarioTest {
 
   @ParameterizedTest
   @MethodSource("lines")
-  void whoPushesCratesForeseesThemInEveryBit(PredictionMode mode, long seed) {
+  void whoPushesCratesPredictsThemInEveryBit(PredictionMode mode, long seed) {
     // Goal: 99 % of the awake bodies at 150 ms and 2 % loss, without foreign contact, and whatever
     // the game does told before it shows as a difference.
     // Method: a bot alone among the platformer's crates for half a minute, once it has settled.
@@ -136,7 +136,7 @@ class FeelScenarioTest {
   }
 
   @Test
-  void amongManyPlayersMuchIsForeseen() {
+  void amongManyPlayersMuchIsPredicted() {
     // Goal: others' moves are the only surprises, from the kick-off on; what the game does to a
     // body is told before it shows as a difference. Method: twelve bots in the arena at 100 ms.
     try (Stepper stepper = Stepper.of("arena")) {

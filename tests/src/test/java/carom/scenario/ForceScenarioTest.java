@@ -84,7 +84,7 @@ class ForceScenarioTest {
 
   @ParameterizedTest(name = "{0}")
   @MethodSource("games")
-  void whatForcesDoIsForeseen(String what, String more, float gravityY) {
+  void whatForcesDoIsPredicted(String what, String more, float gravityY) {
     // Goal: of the awake bodies of the predicted set, 99 % are right in every bit. Method: a
     // wanderer among crates for half a minute.
     Level level = ForceGame.level(gravityY, more);
@@ -159,7 +159,7 @@ class ForceScenarioTest {
       // Of bodies that are pushed in every tick, the loss of both copies of a ruling costs more.
       assertTrue(right >= (tag == ForceGame.PUSHED ? 98 : 99), about);
       assertTrue(toldBodies > 10 || thing.equals("magnet"), about); // a field is told in an update
-      assertEquals(tag == ForceGame.PUSHED ? 1 : 0, stepper.count(Counter.UNFORESEEN), about);
+      assertEquals(tag == ForceGame.PUSHED ? 1 : 0, stepper.count(Counter.UNPREDICTABLE), about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
     }
   }
@@ -179,7 +179,7 @@ class ForceScenarioTest {
               "beforeStep pushes entity \\d+ \\(bodies\\[0\\]\\) every tick, so clients can't"
                   + " predict it; use Game.forces. First seen at tick \\d+."),
           text);
-      assertEquals(1, stepper.count(Counter.UNFORESEEN));
+      assertEquals(1, stepper.count(Counter.UNPREDICTABLE));
     }
   }
 
@@ -197,14 +197,14 @@ class ForceScenarioTest {
       double right = 100.0 * (client.stats().exactBodies() - exact) / awakeBodies;
       String about = "right=" + right + " % of " + awakeBodies + " " + stepper.describe();
       assertTrue(right >= 98, about);
-      assertEquals(0, stepper.count(Counter.UNFORESEEN), about);
+      assertEquals(0, stepper.count(Counter.UNPREDICTABLE), about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
     }
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"arena", "platformer"})
-  void theGamesThatShipDoNothingUnforeseenAllTheTime(String game) {
+  void theGamesThatShipDoNothingUnpredictableAllTheTime(String game) {
     try (Stepper stepper = Stepper.of(game)) {
       for (int i = 0; i < 5; i++) {
         stepper.add("bot" + i, i == 0 ? FAR : Impairment.NONE, new Bot(i));

@@ -96,7 +96,7 @@ final class MachineScenarioTest {
   }
 
   @Test
-  void carsThatRamEachOtherAreForeseen() {
+  void carsThatRamEachOtherArePredicted() {
     // Goal: other players' machines are predicted as the own one is, and what a client guesses
     // wrong of their inputs costs little. Method: two cars that start nose to tail and wander.
     Level level = MachineGame.level(spawn("player", -19, 1.2f, 0) + spawn("crate", -21, 0.5f, 0));
@@ -409,7 +409,7 @@ final class MachineScenarioTest {
 
   @ParameterizedTest(name = "{0}")
   @MethodSource("machines")
-  void machinesAreForeseen(String what, String more) {
+  void machinesArePredicted(String what, String more) {
     // Goal: of the awake bodies of the predicted set, 99 % are right in every bit. Method: a driver
     // who goes to and fro among machines for half a minute.
     Level level = MachineGame.level(more);

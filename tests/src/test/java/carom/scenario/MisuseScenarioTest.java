@@ -106,7 +106,7 @@ class MisuseScenarioTest {
               "afterStep writes player.nitro, which input reads, so clients can't predict it; move"
                   + " the write to input or make the field server-only. First seen at tick "),
           text);
-      assertEquals(1, stepper.count(Counter.UNFORESEEN));
+      assertEquals(1, stepper.count(Counter.UNPREDICTABLE));
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), stepper.describe());
     }
   }

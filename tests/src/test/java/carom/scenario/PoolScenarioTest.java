@@ -95,7 +95,7 @@ class PoolScenarioTest {
       assertEquals(0, different, about);
       assertTrue(right >= 99, about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
-      assertEquals(0, stepper.count(Counter.UNFORESEEN), about);
+      assertEquals(0, stepper.count(Counter.UNPREDICTABLE), about);
     }
   }
 

@@ -120,7 +120,7 @@ class SpawnScenarioTest {
       assertTrue(watch.longestUnpredicted() <= FADE_SECONDS, about);
       assertEquals(corrections, ann.stats().corrections(), about);
       assertEquals(0, ann.stats().eventsRetracted(), about);
-      assertEquals(0, stepper.count(Counter.UNFORESEEN), about);
+      assertEquals(0, stepper.count(Counter.UNPREDICTABLE), about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
     }
   }

@@ -208,7 +208,7 @@ public final class BotsMain implements Callable<Integer> {
     }
   }
 
-  /** All bots share a thread for their sockets, where other clients have one each. */
+  /** Returns a transport whose links share one thread; other clients have one each. */
   private ClientTransport sockets() {
     if (!network.isEncrypted()) {
       return new KryoClientTransport(network.trust(KnownServers.inMemory()));

@@ -38,7 +38,7 @@ final class GameScreen extends ScreenAdapter {
   /** Receives the end of the visit. */
   interface Exit {
     /**
-     * The player left, or can't stay.
+     * Ends the screen: the player left, or can't stay.
      *
      * @param reason in words for the player; empty when the player wanted to leave
      */

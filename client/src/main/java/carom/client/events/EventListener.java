@@ -8,7 +8,7 @@ public interface EventListener {
   EventListener NONE = (event, predicted) -> {};
 
   /**
-   * An event happens now.
+   * Receives an event that happens now.
    *
    * @param event valid during the call only
    * @param predicted whether the event is the own player's and the server has not confirmed it yet
@@ -16,8 +16,8 @@ public interface EventListener {
   void happened(Event event, boolean predicted);
 
   /**
-   * A predicted event did not happen: the server has sent all events up to its tick and a little
-   * beyond, and it was not among them.
+   * Receives a predicted event that did not happen: the server has sent all events up to its tick
+   * and a little beyond, and it was not among them.
    *
    * @param event as it was predicted; valid during the call only
    */

@@ -27,7 +27,7 @@ public final class Connection implements LinkHandler {
   /** Receives what a connection brings. */
   public interface Listener {
     /**
-     * The server has let the client in and the level is here: playing begins.
+     * Begins to play: the server has let the client in and the level is here.
      *
      * @return null, or why this client can't play, in words for the player
      */
@@ -37,31 +37,31 @@ public final class Connection implements LinkHandler {
     long declarationsDigest();
 
     /**
-     * A datagram arrived while playing.
+     * Receives a datagram that arrived while playing.
      *
      * @param arrivedNs when, by the clock of {@code update}; a frame may have passed since
      */
     void datagram(byte[] bytes, int length, long arrivedNs);
 
-    /** The list of players has changed. */
+    /** Receives a list of players that has changed. */
     void roster(ServerMessage.Roster roster);
 
-    /** A part of the list of rooms has arrived. */
+    /** Receives a part of the list of rooms. */
     void rooms(ServerMessage.RoomList rooms);
 
-    /** The server has sent a line for the player. */
+    /** Receives a line of the server for the player. */
     void notice(String text);
 
-    /** A reliable message of the game has arrived. */
+    /** Receives a reliable message of the game. */
     void message(ServerMessage.GameMessage message);
 
-    /** The server has said which messages of the game it has heard. */
+    /** Receives which messages of the game the server has heard. */
     void heard(ServerMessage.Heard message);
 
-    /** A piece of the state of the level's pools has arrived. */
+    /** Receives a piece of the state of the level's pools. */
     void pools(ServerMessage.PoolChunk chunk);
 
-    /** Playing is over, for now or for good. */
+    /** Stops to play, for now or for good. */
     void stopped();
   }
 

@@ -8,26 +8,29 @@ public interface MessageListener {
   /** Hears nothing. */
   MessageListener NONE = new MessageListener() {};
 
-  /** A message of the game has arrived: each reliable one once, in the order it was sent. */
+  /** Receives a message of the game: each reliable one once, in the order it was sent. */
   default void heard(Message message) {}
 
   /**
-   * Somebody said a line.
+   * Receives a line of chat.
    *
    * @param player who, or {@link carom.sim.message.BuiltInKinds#SERVER}
    * @param team whether only the team hears it
    */
   default void said(int player, boolean team, String text) {}
 
-  /** A player shows an emote. */
+  /** Receives an emote of a player. */
   default void emoted(int player, Emote emote) {}
 
   /**
-   * Reliable messages of the server are lost: the link was broken for so long that it no longer
-   * keeps them.
+   * Counts reliable messages of the server that are lost: the link was broken for so long that it
+   * no longer keeps them.
    */
   default void missed(int count) {}
 
-  /** A reliable message never reached the server: the session it was meant for is over. */
+  /**
+   * Receives a reliable message that never reached the server: the session it was meant for is
+   * over.
+   */
   default void unsent(Message message) {}
 }

@@ -147,7 +147,7 @@ public final class RoomCommands {
 
   private String list(CommandWords words) throws CommandException {
     words.requireAtMost(0);
-    Table table = new Table("id", "name", "room", "address", "state", "team", "score");
+    TextTable table = new TextTable("id", "name", "room", "address", "state", "team", "score");
     int count = 0;
     for (Room room : finder.all(words)) {
       for (PlayerInfo player : room.operator().players()) {
@@ -167,7 +167,7 @@ public final class RoomCommands {
 
   private String rooms(CommandWords words) throws CommandException {
     words.requireAtMost(0);
-    Table table = new Table("room", "players", "game", "level", "tick", "state");
+    TextTable table = new TextTable("room", "players", "game", "level", "tick", "state");
     for (Room room : rooms) {
       table.add(
           "@" + room.name(),

@@ -1,7 +1,7 @@
 package carom.server.command;
 
+import carom.server.config.EffectiveSettings;
 import carom.server.config.Setting;
-import carom.server.config.Settings;
 import carom.text.Suggestion;
 import java.util.List;
 import java.util.function.Supplier;
@@ -10,13 +10,13 @@ import java.util.function.UnaryOperator;
 /** The commands that are about the whole server. */
 public final class ServerCommands {
   private final Supplier<List<String>> status;
-  private final Settings settings;
+  private final EffectiveSettings settings;
   private final UnaryOperator<String> replay;
   private final Runnable stop;
 
   private ServerCommands(
       Supplier<List<String>> status,
-      Settings settings,
+      EffectiveSettings settings,
       UnaryOperator<String> replay,
       Runnable stop) {
     this.status = status;
@@ -36,7 +36,7 @@ public final class ServerCommands {
   public static void add(
       CommandRegistry registry,
       Supplier<List<String>> status,
-      Settings settings,
+      EffectiveSettings settings,
       UnaryOperator<String> replay,
       Runnable stop) {
     ServerCommands all = new ServerCommands(status, settings, replay, stop);
@@ -72,7 +72,7 @@ public final class ServerCommands {
     if (words.has(0)) {
       return describe(words.word(0, "SETTING"));
     }
-    Table table = new Table("setting", "value", "origin");
+    TextTable table = new TextTable("setting", "value", "origin");
     for (Setting setting : settings.all()) {
       table.add(
           setting.name(), setting.value().isEmpty() ? "-" : setting.value(), setting.origin());

@@ -117,14 +117,14 @@ public final class SettingsLayers {
    *
    * @param parsed what the parser made of {@link #arguments}
    */
-  public Settings settings(ParseResult parsed) {
+  public EffectiveSettings settings(ParseResult parsed) {
     List<Setting> settings = new ArrayList<>();
     for (OptionSpec option : program.options()) {
       if (isSetting(option)) {
         settings.add(setting(option, parsed));
       }
     }
-    return new Settings(settings);
+    return new EffectiveSettings(settings);
   }
 
   private Setting setting(OptionSpec option, ParseResult parsed) {

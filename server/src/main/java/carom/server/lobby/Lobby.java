@@ -290,7 +290,9 @@ public final class Lobby {
       return origin;
     }
 
-    /** A visitor that has said what it wants displaces none that has a seat, nor the other way. */
+    /**
+     * Returns the stage; a visitor with a seat and one that asks for it never displace each other.
+     */
     @Override
     public Entrance.Stage stage() {
       if (done || state == SessionState.LOADING) {

@@ -45,7 +45,7 @@ public final class GameFailures implements GuardedGame.Watch {
   /** Logs and counts what was found since the last call that the game's rules do wrongly. */
   public void tell(Findings findings) {
     for (; toldFindings < findings.count(); toldFindings++) {
-      counters.add(Counter.UNFORESEEN, 1);
+      counters.add(Counter.UNPREDICTABLE, 1);
       LOG.warn("{}game {}: {}", label, game, findings.get(toldFindings));
     }
   }

@@ -44,7 +44,7 @@ public enum Counter {
       "Messages of games that were dropped because a client or the game sent too many."),
   MESSAGES_MUTED("Lines of chat and emotes of muted players."),
   GAME_FAILURES("Exceptions thrown by the game's callbacks."),
-  UNFORESEEN(
+  UNPREDICTABLE(
       "Things that the game's rules do again and again and no client can predict, each once."),
   DIVERGENCES_REPORTED(
       "Mispredictions reported by clients, of the own body or of other predicted entities, for"

@@ -9,7 +9,7 @@ import java.util.function.LongSupplier;
  */
 public final class StageTimes {
   private final LongSupplier clock;
-  private final AtomicLongArray totals = new AtomicLongArray(Stage.values().length);
+  private final AtomicLongArray totals = new AtomicLongArray(TurnStage.values().length);
   private long beginNs;
 
   /**
@@ -27,7 +27,7 @@ public final class StageTimes {
   }
 
   /** Ends a stage, and begins the next. The room's thread only. */
-  public void end(Stage stage) {
+  public void end(TurnStage stage) {
     long nowNs = clock.getAsLong();
     int index = stage.ordinal();
     totals.setRelease(index, totals.getPlain(index) + nowNs - beginNs);
@@ -35,7 +35,7 @@ public final class StageTimes {
   }
 
   /** Returns the time that a stage has taken since the start, ns. Any thread. */
-  public long totalNs(Stage stage) {
+  public long totalNs(TurnStage stage) {
     return totals.getAcquire(stage.ordinal());
   }
 }

@@ -41,7 +41,7 @@ public final class PredictedSet {
   private final ExactUpdate update;
   private final RulingDelivery rulings = new RulingDelivery();
   private final UpdateLimits limits = new UpdateLimits();
-  private final RelayedInputs relayedInputs;
+  private final RelayChooser relayChooser;
   private final Neighbourhood state;
   private int capturedTick = -1;
 
@@ -63,7 +63,7 @@ public final class PredictedSet {
     interference = simulation.interference();
     chooser = new PredictedSetChooser(simulation, marks, mayKnow);
     update = new ExactUpdate(simulation, viewer.id());
-    relayedInputs = new RelayedInputs(mayKnow);
+    relayChooser = new RelayChooser(mayKnow);
   }
 
   /**
@@ -201,7 +201,7 @@ public final class PredictedSet {
     out.relayed().clear();
     for (int i = 0; i < chooser.chosen().count(); i++) {
       Player owner = simulation.owner(chooser.chosen().get(i));
-      relayedInputs.offer(owner, player, capturedTick, simulation.tick(), out.relayed());
+      relayChooser.offer(owner, player, capturedTick, simulation.tick(), out.relayed());
     }
   }
 

@@ -9,7 +9,7 @@
  *        │               └──► UpdateDelivery   which of it is sent, lost, acknowledged
  *        ├─────────► RulingDelivery        what the game's rules did to near bodies
  *        ├─────────► UpdateLimits          how many entities, how often
- *        └─────────► RelayedInputs         whose inputs are relayed
+ *        └─────────► RelayChooser         whose inputs are relayed
  * </pre>
  *
  * <p>Allowed imports: {@code carom.sim}, {@code carom.physics}, {@code carom.net.snapshot..},

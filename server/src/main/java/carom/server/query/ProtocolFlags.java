@@ -3,7 +3,7 @@ package carom.server.query;
 import carom.options.Sockets;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
-import carom.server.config.Settings;
+import carom.server.config.EffectiveSettings;
 import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
 import java.io.IOException;
@@ -82,7 +82,7 @@ public final class ProtocolFlags {
   public void open(
       InetAddress address,
       DataFolder data,
-      Settings settings,
+      EffectiveSettings settings,
       CommandRegistry commands,
       StatusFacts facts)
       throws IOException {

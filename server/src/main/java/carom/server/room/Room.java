@@ -17,8 +17,8 @@ import carom.server.match.MatchInfo;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.server.metrics.Stage;
 import carom.server.metrics.StageTimes;
+import carom.server.metrics.TurnStage;
 import carom.server.picture.RoomPictures;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
@@ -288,7 +288,7 @@ public final class Room {
     if ((due > 0 || paused) && pictures.isWanted()) {
       stages.begin();
       pictures.take(context.match().info(), context.simulation(), sessions.bySeat());
-      stages.end(Stage.PICTURE);
+      stages.end(TurnStage.PICTURE);
     }
     return work + due;
   }
@@ -302,8 +302,8 @@ public final class Room {
   }
 
   /**
-   * An exception that gets through every inner guard is a bug. Counted by ticks, not by turns: most
-   * turns have no tick to do and succeed.
+   * Steps the room and guards it. An exception that gets through every inner guard is a bug.
+   * Counted by ticks, not by turns: most turns have no tick to do and succeed.
    */
   private void guardedTick(long nowNs, boolean sends) {
     try {
@@ -341,16 +341,16 @@ public final class Room {
       sessions.get(i).consumeInput(next);
     }
     post.collect();
-    stages.end(Stage.INPUTS);
+    stages.end(TurnStage.INPUTS);
     boolean stepped = step();
-    stages.end(Stage.STEP);
+    stages.end(TurnStage.STEP);
     if (stepped) {
       match.capture().capture();
-      stages.end(Stage.CAPTURE);
+      stages.end(TurnStage.CAPTURE);
       counters.add(Counter.EVENTS_LOST, match.takeDroppedEvents());
       if (sends) {
         snapshots.run(beginNs, nowNs);
-        stages.end(Stage.SNAPSHOTS);
+        stages.end(TurnStage.SNAPSHOTS);
       }
       post.send();
       simulation.outbox().drainNotices(sendNotice);
@@ -368,7 +368,7 @@ public final class Room {
     }
     tick = context.simulation().tick();
     phase = presentPhase();
-    stages.end(Stage.REST);
+    stages.end(TurnStage.REST);
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
     if (tookNs > loop.periodNs()) {

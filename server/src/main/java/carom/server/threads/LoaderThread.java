@@ -15,7 +15,7 @@ public final class LoaderThread implements Executor, AutoCloseable {
   /** Creates an executor that runs tasks on the calling thread. */
   public LoaderThread() {}
 
-  /** From now on tasks run on a thread of their own, which the first one starts. */
+  /** Lets tasks run on a thread of their own from now on. The first one starts it. */
   public void start() {
     hasThread = true;
   }

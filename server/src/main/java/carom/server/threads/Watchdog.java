@@ -40,7 +40,7 @@ public final class Watchdog implements AutoCloseable {
     int progress();
 
     /**
-     * The thread hangs, and isn't watched any longer.
+     * Receives a thread that hangs, and isn't watched any longer.
      *
      * @param callback the method of the game that doesn't return, for people
      * @param stack of the thread, a line for each call

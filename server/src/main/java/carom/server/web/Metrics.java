@@ -3,7 +3,7 @@ package carom.server.web;
 import carom.net.transport.NetworkCounter;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.server.metrics.Stage;
+import carom.server.metrics.TurnStage;
 import carom.server.room.Room;
 import io.micrometer.core.instrument.FunctionCounter;
 import io.micrometer.core.instrument.Gauge;
@@ -90,7 +90,7 @@ final class Metrics {
             .register(registry);
       }
     }
-    for (Stage stage : Stage.values()) {
+    for (TurnStage stage : TurnStage.values()) {
       FunctionCounter.builder(
               PREFIX + "stage.seconds", room.stages(), times -> times.totalNs(stage) / NS_PER_S)
           .tags(tags.and("stage", stage.name().toLowerCase(Locale.ROOT)))

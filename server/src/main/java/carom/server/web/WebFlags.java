@@ -4,7 +4,7 @@ import carom.net.transport.NetworkCounter;
 import carom.options.Sockets;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
-import carom.server.config.Settings;
+import carom.server.config.EffectiveSettings;
 import carom.server.console.LogTail;
 import carom.server.login.Secret;
 import carom.server.room.Room;
@@ -68,8 +68,7 @@ public final class WebFlags {
   /** Returns what is wrong with the flags, or null. */
   public String problem() {
     return Sockets.first(
-        Sockets.portProblem("--web-port", webPort),
-        Sockets.addressProblem("--web-bind", webBind));
+        Sockets.portProblem("--web-port", webPort), Sockets.addressProblem("--web-bind", webBind));
   }
 
   /**
@@ -92,7 +91,7 @@ public final class WebFlags {
       List<NetworkCounter> network,
       DataFolder data,
       Path record,
-      Settings settings,
+      EffectiveSettings settings,
       CommandRegistry commands,
       LogTail tail,
       String title)

@@ -202,7 +202,7 @@ final class Selection {
   }
 
   /**
-   * Returns the next slot, ascending, that is to be written alone, as it has no frame to be coded
+   * Returns the next slot, ascending, that goes alone, as it has no frame to be coded
    * against; {@link SlotSet#NONE} at the end.
    */
   int nextSingle(FrameState now) {

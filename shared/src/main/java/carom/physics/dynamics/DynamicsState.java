@@ -33,8 +33,8 @@ public final class DynamicsState {
   public DynamicsState() {}
 
   /**
-   * What the last save copied, apart from shapes, which are copied if bodies came or went, and from
-   * contacts, which are shared until one side writes.
+   * Returns what the last save copied, apart from shapes, which are copied if bodies came or went,
+   * and from contacts, which are shared until one side writes.
    *
    * @return bytes of bodies and joints
    */
@@ -55,7 +55,7 @@ public final class DynamicsState {
   }
 
   /**
-   * The bodies' slots: how many, of which type and generation.
+   * Returns the bodies' slots: how many, of which type and generation.
    *
    * @return the store; owned by this
    */
@@ -64,7 +64,7 @@ public final class DynamicsState {
   }
 
   /**
-   * The joints.
+   * Returns the joints.
    *
    * @return the store; owned by this
    */

@@ -56,7 +56,7 @@ final class Sharing {
    * Begins a step.
    *
    * @param now ns
-   * @return whether it is to be shared
+   * @return whether it should be shared
    */
   boolean begins(long now) {
     if (trial == 0 && left == 0 && (waited || !pays)) {

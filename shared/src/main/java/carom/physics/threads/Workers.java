@@ -16,7 +16,7 @@ import carom.physics.dynamics.domain.DomainPhases;
  */
 public interface Workers {
   /**
-   * How many threads may carry out tasks at once.
+   * Returns how many threads may carry out tasks at once.
    *
    * @return the caller included, at least 1; always the same
    */

@@ -97,7 +97,7 @@ public final class Level {
    * @param maxY upper edge
    */
   public record Bounds(float minX, float minY, float maxX, float maxY) {
-    /** Whether a point lies inside or on the edge. */
+    /** Returns whether a point lies inside or on the edge. */
     public boolean contains(float x, float y) {
       return x >= minX && x <= maxX && y >= minY && y <= maxY;
     }

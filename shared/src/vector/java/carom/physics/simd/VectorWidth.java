@@ -6,7 +6,9 @@ import jdk.incubator.vector.FloatVector;
 public final class VectorWidth implements VectorModule.Width {
   private final int floats = FloatVector.SPECIES_PREFERRED.length();
 
-  /** Loaded by name, see {@link VectorModule#LANES}; fails without the module. */
+  /**
+   * Creates the kernels; called by name, see {@link VectorModule#LANES}; fails without the module.
+   */
   public VectorWidth() {}
 
   @Override

@@ -38,7 +38,7 @@ final class StrangerGamesTest {
   }
 
   /** Requires the figures of a client who has met nobody. */
-  private static void assertForeseen(Stepper stepper, SimulatedClient client, double seconds) {
+  private static void assertPredicted(Stepper stepper, SimulatedClient client, double seconds) {
     stepper.run(3);
     final long awake = client.stats().awakeBodies();
     final long exact = client.stats().exactBodies();
@@ -71,7 +71,7 @@ final class StrangerGamesTest {
     try (Stepper stepper = play(CarRace::new, CarRace.LEVEL)) {
       InputSource racer = (view, tick, in) -> in.move(1, 0).hold(Input.ACTION, tick % 400 < 60);
       SimulatedClient ann = stepper.join("ann", FAR, racer);
-      assertForeseen(stepper, ann, 9);
+      assertPredicted(stepper, ann, 9);
     }
   }
 
@@ -83,7 +83,7 @@ final class StrangerGamesTest {
               in.move(tick / 90 % 2 == 0 ? 1 : -1, tick / 50 % 3 == 0 ? 0.5f : 0)
                   .hold(Input.ACTION, tick % 60 < 5);
       SimulatedClient ann = stepper.join("ann", FAR, fighter);
-      assertForeseen(stepper, ann, 15);
+      assertPredicted(stepper, ann, 15);
     }
   }
 
@@ -95,7 +95,7 @@ final class StrangerGamesTest {
               in.move(tick / 200 % 2 == 0 ? 0.6f : -0.6f, tick / 70 % 2 == 0 ? 1 : -1)
                   .hold(Input.ACTION, tick % 240 < 3);
       SimulatedClient ann = stepper.join("ann", FAR, driver);
-      assertForeseen(stepper, ann, 20);
+      assertPredicted(stepper, ann, 20);
     }
   }
 }

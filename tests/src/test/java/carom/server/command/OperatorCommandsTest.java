@@ -10,8 +10,8 @@ import carom.client.bots.Bot;
 import carom.client.message.MessageListener;
 import carom.net.transport.Impairment;
 import carom.server.config.DataFolder;
+import carom.server.config.EffectiveSettings;
 import carom.server.config.Setting;
-import carom.server.config.Settings;
 import carom.server.jmx.CommandInspector;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -49,7 +49,7 @@ final class OperatorCommandsTest {
     ServerCommands.add(
         registry,
         stepper.server()::status,
-        new Settings(List.of(seed)),
+        new EffectiveSettings(List.of(seed)),
         file -> "replayed " + file,
         () -> stopped.set(true));
   }

@@ -69,7 +69,7 @@ final class SettingsLayersTest {
   }
 
   private final Program program = new Program();
-  private Settings settings;
+  private EffectiveSettings settings;
 
   @BeforeEach
   void chooseFile() {

@@ -34,12 +34,12 @@ final class CountersTest {
       now[0] += 1_000; // between the turns
       stages.begin();
       now[0] += 5;
-      stages.end(Stage.STEP);
+      stages.end(TurnStage.STEP);
       now[0] += 7;
-      stages.end(Stage.SNAPSHOTS);
+      stages.end(TurnStage.SNAPSHOTS);
     }
-    assertEquals(10, stages.totalNs(Stage.STEP));
-    assertEquals(14, stages.totalNs(Stage.SNAPSHOTS));
-    assertEquals(0, stages.totalNs(Stage.PICTURE));
+    assertEquals(10, stages.totalNs(TurnStage.STEP));
+    assertEquals(14, stages.totalNs(TurnStage.SNAPSHOTS));
+    assertEquals(0, stages.totalNs(TurnStage.PICTURE));
   }
 }

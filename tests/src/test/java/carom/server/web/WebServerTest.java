@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.transport.NetworkCounter;
 import carom.server.metrics.Counter;
-import carom.server.metrics.Stage;
+import carom.server.metrics.TurnStage;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -103,7 +103,7 @@ final class WebServerTest {
     }
     long ticks = stepper.room().counters().get(Counter.TICKS);
     assertTrue(text.contains("carom_ticks_total{room=\"1\"} " + ticks + ".0\n"), text);
-    for (Stage stage : Stage.values()) {
+    for (TurnStage stage : TurnStage.values()) {
       String label = "stage=\"" + stage.name().toLowerCase(Locale.ROOT) + "\"";
       assertTrue(text.contains("carom_stage_seconds_total{room=\"1\"," + label + "} "), text);
     }

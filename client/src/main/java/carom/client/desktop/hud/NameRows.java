@@ -21,6 +21,8 @@ final class NameRows {
   private final byte[] rows;
 
   /**
+   * Creates the rows of a frame.
+   *
    * @param places what is taken already in this frame
    * @param players names are those of players below this number
    */

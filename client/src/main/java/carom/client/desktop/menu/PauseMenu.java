@@ -11,16 +11,16 @@ import com.badlogic.gdx.utils.Disposable;
 public final class PauseMenu implements Disposable {
   /** Receives what the player chooses. */
   public interface Choice {
-    /** The menu has closed: keys are the game's again. */
+    /** Closes the menu: keys are the game's again. */
     void resume();
 
-    /** The player wants another room of the server. */
+    /** Shows the other rooms of the server. */
     void rooms();
 
-    /** The player leaves the game. */
+    /** Leaves the game. */
     void leave();
 
-    /** The player quits the program. */
+    /** Quits the program. */
     void quit();
   }
 

@@ -87,7 +87,7 @@ final class Waves {
     private double low;
 
     /**
-     * The next sample.
+     * Returns the next sample.
      *
      * @param open how much of the high is let through, 0..1
      */

@@ -6,7 +6,7 @@ import carom.server.command.CommandRegistry;
 import carom.server.command.Printable;
 import carom.server.console.LogTail;
 import carom.server.match.MatchInfo;
-import carom.server.metrics.Stage;
+import carom.server.metrics.TurnStage;
 import carom.server.picture.BodyLook;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
@@ -43,7 +43,7 @@ final class PageJson {
     return text.toString();
   }
 
-  /** What a viewer is told first, and again once it may see more. */
+  /** Returns what a viewer is told first, and again once it may see more. */
   static String hello(PageConfig config, List<RoomHistory> rooms, boolean admin, boolean watches) {
     return message(
         "hello",
@@ -61,7 +61,7 @@ final class PageJson {
           }
           g.writeEndArray();
           g.writeObjectFieldStart("stages");
-          for (Stage stage : Stage.values()) {
+          for (TurnStage stage : TurnStage.values()) {
             g.writeStringField(stage.name().toLowerCase(Locale.ROOT), stage.help());
           }
           g.writeEndObject();
@@ -80,7 +80,7 @@ final class PageJson {
         });
   }
 
-  /** What has happened in the last second. */
+  /** Returns what has happened in the last second. */
   static String second(List<RoomHistory> rooms) {
     return message(
         "second",
@@ -118,7 +118,7 @@ final class PageJson {
     g.writeEndArray();
   }
 
-  /** A match and its ground; the viewer forgets all bodies. */
+  /** Returns a match and its ground; the viewer forgets all bodies. */
   static String match(Room room, MatchInfo match) {
     Level level = match.level().level();
     return message(
@@ -175,7 +175,7 @@ final class PageJson {
   }
 
   /**
-   * The players of a room.
+   * Returns the players of a room.
    *
    * @param addresses whether the viewer may know where they are
    */
@@ -229,7 +229,7 @@ final class PageJson {
         });
   }
 
-  /** The recordings that can be downloaded. */
+  /** Returns the recordings that can be downloaded. */
   static String recordings(List<Downloads.Recording> recordings) {
     return message(
         "recordings",
@@ -246,12 +246,12 @@ final class PageJson {
         });
   }
 
-  /** Where to download a recording. */
+  /** Returns where to download a recording. */
   static String download(String address) {
     return message("download", g -> g.writeStringField("address", address));
   }
 
-  /** The answer to a command. */
+  /** Returns the answer to a command. */
   static String answer(long id, CommandRegistry.Answer answer) {
     return message(
         "answer",
@@ -276,7 +276,7 @@ final class PageJson {
         });
   }
 
-  /** Why a viewer may not do what it wants. */
+  /** Returns why a viewer may not do what it wants. */
   static String refused(String why) {
     return message("refused", g -> g.writeStringField("why", why));
   }

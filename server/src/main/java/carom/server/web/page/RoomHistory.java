@@ -2,7 +2,7 @@ package carom.server.web.page;
 
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.server.metrics.Stage;
+import carom.server.metrics.TurnStage;
 import carom.server.room.Room;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -16,7 +16,7 @@ final class RoomHistory {
 
   private static final double NS_PER_MS = 1e6;
   private static final double BITS_PER_KBIT = 125;
-  private static final Stage[] STAGES = Stage.values();
+  private static final TurnStage[] STAGES = TurnStage.values();
   private static final Counter[] GAUGES = {
     Counter.PLAYERS, Counter.PLAYERS_IN_GRACE, Counter.SPECTATORS
   };
@@ -45,7 +45,7 @@ final class RoomHistory {
     for (Counter counter : Counter.values()) {
       before[counter.ordinal()] = room.counters().get(counter);
     }
-    for (Stage stage : STAGES) {
+    for (TurnStage stage : STAGES) {
       stagesBefore[stage.ordinal()] = room.stages().totalNs(stage);
     }
   }
@@ -54,7 +54,7 @@ final class RoomHistory {
   static List<String> columns() {
     List<String> names =
         new ArrayList<>(List.of("heapMb", "ticks", "p50", "p99", "max", "inKbit", "outKbit"));
-    for (Stage stage : STAGES) {
+    for (TurnStage stage : STAGES) {
       names.add(stage.name().toLowerCase(Locale.ROOT));
     }
     for (Counter gauge : GAUGES) {
@@ -85,7 +85,7 @@ final class RoomHistory {
     row[at++] = (float) (times.maxNs() / NS_PER_MS);
     row[at++] = (float) (grown(counters, Counter.BYTES_IN) / BITS_PER_KBIT / seconds);
     row[at++] = (float) (grown(counters, Counter.SNAPSHOT_BYTES) / BITS_PER_KBIT / seconds);
-    for (Stage stage : STAGES) {
+    for (TurnStage stage : STAGES) {
       long total = room.stages().totalNs(stage);
       row[at++] = (float) ((total - stagesBefore[stage.ordinal()]) / NS_PER_MS / ticks);
       stagesBefore[stage.ordinal()] = total;

@@ -130,7 +130,8 @@ public final class FrameState {
   }
 
   /**
-   * As {@link #put}, already quantised; values outside the ranges of {@code Quantizer} are refused.
+   * Puts an entity that is quantised already; refuses values outside the ranges of {@code
+   * Quantizer}.
    */
   public void putQuantized(
       int slot, int generation, int archetype, int owner, int x, int y, int angle, boolean still) {

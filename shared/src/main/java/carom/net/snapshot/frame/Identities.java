@@ -52,7 +52,9 @@ final class Identities {
     return this;
   }
 
-  /** Those of 64 neighbouring slots below a limit whose entity isn't the same as in another. */
+  /**
+   * Returns those of 64 neighbouring slots below a limit whose entity isn't the same as in another.
+   */
   long differing(Identities other, int word, int limit) {
     long result = 0;
     for (int slot = word << 6, end = Math.min(limit, slot + 64); slot < end; slot++) {

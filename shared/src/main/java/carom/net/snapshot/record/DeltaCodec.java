@@ -153,7 +153,7 @@ public class DeltaCodec {
     }
   }
 
-  /** Binary digits of the magnitudes of a form, of the longest one's least. */
+  /** Returns the binary digits of the magnitudes of a form: of the longest one, the least. */
   private static int digitsOf(int form) {
     return form < LONG_FORMS ? 1 + (form + 1 >> 1) : MODELLED_DIGITS + 1 + form - LONG_FORMS;
   }
@@ -224,12 +224,12 @@ public class DeltaCodec {
     return bend != 0 ? bend : way;
   }
 
-  /** Binary digits of a magnitude, no more than so many. */
+  /** Returns the binary digits of a magnitude, at most a number. */
   private static int digits(int value, int most) {
     return Math.min(most, Integer.SIZE - Integer.numberOfLeadingZeros(Math.abs(value)));
   }
 
-  /** A number but 0 with the sign seen along another one, as most follow or oppose a bend. */
+  /** Codes a number but 0, its sign along another one: most follow or oppose a bend. */
   private int number(BitCoder c, int tree, int value, int along) {
     int turned = along < 0 ? -value : value;
     int magnitude = Math.abs(turned);
@@ -254,7 +254,7 @@ public class DeltaCodec {
     return LONG_FORMS + Math.min(digits - 1, LONGER_NODES) - MODELLED_DIGITS;
   }
 
-  /** The digits behind the first of a magnitude of the longest form. */
+  /** Codes the digits behind the first of a magnitude of the longest form. */
   private int lengthen(BitCoder c, int magnitude) {
     int more = Math.max(0, digits(magnitude, MAX_DIGITS) - 1 - LONGER_NODES);
     return Math.min(MAX_DIGITS - 1, LONGER_NODES + plain(c, more, LENGTH_BITS));

@@ -123,7 +123,7 @@ public final class Predictor {
     return fixed + (1L << FALL_SHIFT - 1) >> FALL_SHIFT;
   }
 
-  /** Two levels for each binary digit of a size. */
+  /** Returns the level of a size: two levels for each binary digit. */
   static int level(long size, int most) {
     int digits = digits(size);
     int level = digits < 2 ? digits : 2 * digits - 2 + (int) (size >>> digits - 2 & 1);

@@ -16,7 +16,7 @@ final class ShapePool {
 
   private final Convex[] places = new Convex[PLACES];
 
-  /** A part of the same geometry, often one that is in use already. */
+  /** Returns a part of the same geometry, often one that is in use already. */
   Convex share(Convex part) {
     int place = (int) StateHash.finish(ShapeHash.mix(StateHash.SEED, part)) & (PLACES - 1);
     Convex known = places[place];

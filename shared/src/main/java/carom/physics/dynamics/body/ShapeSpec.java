@@ -33,7 +33,7 @@ public record ShapeSpec(
   static final int DEFAULT_CATEGORY = 1;
   static final int DEFAULT_MASK = -1;
 
-  /** Whether the filter lets everything through and the shape is solid. */
+  /** Returns whether the filter lets everything through and the shape is solid. */
   boolean plain() {
     return category == DEFAULT_CATEGORY && mask == DEFAULT_MASK && group == 0 && !sensor;
   }

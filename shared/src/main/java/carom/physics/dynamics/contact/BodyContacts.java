@@ -73,7 +73,9 @@ public final class BodyContacts {
     return start;
   }
 
-  /** The first end of a body in the contact table, -1 for none; valid until its rows change. */
+  /**
+   * Returns the first end of a body in the contact table, -1 for none; valid until its rows change.
+   */
   public int firstEnd(int body) {
     if (version != contacts.version()) {
       link();
@@ -81,13 +83,13 @@ public final class BodyContacts {
     return body < first.length ? first[body] : -1;
   }
 
-  /** The next end of the same body, -1 for none. */
+  /** Returns the next end of the same body, -1 for none. */
   public int nextEnd(int end) {
     return next[end];
   }
 
   /**
-   * The number of entries, of all open answers together.
+   * Returns the number of entries, of all open answers together.
    *
    * @return one more than the last entry of the answer opened last
    */
@@ -105,7 +107,7 @@ public final class BodyContacts {
   }
 
   /**
-   * The body that is touched.
+   * Returns the body that is touched.
    *
    * @param entry which
    * @return its slot
@@ -115,7 +117,7 @@ public final class BodyContacts {
   }
 
   /**
-   * Whether one of the touching shapes is a sensor.
+   * Returns whether one of the touching shapes is a sensor.
    *
    * @param entry which
    * @return true if there are no points
@@ -125,7 +127,7 @@ public final class BodyContacts {
   }
 
   /**
-   * Unit normal from the body asked about to the other.
+   * Returns the unit normal from the body asked about to the other.
    *
    * @param entry which
    * @return x
@@ -135,7 +137,7 @@ public final class BodyContacts {
   }
 
   /**
-   * Unit normal from the body asked about to the other.
+   * Returns the unit normal from the body asked about to the other.
    *
    * @param entry which
    * @return y
@@ -145,7 +147,7 @@ public final class BodyContacts {
   }
 
   /**
-   * Normal impulse of all points in the last step in which the contact was solved.
+   * Returns the normal impulse of all points in the last step in which the contact was solved.
    *
    * @param entry which
    * @return N s

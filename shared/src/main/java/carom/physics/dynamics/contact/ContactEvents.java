@@ -6,21 +6,21 @@ package carom.physics.dynamics.contact;
  */
 public interface ContactEvents {
   /**
-   * Two parts began to touch.
+   * Receives two parts that began to touch.
    *
    * @param row of the contact table
    */
   void begin(int row);
 
   /**
-   * Two parts no longer touch.
+   * Receives two parts that no longer touch.
    *
    * @param row of the contact table
    */
   void end(int row);
 
   /**
-   * Two parts touch and are about to be solved.
+   * Decides about two parts that touch and are about to be solved.
    *
    * @param row of the contact table
    * @return false to leave them alone in this step
@@ -28,14 +28,14 @@ public interface ContactEvents {
   boolean preSolve(int row);
 
   /**
-   * Two parts were solved.
+   * Receives two parts that were solved.
    *
    * @param row of the contact table
    */
   void postSolve(int row);
 
   /**
-   * Two parts hit each other.
+   * Receives two parts that hit each other.
    *
    * @param row of the contact table
    * @param speed how fast they approached, m/s

@@ -49,7 +49,9 @@ public final class ContactHash {
 
   private final long[] lanes = new long[3 * ContactHashLanes.SUMS];
 
-  /** The odd number that stands for a key: its bits, mixed as {@link StateHash#finish} does. */
+  /**
+   * Returns the odd number that stands for a key: its bits, mixed as {@link StateHash#finish} does.
+   */
   static long factor(long key) {
     return StateHash.finish(key) | 1;
   }

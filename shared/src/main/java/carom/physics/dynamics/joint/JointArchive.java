@@ -77,7 +77,7 @@ final class JointArchive {
     }
   }
 
-  /** The ends of each body's joints in the order of its list, body after body. */
+  /** Passes the ends of each body's joints in the order of its list, body after body. */
   private void passLists() {
     int[] ends = new int[2 * s.slots()];
     int n = 0;

@@ -161,8 +161,8 @@ public final class NarrowPhase {
   }
 
   /**
-   * Whether half of the groups had many manifolds made anew in the step before. Where fewer have,
-   * the kernel gains nothing, and until it is compiled it allocates.
+   * Returns whether half of the groups had many manifolds made anew in the step before. Where fewer
+   * have, the kernel gains nothing, and until it is compiled it allocates.
    */
   private boolean isRestless() {
     int groups = (contacts.count() + GROUP - 1) / GROUP;

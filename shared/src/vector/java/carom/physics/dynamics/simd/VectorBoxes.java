@@ -124,7 +124,7 @@ public final class VectorBoxes extends BoxLanes {
 
   private static final int SCRATCH = TURN_SIN + LANES + APART;
 
-  /** Loaded by name, see {@link BoxLanes#FOUND}. */
+  /** Creates the kernels; called by name, see {@link BoxLanes#FOUND}. */
   public VectorBoxes() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
@@ -209,7 +209,7 @@ public final class VectorBoxes extends BoxLanes {
     sin.mul(unit).intoArray(s, UNIT_SIN);
   }
 
-  /** The four gaps. */
+  /** Computes the four gaps. */
   private static void gaps(float[] s) {
     FloatVector cos = FloatVector.fromArray(LANE, s, UNIT_COS);
     FloatVector sin = FloatVector.fromArray(LANE, s, UNIT_SIN);

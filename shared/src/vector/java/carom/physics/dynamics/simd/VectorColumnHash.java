@@ -19,7 +19,7 @@ public final class VectorColumnHash extends ColumnHashLanes {
   private final long[] warmUpFactors = new long[BLOCK / 2];
   private final long[] warmUpSums = new long[SUMS];
 
-  /** Loaded by name, see {@link ColumnHashLanes#FOUND}. */
+  /** Creates the kernels; called by name, see {@link ColumnHashLanes#FOUND}. */
   public VectorColumnHash() {
     if (WIDTH < LEAST_WIDTH || WIDTH > SUMS) {
       throw new UnsupportedOperationException("vectors of " + WIDTH + " longs");

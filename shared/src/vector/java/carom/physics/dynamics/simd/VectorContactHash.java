@@ -46,7 +46,7 @@ public final class VectorContactHash extends ContactHashLanes {
   private final long[] warmUpFactors = new long[WARM_UP_ROWS];
   private final long[] warmUpSums = new long[3 * SUMS];
 
-  /** Loaded by name, see {@link ContactHashLanes#FOUND}. */
+  /** Creates the kernels; called by name, see {@link ContactHashLanes#FOUND}. */
   public VectorContactHash() {
     if (WIDTH < IMPULSES || WIDTH > SUMS) {
       throw new UnsupportedOperationException("vectors of " + WIDTH + " longs");

@@ -106,7 +106,7 @@ public final class VectorContacts extends ContactLanes {
 
   private static final int SCRATCH = TANGENT_SUM + LANES + APART;
 
-  /** Loaded by name, see {@link ContactLanes#FOUND}. */
+  /** Creates the kernels; called by name, see {@link ContactLanes#FOUND}. */
   public VectorContacts() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");

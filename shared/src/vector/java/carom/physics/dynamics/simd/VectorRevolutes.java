@@ -69,7 +69,7 @@ public final class VectorRevolutes extends RevoluteLanes {
 
   private static final int SCRATCH = DPY + LANES + APART;
 
-  /** Loaded by name, see {@link RevoluteLanes#FOUND}. */
+  /** Creates the kernels; called by name, see {@link RevoluteLanes#FOUND}. */
   public VectorRevolutes() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");

@@ -155,7 +155,7 @@ class EventSoundsTest {
   }
 
   @Test
-  void whatIsForeseenComputedAgainAndToldIsHeardOnce() {
+  void whatIsPredictedComputedAgainAndToldIsHeardOnce() {
     EventReconciler reconciler = new EventReconciler(1, true, key -> 0, 60, sounds);
     Player me = arena.mirror().join(1, "me");
     arena.addJournal(reconciler);

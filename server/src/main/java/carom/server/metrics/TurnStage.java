@@ -1,7 +1,7 @@
 package carom.server.metrics;
 
 /** The parts of a room's turn whose time is measured, in the order in which they run. */
-public enum Stage {
+public enum TurnStage {
   /** Takes arrivals, departures and one input per player. */
   INPUTS("Takes arrivals, departures and one input per player."),
   /** Steps the simulation: the game's callbacks and the physics. */
@@ -17,7 +17,7 @@ public enum Stage {
 
   private final String help;
 
-  Stage(String help) {
+  TurnStage(String help) {
     this.help = help;
   }
 

@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Lines with columns of equal width, for people. */
-final class Table {
+final class TextTable {
   private static final String GAP = "  ";
 
   private final List<String[]> rows = new ArrayList<>();
 
   /** Creates a table with a head. */
-  Table(String... head) {
+  TextTable(String... head) {
     rows.add(head);
   }
 

@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
-import carom.server.metrics.Stage;
+import carom.server.metrics.TurnStage;
 import carom.sim.entity.Entity;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -17,7 +17,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** Goal: a picture shows the room as it is, and only when it is asked for. */
-final class PicturesTest {
+final class RoomPicturesTest {
   private static final PictureRequest ALL = new PictureRequest(true, true, true, Set.of(0, 77));
   private static final PictureRequest BODIES = new PictureRequest(false, false, false, Set.of());
 
@@ -32,7 +32,7 @@ final class PicturesTest {
     try (Stepper stepper = Stepper.of("arena")) {
       stepper.run(1);
       assertNull(stepper.room().pictures().poll());
-      assertEquals(0, stepper.room().stages().totalNs(Stage.PICTURE));
+      assertEquals(0, stepper.room().stages().totalNs(TurnStage.PICTURE));
     }
   }
 

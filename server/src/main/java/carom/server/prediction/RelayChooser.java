@@ -17,7 +17,7 @@ import java.util.function.Predicate;
  *
  * <p>The room's thread; allocates only to grow.
  */
-final class RelayedInputs {
+final class RelayChooser {
   private static final int NEVER = -1_000;
 
   private final Predicate<Entity> mayKnow;
@@ -25,7 +25,7 @@ final class RelayedInputs {
   /** The last tick at which a player's inputs were relayed, by player id. */
   private int[] lastTick = {};
 
-  RelayedInputs(Predicate<Entity> mayKnow) {
+  RelayChooser(Predicate<Entity> mayKnow) {
     this.mayKnow = mayKnow;
   }
 

@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
  *
  * @param all the settings
  */
-public record Settings(List<Setting> all) {
+public record EffectiveSettings(List<Setting> all) {
   private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?");
 
   /** Texts that need no quotes. */
@@ -19,7 +19,7 @@ public record Settings(List<Setting> all) {
   private static final int LINE = 100;
 
   /** Copies the list. */
-  public Settings {
+  public EffectiveSettings {
     all = List.copyOf(all);
   }
 
@@ -59,7 +59,9 @@ public record Settings(List<Setting> all) {
       return "<" + setting.kind() + ">";
     }
     if (values.size() > 1) {
-      return "[" + String.join(", ", values.stream().map(Settings::literal).toList()) + "]";
+      return "["
+          + String.join(", ", values.stream().map(EffectiveSettings::literal).toList())
+          + "]";
     }
     String unit = SettingUnits.plain(setting.kind());
     boolean bare = !unit.isEmpty() && NUMBER.matcher(values.get(0)).matches();

@@ -1,0 +1,142 @@
+package carom.docs;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: docs and doc comments stay plain and short. Method: the rules of CONTRIBUTING that a
+ * program can check, over all sources and pages.
+ */
+final class PlainEnglishTest {
+  private static final Path ROOT = Path.of("..");
+
+  /** Words that the glossary replaces, and forms that made sentences hard to read. */
+  private static final Pattern OLD_WORDS =
+      Pattern.compile(
+          "(?i)whoever|\\bof whom\\b|foresee|\\btellStruck|\\bfurnish|\\bis to be\\b(?!"
+              + " able)|\\bthat that\\b");
+
+  private static final Pattern DOC_COMMENT =
+      Pattern.compile(
+          "/\\*\\*(.*?)\\*/\\s*((?:@\\w+(?:\\([^)]*\\))?\\s*)*)([^{;=]*)", Pattern.DOTALL);
+
+  /** A declaration with parameters, but no constant of an enum. */
+  private static final Pattern METHOD =
+      Pattern.compile("(?s)(?![A-Z_0-9]+\\s*[,(])(?!//)(?:[\\w.<>\\[\\]?&,@ ]+\\s)?\\w+\\s*\\(.*");
+
+  private static final Pattern TYPE = Pattern.compile("\\b(class|interface|enum|record)\\b");
+
+  /** A verb in the third person, such as "Returns". */
+  private static final Pattern VERB = Pattern.compile("[A-Z][a-z]+s\\b.*|\\{@inheritDoc.*");
+
+  private static final String[] PRODUCT = {
+    "shared/src/main",
+    "shared/src/vector",
+    "server/src/main",
+    "client/src/main",
+    "launcher/src/main"
+  };
+
+  private static List<Path> files(String ending, String... folders) throws IOException {
+    List<Path> found = new ArrayList<>();
+    for (String folder : folders) {
+      try (Stream<Path> files = Files.walk(ROOT.resolve(folder))) {
+        files
+            .filter(file -> file.toString().endsWith(ending))
+            .filter(
+                file -> !file.toString().contains("build/") && !file.toString().contains(".fast"))
+            .forEach(found::add);
+      }
+    }
+    return found;
+  }
+
+  /** Returns what a comment says, without its stars. */
+  private static String text(Matcher doc) {
+    return doc.group(1).replaceAll("(?m)^\\s*\\*", "").strip();
+  }
+
+  private static int words(Path page) throws IOException {
+    return Files.readString(page).strip().split("\\s+").length;
+  }
+
+  @Test
+  void pagesAreShortEnoughToBeRead() throws IOException {
+    List<String> tooLong = new ArrayList<>();
+    for (Path page : files(".md", "docs")) {
+      if (!page.endsWith("PROTOCOL.md") && words(page) > 4_000) {
+        tooLong.add(page + ": words=" + words(page));
+      }
+    }
+    assertEquals(List.of(), tooLong, "at most 4,000 words; only PROTOCOL is longer");
+    assertTrue(Files.readAllLines(ROOT.resolve("README.md")).size() <= 120, "README: 120 lines");
+  }
+
+  @Test
+  void oldWordsStayAway() throws IOException {
+    List<Path> all = files(".java", "shared", "server", "client", "launcher", "tests");
+    all.addAll(files(".md", "docs"));
+    all.add(ROOT.resolve("README.md"));
+    all.add(ROOT.resolve("SECURITY.md"));
+    all.add(ROOT.resolve("CHANGELOG.md"));
+    List<String> found = new ArrayList<>();
+    for (Path file : all) {
+      Matcher old = OLD_WORDS.matcher(Files.readString(file));
+      if (!file.endsWith("PlainEnglishTest.java") && old.find()) {
+        found.add(file + ": " + old.group());
+      }
+    }
+    assertEquals(List.of(), found);
+    assertTrue(all.size() > 1_000, "files=" + all.size());
+  }
+
+  @Test
+  void docCommentsAreSentences() throws IOException {
+    List<String> found = new ArrayList<>();
+    int comments = 0;
+    for (Path file : files(".java", PRODUCT)) {
+      Matcher doc = DOC_COMMENT.matcher(Files.readString(file));
+      while (doc.find()) {
+        comments++;
+        String text = text(doc);
+        if (!text.matches("(?s)[A-Z0-9{<(].*\\..*|\\{@inheritDoc.*")) {
+          found.add(file.getFileName() + ": " + text);
+        }
+      }
+    }
+    assertEquals(List.of(), found, "they begin with a capital letter and end with a full stop");
+    assertTrue(comments > 8_000, "comments=" + comments);
+  }
+
+  @Test
+  void docCommentsOfMethodsBeginWithAVerb() throws IOException {
+    List<String> found = new ArrayList<>();
+    int methods = 0;
+    for (Path file : files(".java", PRODUCT)) {
+      Matcher doc = DOC_COMMENT.matcher(Files.readString(file));
+      while (doc.find()) {
+        String declaration = doc.group(3).strip();
+        if (!METHOD.matcher(declaration).matches() || TYPE.matcher(declaration).find()) {
+          continue;
+        }
+        methods++;
+        String text = text(doc);
+        if (!VERB.matcher(text.lines().findFirst().orElse("")).matches()) {
+          found.add(file.getFileName() + ": " + text.lines().findFirst().orElse(""));
+        }
+      }
+    }
+    assertEquals(List.of(), found, "such as Returns, Adds, Marks");
+    assertTrue(methods > 4_000, "methods=" + methods);
+  }
+}
