@@ -101,11 +101,13 @@ final class ArchitectureTest {
         "solver",
         "settings",
         "simd",
+        "dynamics.colour",
         "dynamics.parallel",
         "dynamics.domain",
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs");
+    stage("colour", "dynamics.domain", "dynamics.body", "dynamics.contact");
     stage("joint", "settings", "archive", "math", "rows", "dynamics.store", "dynamics.body");
     stage(
         "jointsolver",

@@ -204,6 +204,7 @@ final class ScriptedServer {
     this.level = level;
     simulation = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
     capture = new OwnCapture(simulation);
+    ring.gravity(level.gravityX(), level.gravityY()); // or clients take datagrams for damaged
   }
 
   /** Takes in what arrived. */

@@ -360,14 +360,14 @@ final class PhysicsDrawings {
     {"Callbacks", "end, begin, preSolve"},
   };
   private static final String[][] SUBSTEP = {
+    {"Impacts", "blows, one", "after the other"},
     {"Velocities", "v += h a, damping"},
-    {"Warm start", "last impulses again"},
-    {"Solve", "joints, then contacts,", "with bias"},
+    {"Warm start", "last impulses", "again"},
+    {"Solve", "joints, contacts,", "with bias"},
     {"Positions", "x += h v"},
-    {"Relax", "joints, then contacts,", "without bias"},
+    {"Relax", "joints, contacts,", "without bias"},
   };
   private static final String[][] AFTER = {
-    {"Restitution", "bounces, once"},
     {"Continuous", "fast bodies to their", "first impact"},
     {"Callbacks", "postSolve, hit,", "broken joints"},
     {"Deferred", "what callbacks", "asked for"},
@@ -377,23 +377,23 @@ final class PhysicsDrawings {
   private static String step() {
     Drawing d = new Drawing(760, 345, "The stages of a step, with its substeps");
     d.view(0, 0, 1);
-    row(d, 40, 70, BEFORE, FAINT);
+    row(d, 40, 70, BEFORE, 120, FAINT);
     d.path(BLUE, 1.5, BLUE, 15, -121, 745, -121, 745, -232, 15, -232);
     String times = "x " + new WorldDef().substeps();
     d.text(
         BLUE, "start", 25, -140, "substeps " + times + ", h = dt / " + new WorldDef().substeps());
-    row(d, 40, 186, SUBSTEP, BLUE);
-    d.path(BLUE, 1.5, NOTHING, 660, -215, 660, -224, 100, -224, 100, -217);
-    d.arrow(BLUE, 100, -223, 100, -215);
-    row(d, 40, 294, AFTER, FAINT);
+    row(d, 26, 186, SUBSTEP, 102, BLUE);
+    d.path(BLUE, 1.5, NOTHING, 687, -215, 687, -224, 77, -224, 77, -217);
+    d.arrow(BLUE, 77, -223, 77, -215);
+    row(d, 40, 294, AFTER, 120, FAINT);
     down(d, 520, 88);
     down(d, 100, 222);
     d.bold("start", 20, -26, "A step");
     return d.svg();
   }
 
-  private static void row(Drawing d, double x, double middle, String[][] stages, String colour) {
-    double width = 120;
+  private static void row(
+      Drawing d, double x, double middle, String[][] stages, double width, String colour) {
     double gap = 20;
     for (int i = 0; i < stages.length; i++) {
       double left = x + i * (width + gap);

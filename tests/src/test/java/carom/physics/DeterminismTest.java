@@ -34,19 +34,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE f4f82460b3f181d0 88d3aba7796f5380
-      GAS c0c610f591943f4 b2bf88269a94facd
-      SPIN a4c4e5bf9218572d f9f5085f30978756
+      PILE eba591e495a19ff be622c0a28dd9a29
+      GAS 7359ccc56fe4acd5 a1414a47a096a0d
+      SPIN 208a768a70ba8053 438b0b9e40e3fd4
       NET b4b495a92dedba4e 11
-      JOINTS f98bc431a52f3576 e6020dccf5d9a78
+      JOINTS cc4e86874b1f57b0 edc7000714dfd72a
       BELTS adb5a27bede8c9aa b98c309a7312afe6
-      CHAINS 8af92c7f0d0cae7c 3df11dec5926c9b1
-      ROUND c7d36c6080917a87 c979a5417d435c8
-      BULLETS 41c6c2abf42a6877 ed569a6b02ecb994
-      SLEEPERS 7070ec0c3680b54b b26b9abd94b750d
-      EDITS 433dc1f37733c5a1 f7f90216973ca47c
-      WATER 631b53fa3e7f9be1 7239916d48d8d6bb
-      EULER 99fdb6ae472190d2 e414b17e9518fa1b
+      CHAINS 5b38e96f61708da2 4f6b3660b99502f6
+      ROUND eae9446e3a0da2a8 c49832be1fdb2414
+      BULLETS 2182e6f1aaed22d8 68e6bbc49faaef77
+      SLEEPERS aeca3c549a07233b de5ad840695fdd76
+      EDITS d59b37c83f137bf1 76a5dfdca934294
+      WATER aaab0ae620d3a85b 79aa784c94a628b0
+      EULER e1d7d988f9f76633 24bd38ea359d2295
       """;
 
   @Test

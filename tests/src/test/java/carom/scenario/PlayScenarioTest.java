@@ -139,7 +139,8 @@ class PlayScenarioTest {
   @Test
   void aBallIsPushedAtOnceHoweverFarTheServer() {
     // Goal: 100 ms away from the server the ball bounces off the own disc as if it were local.
-    // Method: run at the ball; from the picture in which they touch, two ticks until it has moved.
+    // Method: run at the ball; from the last picture before they touch, two ticks until it has
+    // moved.
     try (Stepper stepper = Stepper.of(Levels.arenaWithBall(), ServerConfig.defaults())) {
       SimulatedClient client = stepper.join("p", FAR, InputSource.IDLE);
       stepper.run(1);
@@ -149,6 +150,7 @@ class PlayScenarioTest {
       float ballX = client.view().find(ballId).x();
       client.play(Scripts.hold(1, 0));
       double deepest = 0;
+      double apartBefore = 0;
       int framesSinceTouch = -1;
       double moved = 0;
       float serverBallX = 0;
@@ -159,9 +161,11 @@ class PlayScenarioTest {
         double apart =
             Math.hypot(own.x() - ball.x(), own.y() - ball.y()) - DISC_RADIUS - BALL_RADIUS;
         deepest = Math.min(deepest, apart);
-        if (framesSinceTouch >= 0 || apart < 0.02) {
+        boolean nextTouches = apart < apartBefore - apart; // it leaves in the tick of the impact
+        if (framesSinceTouch >= 0 || nextTouches) {
           framesSinceTouch++;
         }
+        apartBefore = apart;
         moved = ball.x() - ballX;
         serverBallX = ball(stepper).body().x();
       }

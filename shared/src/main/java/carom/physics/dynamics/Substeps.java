@@ -21,14 +21,15 @@ import carom.physics.settings.Settings;
  *
  * <pre>
  *   prepare    colours, blocks; bodies are loaded; contacts and joints are packed
- *   substep    integrate velocities          v += h a; contacts start warm by the last substep
+ *   substep    impacts                       blows with restitution, if anything approaches fast
+ *              integrate velocities          v += h a; contacts start warm by the last substep
  *    n times   joints: warm start            the impulses of the last substep
  *              contacts: warm start          first substep only
- *              joints, contacts: push        with bias: overlap and errors go away
+ *              joints: push                  with bias: errors go away
+ *              contacts: push                with bias: overlap goes away
  *              integrate positions           x += h v
  *              joints, contacts: relax       rigid, without bias: the speed of the bias goes
- *   finish     restitution                   contacts bounce, once
- *              store                         velocities, poses and impulses
+ *   finish     store                         velocities, poses and impulses
  * </pre>
  */
 final class Substeps {
@@ -87,10 +88,16 @@ final class Substeps {
     }
     jointSolver.prepare(joints, bodies, settings, h, solverBodies);
     boolean jointsToo = jointSolver.count() > 0;
+    boolean bounces = contactSolver.bounces(phases, contacts.mightBounce());
     for (int i = 0; i < substeps; i++) {
       // Joints are enough: contacts far away mustn't change how jointed bodies are rounded.
       boolean warm =
           i > 0 && !settings.explicitEuler() && (jointsToo || contactSolver.blocks() > 0);
+      begins(StepStage.BOUNCE);
+      if (bounces) {
+        phases.run(); // an impact is decided with the velocities of all
+        contactSolver.solveImpacts(phases);
+      }
       begins(StepStage.INTEGRATE);
       solverBodies.integrateVelocities(phases, warm);
       if (jointsToo) {
@@ -119,9 +126,6 @@ final class Substeps {
       begins(StepStage.RELAX);
       contactSolver.relax(phases);
     }
-    begins(StepStage.BOUNCE);
-    phases.run(); // only now it is known which contacts bounce
-    contactSolver.restitution(phases);
     begins(StepStage.FINISH);
     contactSolver.store(phases);
     jointSolver.store(); // reads poses as they were, and nothing that contacts store

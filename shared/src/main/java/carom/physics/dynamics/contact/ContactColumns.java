@@ -30,8 +30,7 @@ import java.util.Arrays;
  * writes pays. Therefore a method that writes must first call {@link #beginUpdate} (for "touches")
  * or {@link #beginRowChange} (for both); the stages of a step do so once for all rows.
  *
- * <p>The arrays are public to the stages and are replaced when the table grows or is copied; nobody
- * keeps one across stages.
+ * <p>The arrays are replaced when the table grows or is copied; nobody keeps one across stages.
  */
 public abstract class ContactColumns {
   /** Flag: the parts touch. Unless one is a sensor, the manifold has points. */
@@ -162,8 +161,10 @@ public abstract class ContactColumns {
   /** The manifolds of earlier steps. They change no result, so they aren't saved. */
   public final KeptManifolds kept = new KeptManifolds();
 
-  /** Whether any row ever resisted rolling. */
+  /** Whether any row ever resisted rolling, or had restitution. */
   boolean rolls;
+
+  boolean bouncy;
 
   /** How rows move while others come or go. */
   final RowMoves moves = new RowMoves();
@@ -488,6 +489,7 @@ public abstract class ContactColumns {
     to.count = count;
     to.bind();
     to.rolls = rolls;
+    to.bouncy = bouncy;
     to.version++;
   }
 

@@ -146,6 +146,11 @@ public final class ContactTable extends ContactColumns {
     flags[row] = (byte) ((flags[row] & ~(FRESH | WAS_TOUCHING)) | touched | DORMANT);
   }
 
+  /** Returns whether any row may have restitution. */
+  public boolean mightBounce() {
+    return bouncy;
+  }
+
   /** Takes the manifold of this step away again: the parts don't touch. */
   public void end(int row) {
     flags[row] &= ~TOUCHING;
@@ -204,9 +209,13 @@ public final class ContactTable extends ContactColumns {
     if (rolling != 0) {
       rolls = true; // not |=, which could undo what another worker did meanwhile
     }
+    float restitution = Math.max(parts.restitution[a], parts.restitution[b]);
+    if (restitution != 0) {
+      bouncy = true; // not |=, as above
+    }
     int at = row * MATERIAL;
     material[at + FRICTION] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
-    material[at + RESTITUTION] = Math.max(parts.restitution[a], parts.restitution[b]);
+    material[at + RESTITUTION] = restitution;
     material[at + ROLLING] = rolling;
     material[at + SURFACE] = parts.tangentSpeed[a] + parts.tangentSpeed[b];
     material[at + ROUND_A] = roundA;
@@ -268,6 +277,7 @@ public final class ContactTable extends ContactColumns {
       kept.forget(now);
     }
     rolls |= from.rolls;
+    bouncy |= from.bouncy;
   }
 
   // ---------------------------------------------------------------- kept manifolds

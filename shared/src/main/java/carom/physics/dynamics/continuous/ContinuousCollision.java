@@ -15,8 +15,8 @@ import carom.physics.settings.Settings;
 /**
  * Stops fast bodies at what they would pass through within a step. Runs when the solver is done:
  * the motion of each fast body, from its pose at the start of the step to that at the end, is swept
- * against what is in its way, and the body is put where it first comes close. It keeps its
- * velocity; the contact of the next step answers the impact.
+ * against what is in its way, and the body is put where it first comes close. It keeps the velocity
+ * it had there; the contact of the next step answers the impact.
  *
  * <p><b>Who is swept.</b> Dynamic bodies that move farther in the step than {@link #GATE} times
  * their inner radius, turning included: against static and kinematic parts; bullets against dynamic
@@ -88,6 +88,8 @@ public final class ContinuousCollision {
   private final SweptBox swept;
   private final SensorCrossings crossings;
 
+  private float stepS;
+
   // Scratch.
   private final Sweep ride = new Sweep();
   private final Transform hitPose = new Transform();
@@ -139,6 +141,7 @@ public final class ContinuousCollision {
     if (!settings.continuous() || !fast.collect(solved, dt)) {
       return;
     }
+    stepS = dt;
     fast.sort();
     if (fast.movingTargets()) {
       pairs.refresh();
@@ -181,6 +184,7 @@ public final class ContinuousCollision {
     float split = search.time();
     f.whole.at(split, hitPose);
     int body = parts.body[search.part()];
+    boolean bounces = bounces(f.body, search.part());
     target.of(body);
     endPose.set(hitPose);
     if (target.moves()) {
@@ -196,6 +200,9 @@ public final class ContinuousCollision {
     f.first.part(f.whole, 0, split);
     f.second.between(hitPose, endPose);
     f.split = split;
+    if (bounces) {
+      keepEnergy(f.body, (1 - split) * stepS);
+    }
     bodies.x[f.body] = endPose.x;
     bodies.y[f.body] = endPose.y;
     float inverse = 1 / (float) Math.sqrt(endPose.cos * endPose.cos + endPose.sin * endPose.sin);
@@ -204,6 +211,23 @@ public final class ContinuousCollision {
     if (fast.movingTargets()) {
       strayed(f);
     }
+  }
+
+  /** Returns whether a body may bounce off a part; what doesn't loses its energy there anyway. */
+  private boolean bounces(int body, int part) {
+    boolean any = parts.restitution[part] != 0;
+    int first = bodies.firstPart[body];
+    for (int own = first; own < first + bodies.partCount[body]; own++) {
+      any |= parts.restitution[own] != 0;
+    }
+    return any;
+  }
+
+  /** Takes off what gravity added to the speed on the way that the body is put back. */
+  private void keepEnergy(int body, float seconds) {
+    float scale = bodies.gravityScale[body] * seconds;
+    bodies.vx[body] -= scale * settings.gravityX();
+    bodies.vy[body] -= scale * settings.gravityY();
   }
 
   /** Widens later searches if a body that was carried along left the box the tree knows of it. */

@@ -1,10 +1,12 @@
 package carom.physics.dynamics.solver;
 
-import static carom.physics.dynamics.solver.ContactColours.COLOURS;
-import static carom.physics.dynamics.solver.ContactColours.GROUPS;
-import static carom.physics.dynamics.solver.ContactColours.LAST_COLOUR;
+import static carom.physics.dynamics.colour.ContactColours.COLOURS;
+import static carom.physics.dynamics.colour.ContactColours.GROUPS;
+import static carom.physics.dynamics.colour.ContactColours.LAST_COLOUR;
 
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.colour.ColourMemo;
+import carom.physics.dynamics.colour.ContactColours;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
@@ -165,20 +167,20 @@ public final class ContactBlocks {
   /** Acceleration with which gravity and forces press the bodies together, m/s^2. */
   static final int CLOSING_ACCELERATION = ROLL + LANES;
 
-  /** Speed at which the first point is to bounce off, m/s, 0 if it doesn't. */
-  static final int RESTITUTION_FIRST = CLOSING_ACCELERATION + LANES;
+  /** Coefficient of restitution. */
+  static final int COEFFICIENT = CLOSING_ACCELERATION + LANES;
 
-  /** Speed at which the second point is to bounce off, m/s. */
-  static final int RESTITUTION_SECOND = RESTITUTION_FIRST + LANES;
+  /** Not 0 if the surfaces meet or part faster than the threshold when the step begins. */
+  static final int FAST = COEFFICIENT + LANES;
 
-  /** Impulse of restitution along the normal so far, N s: an offset from that point's speed. */
-  static final int RESTITUTION_NORMAL = 2 * LANES;
+  /** Normal impulses of impacts so far, N s: of the first point, then of the second. */
+  static final int IMPACT_NORMAL = FAST + LANES;
 
-  /** Friction impulse of restitution so far, N s: an offset from that point's speed. */
-  static final int RESTITUTION_TANGENT = RESTITUTION_NORMAL + 2 * LANES;
+  /** Friction impulses of impacts so far, N s: of the first point, then of the second. */
+  static final int IMPACT_TANGENT = IMPACT_NORMAL + 2 * LANES;
 
   /** Floats of a block in extra. */
-  public static final int EXTRA = RESTITUTION_FIRST + RESTITUTION_TANGENT + 2 * LANES;
+  public static final int EXTRA = IMPACT_TANGENT + 2 * LANES;
 
   // Traits of blocks, added up.
 
@@ -200,11 +202,14 @@ public final class ContactBlocks {
   /** Trait: some contact has rolling resistance. */
   static final int ROLLS = 16;
 
-  /** Trait: some contact is going to bounce. */
+  /** Trait: some contact bounces, if it approaches fast enough. */
   static final int RESTITUTION = 32;
 
   /** Trait: vector kernels solve the block. */
   static final int WIDE = 64;
+
+  /** Trait: impacts alone answer some contact in this substep. */
+  public static final int FREE = 128;
 
   /** Traits that softness depends on. */
   static final int SOFTNESS = TWO | FIXED;

@@ -1,8 +1,10 @@
 package carom.physics.dynamics.solver;
 
 import static carom.physics.dynamics.solver.ContactBlocks.CLOSING_ACCELERATION;
+import static carom.physics.dynamics.solver.ContactBlocks.COEFFICIENT;
 import static carom.physics.dynamics.solver.ContactBlocks.CROSS;
 import static carom.physics.dynamics.solver.ContactBlocks.EXTRA;
+import static carom.physics.dynamics.solver.ContactBlocks.FAST;
 import static carom.physics.dynamics.solver.ContactBlocks.FIRST;
 import static carom.physics.dynamics.solver.ContactBlocks.FRICTION;
 import static carom.physics.dynamics.solver.ContactBlocks.GAP;
@@ -22,8 +24,6 @@ import static carom.physics.dynamics.solver.ContactBlocks.RADIUS_A;
 import static carom.physics.dynamics.solver.ContactBlocks.RADIUS_B;
 import static carom.physics.dynamics.solver.ContactBlocks.RECORD;
 import static carom.physics.dynamics.solver.ContactBlocks.RESTITUTION;
-import static carom.physics.dynamics.solver.ContactBlocks.RESTITUTION_FIRST;
-import static carom.physics.dynamics.solver.ContactBlocks.RESTITUTION_SECOND;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLL;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLLING;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLLS;
@@ -269,37 +269,27 @@ public final class ContactPacker {
   private void packRestitution(int block, int i, float restitution) {
     int at = block * RECORD + i;
     int lane = block * LANES + i;
+    int more = block * EXTRA + i;
     int slotA = blocks.bodyA[lane] / STRIDE;
     int slotB = blocks.bodyB[lane] / STRIDE;
     float acceleration =
         (bodies.ax(slotA) - bodies.ax(slotB)) * blocks.data[at + NX]
             + (bodies.ay(slotA) - bodies.ay(slotB)) * blocks.data[at + NY];
-    float first = restitution * approach(lane, FIRST, acceleration);
-    float second =
-        (blocks.traits[block] & TWO) == 0 ? 0 : restitution * approach(lane, SECOND, acceleration);
-    if (first != 0 || second != 0) {
-      blocks.addTrait(block, RESTITUTION, CLOSING_ACCELERATION, EXTRA);
-      blocks.extra[block * EXTRA + i + CLOSING_ACCELERATION] = acceleration;
-      blocks.extra[block * EXTRA + i + RESTITUTION_FIRST] = first;
-      blocks.extra[block * EXTRA + i + RESTITUTION_SECOND] = second;
-    }
+    boolean fast =
+        isFast(lane, FIRST, acceleration)
+            || ((blocks.traits[block] & TWO) != 0 && isFast(lane, SECOND, acceleration));
+    blocks.addTrait(block, RESTITUTION, CLOSING_ACCELERATION, EXTRA);
+    blocks.extra[more + CLOSING_ACCELERATION] = acceleration;
+    blocks.extra[more + COEFFICIENT] = restitution;
+    blocks.extra[more + FAST] = fast ? 1 : 0;
   }
 
-  /**
-   * Returns the speed with which the surfaces will meet at a point, m/s: that of now, plus what the
-   * relative acceleration a adds over the gap, v^2 = v0^2 + 2 a s; 0 below the threshold. In
-   * symplectic Euler a velocity is that of half a substep ago, hence a h / 2 is added here and
-   * again after the bounce. Without these terms a perfectly elastic ball would lose 2 % of its
-   * height with every bounce.
-   */
-  private float approach(int lane, int point, float acceleration) {
-    int at = lane / LANES * RECORD + lane % LANES;
+  /** Returns whether a point approaches, or parts, faster than the threshold for impacts. */
+  private boolean isFast(int lane, int point, float acceleration) {
+    // A velocity is that of half a substep ago.
     float closing = 0.5f * h * acceleration - scalar.normalSpeed(lane, point);
-    if (!(closing > settings.restitutionThreshold())) {
-      return 0;
-    }
-    float square = closing * closing + 2 * acceleration * blocks.data[at + point + SEPARATION];
-    return square > 0 ? (float) Math.sqrt(square) : 0;
+    float gap = blocks.data[lane / LANES * RECORD + lane % LANES + point + SEPARATION];
+    return (gap < 0 ? Math.abs(closing) : closing) > settings.restitutionThreshold();
   }
 
   /** Adds the phase that hands the impulses back to the table, but for those that overflowed. */

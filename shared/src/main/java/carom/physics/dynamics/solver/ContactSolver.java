@@ -1,6 +1,9 @@
 package carom.physics.dynamics.solver;
 
+import static carom.physics.dynamics.solver.ContactBlocks.FIRST;
 import static carom.physics.dynamics.solver.ContactBlocks.FIXED;
+import static carom.physics.dynamics.solver.ContactBlocks.LANES;
+import static carom.physics.dynamics.solver.ContactBlocks.SECOND;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
 import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
 
@@ -74,7 +77,10 @@ import carom.physics.settings.Settings;
  *
  * <p><b>Relax.</b> The spring leaves a velocity behind that is only there to remove overlap. After
  * positions moved, the same constraints are solved again rigidly and without bias, so that it is
- * gone and no energy enters. Restitution comes last, once per step.
+ * gone and no energy enters.
+ *
+ * <p><b>Restitution</b> comes first in a substep: impacts are blows between two bodies each, and
+ * what they leave parts already when it is pushed. See {@link ContactRestitution}.
  *
  * <p><b>Speculative.</b> A point with a gap s > 0 may approach with s / h, just closing it.
  *
@@ -143,6 +149,8 @@ public final class ContactSolver {
   private final DomainPhases.Phase pushing;
   private final DomainPhases.Phase relaxing;
 
+  private SolverBodies solverBodies;
+
   /** {@link SolverBodies#state}. */
   private float[] v;
 
@@ -154,6 +162,9 @@ public final class ContactSolver {
 
   /** Most speed at which overlap is pushed apart, m/s. */
   public float maxPushSpeed;
+
+  /** Least speed of an impact, m/s. */
+  float threshold;
 
   /** Overlap that isn't pushed apart, m. */
   public float slop;
@@ -179,7 +190,7 @@ public final class ContactSolver {
     relaxing = blocks.phase(this::relaxBlocks);
     scalar = new ScalarContacts(this, blocks);
     packer = new ContactPacker(blocks, scalar, lanes);
-    restitution = new ContactRestitution(blocks, scalar);
+    restitution = new ContactRestitution(blocks, scalar, parallel);
   }
 
   /** Returns the number of blocks. */
@@ -201,11 +212,13 @@ public final class ContactSolver {
     inverseH = 1 / substep;
     maxPushSpeed = constants.maxPushSpeed();
     slop = constants.slop();
+    threshold = constants.restitutionThreshold();
     chooseSoftness(constants);
     if (lanes != null && scratch.length != parallel.count()) {
       scratch = new float[parallel.count()][lanes.scratchSize()];
     }
     blocks.build(contacts, bodyStore, solverBodies, lanes);
+    this.solverBodies = solverBodies;
     v = solverBodies.state;
     scalar.begin(v);
     packer.begin(contacts, bodyStore, solverBodies, constants, substep);
@@ -285,9 +298,49 @@ public final class ContactSolver {
     }
   }
 
-  /** Adds the phases in which contacts bounce that came together fast. */
-  public void restitution(DomainPhases phases) {
-    restitution.solve(phases, v, h);
+  /**
+   * Returns whether impacts are possible in this step. If any contact of the table might bounce,
+   * all phases added so far are run, because packing tells.
+   */
+  public boolean bounces(DomainPhases phases, boolean mightBounce) {
+    if (mightBounce) {
+      phases.run();
+    }
+    return mightBounce && restitution.begin(solverBodies, h, threshold);
+  }
+
+  /**
+   * Returns whether impacts alone answer a contact in this substep. It depends on nothing but the
+   * contact and what its bodies met: others far away mustn't change how it is solved.
+   */
+  boolean isFree(int block, int i) {
+    return restitution.isFree(block, i);
+  }
+
+  /**
+   * Gives the free contacts of a block the biases that {@link ScalarContacts} gives them.
+   *
+   * @param block its number
+   * @param n holds the biases of the first points, then of the second ones
+   * @param at where they begin
+   * @param rigid whether they are those of relaxing
+   */
+  public void freeBiases(int block, float[] n, int at, boolean rigid) {
+    boolean two = (blocks.traits[block] & TWO) != 0;
+    for (int i = 0; i < blocks.used[block]; i++) {
+      if (isFree(block, i)) {
+        int lane = block * LANES + i;
+        n[at + i] = scalar.freeBias(lane, FIRST, n[at + i], rigid);
+        if (two) {
+          n[at + LANES + i] = scalar.freeBias(lane, SECOND, n[at + LANES + i], rigid);
+        }
+      }
+    }
+  }
+
+  /** Solves the impacts of a substep. No phases may be left to run. */
+  public void solveImpacts(DomainPhases phases) {
+    restitution.solve(phases);
   }
 
   /** Adds the phase that hands the impulses back to the table, but for those that overflowed. */

@@ -52,6 +52,9 @@ import static carom.physics.dynamics.solver.SolverBodies.W;
  * <p>Threads may visit contacts of different domains, or of the same colour, at once.
  */
 final class ScalarContacts {
+  /** A speed beyond all others, m/s. */
+  private static final float ANY_SPEED = 1e6f;
+
   private final ContactSolver solver;
   private final ContactBlocks blocks;
 
@@ -140,7 +143,10 @@ final class ScalarContacts {
     float old = d[p + NORMAL_IMPULSE];
     float normal;
     if ((trait & TWO) == 0) {
-      normal = solveNormal(p, normalSpeed, wa, wb, bias(gap, rate), gap > 0 ? 0 : softness) - old;
+      normal =
+          solveNormal(
+                  p, normalSpeed, wa, wb, bias(block, i, FIRST, gap, rate), gap > 0 ? 0 : softness)
+              - old;
       wa -= inertiaA * (d[p + NORMAL_ARM_A] * normal);
       wb += inertiaB * (d[p + NORMAL_ARM_B] * normal);
     } else {
@@ -155,7 +161,15 @@ final class ScalarContacts {
       float softCross = gap > 0 || gap2 > 0 ? 0 : softness * ContactSolver.COUPLING;
       float old2 = d[q + NORMAL_IMPULSE];
       solveNormalPair(
-          at, normalSpeed, wa, wb, bias(gap, rate), bias(gap2, rate), soft1, soft2, softCross);
+          at,
+          normalSpeed,
+          wa,
+          wb,
+          bias(block, i, FIRST, gap, rate),
+          bias(block, i, SECOND, gap2, rate),
+          soft1,
+          soft2,
+          softCross);
       normal = d[p + NORMAL_IMPULSE] - old;
       float normal2 = d[q + NORMAL_IMPULSE] - old2;
       wa -= inertiaA * (d[p + NORMAL_ARM_A] * normal + d[q + NORMAL_ARM_A] * normal2);
@@ -195,15 +209,15 @@ final class ScalarContacts {
     float old = d[p + NORMAL_IMPULSE];
     float normal;
     if ((trait & TWO) == 0) {
-      normal = solveNormal(p, normalSpeed, wa, wb, gap > 0 ? gap * solver.inverseH : 0, 0) - old;
+      normal = solveNormal(p, normalSpeed, wa, wb, closing(block, i, FIRST, gap), 0) - old;
       wa -= inertiaA * (d[p + NORMAL_ARM_A] * normal);
       wb += inertiaB * (d[p + NORMAL_ARM_B] * normal);
     } else {
       float gap2 = gap(q, motion, a, b);
       d[q + GAP] = gap2;
       float old2 = d[q + NORMAL_IMPULSE];
-      float bias = gap > 0 ? gap * solver.inverseH : 0;
-      float bias2 = gap2 > 0 ? gap2 * solver.inverseH : 0;
+      float bias = closing(block, i, FIRST, gap);
+      float bias2 = closing(block, i, SECOND, gap2);
       solveNormalPair(at, normalSpeed, wa, wb, bias, bias2, 0, 0, 0);
       normal = d[p + NORMAL_IMPULSE] - old;
       float normal2 = d[q + NORMAL_IMPULSE] - old2;
@@ -230,6 +244,28 @@ final class ScalarContacts {
     }
     addToTotals(p);
     applyImpulse(lane, at, normal, tangent, wa, wb);
+  }
+
+  /** Returns the speed at which a gap may close in the next substep, m/s. */
+  private float closing(int block, int i, int point, float gap) {
+    float bias = gap > 0 ? gap * solver.inverseH : 0;
+    return solver.isFree(block, i) ? freeBias(block * LANES + i, point, bias, true) : bias;
+  }
+
+  /**
+   * Returns the bias of a point that impacts alone answer. What parts after one isn't pushed: it
+   * would be lifted without losing speed. A gap that is about to bounce may close at any speed in
+   * the next substep: the impact comes first.
+   *
+   * @param bias what it is otherwise, m/s
+   * @param rigid whether the bias is that of relaxing
+   */
+  float freeBias(int lane, int point, float bias, boolean rigid) {
+    float speed = normalSpeed(lane, point);
+    if (rigid) {
+      return bias > 0 && -speed > solver.threshold ? ANY_SPEED : bias;
+    }
+    return bias < 0 && speed > solver.threshold ? 0 : bias;
   }
 
   private void addToTotals(int p) {
@@ -268,13 +304,14 @@ final class ScalarContacts {
   }
 
   /** Returns the speed at which a gap may close, or overlap is pushed apart (negative), m/s. */
-  private float bias(float gap, float rate) {
+  private float bias(int block, int i, int point, float gap, float rate) {
     if (gap > 0) {
       return gap * solver.inverseH;
     }
     float overlap = gap + solver.slop;
     float apart = rate * (overlap < 0 ? overlap : 0);
-    return apart > -solver.maxPushSpeed ? apart : -solver.maxPushSpeed;
+    float bias = apart > -solver.maxPushSpeed ? apart : -solver.maxPushSpeed;
+    return solver.isFree(block, i) ? freeBias(block * LANES + i, point, bias, false) : bias;
   }
 
   /** Solves the normal of a single point, and returns its impulse. */

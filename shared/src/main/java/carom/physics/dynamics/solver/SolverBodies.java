@@ -326,6 +326,13 @@ public final class SolverBodies {
     }
   }
 
+  /** Counts a change of a body's velocity as not made by contacts, which would repeat it. */
+  void countOut(int slot, float vx, float vy, float w) {
+    withoutContacts[slot * VELOCITY + VX] += vx;
+    withoutContacts[slot * VELOCITY + VY] += vy;
+    withoutContacts[slot * VELOCITY + W] += w;
+  }
+
   /** Counts the changes since {@link #beforeJoints} as not made by contacts. */
   public void afterJoints() {
     parallel.run(1, count, GRAIN, addingJointChanges);

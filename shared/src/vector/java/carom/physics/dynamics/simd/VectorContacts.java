@@ -242,9 +242,14 @@ public final class VectorContacts extends ContactLanes {
     }
     softness(s, d, at, solver.soft[softness]);
     bias(s, d, at + FIRST, 0, rate, solver.inverseH, solver.slop, solver.maxPushSpeed);
-    solveFriction(s, d, at, at + FIRST);
     if ((traits & ContactBlocks.TWO) != 0) {
       bias(s, d, at + SECOND, LANES, rate, solver.inverseH, solver.slop, solver.maxPushSpeed);
+    }
+    if ((traits & ContactBlocks.FREE) != 0) {
+      solver.freeBiases(block, s, BIAS, false);
+    }
+    solveFriction(s, d, at, at + FIRST);
+    if ((traits & ContactBlocks.TWO) != 0) {
       solveFriction(s, d, at, at + SECOND);
       solveNormalPair(s, d, at);
       applyAngularImpulsePair(s, d, at);
@@ -274,6 +279,11 @@ public final class VectorContacts extends ContactLanes {
     rigidBias(s, d, at + FIRST, 0, solver.inverseH);
     if ((traits & ContactBlocks.TWO) != 0) {
       rigidBias(s, d, at + SECOND, LANES, solver.inverseH);
+    }
+    if ((traits & ContactBlocks.FREE) != 0) {
+      solver.freeBiases(block, s, BIAS, true);
+    }
+    if ((traits & ContactBlocks.TWO) != 0) {
       solveNormalPair(s, d, at);
       applyAngularImpulsePair(s, d, at);
       solveFriction(s, d, at, at + FIRST);

@@ -1,4 +1,4 @@
-package carom.physics.dynamics.solver;
+package carom.physics.dynamics.colour;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
@@ -36,24 +36,24 @@ import java.util.Arrays;
  * colours depend on the touching contacts of this step alone, so there is no history to save or to
  * hash. One thread; allocates only when there are more contacts or bodies than ever before.
  */
-final class ContactColours {
+public final class ContactColours {
   /** The last colour among moving bodies, and with static ones; it takes what found no other. */
-  static final int LAST_COLOUR = 63;
+  public static final int LAST_COLOUR = 63;
 
   /** Colours of a domain: those among moving bodies, then those with static ones. */
-  static final int COLOURS = 2 * (LAST_COLOUR + 1);
+  public static final int COLOURS = 2 * (LAST_COLOUR + 1);
 
   /** Groups of a domain: every colour has one of contacts with one point, and one with two. */
-  static final int GROUPS = 2 * COLOURS;
+  public static final int GROUPS = 2 * COLOURS;
 
   /** Rows of the contacts to solve, in the order of their keys. */
-  int[] row = new int[0];
+  public int[] row = new int[0];
 
   /** Groups of these contacts. */
-  int[] group = new int[0];
+  public int[] group = new int[0];
 
   /** Per group, those of a domain one after the other: how many contacts it has. */
-  int[] size = new int[0];
+  public int[] size = new int[0];
 
   private int contacts;
   private int groups = GROUPS;
@@ -65,12 +65,12 @@ final class ContactColours {
   private long[] takenFixed = new long[0];
 
   /** Returns the number of contacts to solve. */
-  int contacts() {
+  public int contacts() {
     return contacts;
   }
 
   /** Returns the number of groups of all domains. */
-  int groups() {
+  public int groups() {
     return groups;
   }
 
@@ -78,7 +78,7 @@ final class ContactColours {
    * Finds the contacts to solve, touching and not vetoed, and gives each its group. Tells domains
    * which bodies are at their borders.
    */
-  void assign(ContactTable t, BodyStore b, ActiveBodies active, Domains domains) {
+  public void assign(ContactTable t, BodyStore b, ActiveBodies active, Domains domains) {
     ensure(t.count(), active.count, domains.count());
     boolean divided = domains.count() > 1;
     if (divided) {
@@ -161,7 +161,7 @@ final class ContactColours {
   }
 
   /** Returns whether the contacts of a group share no body that can be moved. */
-  static boolean isColour(int group) {
+  public static boolean isColour(int group) {
     return (group >> 1 & LAST_COLOUR) != LAST_COLOUR;
   }
 }

@@ -1,4 +1,4 @@
-package carom.physics.dynamics.solver;
+package carom.physics.dynamics.colour;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
@@ -14,7 +14,7 @@ import java.util.Arrays;
  * everything that colouring reads is equal, number by number; so nothing of it is saved, hashed or
  * sent, and no bit depends on which steps came before. Comparing costs a tenth of colouring.
  */
-final class ColourMemo {
+public final class ColourMemo {
   /** Flags of rows that aren't solved, or only look so. Steps with any aren't remembered. */
   private static final int REFUSED = ContactTable.DORMANT | ContactTable.VETOED;
 
@@ -33,7 +33,7 @@ final class ColourMemo {
   private float[] inverseMass = new float[0];
 
   /** Returns whether the colours of what was {@link #note noted} are those of this step. */
-  boolean holds(ContactTable t, BodyStore b, int edition) {
+  public boolean holds(ContactTable t, BodyStore b, int edition) {
     return valid
         && this.edition == edition
         && rows == t.count()
@@ -45,7 +45,7 @@ final class ColourMemo {
   }
 
   /** Notes what the colours of this step follow from. */
-  void note(ContactTable t, BodyStore b, int edition) {
+  public void note(ContactTable t, BodyStore b, int edition) {
     valid = b.slots() <= BODIES_PER_ROW * t.count() && plain(t);
     if (!valid) {
       return;
