@@ -211,6 +211,11 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
+    public void pace(int percent) {
+      game.pace(percent, nowNs);
+    }
+
+    @Override
     public void notice(String text) {
       view.notice(text, nowNs);
     }

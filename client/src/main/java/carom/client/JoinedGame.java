@@ -1,5 +1,6 @@
 package carom.client;
 
+import carom.client.clock.PacedTime;
 import carom.client.clock.RenderClock;
 import carom.client.clock.TickClock;
 import carom.client.events.EventListener;
@@ -55,6 +56,7 @@ final class JoinedGame {
   private final SnapshotDecoder decoder;
   private final SnapshotInbox inbox;
   private final EventReceiver events;
+  private final PacedTime time = new PacedTime();
   private final TickClock clock;
   private final RenderClock renderClock;
   private final Prediction prediction;
@@ -186,13 +188,18 @@ final class JoinedGame {
   }
 
   private void steerClocks(int tick, long arrivedNs, long nowNs, long roundTripNs) {
-    renderClock.snapshot(tick, arrivedNs, decoder.touchedCount() == 0);
+    renderClock.snapshot(tick, time.at(arrivedNs), decoder.touchedCount() == 0);
     if (!clock.started()) {
-      clock.start(nowNs, tick, roundTripNs);
+      clock.start(time.at(nowNs), tick, (long) (roundTripNs * time.pace()));
       view.tick(clock.tick());
       firstSnapshotNs = nowNs;
     }
-    clock.heard(tick, nowNs);
+    clock.heard(tick, time.at(nowNs));
+  }
+
+  /** Lets the clocks run at another pace, percent of the tick rate. */
+  void pace(int percent, long nowNs) {
+    time.pace(percent, nowNs);
   }
 
   /** Takes in a piece of the state of the level's pools. */
@@ -218,8 +225,8 @@ final class JoinedGame {
     double loss = stats.stats().lossPercent() / 100;
     renderClock.loss(loss);
     clock.loss(loss);
-    renderClock.advance(nowNs);
-    clock.advance(nowNs);
+    renderClock.advance(time.at(nowNs));
+    clock.advance(time.at(nowNs));
     if (playing) {
       while (clock.due() > 0) {
         runTick(clock.next(), nowNs);
@@ -229,7 +236,7 @@ final class JoinedGame {
     if (prediction != null) {
       prediction.advance(seconds);
     }
-    stats.clocks(clock, renderClock, tickRate);
+    stats.clocks(clock, renderClock, tickRate, time.pace());
   }
 
   /** Returns whether time has begun to pass: the first snapshot is here. */

@@ -226,6 +226,15 @@ final class ServerFlags {
   private int idleKickS;
 
   @Option(
+      names = "--max-load",
+      paramLabel = "X",
+      defaultValue = "0.8",
+      description =
+          "Largest part of their time that 95 of 100 ticks of a room may take for it to let"
+              + " newcomers in, 0..3; 0 = whatever they take (${DEFAULT-VALUE}).")
+  private double maxLoad;
+
+  @Option(
       names = "--checkpoint",
       paramLabel = "S",
       defaultValue = "0",
@@ -497,6 +506,7 @@ final class ServerFlags {
           .withThreads(threads)
           .withGraceMs(graceS * 1_000)
           .withIdleKickS(idleKickS)
+          .withMaxLoadPercent((int) Math.round(100 * Math.max(-1, Math.min(100, maxLoad))))
           .withInputHoldTicks(tickRate / 2)
           .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)
           .withStatusIntervalS(statusIntervalS)

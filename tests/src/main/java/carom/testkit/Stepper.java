@@ -43,6 +43,8 @@ public final class Stepper implements AutoCloseable {
   private final Function<ServerTransport, Server> servers;
   private final List<SimulatedClient> clients = new ArrayList<>();
   private long nowNs;
+  private long lookNs;
+  private long lookedNs;
   private Server server;
   private long hash;
   private int hashedTick = -1;
@@ -55,7 +57,11 @@ public final class Stepper implements AutoCloseable {
     servers =
         transport ->
             new Server(
-                settings, () -> Games.create(level.gameName()), level, transport, () -> nowNs);
+                settings,
+                () -> Games.create(level.gameName()),
+                level,
+                transport,
+                this::lookAtServerClock);
     startServer();
   }
 
@@ -64,7 +70,7 @@ public final class Stepper implements AutoCloseable {
     this.wire = wire;
     this.nowNs = startNs;
     ServerConfig settings = config.withStatusIntervalS(0);
-    servers = transport -> new Server(settings, rooms, library, transport, () -> nowNs);
+    servers = transport -> new Server(settings, rooms, library, transport, this::lookAtServerClock);
     startServer();
   }
 
@@ -108,6 +114,21 @@ public final class Stepper implements AutoCloseable {
   }
 
   // ---- the server
+
+  private long lookAtServerClock() {
+    lookedNs += lookNs;
+    return nowNs + lookedNs;
+  }
+
+  /**
+   * Makes the server's machine slow: by the clock with which the server measures its work, each
+   * look at that clock takes so long. Ticks are due by the scenario's time, as before.
+   *
+   * @param ns 0 for a machine that takes no time
+   */
+  public void serverTakes(long ns) {
+    lookNs = ns;
+  }
 
   /** Starts a fresh server at the same address, after {@link #stopServer}. */
   public void startServer() {

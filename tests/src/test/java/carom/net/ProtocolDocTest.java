@@ -235,6 +235,7 @@ class ProtocolDocTest {
                 List.of(
                     new ServerMessage.RoomEntry(
                         "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
+    golden.put("pace", codec.encode(new ServerMessage.Pace(75)));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put(
         "pool-chunk",

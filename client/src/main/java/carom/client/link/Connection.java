@@ -52,6 +52,9 @@ public final class Connection implements LinkHandler {
     /** Receives a line of the server for the player. */
     void notice(String text);
 
+    /** Receives the pace at which time passes from now on, percent of the tick rate. */
+    void pace(int percent);
+
     /** Receives a reliable message of the game. */
     void message(ServerMessage.GameMessage message);
 
@@ -259,6 +262,8 @@ public final class Connection implements LinkHandler {
       listener.rooms(rooms);
     } else if (received instanceof ServerMessage.Notice notice) {
       listener.notice(notice.text());
+    } else if (received instanceof ServerMessage.Pace pace && stage == Stage.PLAYING) {
+      listener.pace(pace.percent());
     } else if (received instanceof ServerMessage.GameMessage m && stage == Stage.PLAYING) {
       listener.message(m);
     } else if (received instanceof ServerMessage.PoolChunk chunk && stage == Stage.PLAYING) {

@@ -75,11 +75,11 @@ public final class NetStatsRecorder {
   }
 
   /** Notes where the clocks stand. */
-  public void clocks(TickClock clock, RenderClock renderClock, int tickRate) {
+  public void clocks(TickClock clock, RenderClock renderClock, double tickRate, double pace) {
     targetMargin = clock.targetMargin();
-    clockSpeed = clock.speed();
+    clockSpeed = clock.speed() * pace;
     jitterMs = renderClock.jitterMs();
-    interpolationDelayMs = renderClock.delayTicks() * 1_000 / tickRate;
+    interpolationDelayMs = renderClock.delayTicks() * 1_000 / (tickRate * pace);
   }
 
   /** Notes an event that fired. */

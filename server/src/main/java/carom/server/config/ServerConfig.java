@@ -32,6 +32,8 @@ import java.util.Objects;
  *     removes it at once
  * @param idleKickS time without another input after which a player gives way to a newcomer of a
  *     full room, s, 0..86,400; 0 = never
+ * @param maxLoadPercent time that 95 of 100 ticks of a room may take, percent of their period, up
+ *     to which it lets newcomers in, 0..300; 0 = whatever they take
  * @param catchUpTicks most ticks that a room runs in one burst after a pause, 1..60. A quarter of a
  *     second bridges a pause of the garbage collector or of a busy machine. The room drops and
  *     counts older ticks, so that a long pause doesn't cause a longer one
@@ -65,6 +67,7 @@ public record ServerConfig(
     int silenceTimeoutMs,
     int graceMs,
     int idleKickS,
+    int maxLoadPercent,
     int catchUpTicks,
     int inputWindowTicks,
     int inputHoldTicks,
@@ -119,6 +122,7 @@ public record ServerConfig(
     check("silenceTimeoutMs", silenceTimeoutMs, 500, 60_000, "withSilenceTimeoutMs");
     check("graceMs", graceMs, 0, 600_000, "--grace");
     check("idleKickS", idleKickS, 0, 86_400, "--idle-kick");
+    check("maxLoadPercent", maxLoadPercent, 0, 300, "--max-load");
     check("catchUpTicks", catchUpTicks, 1, 60, "withCatchUpTicks");
     check("inputWindowTicks", inputWindowTicks, 4, 64, "withInputWindowTicks");
     check("inputHoldTicks", inputHoldTicks, 0, 240, "withInputHoldTicks");
@@ -139,8 +143,8 @@ public record ServerConfig(
 
   /**
    * Returns the settings of a server that is started without any flag, but for {@code
-   * pausesIdleRooms}, which only {@code carom-server} sets: a program that drives a server by hand
-   * counts on its ticks.
+   * pausesIdleRooms} and {@code maxLoadPercent}, which only {@code carom-server} sets: a program
+   * that drives a server by hand counts on its ticks.
    */
   public static ServerConfig defaults() {
     return new ServerConfig(
@@ -156,6 +160,7 @@ public record ServerConfig(
         /* silenceTimeoutMs= */ 6_000,
         /* graceMs= */ 30_000,
         /* idleKickS= */ 60,
+        /* maxLoadPercent= */ 0,
         /* catchUpTicks= */ 15,
         /* inputWindowTicks= */ 32,
         /* inputHoldTicks= */ 30,
@@ -231,6 +236,11 @@ public record ServerConfig(
   /** Returns a copy with this time after which an idle player gives way. */
   public ServerConfig withIdleKickS(int value) {
     return Records.with(this, "idleKickS", value);
+  }
+
+  /** Returns a copy with this load up to which rooms let newcomers in, percent. */
+  public ServerConfig withMaxLoadPercent(int value) {
+    return Records.with(this, "maxLoadPercent", value);
   }
 
   /** Returns a copy with this catch-up bound. */

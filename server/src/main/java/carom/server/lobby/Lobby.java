@@ -95,7 +95,7 @@ public final class Lobby {
     this.directory = directory;
     this.config = config;
     this.transport = transport;
-    this.chooser = new RoomChooser(rooms);
+    this.chooser = new RoomChooser(rooms, config.maxLoadPercent());
     this.spectators = new Spectators(rooms);
     this.places = rooms.stream().mapToInt(room -> room.seats().count()).sum();
     this.entrance = new Entrance<>(placesToWait(places), placesToWait(places), Visitor::giveWay);
@@ -484,6 +484,11 @@ public final class Lobby {
       Room requested = waiting.room().isEmpty() ? null : directory.find(waiting.room());
       if (expecting == null && requested == null && !waiting.room().isEmpty()) {
         refuse(RefusalReason.ROOM_UNKNOWN, directory.describe());
+        return;
+      }
+      String overload = expecting == null ? chooser.overload(requested) : null;
+      if (overload != null) {
+        refuse(RefusalReason.OVERLOADED, overload);
         return;
       }
       boolean allowed = rate.allows(origin.host(), nowNs);

@@ -1,14 +1,17 @@
 package carom.server.lobby;
 
+import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import java.util.List;
 
 /** Finds the room for a newcomer. Rooms that have failed count as full. */
 final class RoomChooser {
   private final List<Room> rooms;
+  private final int maxLoadPercent;
 
-  RoomChooser(List<Room> rooms) {
+  RoomChooser(List<Room> rooms, int maxLoadPercent) {
     this.rooms = rooms;
+    this.maxLoadPercent = maxLoadPercent;
   }
 
   /** Returns the room that holds a seat for a session's secret, or null. */
@@ -34,7 +37,7 @@ final class RoomChooser {
     int mostOfGame = -1;
     for (Room room : rooms) {
       int taken = room.seats().takenCount();
-      if (taken >= room.seats().count() || room.hasFailed()) {
+      if (taken >= room.seats().count() || room.hasFailed() || isOverloaded(room)) {
         continue;
       }
       if (taken > most) {
@@ -47,6 +50,31 @@ final class RoomChooser {
       }
     }
     return fullestOfGame == null ? fullest : fullestOfGame;
+  }
+
+  /**
+   * Returns why a newcomer can't come in because of the load, or null.
+   *
+   * @param requested the one room that matters, or null for all open rooms
+   */
+  String overload(Room requested) {
+    int least = Integer.MAX_VALUE;
+    for (Room room : requested == null ? rooms : List.of(requested)) {
+      if (!room.hasFailed() && !isOverloaded(room)) {
+        return null;
+      }
+      least = Math.min(least, load(room));
+    }
+    return "Its ticks take %d %% of their time; newcomers may come below %d %%."
+        .formatted(least, maxLoadPercent);
+  }
+
+  private boolean isOverloaded(Room room) {
+    return maxLoadPercent > 0 && load(room) > maxLoadPercent;
+  }
+
+  private static int load(Room room) {
+    return (int) room.counters().get(Counter.LOAD_PERCENT);
   }
 
   /**

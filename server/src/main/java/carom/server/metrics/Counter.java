@@ -9,6 +9,12 @@ public enum Counter {
   TICKS_LATE("Steps that began at least one period after their deadline."),
   TICKS_DROPPED("Steps that never ran because the room was too far behind."),
   TICKS_OVERRUN("Steps that took longer than their period."),
+  LOAD_PERCENT(
+      Kind.GAUGE,
+      "Time that 95 of 100 ticks of the last 10 s took at most, percent of their period."),
+  PACE_PERCENT(
+      Kind.GAUGE,
+      "Ticks a second, percent of the tick rate: less than 100 when time is slowed down."),
   PLAYERS(Kind.GAUGE, "Players with a link."),
   PLAYERS_IN_GRACE(Kind.GAUGE, "Players whose link was lost and whose body waits for them."),
   PLAYERS_IDLE(Kind.GAUGE, "Players whose input hasn't changed for as long as --idle-kick says."),

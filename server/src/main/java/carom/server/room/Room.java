@@ -25,6 +25,7 @@ import carom.server.recording.RotatingRecording;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
 import carom.server.schedule.LoadWarnings;
+import carom.server.schedule.TickLoad;
 import carom.server.schedule.TickLoop;
 import carom.server.session.PartingLinks;
 import carom.server.session.RosterNews;
@@ -93,6 +94,7 @@ public final class Room {
   private final RoomPictures pictures = new RoomPictures();
   private final RoomRecording recording;
   private final TickLoop loop;
+  private final TickLoad load;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final RoomSessions sessions;
   private final RosterNews roster;
@@ -153,6 +155,7 @@ public final class Room {
     context = new RoomContext(config, label, counters, seats, firstMatch(loader));
     recording = new RoomRecording(context);
     loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
+    load = new TickLoad(config.tickRateHz());
     sessions = new RoomSessions(seats.count(), label, counters);
     Announcer announcer = new Announcer(sessions, config.tickRateHz());
     roster = new RosterNews(seats.count(), config.rosterIntervalMs());
@@ -280,6 +283,7 @@ public final class Room {
       loop.pause();
     }
     int due = paused ? 0 : loop.due(nowNs);
+    counters.set(Counter.LOAD_PERCENT, load.percent());
     warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
     for (int left = due; left > 0 && !closed; left--) {
@@ -339,6 +343,7 @@ public final class Room {
     int next = simulation.tick() + 1;
     for (int i = sessions.count() - 1; i >= 0; i--) {
       sessions.get(i).consumeInput(next);
+      sessions.get(i).tellPace(load.pacePercent());
     }
     post.collect();
     stages.end(TurnStage.INPUTS);
@@ -371,6 +376,10 @@ public final class Room {
     stages.end(TurnStage.REST);
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
+    if (load.tickTook(tookNs)) {
+      loop.pace(load.pacePercent(), nowNs + tookNs);
+      warnings.paceChanged(load.pacePercent(), nowNs);
+    }
     if (tookNs > loop.periodNs()) {
       counters.add(Counter.TICKS_OVERRUN, 1);
     }

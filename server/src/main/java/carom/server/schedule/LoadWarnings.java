@@ -18,6 +18,7 @@ public final class LoadWarnings {
   private final int tickRateHz;
   private final LogInterval dropped = new LogInterval();
   private final LogInterval postponed = new LogInterval();
+  private final LogInterval slowed = new LogInterval();
 
   /** Dropped ticks that no line has told of. */
   private long untold;
@@ -31,6 +32,7 @@ public final class LoadWarnings {
     this.label = label;
     this.counters = counters;
     this.tickRateHz = tickRateHz;
+    counters.set(Counter.PACE_PERCENT, 100);
   }
 
   /**
@@ -51,6 +53,23 @@ public final class LoadWarnings {
           tick,
           "if this repeats, lower --tick-rate or --max-players, or find a faster machine");
       untold = 0;
+    }
+  }
+
+  /**
+   * Notes that time has slowed down, or goes faster again.
+   *
+   * @param pacePercent the present pace, percent of the tick rate
+   */
+  public void paceChanged(int pacePercent, long nowNs) {
+    counters.set(Counter.PACE_PERCENT, pacePercent);
+    if (pacePercent < 100 && slowed.tryBegin(nowNs)) {
+      LOG.warn(
+          "{}ticks take longer than their time: time passes at {} percent for all players; {}",
+          label,
+          pacePercent,
+          "if this lasts, lower --max-players, --max-load or --tick-rate, or find a faster"
+              + " machine");
     }
   }
 

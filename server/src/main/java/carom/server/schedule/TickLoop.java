@@ -15,7 +15,10 @@ package carom.server.schedule;
 public final class TickLoop {
   private static final long NS_PER_S = 1_000_000_000L;
 
+  private static final long HUNDRED_S = 100 * NS_PER_S;
+
   private final int rateHz;
+  private long ticksIn100s;
   private final int catchUpTicks;
   private final long periodNs;
   private boolean started;
@@ -37,6 +40,7 @@ public final class TickLoop {
           "rateHz=%d and catchUpTicks=%d must be at least 1".formatted(rateHz, catchUpTicks));
     }
     this.rateHz = rateHz;
+    ticksIn100s = 100L * rateHz;
     this.catchUpTicks = catchUpTicks;
     this.periodNs = NS_PER_S / rateHz;
   }
@@ -58,9 +62,11 @@ public final class TickLoop {
     if (elapsedNs < 0) {
       return 0;
     }
-    // In two steps: elapsedNs * rateHz would overflow after some months of uptime.
+    // In two steps: elapsedNs * ticksIn100s would overflow after some months of uptime.
     long reached =
-        elapsedNs / NS_PER_S * rateHz + (elapsedNs % NS_PER_S * rateHz) / NS_PER_S - scheduled;
+        elapsedNs / HUNDRED_S * ticksIn100s
+            + (elapsedNs % HUNDRED_S * ticksIn100s) / HUNDRED_S
+            - scheduled;
     if (reached <= 0) {
       return 0;
     }
@@ -74,6 +80,18 @@ public final class TickLoop {
     return run;
   }
 
+  /**
+   * Lets time pass more slowly, or faster again: fewer ticks a second, none of which is made good.
+   *
+   * @param percent of the rate, 1..100
+   * @param nowNs the present
+   */
+  public void pace(int percent, long nowNs) {
+    ticksIn100s = (long) percent * rateHz;
+    startNs = nowNs;
+    scheduled = 0;
+  }
+
   /** Stops the clock. The next call of {@link #due} starts it anew, as the first one did. */
   public void pause() {
     started = false;
@@ -85,7 +103,9 @@ public final class TickLoop {
   public long nextDeadlineNs() {
     long next = scheduled + 1;
     // Rounded up, so that a wait until this moment is never a nanosecond short.
-    return startNs + next / rateHz * NS_PER_S + (next % rateHz * NS_PER_S + rateHz - 1) / rateHz;
+    return startNs
+        + next / ticksIn100s * HUNDRED_S
+        + (next % ticksIn100s * HUNDRED_S + ticksIn100s - 1) / ticksIn100s;
   }
 
   /** Returns the nominal length of a tick, ns, rounded down. */

@@ -79,6 +79,7 @@ public final class Session implements LinkHandler {
   private int silentTicks;
   private long lastInput;
   private int idleTicks;
+  private int toldPace;
   private long sequenceArrivalNs;
   private long graceEndNs;
   private LevelUpload upload;
@@ -154,6 +155,7 @@ public final class Session implements LinkHandler {
     feedback.consumedTick = tick;
     silentTicks = 0;
     idleTicks = 0;
+    toldPace = 100;
     knowsRoster = false;
     seat.follows();
   }
@@ -418,6 +420,14 @@ public final class Session implements LinkHandler {
     }
     feedback.margin = Math.max(MIN_MARGIN, Math.min(MAX_MARGIN, inputs.arrivalMarginTicks()));
     countInputs();
+  }
+
+  /** Tells the client at which pace time passes, in percent, if it plays and doesn't know. */
+  public void tellPace(int percent) {
+    if (percent != toldPace && state == SessionState.PLAYING) {
+      toldPace = percent;
+      send(new Broadcast(new ServerMessage.Pace(percent)));
+    }
   }
 
   /** Adds the inputs that wait for the next ticks, which clients of players near are told. */

@@ -11,6 +11,7 @@ import carom.net.protocol.ServerMessage.Goodbye;
 import carom.net.protocol.ServerMessage.Heard;
 import carom.net.protocol.ServerMessage.LevelChunk;
 import carom.net.protocol.ServerMessage.Notice;
+import carom.net.protocol.ServerMessage.Pace;
 import carom.net.protocol.ServerMessage.PoolChunk;
 import carom.net.protocol.ServerMessage.RecordingChunk;
 import carom.net.protocol.ServerMessage.Refused;
@@ -81,6 +82,7 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(Heard.class, new HeardSerializer(), id++);
     kryo.register(RoomList.class, new RoomListSerializer(), id++);
     kryo.register(PoolChunk.class, new PoolChunkSerializer(), id++);
+    kryo.register(Pace.class, new PaceSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -335,6 +337,18 @@ public final class KryoMessageCodec implements MessageCodec {
           (standing & READY) != 0,
           (standing & ALIVE) != 0,
           inRange("ping", in.readVarInt(true), 0, RosterEntry.MAX_PING_MS));
+    }
+  }
+
+  private static final class PaceSerializer extends MessageSerializer<Pace> {
+    @Override
+    void write(Output out, Pace m) {
+      out.writeByte(m.percent());
+    }
+
+    @Override
+    Pace read(Input in) {
+      return new Pace(inRange("percent", in.readByte(), 1, 100));
     }
   }
 

@@ -36,7 +36,9 @@ public enum RefusalReason {
   /** The client asked to watch, and the server shows its games to nobody. */
   NOT_SHOWN("This server shows its games to nobody.", false),
   /** The operator's backend decides who may join, and the join token doesn't let this player in. */
-  TOKEN_INVALID("This server lets in only players that its site sends.", false);
+  TOKEN_INVALID("This server lets in only players that its site sends.", false),
+  /** The server is too busy for more players. */
+  OVERLOADED("This server is too busy for more players.", true);
 
   private final String playerText;
   private final boolean retryUseful;

@@ -219,6 +219,14 @@ public sealed interface ServerMessage {
   record Notice(String text) implements ServerMessage {}
 
   /**
+   * Tells at which pace time passes. A server that is too slow runs fewer ticks a second, each of
+   * the same length.
+   *
+   * @param percent ticks a second in percent of the tick rate, 1..100; 100 until told otherwise
+   */
+  record Pace(int percent) implements ServerMessage {}
+
+  /**
    * Admits a spectator.
    *
    * @param delaySeconds delay of the spectator behind the present, 1..65,535 s

@@ -1,0 +1,104 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.game.Games;
+import carom.net.kryo.KryoServerTransport;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.sim.level.Level;
+import com.sun.management.UnixOperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+import java.net.Socket;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: whatever comes and goes leaves nothing behind. Method: heap after a collection, threads and
+ * open files, early and late. {@code -Dcarom.leak.ticks} and {@code -Dcarom.leak.cycles} run it for
+ * longer; it prints what it has seen.
+ */
+class LeakTest {
+  private static final int TICKS = Integer.getInteger("carom.leak.ticks", 12_000);
+  private static final int CYCLES = Integer.getInteger("carom.leak.cycles", 24);
+
+  /** What the process holds. */
+  private record Held(double heapMb, long threads, long files) {
+    static Held now() {
+      Runtime runtime = Runtime.getRuntime();
+      for (int i = 0; i < 3; i++) {
+        System.gc();
+      }
+      long files =
+          ManagementFactory.getOperatingSystemMXBean() instanceof UnixOperatingSystemMXBean unix
+              ? unix.getOpenFileDescriptorCount()
+              : 0;
+      long threads =
+          Thread.getAllStackTraces().keySet().stream()
+              .filter(t -> t.getName().startsWith("carom-"))
+              .count();
+      return new Held((runtime.totalMemory() - runtime.freeMemory()) / 1e6, threads, files);
+    }
+  }
+
+  @Test
+  void playersWhoComeAndGoLeaveNothingBehind() {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    SplittableRandom random = new SplittableRandom(seed);
+    try (Rig rig =
+        new Rig(ServerConfig.defaults().withMaxPlayers(16).withGraceMs(1_000), new TestGame(3))) {
+      Held early = null;
+      for (int tick = 0; tick < TICKS; tick++) {
+        if (tick == TICKS / 2) {
+          early = Held.now();
+        }
+        if (random.nextInt(10) == 0 && rig.clients.size() < 16) {
+          rig.connect().hello("p" + tick);
+        }
+        if (random.nextInt(12) == 0 && !rig.clients.isEmpty()) {
+          rig.clients.remove(random.nextInt(rig.clients.size())).link.close("churn");
+        }
+        rig.step();
+      }
+      Held late = Held.now();
+      long joins = rig.count(Counter.JOINS);
+      System.out.printf(
+          "leak: seed=%d ticks=%d joins=%d early=%s late=%s%n", seed, TICKS, joins, early, late);
+      assertTrue(joins > TICKS / 50, "joins=" + joins);
+      assertTrue(late.heapMb < early.heapMb + 2, early + " " + late);
+      assertEquals(early.threads, late.threads);
+    }
+  }
+
+  @Test
+  void serversThatStartAndStopLeaveNothingBehind() throws Exception {
+    Level level = Level.builtIn(Games.create("arena").defaultLevel());
+    Held early = null;
+    for (int cycle = 0; cycle < CYCLES; cycle++) {
+      if (cycle == CYCLES / 2) {
+        early = Held.now();
+      }
+      int port;
+      try (Server server =
+          new Server(
+              ServerConfig.defaults().withStatusIntervalS(0),
+              () -> Games.create("arena"),
+              level,
+              new KryoServerTransport(0, 0),
+              System::nanoTime)) {
+        server.tick(System.nanoTime());
+        port = server.tcpPort();
+        try (Socket stranger = new Socket("127.0.0.1", port)) {
+          assertTrue(stranger.getInputStream().read() >= 0);
+        }
+      }
+      new java.net.ServerSocket(port).close(); // throws if the port is still taken
+    }
+    Held late = Held.now();
+    System.out.printf("leak: cycles=%d early=%s late=%s%n", CYCLES, early, late);
+    assertEquals(early.threads, late.threads);
+    assertTrue(late.files <= early.files + 2, early + " " + late);
+    assertTrue(late.heapMb < early.heapMb + 2, early + " " + late);
+  }
+}

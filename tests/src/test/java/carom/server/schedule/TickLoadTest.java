@@ -1,0 +1,73 @@
+package carom.server.schedule;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+/** Goal: time slows down as much as a slow machine needs, and no more. */
+class TickLoadTest {
+  private static final long MS = 1_000_000L;
+
+  private final TickLoad load = new TickLoad(50); // 20 ms each
+
+  private void ticks(int count, long tookNs) {
+    for (int i = 0; i < count; i++) {
+      load.tickTook(tookNs);
+    }
+  }
+
+  @Test
+  void theLoadIsThe95thPercentileOfTenSeconds() {
+    ticks(499, 10 * MS);
+    assertEquals(0, load.percent(), "not before ten seconds are over");
+    ticks(1, 10 * MS);
+    assertEquals(50, load.percent());
+    ticks(24, 40 * MS);
+    assertEquals(50, load.percent(), "24 of 500 ticks");
+    ticks(10, 40 * MS);
+    assertEquals(200, load.percent());
+    ticks(500, MS);
+    assertEquals(6, load.percent(), "in steps of two percent, rounded up");
+    ticks(500, 1_000 * MS);
+    assertEquals(300, load.percent());
+  }
+
+  @Test
+  void ticksThatTakeLongerThanTheirPeriodSlowTimeDownUntilTheyFit() {
+    ticks(25, 30 * MS);
+    assertEquals(55, load.pacePercent(), "36.4 ms a tick, of which 30 are used");
+    ticks(1_000, 30 * MS);
+    assertEquals(55, load.pacePercent(), "it stays");
+    ticks(25, 15 * MS);
+    assertEquals(60, load.pacePercent(), "one step each half second");
+    ticks(1_000, 5 * MS);
+    assertEquals(100, load.pacePercent());
+    ticks(25, 10_000 * MS);
+    assertEquals(TickLoad.SLOWEST_PERCENT, load.pacePercent());
+  }
+
+  @Test
+  void oneLongPauseSlowsNothingDown() {
+    ticks(24, 2 * MS);
+    assertFalse(load.tickTook(200 * MS));
+    assertEquals(100, load.pacePercent());
+  }
+
+  @Test
+  void aSlowLoopHandsOutFewerTicksAndNoBurst() {
+    TickLoop loop = new TickLoop(50, 15);
+    long start = 1_000 * MS;
+    loop.due(start);
+    loop.pace(60, start + 500 * MS);
+    int ticks = 0;
+    for (long now = 501; now <= 10_500; now++) {
+      int due = loop.due(start + now * MS);
+      assertTrue(due <= 1, "due=" + due);
+      ticks += due;
+    }
+    assertEquals(300, ticks, 1, "30 a second");
+    assertEquals(0, loop.droppedTicks());
+  }
+}
