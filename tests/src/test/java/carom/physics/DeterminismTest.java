@@ -11,9 +11,9 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
+import carom.testkit.Allocations;
 import java.io.File;
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -340,18 +340,18 @@ final class DeterminismTest {
       w.stateHash();
       w.body(5).forEachContact((other, nx, ny, impulse) -> {});
     }
-    var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long least = Long.MAX_VALUE;
-    for (int attempt = 0; attempt < 5; attempt++) {
-      long before = threads.getCurrentThreadAllocatedBytes();
-      for (int i = 0; i < 60; i++) {
-        w.step(DT);
-        w.save(s);
-        w.restore(s);
-        w.stateHash();
-      }
-      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
-    }
+    WorldState state = s;
+    long least =
+        Allocations.least(
+            5,
+            () -> {
+              for (int i = 0; i < 60; i++) {
+                w.step(DT);
+                w.save(state);
+                w.restore(state);
+                w.stateHash();
+              }
+            });
     assertTrue(least < 200, "bytes in 60 steps: " + least);
   }
 }

@@ -12,7 +12,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.geometry.Circle;
-import java.lang.management.ManagementFactory;
+import carom.testkit.Allocations;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -301,18 +301,18 @@ final class JointLifeTest {
       w.restore(s);
       w.stateHash();
     }
-    var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long least = Long.MAX_VALUE;
-    for (int attempt = 0; attempt < 5; attempt++) {
-      long before = threads.getCurrentThreadAllocatedBytes();
-      for (int i = 0; i < 60; i++) {
-        w.step(DT);
-        w.save(s);
-        w.restore(s);
-        w.stateHash();
-      }
-      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
-    }
+    WorldState state = s;
+    long least =
+        Allocations.least(
+            5,
+            () -> {
+              for (int i = 0; i < 60; i++) {
+                w.step(DT);
+                w.save(state);
+                w.restore(state);
+                w.stateHash();
+              }
+            });
     assertTrue(least < 200, "bytes in 60 steps: " + least);
   }
 

@@ -4,6 +4,7 @@ import static carom.physics.Scenes.DT;
 import static carom.physics.Scenes.box;
 import static carom.physics.Scenes.disc;
 import static carom.physics.Scenes.steps;
+import static carom.physics.truth.Lab.period;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -21,27 +22,6 @@ final class JointTest {
   /** Distance of the two anchors. */
   static double gap(Joint<?> j) {
     return Math.hypot(j.anchorBX() - j.anchorAX(), j.anchorBY() - j.anchorAY());
-  }
-
-  /** Seconds between two passages of zero in the same direction, over so many of them. */
-  private static double period(World<?> w, java.util.function.DoubleSupplier q, int periods) {
-    double last = q.getAsDouble();
-    double first = -1;
-    int passed = 0;
-    for (int tick = 1; tick < 6000; tick++) {
-      w.step(DT);
-      double now = q.getAsDouble();
-      if (last < 0 && now >= 0) {
-        double at = (tick - now / (now - last)) / 60;
-        if (first < 0) {
-          first = at;
-        } else if (++passed == periods) {
-          return (at - first) / periods;
-        }
-      }
-      last = now;
-    }
-    throw new AssertionError("does not swing");
   }
 
   /** A physical pendulum: T = 2 pi sqrt((I + m l^2) / (m g l)), small angles. */

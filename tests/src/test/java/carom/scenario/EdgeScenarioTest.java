@@ -146,14 +146,7 @@ class EdgeScenarioTest {
       stepper.run(4);
       stepper.stallServer(seconds);
       stepper.run(4); // the client has waited for the server instead of running ahead
-      long corrections = client.stats().corrections();
-      long missing = stepper.count(Counter.INPUTS_MISSING);
-      stepper.run(5);
-      String about = stepper.describe();
-      assertEquals(0, client.stats().reconnects(), about);
-      assertEquals(missing, stepper.count(Counter.INPUTS_MISSING), about);
-      assertEquals(corrections, client.stats().corrections(), about);
-      assertEquals(client.stats().targetMargin(), client.stats().inputMargin(), 2, about);
+      assertPlaysOn(stepper, client);
     }
   }
 
@@ -169,15 +162,19 @@ class EdgeScenarioTest {
       stepper.run(seconds);
       client.freeze(false);
       stepper.run(4);
-      long corrections = client.stats().corrections();
-      long missing = stepper.count(Counter.INPUTS_MISSING);
-      stepper.run(5);
-      String about = stepper.describe();
-      assertEquals(0, client.stats().reconnects(), about);
-      assertEquals(missing, stepper.count(Counter.INPUTS_MISSING), about);
-      assertEquals(corrections, client.stats().corrections(), about);
-      assertEquals(client.stats().targetMargin(), client.stats().inputMargin(), 2, about);
+      assertPlaysOn(stepper, client);
     }
+  }
+
+  private static void assertPlaysOn(Stepper stepper, SimulatedClient client) {
+    long corrections = client.stats().corrections();
+    long missing = stepper.count(Counter.INPUTS_MISSING);
+    stepper.run(5);
+    String about = stepper.describe();
+    assertEquals(0, client.stats().reconnects(), about);
+    assertEquals(missing, stepper.count(Counter.INPUTS_MISSING), about);
+    assertEquals(corrections, client.stats().corrections(), about);
+    assertEquals(client.stats().targetMargin(), client.stats().inputMargin(), 2, about);
   }
 
   @Test

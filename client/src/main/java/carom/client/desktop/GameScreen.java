@@ -304,7 +304,8 @@ final class GameScreen extends ScreenAdapter {
       conversation.draw(view, hud, picture.camera(), nowNs);
     }
     rooms.draw(view, deltaSeconds);
-    netGraph.draw(view, picture.camera(), nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
+    float fps = Gdx.graphics.getFramesPerSecond();
+    netGraph.draw(view, picture.camera(), nowNs, fps, deltaSeconds, hints.height());
     if (pause.isOpen()) {
       hud.veil();
       pause.draw(deltaSeconds);

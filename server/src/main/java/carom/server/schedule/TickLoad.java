@@ -11,7 +11,7 @@ package carom.server.schedule;
  */
 public final class TickLoad {
   /** Slowest pace, percent of the tick rate. */
-  public static final int SLOWEST_PERCENT = 20;
+  public static final int SLOWEST_PERCENT = 5;
 
   private static final int SECONDS = 10;
   private static final double PERCENTILE = 0.95;

@@ -228,7 +228,7 @@ public abstract class ClientEnd extends FramedLink {
 
   private void readGreeting(ByteBuffer buffer) {
     if (greeting != null || buffer.remaining() != Frame.GREETING_BYTES) {
-      lose(tcpRegistered ? "the server greeted twice" : notCarom());
+      lose(tcpRegistered ? "the server greeted twice" : notCarom() + " of this version");
       return;
     }
     greeting = new byte[Frame.GREETING_BYTES];

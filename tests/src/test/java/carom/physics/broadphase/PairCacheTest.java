@@ -10,7 +10,7 @@ import carom.physics.broadphase.Boxes.Layout;
 import carom.physics.broadphase.index.BruteForce;
 import carom.physics.broadphase.index.PairVisitor;
 import carom.physics.broadphase.kd.KdTree;
-import java.lang.management.ManagementFactory;
+import carom.testkit.Allocations;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -208,19 +208,16 @@ class PairCacheTest {
     cache.rebuild(scene.boxes(), scene.ids(), 3000);
     long[] count = new long[1];
     PairVisitor visitor = (a, b) -> count[0]++;
-    com.sun.management.ThreadMXBean threads =
-        (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long me = Thread.currentThread().getId();
-    long least = Long.MAX_VALUE;
-    for (int round = 0; round < 6; round++) {
-      long before = threads.getThreadAllocatedBytes(me);
-      for (int tick = 0; tick < 60; tick++) {
-        scene.step();
-        cache.refit();
-        cache.pairs(visitor);
-      }
-      least = Math.min(least, threads.getThreadAllocatedBytes(me) - before);
-    }
+    long least =
+        Allocations.least(
+            6,
+            () -> {
+              for (int tick = 0; tick < 60; tick++) {
+                scene.step();
+                cache.refit();
+                cache.pairs(visitor);
+              }
+            });
     assertTrue(least < 200, "bytes in 60 ticks=" + least + " (the counter itself needs a few)");
   }
 }

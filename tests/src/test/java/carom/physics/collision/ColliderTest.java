@@ -9,8 +9,7 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Polygon;
 import carom.physics.math.Transform;
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
+import carom.testkit.Allocations;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -317,18 +316,17 @@ final class ColliderTest {
     Transform tb = new Transform(0.7f, 0.3f, 0.5f);
     Sat sat = new Sat();
     Mtv mtv = new Mtv();
-    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long least = Long.MAX_VALUE;
-    for (int round = 0; round < 5; round++) {
-      long before = threads.getCurrentThreadAllocatedBytes();
-      for (int i = 0; i < 90_000; i++) {
-        Convex a = shapes[i % 3];
-        Convex b = shapes[i / 3 % 3];
-        collider.collide(a, ta, b, tb, 0.1f, m);
-        sat.mtv(a, ta, b, tb, mtv);
-      }
-      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
-    }
+    long least =
+        Allocations.least(
+            5,
+            () -> {
+              for (int i = 0; i < 90_000; i++) {
+                Convex a = shapes[i % 3];
+                Convex b = shapes[i / 3 % 3];
+                collider.collide(a, ta, b, tb, 0.1f, m);
+                sat.mtv(a, ta, b, tb, mtv);
+              }
+            });
     assertTrue(least < 1024, "bytes=" + least);
   }
 }

@@ -16,7 +16,7 @@ import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
-import java.lang.management.ManagementFactory;
+import carom.testkit.Allocations;
 import org.junit.jupiter.api.Test;
 
 /** Floating bodies against closed forms. */
@@ -261,15 +261,14 @@ final class BuoyancyTest {
     for (int i = 0; i < 2000; i++) {
       tick.run();
     }
-    var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long least = Long.MAX_VALUE;
-    for (int attempt = 0; attempt < 5; attempt++) {
-      long before = threads.getCurrentThreadAllocatedBytes();
-      for (int i = 0; i < 60; i++) {
-        tick.run();
-      }
-      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
-    }
+    long least =
+        Allocations.least(
+            5,
+            () -> {
+              for (int i = 0; i < 60; i++) {
+                tick.run();
+              }
+            });
     assertTrue(least < 200, "bytes in 60 ticks: " + least);
   }
 }

@@ -21,7 +21,7 @@ import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import carom.physics.particles.ParticleDef.Kind;
-import java.lang.management.ManagementFactory;
+import carom.testkit.Allocations;
 import org.junit.jupiter.api.Test;
 
 /** Water and sand, alone and among bodies. */
@@ -293,19 +293,18 @@ final class ParticlesTest {
     body(w, new Box(.5f, .5f), .5f, 0, 8);
     assertEquals(10_000, p.count());
     run(w, p, 60);
-    var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     ParticleState s = p.save(null);
-    long least = Long.MAX_VALUE;
-    for (int attempt = 0; attempt < 5; attempt++) {
-      long before = threads.getCurrentThreadAllocatedBytes();
-      for (int i = 0; i < 10; i++) {
-        run(w, p, 1);
-        p.save(s);
-        p.restore(s);
-        p.stateHash();
-      }
-      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
-    }
+    long least =
+        Allocations.least(
+            5,
+            () -> {
+              for (int i = 0; i < 10; i++) {
+                run(w, p, 1);
+                p.save(s);
+                p.restore(s);
+                p.stateHash();
+              }
+            });
     assertTrue(least < 200, "bytes in 10 steps: " + least);
     assertEquals(10_000, p.count());
   }

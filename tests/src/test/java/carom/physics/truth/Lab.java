@@ -14,7 +14,7 @@ import carom.physics.geometry.Shape;
 import java.util.function.DoubleSupplier;
 
 /** Apparatus of the experiments: worlds, bodies, meters. */
-final class Lab {
+public final class Lab {
   static final float DT = 1 / 60f;
 
   /** Length of a substep of the default world, s. */
@@ -159,7 +159,7 @@ final class Lab {
    * Seconds between two upward passages of zero, averaged over some periods; passages are found by
    * linear interpolation between ticks.
    */
-  static double period(World<?> w, DoubleSupplier q, int periods) {
+  public static double period(World<?> w, DoubleSupplier q, int periods) {
     double last = q.getAsDouble();
     double first = -1;
     int passed = 0;

@@ -12,7 +12,8 @@ import com.badlogic.gdx.graphics.Color;
  */
 public final class KeyHints {
   private static final float SHOWN_SECONDS = 12;
-  private static final float BOTTOM = 12;
+  private static final float BOTTOM = 14;
+  private static final float EDGE = 4;
 
   private final Hud hud;
   private final Fonts fonts;
@@ -21,6 +22,7 @@ public final class KeyHints {
   private String hintsOf = "";
   private String about = "";
   private float left = SHOWN_SECONDS;
+  private float height; // as they were drawn last
 
   /** Creates hints that show. The arguments stay the property of the caller. */
   public KeyHints(Hud hud, Fonts fonts) {
@@ -52,11 +54,21 @@ public final class KeyHints {
       hintsOf = view.game();
       about = Games.create(hintsOf).description();
     }
+    float alpha = Math.max(0, Math.min(1, left));
+    if (height > 0) {
+      color.set(Theme.PANEL).a *= alpha;
+      hud.panel(EDGE, EDGE, hud.windowWidth() - 2 * EDGE, height - EDGE, color);
+    }
     hud.begin();
-    color.set(Theme.TEXT).a = Math.max(0, Math.min(1, left)) * 0.95f;
+    color.set(Theme.TEXT).a = alpha * 0.95f;
     float top = hud.paragraph(fonts.text(), keys, BOTTOM, color);
-    color.set(Theme.ACCENT).a = Math.max(0, Math.min(1, left)) * 0.95f;
-    hud.paragraph(fonts.text(), about, top + 8, color);
+    color.set(Theme.ACCENT).a = alpha * 0.95f;
+    height = hud.paragraph(fonts.text(), about, top + 8, color) + BOTTOM - EDGE;
     hud.end();
+  }
+
+  /** Returns how much of the window's lower edge the hints take, points; 0 when they are gone. */
+  public float height() {
+    return left > 0 ? height : 0;
   }
 }

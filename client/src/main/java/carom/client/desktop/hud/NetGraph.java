@@ -77,9 +77,15 @@ public final class NetGraph {
    * @param nowNs the present, by the clock of the client's updates
    * @param framesPerSecond of the window
    * @param seconds since the last picture
+   * @param below height at the window's lower edge to keep free, points
    */
   public void draw(
-      ClientView view, ViewCamera camera, long nowNs, float framesPerSecond, float seconds) {
+      ClientView view,
+      ViewCamera camera,
+      long nowNs,
+      float framesPerSecond,
+      float seconds,
+      float below) {
     if (size == Size.OFF) {
       return;
     }
@@ -101,7 +107,7 @@ public final class NetGraph {
               atBottomRight, at.x, at.y, hud.windowWidth(), hud.height(), width, height);
     }
     float left = atBottomRight ? hud.windowWidth() - width - PAD : PAD;
-    float bottom = atBottomRight ? PAD : PAD + free;
+    float bottom = atBottomRight ? Math.min(PAD + below, PAD + free) : PAD + free;
     hud.panel(left, bottom, width, height);
     float top = bottom + height - PAD;
     float graphsTop = top - lines * LINE;

@@ -36,6 +36,7 @@ final class JoinPage implements Page {
   private TextField address;
   private String entered;
   private String message = "";
+  private String progress = "";
 
   /**
    * Creates a page.
@@ -55,6 +56,7 @@ final class JoinPage implements Page {
   /** Shows why the player is here again; an empty text shows nothing. */
   void message(String text) {
     message = text;
+    progress = "";
   }
 
   @Override
@@ -82,6 +84,9 @@ final class JoinPage implements Page {
     buttons.add(widgets.button("Show rooms", this::browse)).width(150);
     buttons.add(widgets.button("Watch", this::watch)).width(110);
     into.add(buttons).colspan(2).growX().row();
+    if (!progress.isEmpty()) {
+      into.add(widgets.muted(progress)).colspan(2).row();
+    }
     if (!message.isEmpty()) {
       into.add(widgets.problem(message)).colspan(2).growX().row();
     }
@@ -182,7 +187,7 @@ final class JoinPage implements Page {
   private void watch() {
     ServerAddress server = server();
     if (server != null) {
-      message = "Asking " + server + " for its game ...";
+      progress = "Asking " + server + " for its game ...";
       rebuild.run();
       target.watch(server, 1);
     }
@@ -192,7 +197,7 @@ final class JoinPage implements Page {
   private void browse() {
     ServerAddress server = server();
     if (server != null && browser == null) {
-      message = "Asking " + server + " ...";
+      progress = "Asking " + server + " ...";
       rooms = List.of();
       browser = target.browse(server);
       rebuild.run();
@@ -222,6 +227,7 @@ final class JoinPage implements Page {
       browser.update(nowNs);
       if (browser.isDone()) {
         message = browser.problem();
+        progress = "";
         rooms = browser.rooms();
         browser = null;
         changed = true;
@@ -259,6 +265,7 @@ final class JoinPage implements Page {
     known.clear();
     rooms = List.of();
     message = "";
+    progress = "";
     if (browser != null) {
       browser.close();
       browser = null;

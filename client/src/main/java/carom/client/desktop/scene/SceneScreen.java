@@ -243,7 +243,7 @@ public final class SceneScreen extends ScreenAdapter {
   private void title() {
     float y = hud.height() - PAD;
     float room = Math.max(560, hud.width(fonts.text(), player.scene().description()) + 2 * PAD);
-    hud.panel(PAD / 2, y - 3 * LINE - 22, room, 3 * LINE + 28);
+    hud.panel(PAD / 2, y - 3 * LINE - 30, room, 3 * LINE + 36);
     hud.begin();
     hud.left(fonts.large(), player.scene().name().replace('_', ' '), PAD, y, Theme.TEXT);
     hud.left(fonts.text(), player.scene().description(), PAD, y - 28, Theme.ACCENT);
