@@ -256,7 +256,10 @@ class CheckpointTest {
     KeptServer kept = new KeptServer(KeptServer.library(), List.of("chain"), path, START_NS);
     try {
       kept.runTo(100);
-      Path files = Files.list(path).filter(Files::isDirectory).findFirst().orElseThrow();
+      Path files;
+      try (Stream<Path> all = Files.list(path)) {
+        files = all.filter(Files::isDirectory).findFirst().orElseThrow();
+      }
       Path away = Files.move(files, folder.resolve("away"));
       stepUntil(kept, () -> kept.server.count(Counter.CHECKPOINTS_FAILED) >= 3);
       assertEquals(1, lines(log, "another one is tried each second"));

@@ -15,8 +15,6 @@ import carom.server.config.ServerConfig;
 import carom.server.match.LevelUpload;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.server.metrics.LogInterval;
-import carom.server.prediction.PredictionAudit.Finding;
 import carom.server.replication.SessionReplication;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
@@ -74,7 +72,7 @@ public final class Session implements LinkHandler {
   private volatile Link link;
   private int datagramKey;
   private int viewDelay;
-  private final LogInterval divergenceLines = new LogInterval();
+  private final DivergenceReports reports;
   private long nowNs;
   private int silentTicks;
   private long lastInput;
@@ -120,6 +118,7 @@ public final class Session implements LinkHandler {
     this.replication = replication;
     this.messages = messages;
     this.counters = counters;
+    this.reports = new DivergenceReports(this, counters);
     this.inputs = new InputBuffer(config.inputWindowTicks(), config.inputHoldTicks());
   }
 
@@ -276,7 +275,7 @@ public final class Session implements LinkHandler {
     } else if (message instanceof ClientMessage.Look look) {
       replication.look(look);
     } else if (message instanceof ClientMessage.Diverged report) {
-      judge(report);
+      reports.receive(report, replication, nowNs);
     } else if (message instanceof ClientMessage.Heard heard) {
       messages.heard(heard);
     } else if (message instanceof ClientMessage.PoolRequest request
@@ -324,27 +323,6 @@ public final class Session implements LinkHandler {
     if (departure == Departure.NONE) {
       departure = Departure.EXPEL;
       offence = forOffence;
-    }
-  }
-
-  /** Counts a report of a misprediction, and logs it now and then if nothing explains it. */
-  private void judge(ClientMessage.Diverged report) {
-    counters.add(Counter.DIVERGENCES_REPORTED, 1);
-    if (replication.judge(report) != Finding.UNEXPLAINED) {
-      return;
-    }
-    counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
-    if (divergenceLines.tryBegin(nowNs)) {
-      LOG.warn(
-          report.ofSet()
-              ? "diverged: {} predicted tick {} of what is near otherwise, though equal at tick"
-                  + " {}:{}"
-              : "diverged: {} predicted tick {} otherwise, though equal at tick {} and alone"
-                  + " since:{}",
-          this,
-          report.tick(),
-          report.equalTick(),
-          replication.describe(report));
     }
   }
 
@@ -407,6 +385,7 @@ public final class Session implements LinkHandler {
       return;
     }
     silentTicks++;
+    reports.tick(inputs.newestTick(), replication, nowNs);
     long input = inputs.consume(tick);
     idleTicks++;
     if (!inputs.lastWasMissing() && input != lastInput) {

@@ -202,8 +202,8 @@ final class Selection {
   }
 
   /**
-   * Returns the next slot, ascending, that goes alone, as it has no frame to be coded
-   * against; {@link SlotSet#NONE} at the end.
+   * Returns the next slot, ascending, that goes alone, as it has no frame to be coded against;
+   * {@link SlotSet#NONE} at the end.
    */
   int nextSingle(FrameState now) {
     SlotSet from = onSpare ? spare : chosen;

@@ -147,6 +147,13 @@ class LevelTest {
             "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"compound\", \"parts\":\n"
                 + "[{\"type\": \"compound\", \"parts\": []}]}}]",
             "5:11: statics[0].shape.parts[0].type=\"compound\" can't be part of a compound"));
+    c.addAll(contentCases());
+    return c;
+  }
+
+  /** Returns the cases of materials and of what stands in a level. */
+  private static List<Case> contentCases() {
+    List<Case> c = new ArrayList<>();
     c.add(
         meaning(
             "material unknown",
