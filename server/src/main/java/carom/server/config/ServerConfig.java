@@ -165,7 +165,7 @@ public record ServerConfig(
         /* inputWindowTicks= */ 32,
         /* inputHoldTicks= */ 30,
         /* snapshotRateHz= */ 60,
-        /* keepAliveRateHz= */ 4,
+        /* keepAliveRateHz= */ 6,
         /* snapshotBitsPerSecond= */ 512_000,
         /* viewMetres= */ 0,
         /* rosterIntervalMs= */ 250,

@@ -18,7 +18,11 @@ final class RoomHistory {
   private static final double BITS_PER_KBIT = 125;
   private static final TurnStage[] STAGES = TurnStage.values();
   private static final Counter[] GAUGES = {
-    Counter.PLAYERS, Counter.PLAYERS_IN_GRACE, Counter.SPECTATORS
+    Counter.PLAYERS,
+    Counter.PLAYERS_IN_GRACE,
+    Counter.SPECTATORS,
+    Counter.LOAD_PERCENT,
+    Counter.PACE_PERCENT
   };
 
   /** Counters whose growth in the second is shown. */

@@ -28,6 +28,8 @@ const charts = [
     {name: 'rest', label: 'rest', colour: 4}]},
   {title: 'Tick time', unit: 'ms', series: [
     {name: 'p50', label: 'median', colour: 3}, {name: 'p99', label: 'p99', colour: 2}, {name: 'max', label: 'longest', colour: 6}]},
+  {title: 'Load', unit: '%', series: [
+    {name: 'load_percent', label: 'of a tick\'s time, 95 %', colour: 1}, {name: 'pace_percent', label: 'pace of time', colour: 2}]},
   {title: 'Bandwidth', unit: 'kbit/s', series: [
     {name: 'outKbit', label: 'out', colour: 1}, {name: 'inKbit', label: 'in', colour: 3}]},
   {title: 'Clients', unit: '', series: [
