@@ -356,14 +356,14 @@ public class KryoTransportTest {
         assertNotEquals(null, late.state());
       }
     }
-    eventually(() -> caromThreads() == 0, () -> "threads=" + caromThreads());
+    eventually(() -> caromThreads().isEmpty(), () -> "threads=" + caromThreads());
   }
 
-  private static int caromThreads() {
-    return (int)
-        Thread.getAllStackTraces().keySet().stream()
-            .filter(thread -> thread.getName().startsWith("carom-"))
-            .count();
+  private static List<String> caromThreads() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .map(Thread::getName)
+        .filter(name -> name.startsWith("carom-"))
+        .toList();
   }
 
   @Test
@@ -430,7 +430,7 @@ public class KryoTransportTest {
         assertFalse(link.closeReason().isBlank());
       }
     }
-    eventually(() -> caromThreads() == 0, () -> "threads=" + caromThreads());
+    eventually(() -> caromThreads().isEmpty(), () -> "threads=" + caromThreads());
   }
 
   private static byte[] join(byte[] a, byte[] b) {
@@ -499,6 +499,6 @@ public class KryoTransportTest {
       }
       network.pair();
     }
-    eventually(() -> caromThreads() == 0, () -> "threads=" + caromThreads());
+    eventually(() -> caromThreads().isEmpty(), () -> "threads=" + caromThreads());
   }
 }
