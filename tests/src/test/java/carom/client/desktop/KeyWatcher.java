@@ -12,8 +12,9 @@ import java.awt.image.BufferedImage;
 
 /**
  * A program that opens the client's window, presses keys as a user does, through the display, and
- * looks at the screen: prints for each press how far the own body has moved, in pixels, by the end
- * of the second frame after it. Then it opens the menu and closes it.
+ * looks at the screen: prints for each press how many pixels around the own body differ by the end
+ * of the second frame after it, and how many did while it rested. Then it opens the menu and closes
+ * it.
  */
 final class KeyWatcher {
   private static final int TOLERANCE = 10;
@@ -71,13 +72,15 @@ final class KeyWatcher {
       found = find(new Rectangle(0, 0, 1_280, 720));
       Rectangle near =
           new Rectangle((int) found[0] - AROUND, (int) found[1] - AROUND, 2 * AROUND, 2 * AROUND);
-      double before = find(near)[0];
+      BufferedImage rest = robot.createScreenCapture(near);
+      BufferedImage before = robot.createScreenCapture(near);
       int key = i % 2 == 0 ? KeyEvent.VK_D : KeyEvent.VK_A;
       robot.keyPress(key);
       awaitSecondFrame(i % 2 == 0 ? Input.Keys.D : Input.Keys.A);
-      double moved = find(near)[0] - before;
+      BufferedImage after = robot.createScreenCapture(near);
       robot.keyRelease(key);
-      System.out.printf("moved %.3f%n", i % 2 == 0 ? moved : -moved);
+      System.out.printf("rested %d%n", changed(rest, before));
+      System.out.printf("moved %d%n", changed(before, after));
       Thread.sleep(500);
     }
   }
@@ -115,14 +118,19 @@ final class KeyWatcher {
         Thread.sleep(20);
       }
       BufferedImage now = robot.createScreenCapture(middle);
-      int changed = 0;
-      for (int pixel = 0; pixel < 40_000; pixel++) {
-        int x = pixel % 200;
-        int y = pixel / 200;
-        changed += game.getRGB(x, y) == now.getRGB(x, y) ? 0 : 1;
-      }
-      System.out.printf("changed %.3f%n", changed / 40_000.0);
+      System.out.printf("changed %.3f%n", changed(game, now) / 40_000.0);
     }
+  }
+
+  /** Returns the number of pixels that differ. */
+  private static int changed(BufferedImage from, BufferedImage to) {
+    int changed = 0;
+    for (int y = 0; y < from.getHeight(); y++) {
+      for (int x = 0; x < from.getWidth(); x++) {
+        changed += from.getRGB(x, y) == to.getRGB(x, y) ? 0 : 1;
+      }
+    }
+    return changed;
   }
 
   /** Waits until the body stands still for half a second. */
