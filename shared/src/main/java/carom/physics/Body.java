@@ -832,6 +832,19 @@ public final class Body<T> {
   }
 
   /**
+   * Asks the world's {@link CollisionFilter} about this body again, because its answer has changed.
+   * Contacts that it no longer allows end in the next step; those that it newly allows begin there.
+   * Wakes the body and what it touches. In a callback this takes effect at the end of the step.
+   * Costs a look at all contacts of the world.
+   *
+   * @throws IllegalStateException during a query
+   */
+  public void refilter() {
+    check();
+    world.edits().refilter(this);
+  }
+
+  /**
    * Returns whether a shape is a sensor, see {@link ShapeDef}.
    *
    * @param i number of the shape, below {@link #shapeCount}

@@ -1,7 +1,9 @@
 package carom.physics;
 
+import carom.physics.dynamics.ContactOverrides;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Limits;
 
 /**
  * Two touching shapes, as a {@link CollisionListener} sees them. The world has one such object and
@@ -87,7 +89,25 @@ public final class Collision<T> {
    * @return the shape, in the body frame
    */
   public Shape selfShape() {
-    return self().shape(world.dynamics().queries().shapeOf(table.partA(row)));
+    return self().shape(selfShapeIndex());
+  }
+
+  /**
+   * Returns the number of the touching shape of self.
+   *
+   * @return below {@link Body#shapeCount}
+   */
+  public int selfShapeIndex() {
+    return world.dynamics().queries().shapeOf(table.partA(row));
+  }
+
+  /**
+   * Returns the number of the touching shape of the other body.
+   *
+   * @return below {@link Body#shapeCount}
+   */
+  public int otherShapeIndex() {
+    return world.dynamics().queries().shapeOf(table.partB(row));
   }
 
   /**
@@ -96,7 +116,7 @@ public final class Collision<T> {
    * @return the material
    */
   public Material selfMaterial() {
-    return self().material(world.dynamics().queries().shapeOf(table.partA(row)));
+    return self().material(selfShapeIndex());
   }
 
   /**
@@ -105,7 +125,7 @@ public final class Collision<T> {
    * @return the material
    */
   public Material otherMaterial() {
-    return other().material(world.dynamics().queries().shapeOf(table.partB(row)));
+    return other().material(otherShapeIndex());
   }
 
   /**
@@ -114,7 +134,7 @@ public final class Collision<T> {
    * @return the shape, in the body frame
    */
   public Shape otherShape() {
-    return other().shape(world.dynamics().queries().shapeOf(table.partB(row)));
+    return other().shape(otherShapeIndex());
   }
 
   /**
@@ -291,7 +311,8 @@ public final class Collision<T> {
   }
 
   /**
-   * Returns the mixed friction of the two shapes, see {@link Material}.
+   * Returns the friction of the contact: that of the two shapes, mixed as {@link Material} says, or
+   * what {@link #setFriction} has set in this step.
    *
    * @return Coulomb coefficient
    */
@@ -300,12 +321,76 @@ public final class Collision<T> {
   }
 
   /**
-   * Returns the mixed restitution of the two shapes, see {@link Material}.
+   * Returns the restitution of the contact: that of the two shapes, mixed as {@link Material} says,
+   * or what {@link #setRestitution} has set in this step.
    *
    * @return ratio of the speed after a bounce to the speed before
    */
   public float restitution() {
     return table.restitution(row);
+  }
+
+  /**
+   * Returns the tangent speed of the contact: that of both shapes together, or what {@link
+   * #setTangentSpeed} has set in this step.
+   *
+   * @return m/s; seen from self, a positive speed drives the other body along the normal turned
+   *     right
+   */
+  public float tangentSpeed() {
+    return table.surface(row);
+  }
+
+  /**
+   * Sets the friction of this contact for this step. In the next step the contact has the friction
+   * of its shapes again, so a listener that wants to keep it sets it in each {@code preSolve}. It
+   * is no part of the world's state, because it follows from the listener.
+   *
+   * @param friction Coulomb coefficient, 0..100
+   * @throws IllegalStateException anywhere but in {@link CollisionListener#preSolve}
+   */
+  public void setFriction(float friction) {
+    set("setFriction", ContactTable.FRICTION, Limits.range("friction", friction, 0, 100));
+  }
+
+  /**
+   * Sets the restitution of this contact for this step, as {@link #setFriction} does.
+   *
+   * @param restitution 0..2; acts above {@link WorldDef#restitutionThreshold}
+   * @throws IllegalStateException anywhere but in {@link CollisionListener#preSolve}
+   */
+  public void setRestitution(float restitution) {
+    set("setRestitution", ContactTable.RESTITUTION, Limits.range("restitution", restitution, 0, 2));
+  }
+
+  /**
+   * Sets the tangent speed of this contact for this step, as {@link #setFriction} does: a conveyor
+   * belt that works only here or now. It takes the place of both shapes' tangent speeds.
+   *
+   * @param speed m/s, within 1e5; seen from self, a positive speed drives the other body along the
+   *     normal turned right. On a floor it drives what lies on it to the right, whichever of the
+   *     two is self
+   * @throws IllegalStateException anywhere but in {@link CollisionListener#preSolve}
+   */
+  public void setTangentSpeed(float speed) {
+    set("setTangentSpeed", ContactTable.SURFACE, Limits.velocity("tangentSpeed", speed));
+  }
+
+  private void set(String what, int place, float value) {
+    ContactOverrides overrides = world.dynamics().contactOverrides();
+    if (!overrides.decides(row)) {
+      throw new IllegalStateException(what + " is possible in preSolve only");
+    }
+    overrides.set(row, place, value);
+  }
+
+  /**
+   * Returns the length of the step.
+   *
+   * @return s; outside of a step that of the last one
+   */
+  public float stepSeconds() {
+    return world.stepSeconds();
   }
 
   /**

@@ -27,6 +27,7 @@ public final class EditQueue<T> {
   private static final byte CHANGE_MASS = 8;
   private static final byte FIX_ROTATION = 9;
   private static final byte FREE_ROTATION = 10;
+  private static final byte REFILTER = 11;
 
   /** A change of material, filter or sensor flag of one of a body's shapes. */
   private record ShapeChange(int shape, UnaryOperator<ShapeDef> how) {
@@ -107,6 +108,11 @@ public final class EditQueue<T> {
     request(fixed ? FIX_ROTATION : FREE_ROTATION, body.index(), body.generation(), null);
   }
 
+  void refilter(Body<T> body) {
+    world.refuseDuringQuery("refilter");
+    request(REFILTER, body.index(), body.generation(), null);
+  }
+
   /** Carries out an edit now, or queues it until the end of the step. */
   private void request(byte what, int slot, int generation, Object value) {
     if (pendingCount == pending.length) {
@@ -152,6 +158,10 @@ public final class EditQueue<T> {
     switch (what) {
       case DESTROY_BODY -> world.removeBody(slot);
       case ENABLE, DISABLE -> editor.setEnabled(slot, what == ENABLE);
+      case REFILTER -> {
+        editor.refilter(slot);
+        return;
+      }
       case CHANGE_SHAPE -> changeShape(slot, (ShapeChange) value);
       case CHANGE_MASS -> {
         editor.change(slot, World.specs(handles.shapes(slot)), (MassData) value);

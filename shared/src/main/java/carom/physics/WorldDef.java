@@ -1,6 +1,7 @@
 package carom.physics;
 
 import carom.physics.math.Limits;
+import carom.physics.settings.MixingRule;
 import carom.physics.settings.Settings;
 import java.util.function.Consumer;
 
@@ -191,6 +192,29 @@ public final class WorldDef extends Settings {
   /** Returns how velocities and positions advance. */
   public Integrator integrator() {
     return explicitEuler() ? Integrator.EXPLICIT_EULER : Integrator.SYMPLECTIC_EULER;
+  }
+
+  /**
+   * Returns a copy in which the friction of two shapes is mixed by this rule, unless one of their
+   * materials has its own; default {@link MixingRule#GEOMETRIC_MEAN}.
+   */
+  public WorldDef withFrictionMixing(MixingRule rule) {
+    return with(d -> d.frictionMixing = checked("frictionMixing", rule));
+  }
+
+  /**
+   * Returns a copy in which the restitution of two shapes is mixed by this rule, unless one of
+   * their materials has its own; default {@link MixingRule#MAX}.
+   */
+  public WorldDef withRestitutionMixing(MixingRule rule) {
+    return with(d -> d.restitutionMixing = checked("restitutionMixing", rule));
+  }
+
+  private static MixingRule checked(String name, MixingRule rule) {
+    if (rule == null) {
+      throw new IllegalArgumentException(name + "=null; choose one of MixingRule's");
+    }
+    return rule;
   }
 
   private WorldDef with(Consumer<WorldDef> change) {

@@ -20,17 +20,18 @@ import java.util.function.IntFunction;
  */
 public final class WorldState {
   /** Version of the byte format. Raise it with every change of the format. */
-  private static final int FORMAT = 1;
+  private static final int FORMAT = 2;
 
   private static final BodyType[] BODY_TYPES = BodyType.values();
   private static final JointType[] JOINT_TYPES = JointType.values();
 
   final World<?> owner;
-  final DynamicsState dynamics = new DynamicsState();
+  final DynamicsState dynamics;
   final Handles<?> handles = new Handles<>();
 
   WorldState(World<?> owner) {
     this.owner = owner;
+    dynamics = new DynamicsState(owner.def());
   }
 
   /**
@@ -139,6 +140,7 @@ public final class WorldState {
     h = StateHash.mix(h, d.jointHertz(), d.jointDampingRatio());
     h = StateHash.mix(h, d.sleepSpeed(), d.sleepDelay());
     h = StateHash.mix(h, (d.sleeping() ? 1 : 0) | (d.continuous() ? 2 : 0));
+    h = StateHash.mix(h, d.frictionMixing().ordinal() << 4 | d.restitutionMixing().ordinal());
     return StateHash.finish(StateHash.mix(h, d.integrator().ordinal()));
   }
 }

@@ -177,6 +177,17 @@ public final class BodyEditor {
   }
 
   /**
+   * Wakes a body and what it touches, and decides anew in the next step which parts may touch.
+   *
+   * @param body the slot
+   */
+  public void refilter(int body) {
+    sleeping.disturb(body);
+    sleeping.wakeOverlapped(body);
+    refilter.markStale();
+  }
+
+  /**
    * Fixes a body's rotation, or frees it.
    *
    * @param body the slot
