@@ -120,21 +120,21 @@ final class GameWarmup {
     @Override
     public void message(Link from, Object message) {
       if (message instanceof ServerMessage.Welcome welcome) {
-        datagram.epoch = welcome.epoch();
+        datagram.key = welcome.datagramKey();
         declarationsDigest = welcome.declarationsDigest();
         FieldTables tables = new FieldTables(schema, Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
         decoder =
             new SnapshotDecoder(
                 Limits.MAX_ENTITIES,
-                welcome.epoch(),
+                welcome.datagramKey(),
                 welcome.tick(),
                 welcome.tickRate(),
                 schema.toldWords(Scope.PLAYER),
                 new TableInbox(tables.layouts().toArray(new TableLayout[0])));
         decoder.gravity(level.gravityX(), level.gravityY());
-        link.send(new ClientMessage.LevelRequest(welcome.epoch(), 0));
+        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), 0));
       } else if (message instanceof ServerMessage.LevelChunk) {
-        link.send(new ClientMessage.Ready(datagram.epoch, declarationsDigest));
+        link.send(new ClientMessage.Ready(datagram.key, declarationsDigest));
         playing = true;
       }
     }

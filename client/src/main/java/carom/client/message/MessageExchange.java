@@ -74,8 +74,8 @@ public final class MessageExchange {
     stream.unlink();
     kinds = gameKinds;
     rates = MessageRates.ofClient(gameKinds);
-    incoming.begin(welcome.epoch());
-    outgoing.begin(welcome.epoch());
+    incoming.begin(welcome.datagramKey());
+    outgoing.begin(welcome.datagramKey());
     unsent.forEach(listener::unsent);
   }
 

@@ -51,7 +51,6 @@ public final class Lobby {
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
   private static final int MAX_POLL = 32;
-  private static final int FIRST_EPOCH = 0;
 
   /** Time after which a visitor of a full server asks for a seat again, ms. */
   private static final long ASK_AGAIN_MS = 400;
@@ -269,6 +268,7 @@ public final class Lobby {
     private long deadlineNs;
     private Room room;
     private Seats.Seat seat;
+    private int datagramKey;
     private final Origin origin;
     private JoinRequest waiting;
     private int lists;
@@ -553,14 +553,15 @@ public final class Lobby {
 
     private void welcome() {
       match = room.match();
-      upload = new LevelUpload(match.level(), FIRST_EPOCH);
+      datagramKey = room.seats().newDatagramKey();
+      upload = new LevelUpload(match.level(), datagramKey);
       deadlineNs = nowNs + config.loadTimeoutMs() * NS_PER_MS;
       state = state.become(SessionState.LOADING);
       link.send(
           match.welcome(
               seat.secret(),
               seat.id(),
-              FIRST_EPOCH,
+              datagramKey,
               config.tickRateHz(),
               room.tick(),
               room.seats().incarnation(),
@@ -569,7 +570,7 @@ public final class Lobby {
 
     private void enterRoom() {
       done = true;
-      if (!room.admit(new Admission(seat, link, FIRST_EPOCH, match.number()))) {
+      if (!room.admit(new Admission(seat, link, datagramKey, match.number()))) {
         LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());
         link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
         closeLater(link, "room takes nobody");

@@ -1,6 +1,5 @@
 package carom.server.room;
 
-import carom.net.protocol.DatagramMark;
 import carom.net.protocol.Limits;
 import carom.net.protocol.SessionState;
 import carom.server.checkpoint.ResumedRoom;
@@ -296,14 +295,14 @@ final class MatchChange implements RoomCourse {
   /** Tells a session's client what to load. It plays as soon as it has. */
   void tell(Session session) {
     MatchInfo match = room.match().info();
-    int epoch = DatagramMark.nextEpoch(session.epoch());
+    int key = room.seats().newDatagramKey();
     int rate = room.config().tickRateHz();
     session.load(
-        new LevelUpload(match.level(), epoch),
+        new LevelUpload(match.level(), key),
         match.welcome(
             session.seat().secret(),
             session.seat().id(),
-            epoch,
+            key,
             rate,
             room.simulation().tick(),
             room.seats().incarnation(),

@@ -70,7 +70,7 @@ public final class Session implements LinkHandler {
   private final InputFeedback feedback = new InputFeedback();
   private SessionState state = SessionState.LOADING;
   private volatile Link link;
-  private int epoch;
+  private int datagramKey;
   private int viewDelay;
   private final DivergenceReports reports;
   private long nowNs;
@@ -126,11 +126,9 @@ public final class Session implements LinkHandler {
    * Gives the session a link; {@link #play} or {@link #load} must follow.
    *
    * @param newLink its inbox belongs to this session from now on
-   * @param lastEpoch that of the link's last Welcome
    */
-  public void attach(Link newLink, int lastEpoch) {
+  public void attach(Link newLink) {
     link = newLink;
-    epoch = lastEpoch;
     linkLost = false;
     linkLostReason = "";
     departure = Departure.NONE;
@@ -139,15 +137,17 @@ public final class Session implements LinkHandler {
   /**
    * Lets a session play whose client has loaded the match; allowed while loading and in grace.
    *
+   * @param key first 32 bits of each input datagram from now on
    * @param tick the room's last tick: inputs for later ones are welcome
    */
-  public void play(int tick) {
+  public void play(int key, int tick) {
     state = state.become(SessionState.PLAYING);
+    datagramKey = key;
     upload = null;
     loaded = false;
     playedTicks = 0;
-    replication.begin(epoch);
-    messages.attach(link, epoch);
+    replication.begin(key);
+    messages.attach(link, key);
     inputs.reset(tick);
     viewDelay = 0;
     feedback.present = false;
@@ -187,7 +187,7 @@ public final class Session implements LinkHandler {
       state = state.become(SessionState.LOADING);
     }
     upload = newUpload;
-    epoch = welcome.epoch();
+    datagramKey = welcome.datagramKey();
     declarationsDigest = welcome.declarationsDigest();
     loaded = false;
     loadingTicks = 0;
@@ -199,9 +199,9 @@ public final class Session implements LinkHandler {
     return state == SessionState.LOADING && loaded;
   }
 
-  /** Returns the epoch of the link's last Welcome. */
-  public int epoch() {
-    return epoch;
+  /** Returns the key of the link's datagrams. */
+  public int datagramKey() {
+    return datagramKey;
   }
 
   /**
@@ -337,7 +337,7 @@ public final class Session implements LinkHandler {
       messages.receive(bytes, length);
       return;
     }
-    if (!datagram.decode(bytes, 0, length) || datagram.epoch != epoch) {
+    if (!datagram.decode(bytes, 0, length) || datagram.key != datagramKey) {
       counters.add(Counter.DATAGRAMS_REFUSED, 1);
       return;
     }

@@ -65,7 +65,7 @@ public final class ClientMessageCodec {
                 + (Limits.MAX_LEVEL_BYTES - 1));
       }
       buffer.put(LEVEL_REQUEST);
-      buffer.put((byte) DatagramMark.checkedEpoch(request.epoch()));
+      buffer.putInt(request.datagramKey());
       buffer.putInt(request.offset());
     } else if (message instanceof ClientMessage.Look look) {
       buffer.put(LOOK);
@@ -114,8 +114,7 @@ public final class ClientMessageCodec {
       buffer.put(CHANGE_ROOM);
       putText("ChangeRoom.room", change.room(), Limits.MAX_ROOM_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.Ready ready) {
-      buffer.put(READY).put((byte) DatagramMark.checkedEpoch(ready.epoch()));
-      buffer.putLong(ready.declarationsDigest());
+      buffer.put(READY).putInt(ready.datagramKey()).putLong(ready.declarationsDigest());
     } else {
       buffer.put(LEAVE);
     }
@@ -204,22 +203,18 @@ public final class ClientMessageCodec {
   }
 
   private static ClientMessage decodeLevelRequest(ByteBuffer buffer) {
-    if (buffer.remaining() != Byte.BYTES + Integer.BYTES) {
+    if (buffer.remaining() != 2 * Integer.BYTES) {
       return null;
     }
-    int epoch = buffer.get();
+    int datagramKey = buffer.getInt();
     int offset = buffer.getInt();
-    return DatagramMark.isEpoch(epoch) && validOffset(offset)
-        ? new ClientMessage.LevelRequest(epoch, offset)
-        : null;
+    return validOffset(offset) ? new ClientMessage.LevelRequest(datagramKey, offset) : null;
   }
 
   private static ClientMessage decodeReady(ByteBuffer buffer) {
-    if (buffer.remaining() != Byte.BYTES + Long.BYTES) {
-      return null;
-    }
-    int epoch = buffer.get();
-    return DatagramMark.isEpoch(epoch) ? new ClientMessage.Ready(epoch, buffer.getLong()) : null;
+    return buffer.remaining() == Integer.BYTES + Long.BYTES
+        ? new ClientMessage.Ready(buffer.getInt(), buffer.getLong())
+        : null;
   }
 
   /**

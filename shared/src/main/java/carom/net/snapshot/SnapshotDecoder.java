@@ -4,8 +4,9 @@ import static carom.net.snapshot.DecodeStatus.DAMAGED;
 import static carom.net.snapshot.DecodeStatus.OK;
 
 import carom.net.codec.BitReader;
+import carom.net.codec.Crc16;
 import carom.net.codec.RangeDecoder;
-import carom.net.protocol.DatagramMark;
+import carom.net.codec.Sequence;
 import carom.net.snapshot.event.EventInbox;
 import carom.net.snapshot.exact.OwnInbox;
 import carom.net.snapshot.exact.OwnState;
@@ -34,12 +35,13 @@ import java.util.Arrays;
 public final class SnapshotDecoder {
 
   private static final int MIN_RECORDS = 64;
+  private static final int ACK_BITS = 64;
 
-  /** Bytes of mark, sequence number, tick and five flags: no datagram is shorter. */
+  /** Bytes of check, sequence number and tick: no datagram is shorter. */
   private static final int MIN_BYTES = 6;
 
   private final int capacity;
-  private final int mark;
+  private final int key;
   private final Predictor predictor;
   private final BitReader reader = new BitReader();
   private final RangeDecoder range = new RangeDecoder();
@@ -49,7 +51,9 @@ public final class SnapshotDecoder {
   private EntityHistory[] histories = {};
   private int slotLimit;
 
-  private final Receipts receipts = new Receipts();
+  private boolean hasAck;
+  private int ackSequence;
+  private long ackBits;
   private int tick;
   private int newestTick;
 
@@ -79,26 +83,26 @@ public final class SnapshotDecoder {
   private int touched;
 
   /** Creates a decoder that knows nothing, of a game without fields. */
-  public SnapshotDecoder(int capacity, int epoch, int tick, int tickRate) {
-    this(capacity, epoch, tick, tickRate, 0, new TableInbox());
+  public SnapshotDecoder(int capacity, int key, int tick, int tickRate) {
+    this(capacity, key, tick, tickRate, 0, new TableInbox());
   }
 
   /**
    * Creates a decoder that knows nothing.
    *
    * @param capacity entity slots, at least the server's; 1..65,535
-   * @param epoch as in {@code Welcome}, 0..7
+   * @param key the session's datagram key
    * @param tick the server's tick in {@code Welcome}: datagrams carry 16 bits of theirs
    * @param tickRate ticks per second, as in {@code Welcome}
    * @param words number of words of the player's fields in an own section
    * @param tables takes the rows of the server's tables, whose layouts it has
    */
   public SnapshotDecoder(
-      int capacity, int epoch, int tick, int tickRate, int words, TableInbox tables) {
+      int capacity, int key, int tick, int tickRate, int words, TableInbox tables) {
     own = new OwnInbox(words);
     this.tables = tables;
     this.capacity = capacity;
-    mark = DatagramMark.ofState(epoch);
+    this.key = key;
     this.tick = tick;
     newestTick = tick;
     predictor = new Predictor(tickRate);
@@ -148,16 +152,22 @@ public final class SnapshotDecoder {
     }
     reader.reset(bytes, offset, length);
     head.code(reader, newestTick);
-    if (head.mark != mark) {
-      return DecodeStatus.STALE;
+    int covered = offset + DatagramHead.CHECK_BYTES;
+    if (head.check != Crc16.of(key, bytes, covered, length - DatagramHead.CHECK_BYTES)) {
+      return DAMAGED;
     }
-    DecodeStatus seen = receipts.status(head.sequence);
-    if (seen != OK) {
-      return seen;
+    int ahead = hasAck ? Sequence.difference(head.sequence, ackSequence) : 1;
+    if (ahead <= 0) {
+      if (ahead < -ACK_BITS) {
+        return DecodeStatus.STALE;
+      }
+      if (ahead == 0 || (ackBits >>> (-1 - ahead) & 1) != 0) {
+        return DecodeStatus.DUPLICATE;
+      }
     }
     DecodeStatus status = read(bytes, offset + length);
     if (status == OK) {
-      receipts.add(head.sequence);
+      acknowledge(head.sequence, ahead);
       keep();
     }
     return status;
@@ -323,6 +333,20 @@ public final class SnapshotDecoder {
     }
   }
 
+  private void acknowledge(int sequence, int ahead) {
+    if (!hasAck) {
+      hasAck = true;
+      ackSequence = sequence;
+    } else if (ahead > 0) {
+      // The old newest moves to bit (ahead - 1); Java shifts by the lowest six bits only.
+      long moved = ahead >= ACK_BITS ? 0 : ackBits << ahead;
+      ackBits = ahead > ACK_BITS ? 0 : moved | 1L << (ahead - 1);
+      ackSequence = sequence;
+    } else {
+      ackBits |= 1L << (-1 - ahead);
+    }
+  }
+
   private void keep() {
     int datagramTick = head.tick;
     tick = datagramTick;
@@ -446,16 +470,16 @@ public final class SnapshotDecoder {
 
   /** Returns whether any datagram was decoded: before that, there is nothing to ack. */
   public boolean hasAck() {
-    return receipts.any();
+    return hasAck;
   }
 
   /** Returns the sequence number of the newest datagram decoded. */
   public int ackSequence() {
-    return receipts.newest();
+    return ackSequence;
   }
 
   /** Returns the ack bits: bit i = datagram {@code ackSequence() - 1 - i} was decoded. */
   public long ackBits() {
-    return receipts.older();
+    return ackBits;
   }
 }
