@@ -63,6 +63,9 @@ import carom.physics.threads.Workers;
  * Sleeping}.
  *
  * <p>One thread at a time. A steady step allocates nothing.
+ *
+ * <p><b>Length.</b> A third of the class is what is said above and the documents of its accessors;
+ * the stages themselves are elsewhere.
  */
 public final class Dynamics {
   /** Rows to have room for per awake body before there are as many, so that few steps allocate. */
