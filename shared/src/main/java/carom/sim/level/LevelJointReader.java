@@ -39,14 +39,21 @@ final class LevelJointReader {
           "type", "name", "a", "b", "collide", "breaks", "at", "limits", "motor", "spring", "rest");
   static final List<String> DISTANCE =
       List.of(
-          "type", "name", "a", "b", "collide", "breaks", "from", "to", "limits", "spring", "rest");
+          "type", "name", "a", "b", "collide", "breaks", "from", "to", "limits", "motor", "spring",
+          "rest");
+  static final List<String> RATCHET =
+      List.of(
+          "type", "name", "a", "b", "collide", "breaks", "at", "tooth", "motor", "spring", "rest");
+  static final List<String> GROOVE =
+      List.of("type", "name", "a", "b", "collide", "breaks", "from", "to", "at");
+  static final List<String> FRICTION =
+      List.of("type", "name", "a", "b", "collide", "breaks", "at", "maxForce", "maxTorque");
   static final List<String> ROPE =
       List.of("type", "name", "a", "b", "collide", "breaks", "from", "to", "length");
   static final List<String> PRISMATIC =
       List.of(
           "type", "name", "a", "b", "collide", "breaks", "at", "axis", "limits", "motor", "spring",
           "rest");
-  static final List<String> WHEEL = PRISMATIC;
   static final List<String> WELD =
       List.of("type", "name", "a", "b", "collide", "breaks", "at", "spring", "angularSpring");
   static final List<String> MOTOR =
@@ -94,7 +101,10 @@ final class LevelJointReader {
           "mouse",
           "gear",
           "rack",
-          "pulley");
+          "pulley",
+          "ratchet",
+          "groove",
+          "friction");
 
   private static final float RAD_PER_DEGREE = (float) (Math.PI / 180);
   private static final float MAX_FORCE = 1e9f;
@@ -136,7 +146,7 @@ final class LevelJointReader {
     try {
       Body<Object> bodyA = a == LevelJoint.GROUND ? null : made(a);
       JointDef<Object> def = def(type, node, bodyA, made(b));
-      def.collideConnected(bool(node, "collide", type.equals("mouse")));
+      def.collideConnected(bool(node, "collide", type.equals("mouse") || type.equals("friction")));
       breaks(node, def);
       Joint<Object> joint = world.createJoint(def);
       world.readJoint(joint, definition, 0);
@@ -151,13 +161,15 @@ final class LevelJointReader {
       case "revolute" -> REVOLUTE;
       case "distance" -> DISTANCE;
       case "rope" -> ROPE;
-      case "prismatic" -> PRISMATIC;
-      case "wheel" -> WHEEL;
+      case "prismatic", "wheel" -> PRISMATIC;
       case "weld" -> WELD;
       case "motor" -> MOTOR;
       case "mouse" -> MOUSE;
       case "gear" -> GEAR;
       case "rack" -> RACK;
+      case "ratchet" -> RATCHET;
+      case "groove" -> GROOVE;
+      case "friction" -> FRICTION;
       default -> PULLEY;
     };
   }
@@ -197,8 +209,8 @@ final class LevelJointReader {
         return springs(node, JointDef.weld(a, b, at[0], at[1]));
       }
       case "motor" -> {
-        float force = force(node, "maxForce");
-        return springs(node, JointDef.motor(a, b, force, force(node, "maxTorque")));
+        return springs(
+            node, JointDef.motor(a, b, force(node, "maxForce"), force(node, "maxTorque")));
       }
       case "mouse" -> {
         float[] at = point(node, "at");
@@ -206,6 +218,24 @@ final class LevelJointReader {
       }
       case "gear" -> {
         return JointDef.gear(requiredBody(node, a), b, ratio(node));
+      }
+      case "ratchet" -> {
+        float[] at = point(node, "at");
+        required(node, "tooth");
+        float turn = RAD_PER_DEGREE;
+        float tooth = number(node, "tooth", 0, -5000, 5000) * turn;
+        return driven(node, JointDef.ratchet(a, b, at[0], at[1], tooth), turn, turn);
+      }
+      case "groove" -> {
+        float[] to = point(node, "to");
+        float[] at = point(node, "at");
+        float[] p = point(node, "from");
+        return JointDef.groove(a, b, p[0], p[1], to[0], to[1], at[0], at[1]);
+      }
+      case "friction" -> {
+        float[] at = point(node, "at");
+        return JointDef.friction(
+            a, b, at[0], at[1], force(node, "maxForce"), force(node, "maxTorque"));
       }
       case "rack" -> {
         float[] axis = axis(node);
