@@ -34,58 +34,24 @@ import java.util.TreeMap;
 final class LevelJointReader {
   static final int MAX_JOINTS = 4096;
 
-  static final List<String> REVOLUTE =
-      List.of(
-          "type", "name", "a", "b", "collide", "breaks", "at", "limits", "motor", "spring", "rest");
+  static final List<String> REVOLUTE = withFieldsOfAll("at", "limits", "motor", "spring", "rest");
   static final List<String> DISTANCE =
-      List.of(
-          "type", "name", "a", "b", "collide", "breaks", "from", "to", "limits", "motor", "spring",
-          "rest");
-  static final List<String> RATCHET =
-      List.of(
-          "type", "name", "a", "b", "collide", "breaks", "at", "tooth", "motor", "spring", "rest");
-  static final List<String> GROOVE =
-      List.of("type", "name", "a", "b", "collide", "breaks", "from", "to", "at");
-  static final List<String> FRICTION =
-      List.of("type", "name", "a", "b", "collide", "breaks", "at", "maxForce", "maxTorque");
-  static final List<String> ROPE =
-      List.of("type", "name", "a", "b", "collide", "breaks", "from", "to", "length");
+      withFieldsOfAll("from", "to", "limits", "motor", "spring", "rest");
+  static final List<String> RATCHET = withFieldsOfAll("at", "tooth", "motor", "spring", "rest");
+  static final List<String> GROOVE = withFieldsOfAll("from", "to", "at");
+  static final List<String> FRICTION = withFieldsOfAll("at", "maxForce", "maxTorque");
+  static final List<String> ROPE = withFieldsOfAll("from", "to", "length");
   static final List<String> PRISMATIC =
-      List.of(
-          "type", "name", "a", "b", "collide", "breaks", "at", "axis", "limits", "motor", "spring",
-          "rest");
-  static final List<String> WELD =
-      List.of("type", "name", "a", "b", "collide", "breaks", "at", "spring", "angularSpring");
+      withFieldsOfAll("at", "axis", "limits", "motor", "spring", "rest");
+  static final List<String> WELD = withFieldsOfAll("at", "spring", "angularSpring");
   static final List<String> MOTOR =
-      List.of(
-          "type",
-          "name",
-          "a",
-          "b",
-          "collide",
-          "breaks",
-          "maxForce",
-          "maxTorque",
-          "spring",
-          "angularSpring");
+      withFieldsOfAll("maxForce", "maxTorque", "spring", "angularSpring");
   static final List<String> MOUSE =
       List.of("type", "name", "b", "collide", "breaks", "at", "maxForce", "spring");
-  static final List<String> GEAR = List.of("type", "name", "a", "b", "collide", "breaks", "ratio");
-  static final List<String> RACK =
-      List.of("type", "name", "a", "b", "collide", "breaks", "axis", "ratio");
+  static final List<String> GEAR = withFieldsOfAll("ratio");
+  static final List<String> RACK = withFieldsOfAll("axis", "ratio");
   static final List<String> PULLEY =
-      List.of(
-          "type",
-          "name",
-          "a",
-          "b",
-          "collide",
-          "breaks",
-          "from",
-          "to",
-          "groundFrom",
-          "groundTo",
-          "ratio");
+      withFieldsOfAll("from", "to", "groundFrom", "groundTo", "ratio");
   static final List<String> MOTOR_FIELDS = List.of("speed", "max");
   static final List<String> SPRING = List.of("hertz", "damping");
   static final List<String> BREAKS = List.of("force", "torque");
@@ -119,6 +85,13 @@ final class LevelJointReader {
 
   LevelJointReader(LevelReader file) {
     this.file = file;
+  }
+
+  /** Returns the fields that all joints with two ends have, and more. */
+  private static List<String> withFieldsOfAll(String... more) {
+    List<String> fields = new ArrayList<>(List.of("type", "name", "a", "b", "collide", "breaks"));
+    fields.addAll(List.of(more));
+    return List.copyOf(fields);
   }
 
   /** Notes the bodies of an item, by which joints may name them. */
