@@ -4,6 +4,8 @@ import carom.options.BadFlag;
 import carom.options.LabCommand;
 import carom.options.Subcommand;
 import carom.options.VectorApi;
+import carom.server.tool.HealthCommand;
+import carom.server.tool.ReplayCommand;
 import java.io.PrintWriter;
 import java.util.ServiceLoader;
 import picocli.CommandLine;
@@ -11,12 +13,14 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** Runs {@code carom}: the tools for recorded games, the benchmark, and what other parts bring. */
+/**
+ * Runs {@code carom}: the tools for recorded games and servers, the benchmark, what others bring.
+ */
 @Command(
     name = "carom",
     mixinStandardHelpOptions = true,
     versionProvider = ServerMain.Version.class,
-    subcommands = ReplayCommand.class,
+    subcommands = {ReplayCommand.class, HealthCommand.class},
     description = "Tools of the Carom game server.")
 public final class CaromMain implements Runnable {
   @Spec private CommandSpec spec;

@@ -9,6 +9,7 @@ import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import carom.physics.math.Trig;
 import carom.physics.rows.BodyRow;
+import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
@@ -34,6 +35,18 @@ import java.util.function.Consumer;
  */
 public final class Body<T> {
   private static final BodyType[] TYPES = BodyType.values();
+
+  /** Distance, m, with the turn, rad, below which a body has reached the pose it moves to. */
+  private static final float THERE = 1e-5f;
+
+  /** All locks there are, by angularZ + 2 linearX + 4 linearY. */
+  private static final MotionLocks[] LOCKS = new MotionLocks[8];
+
+  static {
+    for (int i = 0; i < LOCKS.length; i++) {
+      LOCKS[i] = new MotionLocks((i & 2) != 0, (i & 4) != 0, (i & 1) != 0);
+    }
+  }
 
   private final World<T> world;
   private final BodyStore store;
@@ -215,6 +228,29 @@ public final class Body<T> {
     }
   }
 
+  /**
+   * Returns the speed below which the body is at rest.
+   *
+   * @return m/s; the world's unless {@link #setSleepSpeed} or {@link BodyDef#sleepSpeed} gave one
+   */
+  public float sleepSpeed() {
+    check();
+    float own = store.sleepSpeed[index];
+    return own == BodyStore.WORLDS ? world.def().sleepSpeed() : own;
+  }
+
+  /**
+   * Sets the speed below which the body is at rest, see {@link BodyDef#sleepSpeed}. A sleeping body
+   * stays asleep.
+   *
+   * @param speed m/s, 0..1000
+   */
+  public void setSleepSpeed(float speed) {
+    check();
+    store.sleepSpeed[index] = Limits.range("sleepSpeed", speed, 0, Limits.MAX_SLEEP_SPEED);
+    store.coldChanged();
+  }
+
   private Dynamics dynamics() {
     return world.dynamics();
   }
@@ -343,6 +379,122 @@ public final class Body<T> {
   }
 
   /**
+   * Returns the x coordinate, in the world, of a point of the body.
+   *
+   * @param localX m, in the body frame
+   * @param localY m, in the body frame
+   * @return m, world
+   */
+  public float worldPointX(float localX, float localY) {
+    return worldVectorX(localX - localCenterX(), localY - store.localY[index]) + store.x[index];
+  }
+
+  /**
+   * Returns the y coordinate, in the world, of a point of the body.
+   *
+   * @param localX m, in the body frame
+   * @param localY m, in the body frame
+   * @return m, world
+   */
+  public float worldPointY(float localX, float localY) {
+    return worldVectorY(localX - localCenterX(), localY - store.localY[index]) + store.y[index];
+  }
+
+  /**
+   * Returns the x component, in the world, of a vector of the body frame: it is turned, not moved.
+   *
+   * @param localX in the body frame
+   * @param localY in the body frame
+   * @return in the unit of the vector
+   */
+  public float worldVectorX(float localX, float localY) {
+    check();
+    return store.cos[index] * localX - store.sin[index] * localY;
+  }
+
+  /**
+   * Returns the y component, in the world, of a vector of the body frame: it is turned, not moved.
+   *
+   * @param localX in the body frame
+   * @param localY in the body frame
+   * @return in the unit of the vector
+   */
+  public float worldVectorY(float localX, float localY) {
+    check();
+    return store.sin[index] * localX + store.cos[index] * localY;
+  }
+
+  /**
+   * Returns the x coordinate, in the body frame, of a point of the world.
+   *
+   * @param worldX m
+   * @param worldY m
+   * @return m, from the body's origin
+   */
+  public float localPointX(float worldX, float worldY) {
+    return localVectorX(worldX - centerX(), worldY - store.y[index]) + store.localX[index];
+  }
+
+  /**
+   * Returns the y coordinate, in the body frame, of a point of the world.
+   *
+   * @param worldX m
+   * @param worldY m
+   * @return m, from the body's origin
+   */
+  public float localPointY(float worldX, float worldY) {
+    return localVectorY(worldX - centerX(), worldY - store.y[index]) + store.localY[index];
+  }
+
+  /**
+   * Returns the x component, in the body frame, of a vector of the world: it is turned, not moved.
+   *
+   * @param worldX in the world
+   * @param worldY in the world
+   * @return in the unit of the vector
+   */
+  public float localVectorX(float worldX, float worldY) {
+    check();
+    return store.cos[index] * worldX + store.sin[index] * worldY;
+  }
+
+  /**
+   * Returns the y component, in the body frame, of a vector of the world: it is turned, not moved.
+   *
+   * @param worldX in the world
+   * @param worldY in the world
+   * @return in the unit of the vector
+   */
+  public float localVectorY(float worldX, float worldY) {
+    check();
+    return store.cos[index] * worldY - store.sin[index] * worldX;
+  }
+
+  /**
+   * Returns the x component of the velocity of a point that moves with the body: v + w x r.
+   *
+   * @param worldX m, world
+   * @param worldY m, world
+   * @return m/s
+   */
+  public float velocityAtX(float worldX, float worldY) {
+    Limits.coordinate("worldX", worldX);
+    return velocityX() - store.w[index] * (worldY - store.y[index]);
+  }
+
+  /**
+   * Returns the y component of the velocity of a point that moves with the body: v + w x r.
+   *
+   * @param worldX m, world
+   * @param worldY m, world
+   * @return m/s
+   */
+  public float velocityAtY(float worldX, float worldY) {
+    Limits.coordinate("worldY", worldY);
+    return velocityY() + store.w[index] * (worldX - store.x[index]);
+  }
+
+  /**
    * Teleports the body to a position and an angle.
    *
    * @param x x of the origin, m, world
@@ -435,6 +587,43 @@ public final class Body<T> {
       }
       store.w[index] = radPerSecond;
     }
+  }
+
+  /**
+   * Sets the velocities by which a kinematic body reaches a pose in the next step, so that it
+   * pushes and carries what is in the way; {@link #setPose} would put it there without. It turns
+   * the shorter way round, half a turn to within 0.01 rad. The velocities stay after the step, so call this before every step: a
+   * body that is there, to 0.01 mm and 0.01 mrad, stops and may sleep. Speeds above the world's
+   * limits are cut. Dynamic bodies get the velocities, too, but gravity and what they meet change
+   * them. Does nothing on a static body.
+   *
+   * @param x x of the origin, m, world
+   * @param y y of the origin, m, world
+   * @param angleRad rotation, rad, counter-clockwise, within 1e5
+   * @param dtSeconds length of the next step, s
+   */
+  public void moveTo(float x, float y, float angleRad, float dtSeconds) {
+    check();
+    Limits.coordinate("x", x);
+    Limits.coordinate("y", y);
+    Limits.range("angle", angleRad, -1e5f, 1e5f);
+    Limits.timeStep(dtSeconds);
+    float cos = Trig.cos(angleRad);
+    float sin = Trig.sin(angleRad);
+    float lx = store.localX[index];
+    float ly = store.localY[index];
+    float wayX = x + (cos * lx - sin * ly) - store.x[index];
+    float wayY = y + (sin * lx + cos * ly) - store.y[index];
+    float c = store.cos[index];
+    float s = store.sin[index];
+    float turn = Trig.atan2(sin * c - cos * s, cos * c + sin * s);
+    boolean there = Math.abs(wayX) + Math.abs(wayY) + Math.abs(turn) < THERE;
+    setVelocity(there ? 0 : speed(wayX, dtSeconds), there ? 0 : speed(wayY, dtSeconds));
+    setAngularVelocity(there ? 0 : speed(turn, dtSeconds));
+  }
+
+  private static float speed(float way, float dt) {
+    return Math.max(-Limits.MAX_VELOCITY, Math.min(way / dt, Limits.MAX_VELOCITY));
   }
 
   /**
@@ -753,8 +942,8 @@ public final class Body<T> {
   }
 
   /**
-   * Fixes or frees the rotation. Fixing it stops the rotation. Wakes the body. In a callback this
-   * takes effect at the end of the step.
+   * Fixes or frees the rotation, the third of the {@link #motionLocks}. Fixing it stops the
+   * rotation. Wakes the body. In a callback this takes effect at the end of the step.
    *
    * @param fixed true if no force shall turn the body
    * @throws IllegalStateException during a query
@@ -765,12 +954,115 @@ public final class Body<T> {
   }
 
   /**
+   * Returns the axes along which no force, contact or joint moves the body.
+   *
+   * @return the locks, the rotation's included
+   */
+  public MotionLocks motionLocks() {
+    check();
+    int flags = store.flags[index];
+    return LOCKS[
+        (flags & BodyStore.LINEAR_LOCKS) / BodyStore.LOCK_X * 2
+            + (flags & BodyStore.FIXED_ROTATION)];
+  }
+
+  /**
+   * Locks axes of the body's motion and frees the others. The velocity along an axis that is newly
+   * locked becomes zero; from then on {@link #setVelocity} and {@link #setAngularVelocity} alone
+   * decide it. Wakes the body. In a callback this takes effect at the end of the step.
+   *
+   * <p>Contacts see a locked axis as that of an immovable body. A joint between a locked body and a
+   * free one gives way a little under sudden loads, because the lock takes back what the joint did.
+   *
+   * @param locks the locks, the rotation's included
+   * @throws IllegalStateException during a query
+   */
+  public void setMotionLocks(MotionLocks locks) {
+    check();
+    Objects.requireNonNull(locks, "locks");
+    world.edits().lockMotion(this, locks);
+  }
+
+  /**
    * Returns the number of shapes.
    *
-   * @return as many as the definition had
+   * @return as many as the definition had, and those that were added or removed since
    */
   public int shapeCount() {
-    return firstShapes.length;
+    return shapes().length;
+  }
+
+  /**
+   * Adds a shape, which becomes the last one. Mass, inertia and centre of mass are computed anew,
+   * unless {@link #hasOwnMass}; the body's origin, the velocity there, its joints and all other
+   * contacts stay. Wakes the body and what it touches. A body that was edited is the same as one
+   * that was created so, except that the origin of a body whose centre of mass moves may round
+   * otherwise.
+   *
+   * <p>In a callback this takes effect at the end of the step. Calls add up: the number of a shape
+   * counts as if the calls before were carried out. Allocates.
+   *
+   * @param shape the shape with its material and filter, in the body frame
+   * @throws IllegalArgumentException if the body is dynamic and the shape a line, or the body would
+   *     have more than 1,024 convex parts
+   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   */
+  public void addShape(ShapeDef shape) {
+    check();
+    Objects.requireNonNull(shape, "shape");
+    world.edits().addShape(this, shape);
+  }
+
+  /**
+   * Removes a shape. Those with higher numbers move down by one. Its contacts and overlaps end now,
+   * and {@link CollisionListener#end} is called. Everything else is as with {@link #addShape}. A
+   * dynamic body without shapes has a mass of 1 kg.
+   *
+   * @param i number of the shape, below {@link #shapeCount}
+   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   */
+  public void removeShape(int i) {
+    check();
+    world.edits().removeShape(this, i);
+  }
+
+  /**
+   * Replaces a shape by another one, which takes its number. The contacts and overlaps of the old
+   * one end now, and {@link CollisionListener#end} is called; those of the new one begin in the
+   * next step. Everything else is as with {@link #addShape}.
+   *
+   * @param i number of the shape, below {@link #shapeCount}
+   * @param shape the new shape with its material and filter, in the body frame
+   * @throws IllegalArgumentException as in {@link #addShape}
+   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   */
+  public void replaceShape(int i, ShapeDef shape) {
+    check();
+    Objects.requireNonNull(shape, "shape");
+    world.edits().replaceShape(this, i, shape);
+  }
+
+  /**
+   * Returns the object that a shape stands for.
+   *
+   * @param i number of the shape, below {@link #shapeCount}
+   * @return the user of its {@link ShapeDef}, may be null
+   */
+  public Object shapeUser(int i) {
+    return shapes()[i].user();
+  }
+
+  /**
+   * Sets the object that a shape stands for. It changes nothing else. In a callback this takes
+   * effect at the end of the step. Allocates.
+   *
+   * @param i number of the shape, below {@link #shapeCount}
+   * @param user the object, may be null
+   * @throws IllegalStateException during a query
+   */
+  public void setShapeUser(int i, Object user) {
+    check();
+    world.edits().changeShape(this, i, shape -> shape.withUser(user));
   }
 
   /**

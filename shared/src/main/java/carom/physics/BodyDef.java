@@ -1,11 +1,13 @@
 package carom.physics;
 
+import carom.physics.dynamics.body.BodyStore;
 import carom.physics.geometry.MassData;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * The definition of a body. It is mutable, fluent and reusable; {@link World#createBody} copies
@@ -26,9 +28,10 @@ public final class BodyDef {
   float linearDamping;
   float angularDamping;
   float gravityScale = 1;
-  boolean fixedRotation;
+  MotionLocks locks = MotionLocks.NONE;
   boolean bullet;
   boolean sleepAllowed = true;
+  float sleepSpeed = BodyStore.WORLDS;
   boolean awake = true;
   MassData mass;
   final List<ShapeDef> shapes = new ArrayList<>();
@@ -151,13 +154,25 @@ public final class BodyDef {
   }
 
   /**
-   * Sets whether the rotation is fixed, so that no force turns the body. The default is false.
+   * Sets whether the rotation is fixed, so that no force turns the body. The default is false. It
+   * is the short form of the third of the {@link #motionLocks}.
    *
    * @param fixed true for players that stay upright, for instance
    * @return this
    */
   public BodyDef fixedRotation(boolean fixed) {
-    fixedRotation = fixed;
+    locks = locks.withAngularZ(fixed);
+    return this;
+  }
+
+  /**
+   * Sets the axes along which no force, contact or joint moves the body. By default there are none.
+   *
+   * @param motionLocks the locks, the rotation's included
+   * @return this
+   */
+  public BodyDef motionLocks(MotionLocks motionLocks) {
+    locks = Objects.requireNonNull(motionLocks, "motionLocks");
     return this;
   }
 
@@ -218,6 +233,19 @@ public final class BodyDef {
    */
   public BodyDef sleepAllowed(boolean allowed) {
     sleepAllowed = allowed;
+    return this;
+  }
+
+  /**
+   * Sets the speed below which the body is at rest, instead of {@link WorldDef#sleepSpeed}. No
+   * point of the body may be faster. An island sleeps when all its bodies are at rest, each by its
+   * own speed. Kinematic bodies are at rest at 0 only.
+   *
+   * @param speed m/s, 0..1000; 0 lets the body sleep only when it is perfectly still
+   * @return this
+   */
+  public BodyDef sleepSpeed(float speed) {
+    sleepSpeed = Limits.range("sleepSpeed", speed, 0, Limits.MAX_SLEEP_SPEED);
     return this;
   }
 

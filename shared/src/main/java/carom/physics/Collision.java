@@ -87,7 +87,25 @@ public final class Collision<T> {
    * @return the shape, in the body frame
    */
   public Shape selfShape() {
-    return self().shape(world.dynamics().queries().shapeOf(table.partA(row)));
+    return self().shape(selfShapeIndex());
+  }
+
+  /**
+   * Returns the number of the touching shape of self.
+   *
+   * @return below {@link Body#shapeCount}
+   */
+  public int selfShapeIndex() {
+    return world.dynamics().queries().shapeOf(table.partA(row));
+  }
+
+  /**
+   * Returns the number of the touching shape of the other body.
+   *
+   * @return below {@link Body#shapeCount}
+   */
+  public int otherShapeIndex() {
+    return world.dynamics().queries().shapeOf(table.partB(row));
   }
 
   /**
@@ -96,7 +114,7 @@ public final class Collision<T> {
    * @return the material
    */
   public Material selfMaterial() {
-    return self().material(world.dynamics().queries().shapeOf(table.partA(row)));
+    return self().material(selfShapeIndex());
   }
 
   /**
@@ -105,7 +123,7 @@ public final class Collision<T> {
    * @return the material
    */
   public Material otherMaterial() {
-    return other().material(world.dynamics().queries().shapeOf(table.partB(row)));
+    return other().material(otherShapeIndex());
   }
 
   /**
@@ -114,7 +132,7 @@ public final class Collision<T> {
    * @return the shape, in the body frame
    */
   public Shape otherShape() {
-    return other().shape(world.dynamics().queries().shapeOf(table.partB(row)));
+    return other().shape(otherShapeIndex());
   }
 
   /**

@@ -3,6 +3,7 @@ package carom.physics;
 import carom.physics.dynamics.BodyEditor;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.geometry.MassData;
 import java.util.Arrays;
@@ -23,19 +24,19 @@ public final class EditQueue<T> {
   /** Changes the type; the code of the new type is added to this. */
   private static final byte CHANGE_TYPE = 4;
 
-  private static final byte CHANGE_SHAPE = 7;
+  private static final byte CHANGE_SHAPES = 7;
   private static final byte CHANGE_MASS = 8;
-  private static final byte FIX_ROTATION = 9;
-  private static final byte FREE_ROTATION = 10;
+  private static final byte LOCK_MOTION = 9;
 
-  /** A change of material, filter or sensor flag of one of a body's shapes. */
-  private record ShapeChange(int shape, UnaryOperator<ShapeDef> how) {
-    ShapeDef[] of(ShapeDef[] shapes) {
-      ShapeDef[] changed = shapes.clone();
-      changed[shape] = how.apply(shapes[shape]);
-      return changed;
-    }
-  }
+  /**
+   * A change of a body's shapes.
+   *
+   * @param after all shapes afterwards
+   * @param at number of the first shape that changes, goes or comes
+   * @param removed how many go
+   * @param added how many come in their place
+   */
+  private record ShapesChange(ShapeDef[] after, int at, int removed, int added) {}
 
   private final World<T> world;
   private final BodyEditor editor;
@@ -80,18 +81,66 @@ public final class EditQueue<T> {
     request((byte) (CHANGE_TYPE + World.code(type)), body.index(), body.generation(), null);
   }
 
+  /** Changes the material, filter, sensor flag or user of a shape. */
   void changeShape(Body<T> body, int shape, UnaryOperator<ShapeDef> how) {
     world.refuseDuringQuery("changing a shape");
-    if (shape < 0 || shape >= body.shapeCount()) {
+    ShapeDef[] after = shapesToBe(body).clone();
+    checkIndex(shape, after.length);
+    after[shape] = how.apply(after[shape]);
+    request(body, new ShapesChange(after, shape, 0, 0));
+  }
+
+  void addShape(Body<T> body, ShapeDef added) {
+    world.refuseReshaping("addShape");
+    ShapeDef[] before = shapesToBe(body);
+    request(body, spliced(before, before.length, 0, added));
+  }
+
+  void removeShape(Body<T> body, int shape) {
+    world.refuseReshaping("removeShape");
+    ShapeDef[] before = shapesToBe(body);
+    checkIndex(shape, before.length);
+    request(body, spliced(before, shape, 1));
+  }
+
+  void replaceShape(Body<T> body, int shape, ShapeDef by) {
+    world.refuseReshaping("replaceShape");
+    ShapeDef[] before = shapesToBe(body);
+    checkIndex(shape, before.length);
+    request(body, spliced(before, shape, 1, by));
+  }
+
+  private static ShapesChange spliced(ShapeDef[] before, int at, int removed, ShapeDef... added) {
+    int rest = before.length - at - removed;
+    ShapeDef[] after = Arrays.copyOf(before, at + added.length + rest);
+    System.arraycopy(added, 0, after, at, added.length);
+    System.arraycopy(before, at + removed, after, at + added.length, rest);
+    return new ShapesChange(after, at, removed, added.length);
+  }
+
+  private static void checkIndex(int shape, int count) {
+    if (shape < 0 || shape >= count) {
       throw new IndexOutOfBoundsException(
-          "shape=" + shape + " is outside 0.." + (body.shapeCount() - 1) + "; see shapeCount()");
+          "shape=" + shape + " is outside 0.." + (count - 1) + "; see shapeCount()");
     }
-    ShapeChange change = new ShapeChange(shape, how);
-    ShapeDef[] changed = change.of(handles.shapes(body.index()));
-    if (body.type() == BodyType.DYNAMIC) {
-      BodyEditor.checkMass(World.specs(changed), handles.ownMass(body.index()));
+  }
+
+  /** Returns the shapes that a body has once all edits that were asked for are carried out. */
+  private ShapeDef[] shapesToBe(Body<T> body) {
+    for (int i = pendingCount - 1; i >= 0; i--) {
+      if (pending[i] == CHANGE_SHAPES
+          && pendingSlot[i] == body.index()
+          && pendingGeneration[i] == body.generation()) {
+        return ((ShapesChange) pendingValue[i]).after;
+      }
     }
-    request(CHANGE_SHAPE, body.index(), body.generation(), change);
+    return handles.shapes(body.index());
+  }
+
+  private void request(Body<T> body, ShapesChange change) {
+    ShapeSpec[] specs = World.specs(change.after);
+    BodyEditor.checkShapes(World.code(body.type()), specs, handles.ownMass(body.index()));
+    request(CHANGE_SHAPES, body.index(), body.generation(), change);
   }
 
   void changeMass(Body<T> body, MassData ownOrNull) {
@@ -102,9 +151,23 @@ public final class EditQueue<T> {
     request(CHANGE_MASS, body.index(), body.generation(), ownOrNull);
   }
 
+  void lockMotion(Body<T> body, MotionLocks locks) {
+    world.refuseDuringQuery("setMotionLocks");
+    request(LOCK_MOTION, body.index(), body.generation(), locks);
+  }
+
+  /** Fixes or frees the rotation; the other locks are those that the body will have by then. */
   void fixRotation(Body<T> body, boolean fixed) {
     world.refuseDuringQuery("setFixedRotation");
-    request(fixed ? FIX_ROTATION : FREE_ROTATION, body.index(), body.generation(), null);
+    MotionLocks locks = body.motionLocks();
+    for (int i = 0; i < pendingCount; i++) {
+      if (pending[i] == LOCK_MOTION
+          && pendingSlot[i] == body.index()
+          && pendingGeneration[i] == body.generation()) {
+        locks = (MotionLocks) pendingValue[i];
+      }
+    }
+    lockMotion(body, locks.withAngularZ(fixed));
   }
 
   /** Carries out an edit now, or queues it until the end of the step. */
@@ -152,14 +215,19 @@ public final class EditQueue<T> {
     switch (what) {
       case DESTROY_BODY -> world.removeBody(slot);
       case ENABLE, DISABLE -> editor.setEnabled(slot, what == ENABLE);
-      case CHANGE_SHAPE -> changeShape(slot, (ShapeChange) value);
+      case CHANGE_SHAPES -> changeShapes(slot, (ShapesChange) value);
       case CHANGE_MASS -> {
         editor.change(slot, World.specs(handles.shapes(slot)), (MassData) value);
         handles.ownMass(slot, (MassData) value);
       }
-      case FIX_ROTATION, FREE_ROTATION -> {
-        editor.setFixedRotation(
-            slot, what == FIX_ROTATION, World.specs(handles.shapes(slot)), handles.ownMass(slot));
+      case LOCK_MOTION -> {
+        MotionLocks locks = (MotionLocks) value;
+        editor.setLocks(
+            slot,
+            World.axes(locks),
+            locks.angularZ(),
+            World.specs(handles.shapes(slot)),
+            handles.ownMass(slot));
       }
       default ->
           editor.setType(
@@ -171,13 +239,34 @@ public final class EditQueue<T> {
     handles.bodiesChanged();
   }
 
-  private void changeShape(int slot, ShapeChange change) {
-    ShapeDef[] changed = change.of(handles.shapes(slot));
-    if (changed[change.shape].sensor() != handles.shapes(slot)[change.shape].sensor()) {
-      editor.endContacts(slot, world.contactEvents());
+  private void changeShapes(int slot, ShapesChange change) {
+    ShapeDef[] before = handles.shapes(slot);
+    ShapeSpec[] specs = World.specs(change.after);
+    if (change.removed != change.added || change.removed > 0) {
+      int first = partsOf(before, 0, change.at);
+      int removed = partsOf(before, change.at, change.removed);
+      world.posesChanged();
+      editor.reshape(slot, first, removed, specs, handles.ownMass(slot), world.contactEvents());
+    } else if (!isSame(change.after[change.at], before[change.at])) {
+      if (change.after[change.at].sensor() != before[change.at].sensor()) {
+        editor.endContacts(slot, world.contactEvents());
+      }
+      editor.change(slot, specs, handles.ownMass(slot));
     }
-    editor.change(slot, World.specs(changed), handles.ownMass(slot));
-    handles.shapes(slot, changed);
+    handles.shapes(slot, change.after);
+  }
+
+  /** Returns whether two shapes are the same for the world, which ignores their users. */
+  private static boolean isSame(ShapeDef a, ShapeDef b) {
+    return a.user() != b.user() && a.withUser(null).equals(b.withUser(null));
+  }
+
+  private static int partsOf(ShapeDef[] shapes, int from, int n) {
+    int count = 0;
+    for (int i = from; i < from + n; i++) {
+      count += shapes[i].shape().parts().size();
+    }
+    return count;
   }
 
   /** Clears the edits that were requested in a step that failed. */

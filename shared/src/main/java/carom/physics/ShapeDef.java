@@ -14,19 +14,33 @@ import carom.physics.geometry.Shape;
  * @param material the shape's material
  * @param filter says what the shape collides with
  * @param sensor true if the shape is a sensor
+ * @param user object that the shape stands for in the using program, such as a part of a vehicle;
+ *     may be null; no part of a world's state
  */
-public record ShapeDef(Shape shape, Material material, Filter filter, boolean sensor) {
+public record ShapeDef(Shape shape, Material material, Filter filter, boolean sensor, Object user) {
 
   /**
-   * Makes a definition and checks that nothing is null.
+   * Makes a definition and checks that nothing but the user is null.
    *
-   * @throws IllegalArgumentException if an argument is null
+   * @throws IllegalArgumentException if another argument is null
    */
   public ShapeDef {
     if (shape == null || material == null || filter == null) {
       throw new IllegalArgumentException(
           "shape=" + shape + " material=" + material + " filter=" + filter + " must not be null");
     }
+  }
+
+  /**
+   * Makes the definition of a shape that stands for nothing.
+   *
+   * @param shape the shape, in the body frame
+   * @param material the shape's material
+   * @param filter says what the shape collides with
+   * @param sensor true if the shape is a sensor
+   */
+  public ShapeDef(Shape shape, Material material, Filter filter, boolean sensor) {
+    this(shape, material, filter, sensor, null);
   }
 
   /**
@@ -55,7 +69,7 @@ public record ShapeDef(Shape shape, Material material, Filter filter, boolean se
    * @return a changed copy
    */
   public ShapeDef withMaterial(Material newMaterial) {
-    return new ShapeDef(shape, newMaterial, filter, sensor);
+    return new ShapeDef(shape, newMaterial, filter, sensor, user);
   }
 
   /**
@@ -65,7 +79,7 @@ public record ShapeDef(Shape shape, Material material, Filter filter, boolean se
    * @return a changed copy
    */
   public ShapeDef withFilter(Filter newFilter) {
-    return new ShapeDef(shape, material, newFilter, sensor);
+    return new ShapeDef(shape, material, newFilter, sensor, user);
   }
 
   /**
@@ -75,6 +89,16 @@ public record ShapeDef(Shape shape, Material material, Filter filter, boolean se
    * @return a changed copy
    */
   public ShapeDef withSensor(boolean isSensor) {
-    return new ShapeDef(shape, material, filter, isSensor);
+    return new ShapeDef(shape, material, filter, isSensor, user);
+  }
+
+  /**
+   * Returns a copy that stands for another object of the using program.
+   *
+   * @param newUser the object, may be null
+   * @return a changed copy
+   */
+  public ShapeDef withUser(Object newUser) {
+    return new ShapeDef(shape, material, filter, sensor, newUser);
   }
 }

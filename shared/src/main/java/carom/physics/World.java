@@ -17,11 +17,13 @@ import carom.physics.dynamics.joint.JointTransfer;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
+import carom.physics.math.StateHash;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.profile.StageListener;
 import carom.physics.rows.ExactRows;
 import carom.physics.rows.JointDefRow;
+import carom.physics.settings.Settings;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.Objects;
@@ -52,7 +54,13 @@ public final class World<T> {
 
   private static final JointType[] JOINT_TYPES = JointType.values();
 
-  private final WorldDef def;
+  /** The constants that the world was made with. */
+  private final WorldDef firstDef;
+
+  /** The constants that the stages of a step see: those of {@link #def}. */
+  private final Settings settings;
+
+  private WorldDef def;
   private final Dynamics dynamics;
   private final PartQueries parts;
   private final BodyStore store;
@@ -72,6 +80,9 @@ public final class World<T> {
   private boolean stepping;
   private boolean querying;
 
+  /** Why shapes and constants must stay; null if they needn't. */
+  private String seal;
+
   private final Aabb box = new Aabb();
   private final Aabb queryBox = new Aabb();
   private final Transform pose = new Transform();
@@ -86,7 +97,9 @@ public final class World<T> {
    */
   public World(WorldDef def) {
     this.def = def;
-    dynamics = new Dynamics(def);
+    firstDef = def;
+    settings = def.live();
+    dynamics = new Dynamics(settings);
     parts = dynamics.queries();
     store = dynamics.bodies();
     joints = dynamics.joints();
@@ -96,12 +109,59 @@ public final class World<T> {
   }
 
   /**
-   * Returns the constants that this world was made with.
+   * Returns the constants of this world.
    *
-   * @return the definition
+   * @return the definition that it was made with, or the last one that {@link #redefine} took over
    */
   public WorldDef def() {
     return def;
+  }
+
+  /**
+   * Returns the constants that this world was made with. Another world that shall {@link #read} its
+   * states is made with the same.
+   *
+   * @return the constructor's definition, whatever {@link #redefine} changed
+   */
+  public WorldDef firstDef() {
+    return firstDef;
+  }
+
+  /**
+   * Changes the constants of the world from the next step on:
+   *
+   * <pre>
+   *   world.redefine(world.def().withGravity(0, 3))
+   * </pre>
+   *
+   * <p>They are part of the state from then on: saved, restored, archived, and in {@link
+   * #stateHash} unless they are those that the world was made with. Sleeping bodies wake if gravity
+   * changes or sleeping is switched off; otherwise they sleep on. Lower limits of speed act on
+   * bodies that are faster.
+   *
+   * @param newDef the constants; substeps, speculativeDistance and integrator stay as they are
+   * @throws IllegalArgumentException if one of these three differs
+   * @throws IllegalStateException during a step or a query, or if the world is {@linkplain #seal
+   *     sealed}
+   */
+  public void redefine(WorldDef newDef) {
+    refuseDuringStep("redefine");
+    refuseDuringQuery("redefine");
+    refuseIfSealed("redefine");
+    newDef.checkFollows(def);
+    boolean wakes =
+        newDef.gravityX() != def.gravityX()
+            || newDef.gravityY() != def.gravityY()
+            || (def.sleeping() && !newDef.sleeping());
+    take(newDef);
+    if (wakes) {
+      dynamics.wakeAll();
+    }
+  }
+
+  private void take(WorldDef newDef) {
+    def = newDef.hash() == firstDef.hash() ? firstDef : newDef;
+    settings.take(def);
   }
 
   /**
@@ -123,6 +183,17 @@ public final class World<T> {
   }
 
   /**
+   * Seals the world: from now on no body can be given another shape, and constants stay. Programs
+   * seal worlds that others compute, too, from the same definitions and without hearing of such a
+   * change. The seal is no part of the state.
+   *
+   * @param why the reason and the way out, for the error's text
+   */
+  public void seal(String why) {
+    seal = Objects.requireNonNull(why);
+  }
+
+  /**
    * Creates a body. A callback of a step may do so, too; the body then collides from the next step
    * on.
    *
@@ -138,7 +209,8 @@ public final class World<T> {
     int slot =
         dynamics
             .editor()
-            .create(code(bodyDef.type), specs(given), bodyDef.mass, bodyDef.fixedRotation);
+            .create(code(bodyDef.type), specs(given), bodyDef.mass, bodyDef.locks.angularZ());
+    store.setLinearLocks(slot, axes(bodyDef.locks));
     store.setOriginPose(
         slot, bodyDef.x, bodyDef.y, Trig.cos(bodyDef.angle), Trig.sin(bodyDef.angle));
     if (bodyDef.type != BodyType.STATIC) {
@@ -149,6 +221,7 @@ public final class World<T> {
     store.linearDamping[slot] = bodyDef.linearDamping;
     store.angularDamping[slot] = bodyDef.angularDamping;
     store.gravityScale[slot] = bodyDef.gravityScale;
+    store.sleepSpeed[slot] = bodyDef.sleepSpeed;
     store.setBullet(slot, bodyDef.bullet);
     if (!bodyDef.sleepAllowed) {
       store.flags[slot] |= BodyStore.SLEEPLESS;
@@ -178,6 +251,10 @@ public final class World<T> {
               shapes[i].sensor());
     }
     return specs;
+  }
+
+  static int axes(MotionLocks locks) {
+    return (locks.linearX() ? BodyStore.LOCK_X : 0) | (locks.linearY() ? BodyStore.LOCK_Y : 0);
   }
 
   static byte code(BodyType type) {
@@ -528,13 +605,15 @@ public final class World<T> {
   /**
    * Returns a hash of all state that decides how the world will behave. Two worlds made with equal
    * definitions that will behave equally have equal hashes. The hash covers poses, velocities,
-   * pending forces, masses, shapes, contacts and joints with their impulses, and the order in which
-   * slots will be given out. It leaves out users, listeners and the broadphase.
+   * pending forces, masses, shapes, contacts and joints with their impulses, constants that {@link
+   * #redefine} changed, and the order in which slots will be given out. It leaves out users,
+   * listeners and the broadphase.
    *
    * @return 64 bits
    */
   public long stateHash() {
-    return dynamics.hash();
+    long h = dynamics.hash();
+    return def == firstDef ? h : StateHash.finish(StateHash.mix(h, def.hash()));
   }
 
   /**
@@ -547,6 +626,7 @@ public final class World<T> {
     refuseDuringStep("save");
     WorldState s = reuseOrNull == null ? new WorldState(this) : reuseOrNull;
     checkOwner(s);
+    s.def = def;
     dynamics.save(s.dynamics, handles.sameBodies(s.handles));
     handles.copyTo(s.handles, store.slots(), joints.slots());
     return s;
@@ -566,6 +646,7 @@ public final class World<T> {
     refuseDuringQuery("restore");
     checkOwner(s);
     moves++;
+    take(s.def);
     dynamics.restore(s.dynamics, handles.sameBodies(s.handles));
     s.handles.copyTo(handles, store.slots(), joints.slots());
   }
@@ -1027,6 +1108,22 @@ public final class World<T> {
 
   void endQuery() {
     querying = false;
+  }
+
+  /** Notes that bodies may be elsewhere, for those that ask {@link #moves}. */
+  void posesChanged() {
+    moves++;
+  }
+
+  void refuseReshaping(String what) {
+    refuseDuringQuery(what);
+    refuseIfSealed(what);
+  }
+
+  private void refuseIfSealed(String what) {
+    if (seal != null) {
+      throw new IllegalStateException(what + " is not possible in this world: " + seal);
+    }
   }
 
   private void refuseDuringStep(String what) {

@@ -1,6 +1,8 @@
 package carom.physics;
 
+import carom.physics.archive.Archive;
 import carom.physics.math.Limits;
+import carom.physics.math.StateHash;
 import carom.physics.settings.Settings;
 import java.util.function.Consumer;
 
@@ -14,7 +16,7 @@ import java.util.function.Consumer;
  * </pre>
  *
  * <p>Two worlds behave alike only if all their constants are equal, so a server and its clients
- * share one definition.
+ * share one definition. {@link World#redefine} changes most of them while a world runs.
  */
 public final class WorldDef extends Settings {
   /** Makes a definition with gravity (0, -10) and the other defaults. */
@@ -146,10 +148,11 @@ public final class WorldDef extends Settings {
 
   /**
    * Returns a copy in which a body is at rest while no point of it moves faster than this, 0..1000
-   * m/s; default 0.05. Higher values freeze slow motion, lower ones let piles tremble for longer.
+   * m/s; default 0.05. Higher values freeze slow motion, lower ones let piles tremble for longer. A
+   * body may have a speed of its own, {@link BodyDef#sleepSpeed}.
    */
   public WorldDef withSleepSpeed(float speed) {
-    return with(d -> d.sleepSpeed = Limits.range("sleepSpeed", speed, 0, 1e3f));
+    return with(d -> d.sleepSpeed = Limits.range("sleepSpeed", speed, 0, Limits.MAX_SLEEP_SPEED));
   }
 
   /**
@@ -193,13 +196,87 @@ public final class WorldDef extends Settings {
     return explicitEuler() ? Integrator.EXPLICIT_EULER : Integrator.SYMPLECTIC_EULER;
   }
 
-  private WorldDef with(Consumer<WorldDef> change) {
-    try {
-      WorldDef copy = (WorldDef) clone();
-      change.accept(copy);
-      return copy;
-    } catch (CloneNotSupportedException e) {
-      throw new AssertionError(e);
+  /** Returns a copy for the stages of one world. */
+  Settings live() {
+    return copy();
+  }
+
+  /** Returns a hash of all constants. */
+  long hash() {
+    long h = StateHash.mix(StateHash.SEED, gravityX(), gravityY());
+    h = StateHash.mix(h, substeps());
+    h = StateHash.mix(h, contactHertz(), contactDampingRatio());
+    h = StateHash.mix(h, restitutionThreshold(), maxPushSpeed());
+    h = StateHash.mix(h, slop(), speculativeDistance());
+    h = StateHash.mix(h, aabbMargin(), hitSpeed());
+    h = StateHash.mix(h, maxSpeed(), maxAngularSpeed());
+    h = StateHash.mix(h, jointHertz(), jointDampingRatio());
+    h = StateHash.mix(h, sleepSpeed(), sleepDelay());
+    h = StateHash.mix(h, (sleeping() ? 1 : 0) | (continuous() ? 2 : 0));
+    return StateHash.finish(StateHash.mix(h, integrator().ordinal()));
+  }
+
+  /** Refuses to follow another definition in a running world, if a constant differs that stays. */
+  void checkFollows(WorldDef before) {
+    refuseChange(
+        "substeps",
+        substeps(),
+        before.substeps(),
+        "contacts and joints start with the impulses of a substep of that length");
+    refuseChange(
+        "speculativeDistance",
+        speculativeDistance(),
+        before.speculativeDistance(),
+        "the boxes and contacts that the world holds were measured with it");
+    refuseChange(
+        "integrator", integrator(), before.integrator(), "both give velocities another meaning");
+  }
+
+  private static void refuseChange(String name, Object now, Object before, String why) {
+    if (!now.equals(before)) {
+      throw new IllegalArgumentException(
+          name
+              + "="
+              + now
+              + " differs from "
+              + before
+              + " and can't be changed while the world runs, because "
+              + why
+              + "; make a new World");
     }
+  }
+
+  /**
+   * Passes the constants that a running world may change through an archive.
+   *
+   * @return these constants, or with what was read
+   */
+  WorldDef passChangeable(Archive a) {
+    float most = Float.MAX_VALUE;
+    return withGravity(
+            a.number("gravity x", gravityX(), -most, most),
+            a.number("gravity y", gravityY(), -most, most))
+        .withContactHertz(a.number("contact hertz", contactHertz(), 0, most))
+        .withContactDampingRatio(a.number("contact damping", contactDampingRatio(), 0, most))
+        .withRestitutionThreshold(
+            a.number("restitution threshold", restitutionThreshold(), 0, most))
+        .withMaxPushSpeed(a.number("push speed", maxPushSpeed(), 0, most))
+        .withSlop(a.number("slop", slop(), 0, most))
+        .withAabbMargin(a.number("margin", aabbMargin(), 0, most))
+        .withMaxSpeed(a.number("speed limit", maxSpeed(), 0, most))
+        .withMaxAngularSpeed(a.number("angular speed limit", maxAngularSpeed(), 0, most))
+        .withJointHertz(a.number("joint hertz", jointHertz(), 0, most))
+        .withJointDampingRatio(a.number("joint damping", jointDampingRatio(), 0, most))
+        .withSleeping(a.flag("sleeping", sleeping()))
+        .withSleepSpeed(a.number("sleep speed", sleepSpeed(), 0, most))
+        .withSleepDelay(a.number("sleep delay", sleepDelay(), 0, most))
+        .withContinuous(a.flag("continuous", continuous()))
+        .withHitSpeed(a.number("hit speed", hitSpeed(), 0, most));
+  }
+
+  private WorldDef with(Consumer<WorldDef> change) {
+    WorldDef copy = (WorldDef) copy();
+    change.accept(copy);
+    return copy;
   }
 }

@@ -8,7 +8,6 @@ import carom.physics.dynamics.DynamicsState;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.geometry.MassData;
-import carom.physics.math.StateHash;
 import java.util.function.IntFunction;
 
 /**
@@ -20,17 +19,22 @@ import java.util.function.IntFunction;
  */
 public final class WorldState {
   /** Version of the byte format. Raise it with every change of the format. */
-  private static final int FORMAT = 1;
+  private static final int FORMAT = 2;
 
   private static final BodyType[] BODY_TYPES = BodyType.values();
   private static final JointType[] JOINT_TYPES = JointType.values();
 
   final World<?> owner;
+
+  /** The constants that the world has. */
+  WorldDef def;
+
   final DynamicsState dynamics = new DynamicsState();
   final Handles<?> handles = new Handles<>();
 
   WorldState(World<?> owner) {
     this.owner = owner;
+    def = owner.firstDef();
   }
 
   /**
@@ -88,10 +92,20 @@ public final class WorldState {
     if (known != null
         && known.generation() == generation
         && (user == null || user == known.user())) {
+      keepShapeUsers(handles.shapes(slot), known.shapes());
       return known;
     }
     BodyType type = BODY_TYPES[dynamics.bodies().type[slot]];
     return new Body<>(world, world.store(), slot, generation, type, handles.shapes(slot), user);
+  }
+
+  /** Lets shapes that were read stand for what those of the same numbers stand for in the world. */
+  private static void keepShapeUsers(ShapeDef[] read, ShapeDef[] known) {
+    for (int i = 0; i < read.length && i < known.length; i++) {
+      if (known[i].user() != null) {
+        read[i] = read[i].withUser(known[i].user());
+      }
+    }
   }
 
   private static <T> Joint<T> handle(World<T> world, JointStore read, int j) {
@@ -109,9 +123,13 @@ public final class WorldState {
     a.require(
         version == World.PHYSICS_VERSION,
         "physics version=" + version + ", this build computes " + World.PHYSICS_VERSION);
-    long constants = a.bits("constants of the world", hash(owner.def()));
-    a.require(
-        constants == hash(owner.def()), "the world was made with another WorldDef than this one");
+    WorldDef first = owner.firstDef();
+    long constants = a.bits("constants of the world", first.hash());
+    a.require(constants == first.hash(), "the world was made with another WorldDef than this one");
+    if (a.flag("constants were changed", def != first)) {
+      WorldDef passed = (a.reads() ? first : def).passChangeable(a);
+      def = a.reads() ? passed : def;
+    }
     dynamics.passSlots(a);
     BodyStore bodies = dynamics.bodies();
     BodyArchive archive = new BodyArchive(a);
@@ -126,19 +144,5 @@ public final class WorldState {
       }
     }
     dynamics.passRest(a);
-  }
-
-  private static long hash(WorldDef d) {
-    long h = StateHash.mix(StateHash.SEED, d.gravityX(), d.gravityY());
-    h = StateHash.mix(h, d.substeps());
-    h = StateHash.mix(h, d.contactHertz(), d.contactDampingRatio());
-    h = StateHash.mix(h, d.restitutionThreshold(), d.maxPushSpeed());
-    h = StateHash.mix(h, d.slop(), d.speculativeDistance());
-    h = StateHash.mix(h, d.aabbMargin(), d.hitSpeed());
-    h = StateHash.mix(h, d.maxSpeed(), d.maxAngularSpeed());
-    h = StateHash.mix(h, d.jointHertz(), d.jointDampingRatio());
-    h = StateHash.mix(h, d.sleepSpeed(), d.sleepDelay());
-    h = StateHash.mix(h, (d.sleeping() ? 1 : 0) | (d.continuous() ? 2 : 0));
-    return StateHash.finish(StateHash.mix(h, d.integrator().ordinal()));
   }
 }

@@ -45,6 +45,10 @@ import java.util.List;
  * other.
  */
 final class SimParts {
+  private static final String SEAL =
+      "clients compute it, too, and know shapes by archetypes and constants by Game.world alone;"
+          + " spawn an entity of another archetype in its place, or use an area of another gravity";
+
   final Game game;
   final Level level;
   final int tickRate;
@@ -105,6 +109,7 @@ final class SimParts {
     random = new SimRandom(seed);
     worldDef = game.world(level);
     world = new World<>(worldDef);
+    world.seal(SEAL);
     areas =
         new AreaForces<>(
             world, level.areas(), (carrier, power) -> carrier.user().get(power), decides);

@@ -160,6 +160,7 @@ final class ArchitectureTest {
         "carom.physics.dynamics.*");
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
+    allow("carom.physics.mover", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
     allow("carom.sim.pool", "carom.physics..");

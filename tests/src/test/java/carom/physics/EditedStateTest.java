@@ -21,6 +21,8 @@ import org.junit.jupiter.api.Test;
 class EditedStateTest {
   private static final int ROUNDS = Integer.getInteger("carom.rounds", 80);
 
+  private static final WorldDef DEF = new WorldDef().withSleepDelay(0.2f);
+
   private static byte[] bytes(World<?> w) {
     ArchiveWriter out = new ArchiveWriter();
     w.save(null).write(out);
@@ -28,7 +30,7 @@ class EditedStateTest {
   }
 
   private static World<String> copy(World<String> w) {
-    World<String> copy = new World<>(w.def());
+    World<String> copy = new World<>(w.firstDef());
     ArchiveReader in = new ArchiveReader(bytes(w));
     copy.restore(copy.read(in, slot -> "read"));
     assertTrue(in.isEmpty());
@@ -40,7 +42,7 @@ class EditedStateTest {
   }
 
   private static World<String> wall() {
-    World<String> w = new World<>(new WorldDef().withSleepDelay(0.2f));
+    World<String> w = new World<>(DEF);
     w.createBody(new BodyDef().position(0, -1).shape(new Box(20, 1)), "floor");
     w.createBody(
         new BodyDef().position(2, 0.5f).shape(new ShapeDef(new Circle(1)).withSensor(true)),
@@ -81,7 +83,7 @@ class EditedStateTest {
     if (one == null) {
       return "";
     }
-    int what = random.nextInt(14);
+    int what = random.nextInt(19);
     switch (what) {
       case 0 -> one.setVelocity(random.nextFloat() * 4 - 2, 1);
       case 1, 2 -> one.setType(BodyType.values()[random.nextInt(3)]);
@@ -101,6 +103,17 @@ class EditedStateTest {
           w.createJoint(JointDef.revolute(one, two, one.x(), one.y()));
         }
       }
+      case 13 -> one.addShape(new ShapeDef(new Circle(0.2f, random.nextFloat() - 0.5f, 0.2f)));
+      case 14 -> {
+        if (one.shapeCount() > 1) {
+          one.removeShape(random.nextInt(one.shapeCount()));
+        }
+      }
+      case 15 ->
+          one.setMotionLocks(
+              new MotionLocks(random.nextBoolean(), random.nextBoolean(), random.nextBoolean()));
+      case 16 -> one.setSleepSpeed(random.nextFloat() * 0.2f);
+      case 17 -> w.redefine(w.def().withGravity(random.nextFloat() * 4 - 2, -10));
       default -> one.wake();
     }
     return what + " of body=" + one.index() + " ";
@@ -156,7 +169,7 @@ class EditedStateTest {
       for (int i = random.nextInt(3); i >= 0; i--) {
         damaged[random.nextInt(damaged.length)] = (byte) random.nextInt();
       }
-      World<String> copy = new World<>(w.def());
+      World<String> copy = new World<>(DEF);
       try {
         copy.restore(copy.read(new ArchiveReader(damaged), slot -> "read"));
         read++;

@@ -98,6 +98,20 @@ public final class BodyEditor {
   }
 
   /**
+   * Checks that a body could be made of some shapes.
+   *
+   * @param type one of {@link BodyStore}'s types
+   * @param shapes what it would consist of
+   * @param own its mass, null to compute it from the shapes
+   * @throws IllegalArgumentException if they have too many parts, or a dynamic body would have no
+   *     mass, or too much
+   */
+  public static void checkShapes(byte type, ShapeSpec[] shapes, MassData own) {
+    BodyMaker.partCount(shapes);
+    BodyMaker.total(type, shapes, own);
+  }
+
+  /**
    * Makes a body static, kinematic or dynamic. Its origin, and the velocity there, stay, except
    * that a static body is at rest.
    *
@@ -177,21 +191,64 @@ public final class BodyEditor {
   }
 
   /**
-   * Fixes a body's rotation, or frees it.
+   * Locks axes of a body's motion, or frees them. Its velocity along an axis that is newly locked
+   * becomes zero.
    *
    * @param body the slot
-   * @param fixed whether nothing but {@code setAngularVelocity} turns it; it then stops turning
+   * @param axes {@link BodyStore#LOCK_X} and {@link BodyStore#LOCK_Y}, added up
+   * @param fixed whether nothing but {@code setAngularVelocity} turns it
    * @param shapes what it consists of
    * @param own its mass, null to compute it from the shapes
    */
-  public void setFixedRotation(int body, boolean fixed, ShapeSpec[] shapes, MassData own) {
+  public void setLocks(int body, int axes, boolean fixed, ShapeSpec[] shapes, MassData own) {
+    int fresh = axes & ~bodies.flags[body];
+    if ((fresh & BodyStore.LOCK_X) != 0) {
+      bodies.vx[body] = 0;
+    }
+    if ((fresh & BodyStore.LOCK_Y) != 0) {
+      bodies.vy[body] = 0;
+    }
+    bodies.setLinearLocks(body, axes);
     if (fixed) {
+      bodies.w[body] = (bodies.flags[body] & BodyStore.FIXED_ROTATION) == 0 ? 0 : bodies.w[body];
       bodies.flags[body] |= BodyStore.FIXED_ROTATION;
-      bodies.w[body] = 0;
     } else {
       bodies.flags[body] &= ~BodyStore.FIXED_ROTATION;
     }
     change(body, shapes, own);
+  }
+
+  /**
+   * Gives a body other shapes. Contacts of the parts that go end now; those of all others stay,
+   * with their impulses. The body's origin, and the velocity there, stay, too.
+   *
+   * @param body the slot
+   * @param first number of the first part that goes, or in front of which parts come
+   * @param removed how many parts go
+   * @param shapes what it consists of from now on
+   * @param own its mass, null to compute it from the shapes
+   * @param events is told of contacts that end, null for nobody
+   */
+  public void reshape(
+      int body, int first, int removed, ShapeSpec[] shapes, MassData own, ContactEvents events) {
+    MassData total = BodyMaker.total(bodies.type[body], shapes, own);
+    int before = bodies.partCount[body];
+    endContacts(body, first, first + removed, events);
+    boolean enabled = !bodies.disabled(body);
+    if (enabled) {
+      leave(body);
+    }
+    maker.reshape(body, shapes, own, total);
+    int shift = bodies.partCount[body] - before;
+    contacts.renumberParts(body, first + removed, shift, bodies);
+    contacts.forgetManifolds();
+    contacts.mixAgain(body, parts);
+    if (enabled) {
+      enter(body);
+      sleeping.wakeOverlapped(body);
+    }
+    refilter.markStale();
+    sleeping.doAsked(); // by those who heard of contacts that ended
   }
 
   /** Adds a body to the active or sleeping ones and to the broadphase. */
@@ -213,14 +270,18 @@ public final class BodyEditor {
    * @param events is told, null for nobody
    */
   public void endContacts(int body, ContactEvents events) {
+    endContacts(body, 0, BodyStore.MAX_PARTS, events);
+  }
+
+  /** Ends the contacts of a body's parts with numbers from one on, to before another one. */
+  private void endContacts(int body, int from, int to, ContactEvents events) {
     sleeping.disturb(body);
     sleeping.mergeWoken();
     if (events != null) {
       sleeping.suspend();
       try {
         for (int row = 0; row < contacts.count(); row++) {
-          if (contacts.touches(row)
-              && (contacts.bodyA(row) == body || contacts.bodyB(row) == body)) {
+          if (contacts.touches(row) && contacts.isOfParts(row, body, from, to)) {
             events.end(row);
           }
         }
@@ -228,7 +289,7 @@ public final class BodyEditor {
         sleeping.resume();
       }
     }
-    contacts.order().removeBody(body);
+    contacts.order().removeParts(body, from, to);
     pairs.searchAll();
   }
 

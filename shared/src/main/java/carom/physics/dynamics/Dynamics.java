@@ -103,7 +103,7 @@ public final class Dynamics {
   /**
    * Makes an empty world.
    *
-   * @param settings its constants
+   * @param settings its constants; they may change between steps
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
@@ -202,6 +202,15 @@ public final class Dynamics {
    */
   public void wake(int body) {
     sleeping.wake(body);
+  }
+
+  /** Wakes all bodies that sleep. */
+  public void wakeAll() {
+    for (int body = 0; body < bodies.slots(); body++) {
+      if (bodies.type[body] != BodyStore.FREE && bodies.asleep(body)) {
+        sleeping.wake(body);
+      }
+    }
   }
 
   /**

@@ -32,6 +32,9 @@ public final class Limits {
   /** Largest factor on the world's gravity. */
   public static final float MAX_GRAVITY_SCALE = 1e3f;
 
+  /** Largest speed below which a body may count as at rest, m/s. */
+  public static final float MAX_SLEEP_SPEED = 1e3f;
+
   /** Longest time step, s. */
   public static final float MAX_TIME_STEP = 0.1f;
 

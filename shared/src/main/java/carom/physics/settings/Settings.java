@@ -5,7 +5,8 @@ package carom.physics.settings;
  *
  * <p>This is the list of all constants with their defaults. {@code carom.physics.WorldDef}, the
  * only subclass, is what users see: it says what each constant does, checks its range and changes
- * copies. An instance that a world has been made with never changes.
+ * copies. A definition never changes. The stages of a world share a copy of it, which {@linkplain
+ * #take takes} another definition over between steps.
  */
 public abstract class Settings implements Cloneable {
   protected float gravityX;
@@ -31,6 +32,39 @@ public abstract class Settings implements Cloneable {
 
   /** Starts with the defaults. */
   protected Settings() {}
+
+  /** Returns a copy, of the same class. */
+  protected final Settings copy() {
+    try {
+      return (Settings) clone();
+    } catch (CloneNotSupportedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  /** Takes all constants of others over; for the copy of one world only, between steps. */
+  public final void take(Settings from) {
+    gravityX = from.gravityX;
+    gravityY = from.gravityY;
+    substeps = from.substeps;
+    contactHertz = from.contactHertz;
+    contactDampingRatio = from.contactDampingRatio;
+    restitutionThreshold = from.restitutionThreshold;
+    maxPushSpeed = from.maxPushSpeed;
+    slop = from.slop;
+    speculativeDistance = from.speculativeDistance;
+    aabbMargin = from.aabbMargin;
+    maxSpeed = from.maxSpeed;
+    maxAngularSpeed = from.maxAngularSpeed;
+    jointHertz = from.jointHertz;
+    jointDampingRatio = from.jointDampingRatio;
+    sleeping = from.sleeping;
+    sleepSpeed = from.sleepSpeed;
+    sleepDelay = from.sleepDelay;
+    continuous = from.continuous;
+    hitSpeed = from.hitSpeed;
+    explicitEuler = from.explicitEuler;
+  }
 
   /** Returns the acceleration of every dynamic body along x, m/s^2. */
   public final float gravityX() {

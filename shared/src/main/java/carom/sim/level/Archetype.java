@@ -146,7 +146,10 @@ public final class Archetype {
             .linearDamping(def.linearDamping)
             .angularDamping(def.angularDamping)
             .gravityScale(def.gravityScale)
-            .fixedRotation(def.fixedRotation);
+            .motionLocks(def.locks);
+    if (def.sleepSpeed != null) {
+      body.sleepSpeed(def.sleepSpeed);
+    }
     if (def.type == BodyType.KINEMATIC) {
       body.angularVelocity(def.spin);
     }

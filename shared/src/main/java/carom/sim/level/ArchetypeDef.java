@@ -2,7 +2,9 @@ package carom.sim.level;
 
 import carom.physics.BodyType;
 import carom.physics.Material;
+import carom.physics.MotionLocks;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Limits;
 import carom.sim.entity.OneWay;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
@@ -10,6 +12,7 @@ import carom.sim.field.Ratio;
 import carom.sim.field.Scope;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * Describes an {@link Archetype} before it is registered. It is filled in fluently and handed to
@@ -30,7 +33,8 @@ public final class ArchetypeDef {
   float linearDamping;
   float angularDamping;
   float gravityScale = 1;
-  boolean fixedRotation;
+  MotionLocks locks = MotionLocks.NONE;
+  Float sleepSpeed;
   boolean oneWay;
   boolean sensor;
   int tag;
@@ -58,7 +62,8 @@ public final class ArchetypeDef {
     linearDamping = d.linearDamping;
     angularDamping = d.angularDamping;
     gravityScale = d.gravityScale;
-    fixedRotation = d.fixedRotation;
+    locks = d.locks;
+    sleepSpeed = d.sleepSpeed;
     oneWay = d.oneWay;
     sensor = d.sensor;
     tag = d.tag;
@@ -104,7 +109,19 @@ public final class ArchetypeDef {
 
   /** Sets whether the bodies never turn; false by default. */
   public ArchetypeDef fixedRotation(boolean fixed) {
-    fixedRotation = fixed;
+    locks = locks.withAngularZ(fixed);
+    return this;
+  }
+
+  /** Sets the axes along which nothing but its velocity moves a body; none by default. */
+  public ArchetypeDef motionLocks(MotionLocks motionLocks) {
+    locks = Objects.requireNonNull(motionLocks, "motionLocks");
+    return this;
+  }
+
+  /** Sets the speed below which a body is at rest, m/s, 0..1000; the world's by default. */
+  public ArchetypeDef sleepSpeed(float speed) {
+    sleepSpeed = Limits.range("sleepSpeed", speed, 0, Limits.MAX_SLEEP_SPEED);
     return this;
   }
 

@@ -19,6 +19,7 @@ import carom.json.Json;
 import carom.json.JsonException;
 import carom.physics.BodyType;
 import carom.physics.Material;
+import carom.physics.MotionLocks;
 import carom.physics.geometry.Shape;
 import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
@@ -97,6 +98,8 @@ final class LevelReader {
           "angularDamping",
           "gravityScale",
           "fixedRotation",
+          "lockX",
+          "lockY",
           "motion",
           "spin",
           "area");
@@ -302,7 +305,11 @@ final class LevelReader {
     def.linearDamping(number(node, "linearDamping", 0, 0, 100));
     def.angularDamping(number(node, "angularDamping", 0, 0, 100));
     def.gravityScale(number(node, "gravityScale", 1, -10, 10));
-    def.fixedRotation(bool(node, "fixedRotation", false));
+    def.motionLocks(
+        new MotionLocks(
+            bool(node, "lockX", false),
+            bool(node, "lockY", false),
+            bool(node, "fixedRotation", false)));
     readFields(node.fields.get("fields"), def);
     Json area = node.fields.get("area");
     def.area(area == null ? null : AreaReader.area(area));

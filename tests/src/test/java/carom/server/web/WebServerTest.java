@@ -5,10 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.transport.NetworkCounter;
+import carom.server.CaromMain;
 import carom.server.metrics.Counter;
 import carom.server.metrics.TurnStage;
 import carom.testkit.Stepper;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.URI;
@@ -17,6 +20,7 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
@@ -71,6 +75,47 @@ final class WebServerTest {
             .POST(HttpRequest.BodyPublishers.ofString("x"))
             .build();
     assertEquals(405, client.send(post, HttpResponse.BodyHandlers.discarding()).statusCode());
+  }
+
+  private static int health(StringWriter said, String... args) {
+    PrintWriter out = new PrintWriter(said);
+    List<String> words = new ArrayList<>(List.of(args));
+    words.add(0, "health");
+    return CaromMain.run(out, out, words.toArray(String[]::new));
+  }
+
+  @Test
+  void theHealthCommandSaysWhatTheServerAnswers() {
+    String server = URI.create(web.url()).getAuthority();
+    StringWriter early = new StringWriter();
+    assertEquals(1, health(early, server, "--ready"));
+    assertTrue(early.toString().startsWith("the first tick is not computed yet"), early.toString());
+    stepper.run(0.5);
+    StringWriter well = new StringWriter();
+    assertEquals(0, health(well, server, "--ready"));
+    assertEquals("ok", well.toString().strip());
+    web.stopping();
+    StringWriter stopping = new StringWriter();
+    assertEquals(1, health(stopping, server, "--ready"));
+    assertEquals("the server stops", stopping.toString().strip());
+    assertEquals(0, health(new StringWriter(), server));
+    web.close();
+    StringWriter none = new StringWriter();
+    assertEquals(1, health(none, server));
+    assertTrue(none.toString().startsWith("No answer from http://" + server), none.toString());
+  }
+
+  @Test
+  void theHealthCommandRefusesWhatIsNoServer() {
+    for (String server :
+        List.of("no host:1", "127.0.0.1:70000", "/x", "127.0.0.1:80/x", "a:80?b", "")) {
+      StringWriter said = new StringWriter();
+      assertEquals(2, health(said, server), server);
+      assertTrue(said.toString().contains("must be HOST:PORT"), said.toString());
+    }
+    StringWriter said = new StringWriter();
+    assertEquals(2, health(said, "--timeout", "0"));
+    assertTrue(said.toString().contains("--timeout must be 1..60 seconds"), said.toString());
   }
 
   @Test

@@ -50,7 +50,12 @@ public final class BodyMaker {
     fill(body, shapes, own, total);
   }
 
-  private static int partCount(ShapeSpec[] shapes) {
+  /**
+   * Returns the number of convex parts that a body of some shapes has.
+   *
+   * @throws IllegalArgumentException if they are more than one body can have
+   */
+  public static int partCount(ShapeSpec[] shapes) {
     long count = 0;
     for (ShapeSpec spec : shapes) {
       count += spec.shape().parts().size();
@@ -118,7 +123,16 @@ public final class BodyMaker {
     }
   }
 
-  /** Gives a body other mass and shapes; its origin, and the velocity there, stay. */
+  /** Gives a body other shapes, as many parts as they have, and the mass of {@link #refill}. */
+  public void reshape(int body, ShapeSpec[] shapes, MassData own, MassData total) {
+    int count = partCount(shapes);
+    parts.release(bodies.firstPart[body], bodies.partCount[body]);
+    bodies.firstPart[body] = parts.allocate(body, count);
+    bodies.partCount[body] = count;
+    refill(body, shapes, own, total);
+  }
+
+  /** Gives a body other mass and materials; its origin, and the velocity there, stay. */
   public void refill(int body, ShapeSpec[] shapes, MassData own, MassData total) {
     float oldX = bodies.x[body];
     float oldY = bodies.y[body];

@@ -38,7 +38,7 @@ import java.util.Arrays;
  *   sleepTime                       hot    sleep                      sleep, RowTransfer
  *   type firstPart partCount        cold   nobody                     allocate, release, BodyEditor
  *   mass inertia local* reach ...   cold   nobody                     BodyMaker
- *   damping gravityScale            cold   nobody                     Body
+ *   damping gravityScale sleepSpeed cold   nobody                     Body
  * </pre>
  *
  * <p><b>Length.</b> A third of the class declares the arrays with their units, another third makes
@@ -87,6 +87,21 @@ public final class BodyStore {
 
   /** Flag: while fast, the body is stopped at dynamic bodies, too. */
   public static final byte BULLET = 16;
+
+  /** Flag: nothing but {@code setVelocity} moves the body along x. */
+  public static final byte LOCK_X = 32;
+
+  /** Flag: nothing but {@code setVelocity} moves the body along y. */
+  public static final byte LOCK_Y = 64;
+
+  /** Value of {@link #sleepSpeed} that stands for the world's. */
+  public static final float WORLDS = -1;
+
+  /** The flags of locked axes of the velocity. */
+  public static final byte LINEAR_LOCKS = LOCK_X | LOCK_Y;
+
+  private static final byte ALL_FLAGS =
+      FIXED_ROTATION | DISABLED | ASLEEP | SLEEPLESS | BULLET | LINEAR_LOCKS;
 
   private static final int FIRST_CAPACITY = 64;
 
@@ -179,6 +194,9 @@ public final class BodyStore {
   /** Factor on the world's gravity. */
   public float[] gravityScale = new float[FIRST_CAPACITY];
 
+  /** Speed below which the body is at rest, m/s; {@link #WORLDS} for the world's. */
+  public float[] sleepSpeed = new float[FIRST_CAPACITY];
+
   /** Inner radius of the thinnest part that isn't a sensor, m; infinite without any. */
   public float[] innerRadius = new float[FIRST_CAPACITY];
 
@@ -187,6 +205,9 @@ public final class BodyStore {
 
   /** Distance from the centre of mass that no point of the body exceeds, m. */
   public float[] reach = new float[FIRST_CAPACITY];
+
+  /** Whether any body ever had a locked axis; if not, nobody looks for some. */
+  private boolean locks;
 
   private float[][] floats = gather();
 
@@ -258,6 +279,7 @@ public final class BodyStore {
     }
     rest(slot);
     gravityScale[slot] = 1;
+    sleepSpeed[slot] = WORLDS;
     type[slot] = newType;
     firstPart[slot] = 0;
     partCount[slot] = 0;
@@ -362,6 +384,32 @@ public final class BodyStore {
     flags[slot] = (byte) (bullet ? flags[slot] | BULLET : flags[slot] & ~BULLET);
   }
 
+  /** Returns whether any body's velocity has a locked axis, or had one. */
+  public boolean anyLinearLocks() {
+    return locks;
+  }
+
+  /**
+   * Returns which axes of a body's velocity are locked.
+   *
+   * @param slot a slot in use
+   * @return {@link #LOCK_X} and {@link #LOCK_Y}, added up; 0 unless the body is dynamic
+   */
+  public int linearLocks(int slot) {
+    return type[slot] == DYNAMIC ? flags[slot] & LINEAR_LOCKS : 0;
+  }
+
+  /**
+   * Sets which axes of a body's velocity are locked.
+   *
+   * @param slot a slot in use
+   * @param axes {@link #LOCK_X} and {@link #LOCK_Y}, added up
+   */
+  public void setLinearLocks(int slot, int axes) {
+    flags[slot] = (byte) (flags[slot] & ~LINEAR_LOCKS | axes);
+    locks |= axes != 0;
+  }
+
   /**
    * Sets pose by the centre of mass, bit for bit.
    *
@@ -447,8 +495,12 @@ public final class BodyStore {
     if (impulseX[slot] == 0 && impulseY[slot] == 0 && impulseW[slot] == 0) {
       return;
     }
-    vx[slot] += invMass[slot] * impulseX[slot];
-    vy[slot] += invMass[slot] * impulseY[slot];
+    if ((flags[slot] & LOCK_X) == 0) {
+      vx[slot] += invMass[slot] * impulseX[slot];
+    }
+    if ((flags[slot] & LOCK_Y) == 0) {
+      vy[slot] += invMass[slot] * impulseY[slot];
+    }
     w[slot] += invInertia[slot] * impulseW[slot];
     impulseX[slot] = 0;
     impulseY[slot] = 0;
@@ -509,6 +561,9 @@ public final class BodyStore {
         h = StateHash.mix(h, localX[i], localY[i]);
         h = StateHash.mix(h, linearDamping[i], angularDamping[i]);
         h = StateHash.mix(h, gravityScale[i], innerRadius[i]);
+        if (sleepSpeed[i] != WORLDS) {
+          h = StateHash.mix(h, sleepSpeed[i], 1);
+        }
       }
     }
     return h;
@@ -528,6 +583,7 @@ public final class BodyStore {
     for (int f = 0; f < HOT; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, slots());
     }
+    to.locks |= locks;
     long bytes = (long) slots() * HOT_BYTES;
     return cold.same(to.cold) ? bytes : bytes + copyColdTo(to);
   }
@@ -557,7 +613,7 @@ public final class BodyStore {
       grow();
     }
     a.bytes("type of body", type, n, FREE, DYNAMIC);
-    a.bytes("flags of body", flags, n, 0, FIXED_ROTATION | DISABLED | ASLEEP | SLEEPLESS | BULLET);
+    a.bytes("flags of body", flags, n, 0, ALL_FLAGS);
     slots.passGenerations(a, "body", n);
     slots.passFree(a, "body", n, type, FREE);
     if (a.reads()) {
@@ -573,6 +629,7 @@ public final class BodyStore {
 
   private void checkSlots(Archive a) {
     for (int slot = 0; slot < slots(); slot++) {
+      locks |= (flags[slot] & LINEAR_LOCKS) != 0;
       boolean sleeps = asleep(slot) && type[slot] != FREE;
       a.require(
           !sleeps || (type[slot] != STATIC && !disabled(slot)), "body=" + slot + " can't sleep");
@@ -592,6 +649,7 @@ public final class BodyStore {
     a.numbers("linear damping", linearDamping, slots(), Limits.MAX_DAMPING);
     a.numbers("angular damping", angularDamping, slots(), Limits.MAX_DAMPING);
     a.numbers("gravity scale", gravityScale, slots(), Limits.MAX_GRAVITY_SCALE);
+    a.numbers("sleep speed", sleepSpeed, slots(), Limits.MAX_SLEEP_SPEED);
     for (int slot = 0; a.reads() && slot < slots(); slot++) {
       if (type[slot] == FREE) {
         rest(slot);
@@ -603,6 +661,9 @@ public final class BodyStore {
       a.require(
           type[slot] == FREE || (linearDamping[slot] >= 0 && angularDamping[slot] >= 0),
           "damping of body=" + slot + " is negative");
+      a.require(
+          type[slot] == FREE || sleepSpeed[slot] >= 0 || sleepSpeed[slot] == WORLDS,
+          "sleep speed of body=" + slot + " is negative");
     }
   }
 
@@ -635,6 +696,7 @@ public final class BodyStore {
     linearDamping = Arrays.copyOf(linearDamping, capacity);
     angularDamping = Arrays.copyOf(angularDamping, capacity);
     gravityScale = Arrays.copyOf(gravityScale, capacity);
+    sleepSpeed = Arrays.copyOf(sleepSpeed, capacity);
     innerRadius = Arrays.copyOf(innerRadius, capacity);
     sleepTime = Arrays.copyOf(sleepTime, capacity);
     reach = Arrays.copyOf(reach, capacity);
@@ -666,6 +728,7 @@ public final class BodyStore {
       linearDamping,
       angularDamping,
       gravityScale,
+      sleepSpeed,
       innerRadius
     };
   }

@@ -222,6 +222,19 @@ public final class ContactTable extends ContactColumns {
     material[at + ROUND_B] = roundB;
   }
 
+  /** Returns whether a row is of a part of a body with a number from one on, to before another. */
+  public boolean isOfParts(int row, int body, int from, int to) {
+    int number;
+    if (bodyA(row) == body) {
+      number = ContactKey.partA(key[row]);
+    } else if (bodyB(row) == body) {
+      number = ContactKey.partB(key[row]);
+    } else {
+      return false;
+    }
+    return from <= number && number < to;
+  }
+
   /** Mixes the materials of a body's rows anew, after they changed. */
   public void mixAgain(int body, ShapeTable parts) {
     beginRowChange();
@@ -230,6 +243,34 @@ public final class ContactTable extends ContactColumns {
         mix(row, parts);
       }
     }
+  }
+
+  /**
+   * Makes the rows of a body follow its parts, which were given other places and numbers. Their
+   * order stays, because numbers are only moved up or down together.
+   *
+   * @param from the first number that changes, of those before the change
+   * @param shift added to it and to all above
+   */
+  public void renumberParts(int body, int from, int shift, BodyStore bodies) {
+    beginRowChange();
+    int first = bodies.firstPart[body];
+    for (int row = 0; row < count(); row++) {
+      long k = key[row];
+      if (bodyA(row) == body) {
+        int number = renumbered(ContactKey.partA(k), from, shift);
+        key[row] = ContactKey.of(body, number, bodyB(row), ContactKey.partB(k));
+        part[2 * row] = first + number;
+      } else if (bodyB(row) == body) {
+        int number = renumbered(ContactKey.partB(k), from, shift);
+        key[row] = ContactKey.of(bodyA(row), ContactKey.partA(k), body, number);
+        part[2 * row + 1] = first + number;
+      }
+    }
+  }
+
+  private static int renumbered(int number, int from, int shift) {
+    return number < from ? number : number + shift;
   }
 
   /** Holds copies of rows of another table instead of its own. */

@@ -137,12 +137,12 @@ public final class RowOrder {
     table.moveRows(kept, null);
   }
 
-  /** Removes all rows of a body. */
-  public void removeBody(int body) {
+  /** Removes the rows of a body's parts with numbers from one on, to before another one. */
+  public void removeParts(int body, int from, int to) {
     table.beginMoves();
     int kept = 0;
     for (int row = 0; row < table.count(); row++) {
-      if (table.bodyA(row) != body && table.bodyB(row) != body) {
+      if (!table.isOfParts(row, body, from, to)) {
         moves.keep(row, kept++);
       }
     }

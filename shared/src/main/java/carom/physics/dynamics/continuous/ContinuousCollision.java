@@ -203,8 +203,9 @@ public final class ContinuousCollision {
     if (bounces) {
       keepEnergy(f.body, (1 - split) * stepS);
     }
-    bodies.x[f.body] = endPose.x;
-    bodies.y[f.body] = endPose.y;
+    int locks = bodies.linearLocks(f.body);
+    bodies.x[f.body] = (locks & BodyStore.LOCK_X) == 0 ? endPose.x : hitPose.x;
+    bodies.y[f.body] = (locks & BodyStore.LOCK_Y) == 0 ? endPose.y : hitPose.y;
     float inverse = 1 / (float) Math.sqrt(endPose.cos * endPose.cos + endPose.sin * endPose.sin);
     bodies.cos[f.body] = endPose.cos * inverse;
     bodies.sin[f.body] = endPose.sin * inverse;
@@ -226,8 +227,9 @@ public final class ContinuousCollision {
   /** Takes off what gravity added to the speed on the way that the body is put back. */
   private void keepEnergy(int body, float seconds) {
     float scale = bodies.gravityScale[body] * seconds;
-    bodies.vx[body] -= scale * settings.gravityX();
-    bodies.vy[body] -= scale * settings.gravityY();
+    int locks = bodies.linearLocks(body);
+    bodies.vx[body] -= (locks & BodyStore.LOCK_X) == 0 ? scale * settings.gravityX() : 0;
+    bodies.vy[body] -= (locks & BodyStore.LOCK_Y) == 0 ? scale * settings.gravityY() : 0;
   }
 
   /** Widens later searches if a body that was carried along left the box the tree knows of it. */

@@ -72,11 +72,16 @@ final class RestTime {
     bodies.sleepTime[body] = moved(body) ? MOVED : 0;
   }
 
+  private float sleepSpeed(int body) {
+    float own = bodies.sleepSpeed[body];
+    return own == BodyStore.WORLDS ? settings.sleepSpeed() : own;
+  }
+
   /** Adds a step's time if the body was slow; returns whether it may fall asleep. */
   boolean add(int body, float dt) {
     float vx = bodies.vx[body];
     float vy = bodies.vy[body];
-    float most = bodies.type[body] == BodyStore.DYNAMIC ? settings.sleepSpeed() : 0;
+    float most = bodies.type[body] == BodyStore.DYNAMIC ? sleepSpeed(body) : 0;
     float spin = bodies.reach[body] * bodies.w[body];
     boolean slow = vx * vx + vy * vy <= most * most && Math.abs(spin) <= most;
     if (moved(body)) {

@@ -59,6 +59,12 @@ public final class ContactPacker {
    */
   public static final float DIAGONAL_SCALE = 1 + 1 / 1024f;
 
+  /**
+   * Inverse mass of two bodies that both can't move along the normal, because of locked axes: there
+   * is nothing to solve, and all impulses are next to zero.
+   */
+  private static final float IMMOVABLE = 1e15f;
+
   /** Place of a point relative to A, x, until lever arms are made of it. */
   public static final int ARM_X = NORMAL_ARM_A;
 
@@ -146,7 +152,7 @@ public final class ContactPacker {
       lanes.leverArms(blocks.data, block * RECORD, two);
     } else {
       for (int i = 0; i < used; i++) {
-        leverArms(block * RECORD + i, two);
+        leverArms(block * LANES + i, two);
       }
     }
     for (int i = 0; i < used; i++) {
@@ -178,6 +184,9 @@ public final class ContactPacker {
     d[at + NX] = nx;
     d[at + NY] = ny;
     d[at + FRICTION] = m[mixed + ContactTable.FRICTION];
+    if (bodies.locks.isEither(slotOf[a], slotOf[o])) {
+      blocks.traits[block] &= ~WIDE;
+    }
     d[at + MASS_A] = b.invMass[a];
     d[at + MASS_B] = b.invMass[o];
     d[at + INERTIA_A] = b.invInertia[a];
@@ -215,20 +224,23 @@ public final class ContactPacker {
     }
   }
 
-  private void leverArms(int at, boolean two) {
+  private void leverArms(int lane, boolean two) {
     float[] d = blocks.data;
+    int at = lane / LANES * RECORD + lane % LANES;
     float gapX = d[at + FIRST + OFFSET_X];
     float gapY = d[at + FIRST + OFFSET_Y];
-    leverArms(at, at + FIRST, gapX, gapY);
+    float along = scalar.inverseMasses(lane, at, d[at + NX], d[at + NY]);
+    float across = scalar.inverseMasses(lane, at, -d[at + NY], d[at + NX]);
+    leverArms(at, at + FIRST, gapX, gapY, along, across);
     if (two) {
-      leverArms(at, at + SECOND, gapX, gapY);
-      d[at + CROSS] = cross(at);
+      leverArms(at, at + SECOND, gapX, gapY, along, across);
+      d[at + CROSS] = cross(at, along);
       d[at + FIRST + INVERSE_NORMAL_MASS] *= DIAGONAL_SCALE;
       d[at + SECOND + INVERSE_NORMAL_MASS] *= DIAGONAL_SCALE;
     }
   }
 
-  private void leverArms(int at, int p, float gapX, float gapY) {
+  private void leverArms(int at, int p, float gapX, float gapY, float along, float across) {
     float[] d = blocks.data;
     float x = d[p + ARM_X];
     float y = d[p + ARM_Y];
@@ -236,34 +248,37 @@ public final class ContactPacker {
     float by = y - gapY;
     float nx = d[at + NX];
     float ny = d[at + NY];
-    float masses = d[at + MASS_A] + d[at + MASS_B];
     float inertiaA = d[at + INERTIA_A];
     float inertiaB = d[at + INERTIA_B];
     float normalA = x * ny - y * nx;
     float normalB = bx * ny - by * nx;
     float tangentA = x * nx + y * ny;
     float tangentB = bx * nx + by * ny;
-    float kt = masses + inertiaA * tangentA * tangentA + inertiaB * tangentB * tangentB;
+    float kt = across + inertiaA * tangentA * tangentA + inertiaB * tangentB * tangentB;
     d[p + NORMAL_ARM_A] = normalA;
     d[p + NORMAL_ARM_B] = normalB;
     d[p + TANGENT_ARM_A] = tangentA;
     d[p + TANGENT_ARM_B] = tangentB;
     d[p + GAP] = d[p + SEPARATION];
     d[p + INVERSE_NORMAL_MASS] =
-        masses + inertiaA * normalA * normalA + inertiaB * normalB * normalB;
+        along + inertiaA * normalA * normalA + inertiaB * normalB * normalB;
+    if (d[p + INVERSE_NORMAL_MASS] == 0) {
+      d[p + INVERSE_NORMAL_MASS] = IMMOVABLE;
+      d[p + NORMAL_IMPULSE] = 0;
+      d[p + TANGENT_IMPULSE] = 0;
+    }
     d[p + TANGENT_MASS] = kt > 0 ? 1 / kt : 0;
     d[p + TOTAL_NORMAL] = 0;
     d[p + TOTAL_TANGENT] = 0;
   }
 
-  private float cross(int at) {
+  private float cross(int at, float along) {
     float[] d = blocks.data;
     int p = at + FIRST;
     int q = at + SECOND;
     float turnA = d[p + NORMAL_ARM_A] * d[q + NORMAL_ARM_A];
     float turnB = d[p + NORMAL_ARM_B] * d[q + NORMAL_ARM_B];
-    float masses = d[at + MASS_A] + d[at + MASS_B];
-    return masses + d[at + INERTIA_A] * turnA + d[at + INERTIA_B] * turnB;
+    return along + d[at + INERTIA_A] * turnA + d[at + INERTIA_B] * turnB;
   }
 
   private void packRestitution(int block, int i, float restitution) {

@@ -220,7 +220,7 @@ public final class ContactSolver {
     blocks.build(contacts, bodyStore, solverBodies, lanes);
     this.solverBodies = solverBodies;
     v = solverBodies.state;
-    scalar.begin(v);
+    scalar.begin(solverBodies);
     packer.begin(contacts, bodyStore, solverBodies, constants, substep);
   }
 

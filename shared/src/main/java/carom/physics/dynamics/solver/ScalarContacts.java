@@ -40,9 +40,12 @@ import static carom.physics.dynamics.solver.SolverBodies.COS;
 import static carom.physics.dynamics.solver.SolverBodies.DX;
 import static carom.physics.dynamics.solver.SolverBodies.DY;
 import static carom.physics.dynamics.solver.SolverBodies.SIN;
+import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
 import static carom.physics.dynamics.solver.SolverBodies.VX;
 import static carom.physics.dynamics.solver.SolverBodies.VY;
 import static carom.physics.dynamics.solver.SolverBodies.W;
+
+import carom.physics.dynamics.domain.AxisLocks;
 
 /**
  * Solves contacts one by one: one visit of one contact per call. The reference for the vector
@@ -61,15 +64,27 @@ final class ScalarContacts {
   /** State of the bodies: {@link SolverBodies#state}. */
   private float[] v = new float[0];
 
+  private AxisLocks locks = new AxisLocks();
+
   /** Solves the contacts of these blocks with the constants of that solver. */
   ScalarContacts(ContactSolver solver, ContactBlocks blocks) {
     this.solver = solver;
     this.blocks = blocks;
   }
 
-  /** Begins a step with this state of the bodies. */
-  void begin(float[] state) {
-    v = state;
+  /** Begins a step with these bodies. */
+  void begin(SolverBodies bodies) {
+    v = bodies.state;
+    locks = bodies.locks;
+  }
+
+  /** Returns the sum of the inverse masses of a contact's bodies along a unit vector, 1/kg. */
+  float inverseMasses(int lane, int at, float x, float y) {
+    float massA = blocks.data[at + MASS_A];
+    float massB = blocks.data[at + MASS_B];
+    int a = blocks.bodyA[lane] / STRIDE;
+    int b = blocks.bodyB[lane] / STRIDE;
+    return locks.inverseMasses(a, massA, b, massB, x, y);
   }
 
   /** Applies the impulses that a contact starts with. */
@@ -119,7 +134,7 @@ final class ScalarContacts {
     float tangentSpeed = dvy * nx - dvx * ny;
     float wa = v[a + W];
     float wb = v[b + W];
-    float masses = d[at + MASS_A] + d[at + MASS_B];
+    float across = inverseMasses(lane, at, -ny, nx);
     float inertiaA = d[at + INERTIA_A];
     float inertiaB = d[at + INERTIA_B];
     int trait = blocks.traits[block];
@@ -133,12 +148,12 @@ final class ScalarContacts {
     }
     int p = at + FIRST;
     float change = solveFriction(at, p, tangentSpeed, wa, wb);
-    tangentSpeed += masses * change;
+    tangentSpeed += across * change;
     wa -= inertiaA * (d[p + TANGENT_ARM_A] * change);
     wb += inertiaB * (d[p + TANGENT_ARM_B] * change);
     float tangent = 0 + change; // -0 becomes 0, as in lanes
     float gap = d[p + GAP];
-    float softness = solver.soft[trait & SOFTNESS] * masses;
+    float softness = solver.soft[trait & SOFTNESS] * inverseMasses(lane, at, nx, ny);
     float rate = solver.biasRate[trait & SOFTNESS];
     float old = d[p + NORMAL_IMPULSE];
     float normal;
@@ -194,7 +209,7 @@ final class ScalarContacts {
     float tangentSpeed = dvy * nx - dvx * ny;
     float wa = v[a + W];
     float wb = v[b + W];
-    float masses = d[at + MASS_A] + d[at + MASS_B];
+    float across = inverseMasses(lane, at, -ny, nx);
     float inertiaA = d[at + INERTIA_A];
     float inertiaB = d[at + INERTIA_B];
     int trait = blocks.traits[block];
@@ -226,7 +241,7 @@ final class ScalarContacts {
       normal += normal2;
     }
     float change = solveFriction(at, p, tangentSpeed, wa, wb);
-    tangentSpeed += masses * change;
+    tangentSpeed += across * change;
     wa -= inertiaA * (d[p + TANGENT_ARM_A] * change);
     wb += inertiaB * (d[p + TANGENT_ARM_B] * change);
     float tangent = 0 + change; // -0 becomes 0, as in lanes
@@ -396,16 +411,14 @@ final class ScalarContacts {
     float py = normal * ny + tangent * nx;
     float massA = d[at + MASS_A];
     float massB = d[at + MASS_B];
+    int a = blocks.bodyA[lane];
+    int b = blocks.bodyB[lane];
     if (massA != 0) {
-      int a = blocks.bodyA[lane];
-      v[a + VX] -= massA * px;
-      v[a + VY] -= massA * py;
+      locks.apply(a / STRIDE, massA, -px, -py, v, a + VX);
       v[a + W] = wa;
     }
     if (massB != 0) {
-      int b = blocks.bodyB[lane];
-      v[b + VX] += massB * px;
-      v[b + VY] += massB * py;
+      locks.apply(b / STRIDE, massB, px, py, v, b + VX);
       v[b + W] = wb;
     }
   }

@@ -3,6 +3,7 @@ package carom.physics.dynamics.solver;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.domain.AxisLocks;
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.domain.Domains;
 import carom.physics.dynamics.domain.SolverSlots;
@@ -25,6 +26,9 @@ import java.util.Arrays;
  * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs
  * whatever is added to it (which is zero). Moving bodies follow, see {@link SolverSlots}. Positions
  * are differences, so the solver works with small numbers wherever in the world it is.
+ *
+ * <p><b>Length.</b> Loading, integrating and storing read the same eight numbers per body, which
+ * are declared here; each stage is a loop of its own, with its reasons.
  */
 public final class SolverBodies {
   /** Floats per slot. */
@@ -97,6 +101,9 @@ public final class SolverBodies {
 
   /** Explicit Euler only: velocities after a substep's constraints. */
   private float[] solved = new float[0];
+
+  /** The locked axes of the moving bodies. */
+  final AxisLocks locks = new AxisLocks();
 
   private boolean explicit;
 
@@ -201,6 +208,7 @@ public final class SolverBodies {
       linearFactor = new float[capacity];
       angularFactor = new float[capacity];
     }
+    locks.begin(bodies.anyLinearLocks(), count);
     resetSlot(0);
     for (int domain = 0; domain < domains.count(); domain++) {
       resetSlot(slots.idle(domain));
@@ -246,6 +254,7 @@ public final class SolverBodies {
         linearFactor[i] = 1 / (1 + h * b.linearDamping[body]);
         angularFactor[i] = 1 / (1 + h * b.angularDamping[body]);
         b.useForces(body);
+        locks.load(i, b, body, state, at, ax, ay);
       } else {
         ax[i] = 0;
         ay[i] = 0;
@@ -254,6 +263,11 @@ public final class SolverBodies {
         angularFactor[i] = 1;
       }
     }
+  }
+
+  private void hold(int slot) {
+    locks.hold(slot, bodies, slots.body, state, slot * STRIDE);
+    locks.hold(slot, bodies, slots.body, withoutContacts, slot * VELOCITY);
   }
 
   /**
@@ -307,6 +321,7 @@ public final class SolverBodies {
         s[at + VY] += byContactsY;
         s[at + W] += byContactsW;
       }
+      hold(i);
     }
   }
 
@@ -407,6 +422,7 @@ public final class SolverBodies {
     float[] s = state;
     for (int i = from; i < to; i++) {
       int at = i * STRIDE;
+      hold(i);
       float moveX = h * s[at + VX];
       float moveY = h * s[at + VY];
       if (!(Math.abs(moveX) + Math.abs(moveY) <= MAX_TRANSLATION)) {
@@ -466,6 +482,7 @@ public final class SolverBodies {
     float[] s = state;
     int body = slots.body[slot];
     int at = slot * STRIDE;
+    hold(slot);
     limit(s, at, settings.maxSpeed(), settings.maxAngularSpeed());
     b.vx[body] = s[at + VX];
     b.vy[body] = s[at + VY];

@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.tool;
 
 import carom.net.protocol.Protocol;
 import carom.replay.Divergence;
@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
       "Exit codes: 0 every tick is equal, 1 it diverged, 2 bad flag, or a file that can't be"
           + " played."
     })
-final class ReplayCommand implements Callable<Integer> {
+public final class ReplayCommand implements Callable<Integer> {
   private static final int DIVERGED = 1;
   private static final int BAD_FILE = 2;
 
@@ -55,6 +55,9 @@ final class ReplayCommand implements Callable<Integer> {
           "Begin at the last whole state that the file has at or before this tick; there is one a"
               + " minute (${DEFAULT-VALUE}).")
   private int from;
+
+  /** Creates a command that picocli has yet to fill in. */
+  public ReplayCommand() {}
 
   @Override
   public Integer call() {
