@@ -16,6 +16,11 @@ package carom.physics;
  * <p><b>If the answer changes</b>, call {@link Body#refilter}. The next step then asks about all
  * pairs of the body: contacts that are refused end, and those that are allowed begin.
  *
+ * <p>Where several machines compute the same world, each must set an equal filter, and answers must
+ * never change: a game sets it in its set-up on server and clients, and clients aren't told of
+ * {@link Body#refilter}. What changes belongs to the game's {@code collision}, which both sides
+ * ask.
+ *
  * <p>It is called on the thread that steps the world, whatever {@linkplain World#workers workers}
  * there are. It must change nothing and make no query. It is no part of the world's state: worlds
  * behave alike if their filters answer alike.

@@ -66,6 +66,8 @@ public abstract class Settings implements Cloneable {
     continuous = from.continuous;
     hitSpeed = from.hitSpeed;
     explicitEuler = from.explicitEuler;
+    frictionMixing = from.frictionMixing;
+    restitutionMixing = from.restitutionMixing;
   }
 
   /** Returns the acceleration of every dynamic body along x, m/s^2. */
