@@ -315,9 +315,10 @@ final class ArchitectureTest {
         "carom.net.seal",
         "carom.net.admission",
         "carom.text");
+    allow("carom.net.kryo.message", "carom.net.protocol", "carom.text");
     allow(
         "carom.net.kryo",
-        "carom.text",
+        "carom.net.kryo.message",
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.seal",
