@@ -973,7 +973,7 @@ public final class Body<T> {
    * rotation. Wakes the body. In a callback this takes effect at the end of the step.
    *
    * @param fixed true if no force shall turn the body
-   * @throws IllegalStateException during a query
+   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
    */
   public void setFixedRotation(boolean fixed) {
     check();
@@ -1002,7 +1002,7 @@ public final class Body<T> {
    * free one gives way a little under sudden loads, because the lock takes back what the joint did.
    *
    * @param locks the locks, the rotation's included
-   * @throws IllegalStateException during a query
+   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
    */
   public void setMotionLocks(MotionLocks locks) {
     check();

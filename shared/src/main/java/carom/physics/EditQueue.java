@@ -92,20 +92,20 @@ public final class EditQueue<T> {
   }
 
   void addShape(Body<T> body, ShapeDef added) {
-    world.refuseReshaping("addShape");
+    world.refuseShared("addShape");
     ShapeDef[] before = shapesToBe(body);
     request(body, spliced(before, before.length, 0, added));
   }
 
   void removeShape(Body<T> body, int shape) {
-    world.refuseReshaping("removeShape");
+    world.refuseShared("removeShape");
     ShapeDef[] before = shapesToBe(body);
     checkIndex(shape, before.length);
     request(body, spliced(before, shape, 1));
   }
 
   void replaceShape(Body<T> body, int shape, ShapeDef by) {
-    world.refuseReshaping("replaceShape");
+    world.refuseShared("replaceShape");
     ShapeDef[] before = shapesToBe(body);
     checkIndex(shape, before.length);
     request(body, spliced(before, shape, 1, by));
@@ -160,13 +160,13 @@ public final class EditQueue<T> {
   }
 
   void lockMotion(Body<T> body, MotionLocks locks) {
-    world.refuseDuringQuery("setMotionLocks");
+    world.refuseShared("setMotionLocks");
     request(LOCK_MOTION, body.index(), body.generation(), locks);
   }
 
   /** Fixes or frees the rotation; the other locks are those that the body will have by then. */
   void fixRotation(Body<T> body, boolean fixed) {
-    world.refuseDuringQuery("setFixedRotation");
+    world.refuseShared("setFixedRotation");
     MotionLocks locks = body.motionLocks();
     for (int i = 0; i < pendingCount; i++) {
       if (pending[i] == LOCK_MOTION

@@ -188,9 +188,9 @@ public final class World<T> {
   }
 
   /**
-   * Seals the world: from now on no body can be given another shape, and constants stay. Programs
-   * seal worlds that others compute, too, from the same definitions and without hearing of such a
-   * change. The seal is no part of the state.
+   * Seals the world: from now on no body can be given another shape or other locks, and constants
+   * stay. Programs seal worlds that others compute, too, from the same definitions and without
+   * hearing of such a change. The seal is no part of the state.
    *
    * @param why the reason and the way out, for the error's text
    */
@@ -1260,7 +1260,8 @@ public final class World<T> {
     moves++;
   }
 
-  void refuseReshaping(String what) {
+  /** Refuses an edit of which others that compute this world don't hear. */
+  void refuseShared(String what) {
     refuseDuringQuery(what);
     refuseIfSealed(what);
   }
