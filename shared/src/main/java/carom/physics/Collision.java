@@ -381,7 +381,18 @@ public final class Collision<T> {
     if (!overrides.decides(row)) {
       throw new IllegalStateException(what + " is possible in preSolve only");
     }
+    world.note(Call.SET_CONTACT, place, value);
     overrides.set(row, place, value);
+  }
+
+  /** Sets again what was recorded; a place that isn't one is refused. */
+  void repeat(int place, float value) {
+    switch (place) {
+      case ContactTable.FRICTION -> setFriction(value);
+      case ContactTable.RESTITUTION -> setRestitution(value);
+      case ContactTable.SURFACE -> setTangentSpeed(value);
+      default -> throw new IllegalArgumentException("place=" + place + " of a contact's numbers");
+    }
   }
 
   /**

@@ -4,6 +4,7 @@ import carom.physics.dynamics.contact.ContactEvents;
 
 /** Passes the rows of a world's contact table on to its listener and its event lists. */
 final class ContactDispatch<T> implements ContactEvents {
+  private final World<T> world;
   private final Collision<T> collision;
 
   /** Null for none. */
@@ -12,12 +13,17 @@ final class ContactDispatch<T> implements ContactEvents {
   /** Null for none. */
   private EventLists<T> lists;
 
-  ContactDispatch(Collision<T> collision) {
+  ContactDispatch(World<T> world, Collision<T> collision) {
+    this.world = world;
     this.collision = collision;
   }
 
   void listener(CollisionListener<T> newListener) {
     listener = newListener;
+  }
+
+  CollisionListener<T> listener() {
+    return listener;
   }
 
   void lists(EventLists<T> newLists) {
@@ -40,7 +46,9 @@ final class ContactDispatch<T> implements ContactEvents {
       lists.begin(collision);
     }
     if (listener != null) {
+      world.enterCallback();
       listener.begin(collision);
+      world.leaveCallback();
     }
   }
 
@@ -51,19 +59,32 @@ final class ContactDispatch<T> implements ContactEvents {
       lists.end(collision);
     }
     if (listener != null) {
+      world.enterCallback();
       listener.end(collision);
+      world.leaveCallback();
     }
   }
 
   @Override
   public boolean preSolve(int row) {
-    return listener == null || listener.preSolve(collision.at(row));
+    if (listener == null) {
+      return true;
+    }
+    world.enterCallback();
+    boolean accepts = listener.preSolve(collision.at(row));
+    if (!accepts) {
+      world.note(Call.REFUSE_CONTACT);
+    }
+    world.leaveCallback();
+    return accepts;
   }
 
   @Override
   public void postSolve(int row) {
     if (listener != null) {
+      world.enterCallback();
       listener.postSolve(collision.at(row));
+      world.leaveCallback();
     }
   }
 
@@ -74,7 +95,9 @@ final class ContactDispatch<T> implements ContactEvents {
       lists.hit(collision);
     }
     if (listener != null) {
+      world.enterCallback();
       listener.hit(collision);
+      world.leaveCallback();
     }
   }
 }

@@ -29,6 +29,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
 
@@ -78,6 +79,13 @@ public final class World<T> {
   private JointListener<T> jointListener;
 
   private float stepSeconds;
+
+  /** Whether the program decides which shapes meet. */
+  private boolean filtered;
+
+  /** Records calls that change this world; null (the default) records nothing. */
+  private WorldRecorder recorder;
+
   private boolean stepping;
   private boolean querying;
 
@@ -104,7 +112,7 @@ public final class World<T> {
     parts = dynamics.queries();
     store = dynamics.bodies();
     joints = dynamics.joints();
-    events = new ContactDispatch<>(new Collision<>(this, dynamics.contacts()));
+    events = new ContactDispatch<>(this, new Collision<>(this, dynamics.contacts()));
     queries = new Queries<>(this, null);
     edits = new EditQueue<>(this, dynamics, handles);
   }
@@ -150,6 +158,7 @@ public final class World<T> {
     refuseDuringQuery("redefine");
     refuseIfSealed("redefine");
     newDef.checkFollows(def);
+    noteValue(Call.REDEFINE, newDef);
     boolean wakes =
         newDef.gravityX() != def.gravityX()
             || newDef.gravityY() != def.gravityY()
@@ -184,9 +193,9 @@ public final class World<T> {
   }
 
   /**
-   * Seals the world: from now on no body can be given another shape, and constants stay. Programs
-   * seal worlds that others compute, too, from the same definitions and without hearing of such a
-   * change. The seal is no part of the state.
+   * Seals the world: from now on no body can be given another shape or other locks, and constants
+   * stay. Programs seal worlds that others compute, too, from the same definitions and without
+   * hearing of such a change. The seal is no part of the state.
    *
    * @param why the reason and the way out, for the error's text
    */
@@ -206,6 +215,7 @@ public final class World<T> {
    */
   public Body<T> createBody(BodyDef bodyDef, T user) {
     refuseDuringQuery("createBody");
+    noteValue(Call.CREATE_BODY, bodyDef);
     ShapeDef[] given = bodyDef.shapes.toArray(new ShapeDef[0]);
     int slot =
         dynamics
@@ -333,9 +343,7 @@ public final class World<T> {
   }
 
   void removeJoint(int slot) {
-    if (jointListener != null) {
-      jointListener.destroyed(joint(slot));
-    }
+    tell(JointListener::destroyed, joint(slot));
     dynamics.destroyJoint(slot);
     handles.removeJoint(slot);
   }
@@ -350,6 +358,7 @@ public final class World<T> {
    */
   public Joint<T> createJoint(JointDef<T> d) {
     refuseDuringQuery("createJoint");
+    settleRecorder();
     own(d.bodyB);
     if (d.bodyA != null) {
       own(d.bodyA);
@@ -375,6 +384,7 @@ public final class World<T> {
    */
   public Joint<T> createJoint(Body<T> bodyA, Body<T> bodyB, int[] definition, int at) {
     refuseDuringQuery("createJoint");
+    settleRecorder();
     own(bodyB);
     if (bodyA != null) {
       own(bodyA);
@@ -405,9 +415,12 @@ public final class World<T> {
     JointType type = JOINT_TYPES[joints.type[j]];
     Joint<T> joint = new Joint<>(this, joints, j, joints.generation(j), type);
     handles.put(joint);
-    if (jointListener != null) {
-      jointListener.created(joint);
+    if (recorder != null) {
+      int[] made = new int[JointDefRow.INTS];
+      dynamics.jointTransfer().readDefinition(j, made, 0);
+      recorder.noteValue(Call.CREATE_JOINT, joints.bodyA[j], joints.bodyB[j], made);
     }
+    tell(JointListener::created, joint);
     return joint;
   }
 
@@ -452,6 +465,7 @@ public final class World<T> {
   public void sortFreeBodies() {
     refuseDuringStep("sortFreeBodies");
     refuseDuringQuery("sortFreeBodies");
+    note(Call.SORT_FREE_BODIES);
     store.sortFree();
   }
 
@@ -464,6 +478,7 @@ public final class World<T> {
   public void destroyJoints() {
     refuseDuringStep("destroyJoints");
     refuseDuringQuery("destroyJoints");
+    note(Call.DESTROY_JOINTS);
     for (int j = joints.slots() - 1; j >= 0; j--) {
       if (joint(j) != null) {
         removeJoint(j);
@@ -544,6 +559,7 @@ public final class World<T> {
    */
   public void jointListener(JointListener<T> newListener) {
     jointListener = newListener;
+    note(Call.LISTENERS, listeners());
   }
 
   private void broke(int slot) {
@@ -551,9 +567,7 @@ public final class World<T> {
     if (events.lists() != null) {
       events.lists().broke(joint);
     }
-    if (jointListener != null) {
-      jointListener.broke(joint);
-    }
+    tell(JointListener::broke, joint);
     edits.destroy(joint);
   }
 
@@ -570,6 +584,9 @@ public final class World<T> {
     Limits.timeStep(dtSeconds);
     refuseDuringStep("step");
     refuseDuringQuery("step");
+    if (recorder != null) {
+      recorder.noteStep(dtSeconds);
+    }
     stepping = true;
     stepSeconds = dtSeconds;
     try {
@@ -609,6 +626,7 @@ public final class World<T> {
    */
   public void listener(CollisionListener<T> newListener) {
     events.listener(newListener);
+    note(Call.LISTENERS, listeners());
   }
 
   /**
@@ -631,11 +649,16 @@ public final class World<T> {
    * asleep.
    *
    * @param newFilter the filter, null (the default) for none
-   * @throws IllegalStateException during a step or a query
+   * @throws IllegalStateException during a step or a query, or while calls are recorded
    */
   public void collisionFilter(CollisionFilter<T> newFilter) {
     refuseDuringStep("collisionFilter");
     refuseDuringQuery("collisionFilter");
+    if (recorder != null) {
+      throw new IllegalStateException(
+          "collisionFilter is not possible while calls are recorded: its answers are none");
+    }
+    filtered = newFilter != null;
     dynamics.customRule(
         newFilter == null ? null : (partA, partB) -> shouldCollide(newFilter, partA, partB));
     forEachBody(Body::wake);
@@ -708,6 +731,7 @@ public final class World<T> {
     refuseDuringStep("restore");
     refuseDuringQuery("restore");
     checkOwner(s);
+    noteValue(Call.STATE, s);
     moves++;
     if (events.lists() != null) {
       events.lists().clear();
@@ -787,7 +811,11 @@ public final class World<T> {
   public void writeRows(ExactRows rows) {
     refuseDuringStep("writeRows");
     refuseDuringQuery("writeRows");
+    settleRecorder();
     dynamics.write(rows);
+    if (recorder != null) {
+      recorder.noteValue(Call.STATE, save(null));
+    }
   }
 
   private void checkOwner(WorldState s) {
@@ -1155,6 +1183,122 @@ public final class World<T> {
     return edits;
   }
 
+  // ---------------------------------------------------------------- recording of calls
+
+  /** Sets the recorder of calls; null for none. */
+  void recorder(WorldRecorder newRecorder) {
+    refuseDuringStep("recording");
+    if (filtered && newRecorder != null) {
+      throw new IllegalStateException(
+          "a world with a collisionFilter can't be recorded: what it answers is no call");
+    }
+    recorder = newRecorder;
+  }
+
+  /** Returns which listeners there are: 1 for collisions, 2 for joints, added up. */
+  int listeners() {
+    return (events.listener() == null ? 0 : 1) | (jointListener == null ? 0 : 2);
+  }
+
+  /** Returns whether calls are recorded now: those of a step's own are not. */
+  private boolean records() {
+    return recorder != null && (!stepping || recorder.isInCallback());
+  }
+
+  private void settleRecorder() {
+    if (records()) {
+      recorder.settle();
+    }
+  }
+
+  void enterCallback() {
+    if (recorder != null) {
+      recorder.enter();
+    }
+  }
+
+  void leaveCallback() {
+    if (recorder != null) {
+      recorder.leave();
+    }
+  }
+
+  private void tell(BiConsumer<JointListener<T>, Joint<T>> what, Joint<T> joint) {
+    if (jointListener != null) {
+      enterCallback();
+      what.accept(jointListener, joint);
+      leaveCallback();
+    }
+  }
+
+  void note(Call call) {
+    if (records()) {
+      recorder.note(call);
+    }
+  }
+
+  /** Notes a call of a body or joint, or one with a number. */
+  void note(Call call, int of) {
+    if (records()) {
+      recorder.note(call, of);
+    }
+  }
+
+  /** Notes a call of a body with a flag. */
+  void note(Call call, int of, boolean flag) {
+    if (records()) {
+      recorder.note(call, of, flag ? 1 : 0);
+    }
+  }
+
+  /** Notes a call of a body or joint with a number. */
+  void note(Call call, int of, float a) {
+    if (records()) {
+      recorder.note(call, of, a);
+    }
+  }
+
+  /** Notes a call of a body or joint with two numbers. */
+  void note(Call call, int of, float a, float b) {
+    if (records()) {
+      recorder.note(call, of, a, b);
+    }
+  }
+
+  /** Notes a call of a body with three numbers. */
+  void note(Call call, int of, float a, float b, float c) {
+    if (records()) {
+      recorder.note(call, of, a, b, c);
+    }
+  }
+
+  /** Notes a call of a body with four numbers. */
+  void note(Call call, int of, float a, float b, float c, float d) {
+    if (records()) {
+      recorder.note(call, of, a, b, c, d);
+    }
+  }
+
+  /** Notes a row that is written into a body. */
+  void noteRow(int body, int[] row, int at) {
+    if (records()) {
+      recorder.noteRow(body, row, at);
+    }
+  }
+
+  /** Notes an edit. */
+  void noteEdit(byte what, int slot, Object value) {
+    if (records()) {
+      recorder.noteValue(Call.EDIT, what, slot, value);
+    }
+  }
+
+  private void noteValue(Call call, Object value) {
+    if (records()) {
+      recorder.noteValue(call, value);
+    }
+  }
+
   /** Returns the receiver of contact events; null if nobody wants to know. */
   ContactEvents contactEvents() {
     return events.orNull();
@@ -1185,7 +1329,8 @@ public final class World<T> {
     moves++;
   }
 
-  void refuseReshaping(String what) {
+  /** Refuses an edit of which others that compute this world don't hear. */
+  void refuseShared(String what) {
     refuseDuringQuery(what);
     refuseIfSealed(what);
   }
