@@ -21,6 +21,9 @@ package carom.physics;
  * {@link Body#refilter}. What changes belongs to the game's {@code collision}, which both sides
  * ask.
  *
+ * <p>A world with a filter can't be recorded by {@link WorldRecorder}, which records calls and not
+ * answers.
+ *
  * <p>It is called on the thread that steps the world, whatever {@linkplain World#workers workers}
  * there are. It must change nothing and make no query. It is no part of the world's state: worlds
  * behave alike if their filters answer alike.

@@ -654,7 +654,7 @@ public final class World<T> {
   public void collisionFilter(CollisionFilter<T> newFilter) {
     refuseDuringStep("collisionFilter");
     refuseDuringQuery("collisionFilter");
-    if (recorder != null) {
+    if (recorder != null && newFilter != null) {
       throw new IllegalStateException(
           "collisionFilter is not possible while calls are recorded: its answers are none");
     }
