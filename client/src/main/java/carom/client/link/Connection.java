@@ -366,7 +366,7 @@ public final class Connection implements LinkHandler {
     message = "";
     comeback.stop();
     lastHeardNs = nowNs;
-    link.send(new ClientMessage.Ready(welcome.datagramKey(), listener.declarationsDigest()));
+    link.send(new ClientMessage.Ready(welcome.epoch(), listener.declarationsDigest()));
   }
 
   private void refused(ServerMessage.Refused refused) {

@@ -2,6 +2,7 @@ package carom.net.kryo;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
+import carom.net.protocol.DatagramMark;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
 import carom.net.protocol.RefusalReason;
@@ -197,7 +198,7 @@ public final class KryoMessageCodec implements MessageCodec {
     @Override
     void write(Output out, Welcome m) {
       out.writeLong(m.sessionSecret());
-      out.writeInt(m.datagramKey());
+      out.writeByte(DatagramMark.checkedEpoch(m.epoch()));
       out.writeVarInt(playerId(m.playerId()), true);
       out.writeByte(inRange("tickRate", m.tickRate(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE));
       writeText(out, "room", m.room(), Limits.MAX_ROOM_NAME_BYTES);
@@ -222,7 +223,7 @@ public final class KryoMessageCodec implements MessageCodec {
     Welcome read(Input in) {
       return new Welcome(
           in.readLong(),
-          in.readInt(),
+          inRange("epoch", in.readByteUnsigned(), 0, DatagramMark.LAST_EPOCH),
           playerId(in.readVarInt(true)),
           inRange("tickRate", in.readByteUnsigned(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE),
           readText(in, "room", Limits.MAX_ROOM_NAME_BYTES),

@@ -16,7 +16,7 @@ public sealed interface ServerMessage {
    * the room: it keeps its secret, and has to load again.
    *
    * @param sessionSecret proves the client's identity when it resumes the session; never 0
-   * @param datagramKey first 32 bits of each input datagram, and the key of the snapshots' checksum
+   * @param epoch counts the link's Welcomes, modulo 8; in each datagram from now on
    * @param playerId 0..1,023
    * @param tickRate ticks per second, {@link Limits#MIN_TICK_RATE}..{@link Limits#MAX_TICK_RATE}
    * @param room name of the room; another than before if the player has changed the room
@@ -40,7 +40,7 @@ public sealed interface ServerMessage {
    */
   record Welcome(
       long sessionSecret,
-      int datagramKey,
+      int epoch,
       int playerId,
       int tickRate,
       String room,
