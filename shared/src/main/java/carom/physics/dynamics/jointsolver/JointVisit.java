@@ -98,7 +98,9 @@ final class JointVisit extends ConstraintRow {
           if (hinge || (j.type[slot] == JointStore.WELD && j.hertz[slot] == 0)) {
             actAtOnePoint();
           }
-          applyImpulse(j.impulseX[slot], j.impulseY[slot]);
+          if (!joints.inTree[k]) {
+            applyImpulse(j.impulseX[slot], j.impulseY[slot]);
+          }
           applyAngularImpulse(j.impulseW[slot] + axial);
         }
       }
@@ -125,7 +127,9 @@ final class JointVisit extends ConstraintRow {
             float angle = angle(k);
             solveCoordinate(slot, j.winds(slot) ? (float) j.windB(slot, angle) : angle, bias);
           }
-          solvePoint(slot, bias);
+          if (!joints.inTree[k]) {
+            solvePoint(slot, bias);
+          }
         }
         case JointStore.DISTANCE -> {
           float length = lengthRow();
