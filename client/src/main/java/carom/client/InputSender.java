@@ -35,7 +35,7 @@ final class InputSender {
   private final int tickRate;
   private final int ticksPerDatagram;
   private final int near;
-  private final int key;
+  private final int epoch;
   private final SnapshotDecoder decoder;
   private final Prediction prediction;
   private final NetStatsRecorder stats;
@@ -66,18 +66,18 @@ final class InputSender {
    * Creates a sender for one stay.
    *
    * @param config how many ticks a datagram has, and what is predicted
-   * @param key authenticates the datagrams
+   * @param epoch as in {@code Welcome}
    * @param prediction or null
    */
   InputSender(
       ClientConfig config,
-      int key,
+      int epoch,
       int tickRate,
       SnapshotDecoder decoder,
       Prediction prediction,
       NetStatsRecorder stats,
       Connection connection) {
-    this.key = key;
+    this.epoch = epoch;
     this.tickRate = tickRate;
     this.decoder = decoder;
     this.prediction = prediction;
@@ -138,7 +138,7 @@ final class InputSender {
   }
 
   private void send(int tick, double ticksBehind, long nowNs) {
-    datagram.key = key;
+    datagram.epoch = epoch;
     datagram.sequence = sequence;
     datagram.hasAck = decoder.hasAck();
     datagram.ackSequence = decoder.hasAck() ? decoder.ackSequence() : 0;

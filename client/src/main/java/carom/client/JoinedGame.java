@@ -98,7 +98,7 @@ final class JoinedGame {
     decoder =
         new SnapshotDecoder(
             Limits.MAX_ENTITIES,
-            welcome.datagramKey(),
+            welcome.epoch(),
             welcome.tick(),
             welcome.tickRate(),
             OwnWords.count(simulation.schema()),
@@ -125,8 +125,7 @@ final class JoinedGame {
         new EventReceiver(simulation, welcome.playerId(), prediction, repeats, stats, listener);
     repeats.beginLink(welcome.room(), welcome.match(), welcome.incarnation(), welcome.courseTick());
     sender =
-        new InputSender(
-            config, welcome.datagramKey(), tickRate, decoder, prediction, stats, connection);
+        new InputSender(config, welcome.epoch(), tickRate, decoder, prediction, stats, connection);
     divergence = prediction == null ? null : new DivergenceReporter(prediction, connection);
     view.fields(fields);
     view.roster(List.of());

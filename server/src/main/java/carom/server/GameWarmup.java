@@ -120,21 +120,21 @@ final class GameWarmup {
     @Override
     public void message(Link from, Object message) {
       if (message instanceof ServerMessage.Welcome welcome) {
-        datagram.key = welcome.datagramKey();
+        datagram.epoch = welcome.epoch();
         declarationsDigest = welcome.declarationsDigest();
         FieldTables tables = new FieldTables(schema, Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
         decoder =
             new SnapshotDecoder(
                 Limits.MAX_ENTITIES,
-                welcome.datagramKey(),
+                welcome.epoch(),
                 welcome.tick(),
                 welcome.tickRate(),
                 schema.toldWords(Scope.PLAYER),
                 new TableInbox(tables.layouts().toArray(new TableLayout[0])));
         decoder.gravity(level.gravityX(), level.gravityY());
-        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), 0));
+        link.send(new ClientMessage.LevelRequest(welcome.epoch(), 0));
       } else if (message instanceof ServerMessage.LevelChunk) {
-        link.send(new ClientMessage.Ready(datagram.key, declarationsDigest));
+        link.send(new ClientMessage.Ready(datagram.epoch, declarationsDigest));
         playing = true;
       }
     }

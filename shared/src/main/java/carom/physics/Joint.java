@@ -234,13 +234,26 @@ public final class Joint<T> {
 
   /**
    * Returns the ratio of a gear, rack or pulley joint, see {@link JointDef#gear}, {@link
-   * JointDef#rack} and {@link JointDef#pulley}.
+   * JointDef#rack} and {@link JointDef#pulley}; of a {@link JointDef#ratchet} the angle between its
+   * teeth, rad.
    *
-   * @return the ratio given in the definition; 0 for all other types
+   * @return the ratio given in the definition; 0 for all other joints
    */
   public float ratio() {
     check();
     return store.ratio[index];
+  }
+
+  /**
+   * Returns the angle behind which a {@link JointDef#ratchet} doesn't turn back: that of the last
+   * tooth it has passed.
+   *
+   * @return rad, over all turns
+   */
+  public float toothAngle() {
+    check();
+    refuseUnless(store.isRatchet(index), "toothAngle");
+    return (float) store.tooth(index) + 0f; // no negative zero
   }
 
   /**
@@ -480,7 +493,8 @@ public final class Joint<T> {
    * @param upper upper limit, not below the lower one
    */
   public void setLimits(float lower, float upper) {
-    refuseUnless(JointDef.hasLimits(type), "setLimits");
+    check();
+    refuseUnless(JointDef.hasLimits(type) && !store.isRatchet(index), "setLimits");
     Limits.range("lower", lower, JointDef.least(type), JointDef.most(type));
     Limits.range("upper", upper, lower, JointDef.most(type));
     set(store.lower, lower);

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.link.ConnectionPhase;
 import carom.net.kryo.KryoMessageCodec;
+import carom.net.protocol.DatagramMark;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
@@ -262,6 +263,11 @@ final class ConnectionTest {
     byte[] garbage = new byte[300];
     for (int i = 0; i < 200; i++) {
       new java.util.SplittableRandom(i).nextBytes(garbage);
+      // With the right mark and a number to come, so that it is read.
+      int head = (5_000 + i) << DatagramMark.BITS | DatagramMark.ofState(ScriptedServer.EPOCH);
+      garbage[0] = (byte) head;
+      garbage[1] = (byte) (head >> 8);
+      garbage[2] = (byte) (garbage[2] & 0xf0 | head >> 16);
       guest(0).link.sendDatagram(garbage, 0, 1 + i);
     }
     run(1);

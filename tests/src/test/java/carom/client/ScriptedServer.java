@@ -75,7 +75,7 @@ final class ScriptedServer {
         ready = true;
         player = simulation.join(hello.name());
         near = capture.predictedSet(player, e -> true);
-        encoder = new SnapshotEncoder(ring, KEY, 60);
+        encoder = new SnapshotEncoder(ring, EPOCH, 60);
       } else if (message instanceof ClientMessage.Leave) {
         closed = true;
       }
@@ -90,12 +90,12 @@ final class ScriptedServer {
       link.send(
           new ServerMessage.Welcome(
               77,
-              KEY,
+              EPOCH,
               guests.indexOf(this),
               60,
               "1",
               1,
-              KEY,
+              EPOCH,
               simulation.tick(),
               simulation.tick(),
               1,
@@ -117,7 +117,7 @@ final class ScriptedServer {
 
     @Override
     public void datagram(Link from, byte[] bytes, int length) {
-      if (!datagram.decode(bytes, 0, length) || datagram.key != KEY || !ready) {
+      if (!datagram.decode(bytes, 0, length) || datagram.epoch != EPOCH || !ready) {
         return;
       }
       if (datagram.hasAck) {
@@ -182,7 +182,7 @@ final class ScriptedServer {
     }
   }
 
-  static final int KEY = 0x1234567;
+  static final int EPOCH = 5;
 
   private final ServerTransport transport;
   private final FrameRing ring = new FrameRing(512);

@@ -2,6 +2,7 @@ package carom.fuzz;
 
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.ClientMessage;
+import carom.net.protocol.DatagramMark;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
@@ -12,7 +13,6 @@ import carom.testkit.Levels;
 import carom.testkit.Stepper;
 import carom.testkit.Stranger;
 import java.io.ByteArrayOutputStream;
-import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -59,7 +59,7 @@ final class SessionTarget implements FuzzTarget {
   }
 
   private void act(Stepper stepper, Link link, Stranger peer, int kind, byte[] piece) {
-    int key = peer.welcome() == null ? 0 : peer.welcome().datagramKey();
+    int epoch = peer.welcome() == null ? 0 : peer.welcome().epoch();
     switch (kind) {
       case MESSAGE -> {
         if (codec.decode(piece, 0, piece.length) instanceof ClientMessage message) {
@@ -68,9 +68,9 @@ final class SessionTarget implements FuzzTarget {
       }
       case DATAGRAM -> {
         if (piece.length > 0 && piece.length <= Limits.MAX_DATAGRAM_BYTES) {
-          if (piece.length >= Integer.BYTES) {
-            ByteBuffer.wrap(piece).order(java.nio.ByteOrder.LITTLE_ENDIAN).putInt(0, key);
-          }
+          // Its lowest bit decides between inputs and messages.
+          piece[0] =
+              (byte) (piece[0] & (-1 << DatagramMark.BITS | 1) | DatagramMark.ofState(epoch));
           link.sendDatagram(piece, 0, piece.length);
         }
       }
@@ -78,8 +78,8 @@ final class SessionTarget implements FuzzTarget {
       case HELLO ->
           link.send(new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), "fuzz", 0));
       case READY ->
-          link.send(new ClientMessage.Ready(key, stepper.room().match().declarations().digest()));
-      default -> link.send(new ClientMessage.LevelRequest(key, piece.length));
+          link.send(new ClientMessage.Ready(epoch, stepper.room().match().declarations().digest()));
+      default -> link.send(new ClientMessage.LevelRequest(epoch, piece.length));
     }
   }
 

@@ -1,21 +1,22 @@
 package carom.fuzz;
 
-import carom.net.codec.Crc16;
+import carom.net.protocol.DatagramMark;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.SnapshotSeeds;
 import carom.net.snapshot.table.TableInbox;
 import java.util.List;
 
-/** Snapshots of a hostile server, under a right check: the pieces of an input are datagrams. */
+/** Snapshots of a hostile server, with the right mark: the pieces of an input are datagrams. */
 final class SnapshotTarget implements FuzzTarget {
   private static final int MOST_DATAGRAMS = 32;
+  private static final int MARK = DatagramMark.ofState(SnapshotSeeds.EPOCH);
 
   @Override
   public void take(byte[] data) {
     SnapshotDecoder decoder =
         new SnapshotDecoder(
             SnapshotSeeds.SLOTS,
-            SnapshotSeeds.KEY,
+            SnapshotSeeds.EPOCH,
             0,
             SnapshotSeeds.TICK_RATE,
             4,
@@ -25,10 +26,8 @@ final class SnapshotTarget implements FuzzTarget {
     for (byte[] piece = pieces.next();
         piece != null && count < MOST_DATAGRAMS;
         piece = pieces.next(), count++) {
-      if (piece.length > 2) {
-        int check = Crc16.of(SnapshotSeeds.KEY, piece, 2, piece.length - 2);
-        piece[0] = (byte) check;
-        piece[1] = (byte) (check >> 8);
+      if (piece.length > 0) {
+        piece[0] = (byte) (piece[0] & -1 << DatagramMark.BITS | MARK);
       }
       decoder.decode(piece, 0, piece.length);
       for (int i = 0; i < decoder.touchedCount(); i++) {

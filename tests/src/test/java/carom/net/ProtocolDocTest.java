@@ -113,12 +113,8 @@ class ProtocolDocTest {
         "hello",
         ClientMessageCodec.encode(
             new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0, "cup", "", "")));
-    golden.put(
-        "level-request",
-        ClientMessageCodec.encode(new ClientMessage.LevelRequest(0x11223344, 4096)));
-    golden.put(
-        "ready",
-        ClientMessageCodec.encode(new ClientMessage.Ready(0x11223344, 0x0102030405060708L)));
+    golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(3, 4096)));
+    golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready(3, 0x0102030405060708L)));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
     golden.put(
         "diverged",
@@ -201,8 +197,8 @@ class ProtocolDocTest {
         codec.encode(
             new ServerMessage.Welcome(
                 0x0102030405060708L,
-                0x11223344,
                 3,
+                12,
                 60,
                 "cup",
                 1,
@@ -235,6 +231,8 @@ class ProtocolDocTest {
                 List.of(
                     new ServerMessage.RoomEntry(
                         "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
+    golden.put(
+        "redirect", codec.encode(new ServerMessage.Redirect("b.example.org:54555", "", "cup", "")));
     golden.put("pace", codec.encode(new ServerMessage.Pace(75)));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put(
@@ -258,7 +256,7 @@ class ProtocolDocTest {
   private static void inputs(Map<String, byte[]> golden) {
     byte[] buffer = new byte[InputDatagram.MAX_BYTES];
     InputDatagram d = new InputDatagram();
-    d.key = 0x11223344;
+    d.epoch = 3;
     d.sequence = 5;
     d.hasAck = true;
     d.ackSequence = 0x0102;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.link.ConnectionPhase;
 import carom.net.protocol.ClientMessage;
+import carom.net.protocol.DatagramMark;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
@@ -49,31 +50,30 @@ class HostileScenarioTest {
       link.send(new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), "evil", 0));
     }
 
-    /** The key of the last Welcome, or any number. */
-    int key() {
-      return welcome() == null ? 0 : welcome().datagramKey();
+    /** The epoch of the last Welcome, or 0. */
+    int epoch() {
+      return welcome() == null ? 0 : welcome().epoch();
     }
 
     void poll() {
       link.poll(this, 100);
     }
 
-    /** Random bytes; half of them with the right key. */
+    /** Random bytes; half of them with the right mark. */
     void garbageDatagram() {
       byte[] bytes = new byte[1 + random.nextInt(1_200)];
       random.nextBytes(bytes);
       if (welcome() != null && random.nextBoolean() && bytes.length > 4) {
-        for (int i = 0; i < 4; i++) {
-          bytes[i] = (byte) (welcome().datagramKey() >>> 8 * i);
-        }
+        int mark = DatagramMark.ofState(welcome().epoch());
+        bytes[0] = (byte) (bytes[0] & -1 << DatagramMark.BITS | mark);
       }
       link.sendDatagram(bytes, 0, bytes.length);
     }
 
-    /** Well-formed, with the right key, and absurd: any tick, any ack, any input. */
+    /** Well-formed, of the right epoch, and absurd: any tick, any ack, any input. */
     void absurdInput() {
       InputDatagram datagram = new InputDatagram();
-      datagram.key = welcome().datagramKey();
+      datagram.epoch = welcome().epoch();
       datagram.sequence = random.nextInt(1 << 16);
       datagram.hasAck = true;
       datagram.ackSequence = random.nextInt(1 << 16);
@@ -92,8 +92,8 @@ class HostileScenarioTest {
         case 0 -> hello();
         case 1 ->
             link.send(
-                new ClientMessage.LevelRequest(key(), random.nextInt(Limits.MAX_LEVEL_BYTES)));
-        case 2 -> link.send(new ClientMessage.Ready(key(), fields));
+                new ClientMessage.LevelRequest(epoch(), random.nextInt(Limits.MAX_LEVEL_BYTES)));
+        case 2 -> link.send(new ClientMessage.Ready(epoch(), fields));
         case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
         default -> link.send(new ClientMessage.Leave());
       }
@@ -128,7 +128,7 @@ class HostileScenarioTest {
             // Never the one sentence that lets one in.
             o.link.send(
                 o.random.nextBoolean()
-                    ? new ClientMessage.Ready(o.key(), o.fields)
+                    ? new ClientMessage.Ready(o.epoch(), o.fields)
                     : new ClientMessage.Hello(o.random.nextInt(), o.random.nextLong(), "", 7));
           } else {
             o.garbageDatagram();
@@ -176,7 +176,7 @@ class HostileScenarioTest {
         } else {
           if (!offender.saidReady) {
             offender.saidReady = true;
-            offender.link.send(new ClientMessage.Ready(offender.key(), offender.fields));
+            offender.link.send(new ClientMessage.Ready(offender.epoch(), offender.fields));
           }
           for (int i = 0; i < 5; i++) {
             offender.garbageDatagram();
@@ -227,8 +227,8 @@ class HostileScenarioTest {
       stepper.run(1);
       for (Offender offender : offenders) {
         offender.poll();
-        offender.link.send(new ClientMessage.LevelRequest(offender.key(), 0));
-        offender.link.send(new ClientMessage.Ready(offender.key(), offender.fields));
+        offender.link.send(new ClientMessage.LevelRequest(offender.epoch(), 0));
+        offender.link.send(new ClientMessage.Ready(offender.epoch(), offender.fields));
       }
       stepper.run(1);
       offenders.forEach(Offender::poll);

@@ -184,7 +184,7 @@ class PoolScenarioTest {
         link.poll(greedy, 1_000);
       }
       long digest = greedy.welcome.declarationsDigest();
-      link.send(new ClientMessage.Ready(greedy.welcome.datagramKey(), digest));
+      link.send(new ClientMessage.Ready(greedy.welcome.epoch(), digest));
       for (int i = 0; i < 120; i++) {
         stepper.step();
         link.send(new ClientMessage.PoolRequest(0));

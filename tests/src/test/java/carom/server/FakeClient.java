@@ -92,7 +92,7 @@ final class FakeClient implements LinkHandler {
   }
 
   void sendInput(int tick) {
-    datagram.key = welcome.datagramKey();
+    datagram.epoch = welcome.epoch();
     datagram.sequence = sequence = sequence + 1 & 0xffff;
     datagram.hasAck = acks && decoder.hasAck();
     datagram.ackSequence = datagram.hasAck ? decoder.ackSequence() : 0;
@@ -130,23 +130,23 @@ final class FakeClient implements LinkHandler {
       decoder =
           new SnapshotDecoder(
               Limits.MAX_ENTITIES,
-              w.datagramKey(),
+              w.epoch(),
               w.tick(),
               w.tickRate(),
               schema().toldWords(Scope.PLAYER),
               new TableInbox(layouts.layouts().toArray(new TableLayout[0])));
       if (loads) {
-        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), 0));
+        link.send(new ClientMessage.LevelRequest(welcome.epoch(), 0));
       }
     } else if (message instanceof ServerMessage.LevelChunk chunk) {
       System.arraycopy(chunk.bytes(), 0, level, chunk.offset(), chunk.bytes().length);
       loaded = chunk.offset() + chunk.bytes().length;
       if (loaded < level.length) {
-        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), loaded));
+        link.send(new ClientMessage.LevelRequest(welcome.epoch(), loaded));
       } else {
         level = PackedLevel.unpack(level, welcome.levelSize());
         start(level);
-        link.send(new ClientMessage.Ready(welcome.datagramKey(), welcome.declarationsDigest()));
+        link.send(new ClientMessage.Ready(welcome.epoch(), welcome.declarationsDigest()));
         ready = true;
       }
     } else if (message instanceof ServerMessage.Refused r) {

@@ -45,7 +45,7 @@ class LobbyTest {
     client.loads = false;
     rig.steps(2);
     client.link.send(
-        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.declarationsDigest()));
+        new ClientMessage.Ready(client.welcome.epoch(), client.welcome.declarationsDigest()));
     rig.steps(3);
     assertTrue(client.decoder.hasAck());
   }
@@ -56,8 +56,7 @@ class LobbyTest {
     client.loads = false;
     rig.steps(2);
     client.link.send(
-        new ClientMessage.Ready(
-            client.welcome.datagramKey(), client.welcome.declarationsDigest() + 1));
+        new ClientMessage.Ready(client.welcome.epoch(), client.welcome.declarationsDigest() + 1));
     rig.steps(3);
     assertEquals(RefusalReason.GAME_VERSION, client.refused.reason());
   }
@@ -156,7 +155,7 @@ class LobbyTest {
     client.loads = false;
     rig.steps(2);
     client.link.send(
-        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.declarationsDigest()));
+        new ClientMessage.Ready(client.welcome.epoch(), client.welcome.declarationsDigest()));
     client.link.close("gone");
     rig.seconds(0.5);
     assertEquals(0, rig.count(Counter.PLAYERS), "not after five seconds of silence");
@@ -247,7 +246,7 @@ class LobbyTest {
     FakeClient outside = rig.connect().hello("Ben");
     outside.loads = false;
     rig.steps(2);
-    outside.link.send(new ClientMessage.LevelRequest(outside.welcome.datagramKey(), 1_000_000));
+    outside.link.send(new ClientMessage.LevelRequest(outside.welcome.epoch(), 1_000_000));
     rig.steps(3);
     assertEquals(RefusalReason.BAD_REQUEST, early.refused.reason());
     assertEquals(RefusalReason.BAD_REQUEST, twice.refused.reason());
@@ -261,7 +260,7 @@ class LobbyTest {
     client.loads = false;
     rig.steps(2);
     for (int i = 0; i < 20; i++) {
-      client.link.send(new ClientMessage.LevelRequest(client.welcome.datagramKey(), 1));
+      client.link.send(new ClientMessage.LevelRequest(client.welcome.epoch(), 1));
     }
     rig.steps(3);
     assertEquals(RefusalReason.BAD_REQUEST, client.refused.reason());

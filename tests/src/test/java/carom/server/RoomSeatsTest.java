@@ -3,7 +3,6 @@ package carom.server;
 import static carom.server.RoomTest.CONFIG;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -63,7 +62,7 @@ class RoomSeatsTest {
       FakeClient after = rig.join("somebody else", before.welcome.sessionSecret());
       assertSame(body, rig.room.simulation().player(0).body());
       assertEquals(before.welcome.sessionSecret(), after.welcome.sessionSecret());
-      assertTrue(before.welcome.datagramKey() != after.welcome.datagramKey());
+      assertEquals(0, after.welcome.epoch(), "a new link");
       assertEquals(0, after.welcome.playerId());
       assertEquals(y, after.own.y(), 1);
       after.input.move(1, 0);
@@ -100,7 +99,7 @@ class RoomSeatsTest {
       after.loads = false;
       rig.seconds(5);
       after.link.send(
-          new ClientMessage.Ready(after.welcome.datagramKey(), after.welcome.declarationsDigest()));
+          new ClientMessage.Ready(after.welcome.epoch(), after.welcome.declarationsDigest()));
       rig.steps(3);
       assertSame(body, rig.room.simulation().player(0).body());
       assertEquals(SessionState.PLAYING, rig.room.session(0).state());
@@ -112,14 +111,13 @@ class RoomSeatsTest {
     try (Rig rig = new Rig()) {
       FakeClient client = rig.join("Ann");
       client.loads = false;
-      int key = client.welcome.datagramKey();
+      assertEquals(0, client.welcome.epoch());
       rig.room.simulation().playNext(NextMatch.level(rig.room.match().level().level().name()));
       rig.seconds(5);
-      assertNotEquals(key, client.welcome.datagramKey(), "the next match");
+      assertEquals(1, client.welcome.epoch(), "the next match");
       assertNull(client.goodbye);
       client.link.send(
-          new ClientMessage.Ready(
-              client.welcome.datagramKey(), client.welcome.declarationsDigest() + 1));
+          new ClientMessage.Ready(client.welcome.epoch(), client.welcome.declarationsDigest() + 1));
       rig.seconds(1);
       assertEquals(GoodbyeReason.PROTOCOL_ERROR, client.goodbye.reason());
       assertTrue(client.goodbye.text().contains("Ready with fields that differ"));

@@ -81,7 +81,7 @@ final class LevelDownload {
     int piece = Limits.MAX_LEVEL_CHUNK_BYTES;
     boolean any = false;
     while (requested < packed.length && requested - received < PIECES_IN_FLIGHT * piece) {
-      link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), requested));
+      link.send(new ClientMessage.LevelRequest(welcome.epoch(), requested));
       requested += piece;
       any = true;
     }

@@ -74,8 +74,8 @@ public final class MessageExchange {
     stream.unlink();
     kinds = gameKinds;
     rates = MessageRates.ofClient(gameKinds);
-    incoming.begin(welcome.datagramKey());
-    outgoing.begin(welcome.datagramKey());
+    incoming.begin(welcome.epoch());
+    outgoing.begin(welcome.epoch());
     unsent.forEach(listener::unsent);
   }
 

@@ -51,6 +51,7 @@ public final class Lobby {
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
   private static final int MAX_POLL = 32;
+  private static final int FIRST_EPOCH = 0;
 
   /** Time after which a visitor of a full server asks for a seat again, ms. */
   private static final long ASK_AGAIN_MS = 400;
@@ -268,7 +269,6 @@ public final class Lobby {
     private long deadlineNs;
     private Room room;
     private Seats.Seat seat;
-    private int datagramKey;
     private final Origin origin;
     private JoinRequest waiting;
     private int lists;
@@ -553,15 +553,14 @@ public final class Lobby {
 
     private void welcome() {
       match = room.match();
-      datagramKey = room.seats().newDatagramKey();
-      upload = new LevelUpload(match.level(), datagramKey);
+      upload = new LevelUpload(match.level(), FIRST_EPOCH);
       deadlineNs = nowNs + config.loadTimeoutMs() * NS_PER_MS;
       state = state.become(SessionState.LOADING);
       link.send(
           match.welcome(
               seat.secret(),
               seat.id(),
-              datagramKey,
+              FIRST_EPOCH,
               config.tickRateHz(),
               room.tick(),
               room.seats().incarnation(),
@@ -570,7 +569,7 @@ public final class Lobby {
 
     private void enterRoom() {
       done = true;
-      if (!room.admit(new Admission(seat, link, datagramKey, match.number()))) {
+      if (!room.admit(new Admission(seat, link, FIRST_EPOCH, match.number()))) {
         LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());
         link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
         closeLater(link, "room takes nobody");

@@ -15,17 +15,17 @@ public final class LevelUpload {
   private static final int MAX_PULLS = 3;
 
   private final LoadedLevel level;
-  private final int datagramKey;
+  private final int epoch;
   private long sentBytes;
 
   /**
    * Creates an upload that has sent nothing.
    *
-   * @param datagramKey key of the Welcome; requests with another are for an earlier level
+   * @param epoch that of the Welcome; requests of another are for an earlier level
    */
-  public LevelUpload(LoadedLevel level, int datagramKey) {
+  public LevelUpload(LoadedLevel level, int epoch) {
     this.level = level;
-    this.datagramKey = datagramKey;
+    this.epoch = epoch;
   }
 
   /**
@@ -34,7 +34,7 @@ public final class LevelUpload {
    * @return null, or what is wrong with the request, in words for the player
    */
   public String answer(ClientMessage.LevelRequest request, Link link) {
-    if (request.datagramKey() != datagramKey) {
+    if (request.epoch() != epoch) {
       return null;
     }
     byte[] packed = level.packed();
@@ -53,6 +53,6 @@ public final class LevelUpload {
 
   /** Returns whether the client has loaded this level, rather than an earlier one. */
   public boolean isFinishedBy(ClientMessage.Ready ready) {
-    return ready.datagramKey() == datagramKey;
+    return ready.epoch() == epoch;
   }
 }

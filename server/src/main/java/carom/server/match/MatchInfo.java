@@ -20,7 +20,7 @@ public record MatchInfo(
    *
    * @param sessionSecret proves the player's identity
    * @param playerId the player's seat
-   * @param datagramKey key of the link's datagrams from now on
+   * @param epoch counts the link's Welcomes, modulo 8
    * @param tick the room's present tick
    * @param incarnation stands for this run of the room
    * @param courseTick last tick that the room's present course shares with the one that the player
@@ -29,14 +29,14 @@ public record MatchInfo(
   public Welcome welcome(
       long sessionSecret,
       int playerId,
-      int datagramKey,
+      int epoch,
       int tickRateHz,
       int tick,
       int incarnation,
       int courseTick) {
     return new Welcome(
         sessionSecret,
-        datagramKey,
+        epoch,
         playerId,
         tickRateHz,
         room,

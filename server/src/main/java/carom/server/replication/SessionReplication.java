@@ -105,11 +105,11 @@ public final class SessionReplication {
    * Begins with a client that knows nothing but the level, and of former links only what the player
    * has heard of.
    *
-   * @param datagramKey the key in the session's Welcome
+   * @param epoch that of the session's Welcome
    */
-  public void begin(int datagramKey) {
+  public void begin(int epoch) {
     SnapshotSender before = sender;
-    sender = new SnapshotSender(frames, player, datagramKey, config, counters);
+    sender = new SnapshotSender(frames, player, epoch, config, counters);
     if (before != null) {
       sender.takeOver(before);
     }

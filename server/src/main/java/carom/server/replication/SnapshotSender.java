@@ -84,19 +84,14 @@ public final class SnapshotSender {
    *
    * @param capture the room's frames
    * @param player the player that the client belongs to
-   * @param datagramKey the key in the session's Welcome
+   * @param epoch that of the session's Welcome
    */
   public SnapshotSender(
-      FrameCapture capture,
-      Player player,
-      int datagramKey,
-      ServerConfig config,
-      Counters counters) {
+      FrameCapture capture, Player player, int epoch, ServerConfig config, Counters counters) {
     this.frames = capture.frames();
     this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
     this.audience = new FieldAudience(capture, new JointAudience(capture, view), player);
-    this.encoder =
-        new SnapshotEncoder(capture.deltas(), datagramKey, view, capture.tables(), audience);
+    this.encoder = new SnapshotEncoder(capture.deltas(), epoch, view, capture.tables(), audience);
     audience.of(encoder);
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();

@@ -8,11 +8,11 @@ import carom.server.session.Seats;
  *
  * @param seat claimed for the player; the room turns the claim into possession
  * @param link nobody else touches it any more
- * @param datagramKey the key of this link's Welcome
+ * @param epoch that of this link's last Welcome
  * @param match number of the match that it has loaded; perhaps the room plays the next already.
  *     {@link #NO_MATCH} for none
  */
-public record Admission(Seats.Seat seat, Link link, int datagramKey, int match) {
+public record Admission(Seats.Seat seat, Link link, int epoch, int match) {
   /** Stands for the match of a player who has loaded none of the room's. */
   public static final int NO_MATCH = 0;
 }

@@ -84,7 +84,7 @@ final class Arrivals {
     for (int i = 0; i < sessions.count(); i++) {
       Session session = sessions.get(i);
       if (session.hasLoaded()) {
-        session.play(session.datagramKey(), room.simulation().tick());
+        session.play(room.simulation().tick());
         roster.changed();
       }
     }
@@ -131,9 +131,9 @@ final class Arrivals {
       session.sayGoodbye(GoodbyeReason.RESUMED_ELSEWHERE, "");
       departures.part(session.detach(nowNs), "resumed by another link", nowNs);
     }
-    session.attach(a.link());
+    session.attach(a.link(), a.epoch());
     if (a.match() == room.match().info().number()) {
-      session.play(a.datagramKey(), room.simulation().tick());
+      session.play(room.simulation().tick());
     } else {
       changes.tell(session);
     }

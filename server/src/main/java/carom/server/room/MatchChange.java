@@ -1,5 +1,6 @@
 package carom.server.room;
 
+import carom.net.protocol.DatagramMark;
 import carom.net.protocol.Limits;
 import carom.net.protocol.SessionState;
 import carom.server.checkpoint.ResumedRoom;
@@ -295,14 +296,14 @@ final class MatchChange implements RoomCourse {
   /** Tells a session's client what to load. It plays as soon as it has. */
   void tell(Session session) {
     MatchInfo match = room.match().info();
-    int key = room.seats().newDatagramKey();
+    int epoch = DatagramMark.nextEpoch(session.epoch());
     int rate = room.config().tickRateHz();
     session.load(
-        new LevelUpload(match.level(), key),
+        new LevelUpload(match.level(), epoch),
         match.welcome(
             session.seat().secret(),
             session.seat().id(),
-            key,
+            epoch,
             rate,
             room.simulation().tick(),
             room.seats().incarnation(),

@@ -80,7 +80,7 @@ final class RoomMoves {
       return;
     }
     Link link = departures.moveOut(session, name);
-    if (!to.admit(new Admission(seat, link, 0, Admission.NO_MATCH))) {
+    if (!to.admit(new Admission(seat, link, session.epoch(), Admission.NO_MATCH))) {
       LOG.warn("{}{} could not enter room {}", room.label(), seat.name(), name);
       link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
       departures.part(link, "room takes nobody", nowNs);

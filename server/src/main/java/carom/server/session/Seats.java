@@ -123,11 +123,6 @@ public final class Seats {
     return null;
   }
 
-  /** Returns an unpredictable number, the key of a link's datagrams. */
-  public int newDatagramKey() {
-    return (int) secrets.getAsLong();
-  }
-
   /** Returns whether a seat belongs to a secret. */
   public synchronized boolean knows(long secret) {
     return find(secret) != null;

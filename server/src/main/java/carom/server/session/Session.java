@@ -70,7 +70,7 @@ public final class Session implements LinkHandler {
   private final InputFeedback feedback = new InputFeedback();
   private SessionState state = SessionState.LOADING;
   private volatile Link link;
-  private int datagramKey;
+  private int epoch;
   private int viewDelay;
   private final DivergenceReports reports;
   private long nowNs;
@@ -126,9 +126,11 @@ public final class Session implements LinkHandler {
    * Gives the session a link; {@link #play} or {@link #load} must follow.
    *
    * @param newLink its inbox belongs to this session from now on
+   * @param lastEpoch that of the link's last Welcome
    */
-  public void attach(Link newLink) {
+  public void attach(Link newLink, int lastEpoch) {
     link = newLink;
+    epoch = lastEpoch;
     linkLost = false;
     linkLostReason = "";
     departure = Departure.NONE;
@@ -137,17 +139,15 @@ public final class Session implements LinkHandler {
   /**
    * Lets a session play whose client has loaded the match; allowed while loading and in grace.
    *
-   * @param key first 32 bits of each input datagram from now on
    * @param tick the room's last tick: inputs for later ones are welcome
    */
-  public void play(int key, int tick) {
+  public void play(int tick) {
     state = state.become(SessionState.PLAYING);
-    datagramKey = key;
     upload = null;
     loaded = false;
     playedTicks = 0;
-    replication.begin(key);
-    messages.attach(link, key);
+    replication.begin(epoch);
+    messages.attach(link, epoch);
     inputs.reset(tick);
     viewDelay = 0;
     feedback.present = false;
@@ -187,7 +187,7 @@ public final class Session implements LinkHandler {
       state = state.become(SessionState.LOADING);
     }
     upload = newUpload;
-    datagramKey = welcome.datagramKey();
+    epoch = welcome.epoch();
     declarationsDigest = welcome.declarationsDigest();
     loaded = false;
     loadingTicks = 0;
@@ -199,9 +199,9 @@ public final class Session implements LinkHandler {
     return state == SessionState.LOADING && loaded;
   }
 
-  /** Returns the key of the link's datagrams. */
-  public int datagramKey() {
-    return datagramKey;
+  /** Returns the epoch of the link's last Welcome. */
+  public int epoch() {
+    return epoch;
   }
 
   /**
@@ -337,7 +337,7 @@ public final class Session implements LinkHandler {
       messages.receive(bytes, length);
       return;
     }
-    if (!datagram.decode(bytes, 0, length) || datagram.key != datagramKey) {
+    if (!datagram.decode(bytes, 0, length) || datagram.epoch != epoch) {
       counters.add(Counter.DATAGRAMS_REFUSED, 1);
       return;
     }

@@ -44,9 +44,9 @@ public final class SessionMessages {
   }
 
   /** Begins with a new link, and tells the client what was heard of it. */
-  void attach(Link link, int key) {
-    incoming.begin(key);
-    outgoing.begin(key);
+  void attach(Link link, int epoch) {
+    incoming.begin(epoch);
+    outgoing.begin(epoch);
     stream.unlink();
     link.send(new ServerMessage.Heard(stream.lastHeard()));
   }

@@ -66,20 +66,20 @@ public sealed interface ClientMessage {
    * so that the round trip doesn't limit the speed. After a reconnect it continues at its last
    * offset.
    *
-   * @param datagramKey key of the {@link ServerMessage.Welcome} that named the level; the server
-   *     ignores requests for the level before
+   * @param epoch that of the {@link ServerMessage.Welcome} that named the level; the server ignores
+   *     requests for the level before
    * @param offset 0..{@link Limits#MAX_LEVEL_BYTES} - 1
    */
-  record LevelRequest(int datagramKey, int offset) implements ClientMessage {}
+  record LevelRequest(int epoch, int offset) implements ClientMessage {}
 
   /**
    * Says that the client has loaded the level and asks for a body.
    *
-   * @param datagramKey key of the {@link ServerMessage.Welcome} that named the level
+   * @param epoch that of the {@link ServerMessage.Welcome} that named the level
    * @param declarationsDigest digest of the declarations of the client's game; the server refuses
    *     another than its own
    */
-  record Ready(int datagramKey, long declarationsDigest) implements ClientMessage {}
+  record Ready(int epoch, long declarationsDigest) implements ClientMessage {}
 
   /**
    * Tells the server what part of the world the client shows. The client sends it on every change.

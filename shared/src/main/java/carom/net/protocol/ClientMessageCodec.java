@@ -65,7 +65,7 @@ public final class ClientMessageCodec {
                 + (Limits.MAX_LEVEL_BYTES - 1));
       }
       buffer.put(LEVEL_REQUEST);
-      buffer.putInt(request.datagramKey());
+      buffer.put((byte) DatagramMark.checkedEpoch(request.epoch()));
       buffer.putInt(request.offset());
     } else if (message instanceof ClientMessage.Look look) {
       buffer.put(LOOK);
@@ -114,7 +114,8 @@ public final class ClientMessageCodec {
       buffer.put(CHANGE_ROOM);
       putText("ChangeRoom.room", change.room(), Limits.MAX_ROOM_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.Ready ready) {
-      buffer.put(READY).putInt(ready.datagramKey()).putLong(ready.declarationsDigest());
+      buffer.put(READY).put((byte) DatagramMark.checkedEpoch(ready.epoch()));
+      buffer.putLong(ready.declarationsDigest());
     } else {
       buffer.put(LEAVE);
     }
@@ -203,18 +204,22 @@ public final class ClientMessageCodec {
   }
 
   private static ClientMessage decodeLevelRequest(ByteBuffer buffer) {
-    if (buffer.remaining() != 2 * Integer.BYTES) {
+    if (buffer.remaining() != Byte.BYTES + Integer.BYTES) {
       return null;
     }
-    int datagramKey = buffer.getInt();
+    int epoch = buffer.get();
     int offset = buffer.getInt();
-    return validOffset(offset) ? new ClientMessage.LevelRequest(datagramKey, offset) : null;
+    return DatagramMark.isEpoch(epoch) && validOffset(offset)
+        ? new ClientMessage.LevelRequest(epoch, offset)
+        : null;
   }
 
   private static ClientMessage decodeReady(ByteBuffer buffer) {
-    return buffer.remaining() == Integer.BYTES + Long.BYTES
-        ? new ClientMessage.Ready(buffer.getInt(), buffer.getLong())
-        : null;
+    if (buffer.remaining() != Byte.BYTES + Long.BYTES) {
+      return null;
+    }
+    int epoch = buffer.get();
+    return DatagramMark.isEpoch(epoch) ? new ClientMessage.Ready(epoch, buffer.getLong()) : null;
   }
 
   /**

@@ -4,9 +4,9 @@ import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
 
 /**
- * Datagram that a client sends at most once a tick, with its key, acknowledgements of snapshots and
- * its latest inputs. The object is mutable and reused: the client fills and encodes one, the server
- * decodes into one. Use it from one thread; it doesn't allocate.
+ * Datagram that a client sends at most once a tick, with its epoch, acknowledgements of snapshots
+ * and its latest inputs. The object is mutable and reused: the client fills and encodes one, the
+ * server decodes into one. Use it from one thread; it doesn't allocate.
  */
 public final class InputDatagram {
 
@@ -33,10 +33,10 @@ public final class InputDatagram {
   private static final int HOLD_BITS = 6;
 
   /**
-   * Session key from {@link ServerMessage.Welcome}. The server drops a datagram with another key
-   * silently.
+   * Epoch of the last {@link ServerMessage.Welcome}, 0..7. The server drops a datagram of another
+   * epoch silently.
    */
-  public int key;
+  public int epoch;
 
   /** Sequence number of this datagram, 16 bits, which wraps. */
   public int sequence;
@@ -104,8 +104,8 @@ public final class InputDatagram {
    *
    * @param out has room for {@link #MAX_BYTES} from {@code offset} on
    * @return number of bytes written
-   * @throws IllegalArgumentException when {@link #count}, {@link #viewDelay}, {@link #holdTicks} or
-   *     {@link #near} is outside its range
+   * @throws IllegalArgumentException when {@link #epoch}, {@link #count}, {@link #viewDelay},
+   *     {@link #holdTicks} or {@link #near} is outside its range
    */
   public int encode(byte[] out, int offset) {
     if (count < 0 || count > Limits.MAX_INPUTS) {
@@ -125,7 +125,7 @@ public final class InputDatagram {
     }
     BitWriter w = writer;
     w.reset(out, offset, MAX_BYTES);
-    w.write(key, 32);
+    w.write(DatagramMark.ofState(epoch), DatagramMark.BITS);
     w.write(sequence, 16);
     w.write(hasAck);
     if (hasAck) {
@@ -166,7 +166,11 @@ public final class InputDatagram {
   public boolean decode(byte[] bytes, int offset, int length) {
     BitReader r = reader;
     r.reset(bytes, offset, length);
-    key = r.read(32);
+    int mark = r.read(DatagramMark.BITS);
+    epoch = mark >> 1;
+    if (mark != DatagramMark.ofState(epoch)) {
+      return false;
+    }
     sequence = r.read(16);
     hasAck = r.readBit();
     ackSequence = hasAck ? r.read(16) : 0;
@@ -193,19 +197,5 @@ public final class InputDatagram {
       }
     }
     return r.finished();
-  }
-
-  /**
-   * Returns the key of an encoded datagram without decoding the rest, or 0 if it is shorter than 4
-   * bytes.
-   */
-  public static int peekKey(byte[] bytes, int offset, int length) {
-    if (length < 4) {
-      return 0;
-    }
-    return (bytes[offset] & 0xff)
-        | (bytes[offset + 1] & 0xff) << 8
-        | (bytes[offset + 2] & 0xff) << 16
-        | bytes[offset + 3] << 24;
   }
 }

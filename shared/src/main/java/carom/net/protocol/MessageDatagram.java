@@ -3,22 +3,18 @@ package carom.net.protocol;
 import carom.net.codec.Sequence;
 
 /**
- * The unreliable messages of one tick in a datagram, in either direction: the session's key with
- * {@link #MARK}, a sequence number, and each message with its length. Writing starts with {@link
- * #clear}, reading with {@link #decode}. A datagram that a newer one has overtaken is refused, so
- * that each message is heard at most once. One thread; allocates nothing but what {@link #next}
- * returns.
+ * The unreliable messages of one tick in a datagram, in either direction: its mark in a byte, a
+ * sequence number, and each message with its length. Writing starts with {@link #clear}, reading
+ * with {@link #decode}. A datagram that a newer one has overtaken is refused, so that each message
+ * is heard at most once. One thread; allocates nothing but what {@link #next} returns.
  */
 public final class MessageDatagram {
-  /** Distinguishes the key from that of other datagrams. */
-  public static final int MARK = 0x4d534721;
-
-  private static final int HEAD = 4 + 2;
+  private static final int HEAD = 1 + 2;
 
   private final byte[] bytes = new byte[Limits.MAX_DATAGRAM_BYTES];
   private int length = HEAD;
   private int at;
-  private int key;
+  private byte mark = (byte) DatagramMark.ofMessages(0);
   private int sequence;
   private boolean heardAny;
   private int lastHeard;
@@ -26,9 +22,9 @@ public final class MessageDatagram {
   /** Creates a datagram without messages. */
   public MessageDatagram() {}
 
-  /** Begins with a link: sets the key of its session's Welcome, and forgets what was heard. */
-  public void begin(int newKey) {
-    key = newKey ^ MARK;
+  /** Begins with a link or match: sets the epoch of its Welcome, and forgets what was heard. */
+  public void begin(int epoch) {
+    mark = (byte) DatagramMark.ofMessages(epoch);
     heardAny = false;
     sequence = 0;
     length = HEAD;
@@ -53,11 +49,9 @@ public final class MessageDatagram {
 
   /** Completes the datagram: {@link #length} of {@link #bytes} are to be sent. */
   public void complete() {
-    for (int i = 0; i < 4; i++) {
-      bytes[i] = (byte) (key >>> 8 * i);
-    }
-    bytes[4] = (byte) sequence;
-    bytes[5] = (byte) (sequence >>> 8);
+    bytes[0] = mark;
+    bytes[1] = (byte) sequence;
+    bytes[2] = (byte) (sequence >>> 8);
     sequence = sequence + 1 & 0xffff;
   }
 
@@ -76,11 +70,9 @@ public final class MessageDatagram {
     return length;
   }
 
-  /** Returns whether bytes that arrived are such a datagram of this session. */
+  /** Returns whether bytes that arrived are such a datagram of this epoch. */
   public boolean isOne(byte[] from, int count) {
-    return count >= HEAD
-        && ((from[0] & 0xff) | (from[1] & 0xff) << 8 | (from[2] & 0xff) << 16 | from[3] << 24)
-            == key;
+    return count >= HEAD && from[0] == mark;
   }
 
   /**
@@ -89,7 +81,7 @@ public final class MessageDatagram {
    * @return false when it comes twice or too late
    */
   public boolean decode(byte[] from, int count) {
-    int number = from[4] & 0xff | (from[5] & 0xff) << 8;
+    int number = from[1] & 0xff | (from[2] & 0xff) << 8;
     if (heardAny && !Sequence.isNewer(number, lastHeard)) {
       return false;
     }

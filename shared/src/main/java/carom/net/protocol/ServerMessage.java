@@ -16,7 +16,7 @@ public sealed interface ServerMessage {
    * the room: it keeps its secret, and has to load again.
    *
    * @param sessionSecret proves the client's identity when it resumes the session; never 0
-   * @param datagramKey first 32 bits of each input datagram, and the key of the snapshots' checksum
+   * @param epoch counts the link's Welcomes, modulo 8; in each datagram from now on
    * @param playerId 0..1,023
    * @param tickRate ticks per second, {@link Limits#MIN_TICK_RATE}..{@link Limits#MAX_TICK_RATE}
    * @param room name of the room; another than before if the player has changed the room
@@ -40,7 +40,7 @@ public sealed interface ServerMessage {
    */
   record Welcome(
       long sessionSecret,
-      int datagramKey,
+      int epoch,
       int playerId,
       int tickRate,
       String room,
@@ -337,5 +337,24 @@ public sealed interface ServerMessage {
 
   private static String withDetails(String sentence, String details) {
     return details.isEmpty() || details.equals(sentence) ? sentence : sentence + " " + details;
+  }
+
+  /**
+   * Sends the client to another server. Nothing of the session goes along: it joins there as a
+   * newcomer. The client decides whether it follows.
+   *
+   * @param server host and TCP port, {@code host:port}, at most {@link Limits#MAX_ADDRESS_BYTES}
+   * @param fingerprint of the key that the other server must show, or empty if this one doesn't
+   *     know
+   * @param room to ask for there, or empty for any
+   * @param token join token for the other server, or empty
+   */
+  record Redirect(String server, String fingerprint, String room, String token)
+      implements ServerMessage {
+    /** Leaves the token out, which lets its bearer in. */
+    @Override
+    public String toString() {
+      return "Redirect[server=" + server + ", room=" + room + "]";
+    }
   }
 }

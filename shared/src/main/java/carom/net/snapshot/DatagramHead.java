@@ -2,14 +2,14 @@ package carom.net.snapshot;
 
 import carom.net.codec.BitPass;
 import carom.net.codec.Sequence;
+import carom.net.protocol.DatagramMark;
 import carom.net.snapshot.frame.FrameRing;
 
 /**
  * The head of a snapshot datagram, described once for writing and reading. Mutable, reused; a
- * reader's values mean something only if the check is right and all bits were there.
+ * reader's values mean something only if the mark is right and all bits were there.
  */
 final class DatagramHead {
-  private static final int CHECK_BITS = 16;
   private static final int SEQUENCE_BITS = 16;
   private static final int TICK_BITS = 16;
   private static final int HOLD_BITS = 8;
@@ -17,11 +17,8 @@ final class DatagramHead {
   private static final int MARGIN_BITS = 6;
   private static final int MIN_MARGIN = -(1 << (MARGIN_BITS - 1));
 
-  /** Bytes that the check stands in; it covers all behind them. */
-  static final int CHECK_BYTES = CHECK_BITS / Byte.SIZE;
-
-  /** CRC of the rest of the datagram, seeded with the session's key; a writer adds it last. */
-  int check;
+  /** What the datagram carries, and the epoch. */
+  int mark;
 
   /** Sequence number of the datagram, 16 bits. */
   int sequence;
@@ -47,7 +44,7 @@ final class DatagramHead {
    * @param nearTick a tick that is less than 32,768 away from the datagram's, for readers
    */
   void code(BitPass c, int nearTick) {
-    check = c.plain(check, CHECK_BITS);
+    mark = c.plain(mark, DatagramMark.BITS);
     sequence = c.plain(sequence, SEQUENCE_BITS);
     tick = Sequence.expand(c.plain(tick, TICK_BITS), c.isReading() ? nearTick : tick);
     news = c.flag(news);

@@ -4,9 +4,8 @@ import static carom.net.snapshot.DecodeStatus.DAMAGED;
 import static carom.net.snapshot.DecodeStatus.OK;
 
 import carom.net.codec.BitReader;
-import carom.net.codec.Crc16;
 import carom.net.codec.RangeDecoder;
-import carom.net.codec.Sequence;
+import carom.net.protocol.DatagramMark;
 import carom.net.snapshot.event.EventInbox;
 import carom.net.snapshot.exact.OwnInbox;
 import carom.net.snapshot.exact.OwnState;
@@ -35,13 +34,12 @@ import java.util.Arrays;
 public final class SnapshotDecoder {
 
   private static final int MIN_RECORDS = 64;
-  private static final int ACK_BITS = 64;
 
-  /** Bytes of check, sequence number and tick: no datagram is shorter. */
+  /** Bytes of mark, sequence number, tick and five flags: no datagram is shorter. */
   private static final int MIN_BYTES = 6;
 
   private final int capacity;
-  private final int key;
+  private final int mark;
   private final Predictor predictor;
   private final BitReader reader = new BitReader();
   private final RangeDecoder range = new RangeDecoder();
@@ -51,9 +49,7 @@ public final class SnapshotDecoder {
   private EntityHistory[] histories = {};
   private int slotLimit;
 
-  private boolean hasAck;
-  private int ackSequence;
-  private long ackBits;
+  private final Receipts receipts = new Receipts();
   private int tick;
   private int newestTick;
 
@@ -83,26 +79,26 @@ public final class SnapshotDecoder {
   private int touched;
 
   /** Creates a decoder that knows nothing, of a game without fields. */
-  public SnapshotDecoder(int capacity, int key, int tick, int tickRate) {
-    this(capacity, key, tick, tickRate, 0, new TableInbox());
+  public SnapshotDecoder(int capacity, int epoch, int tick, int tickRate) {
+    this(capacity, epoch, tick, tickRate, 0, new TableInbox());
   }
 
   /**
    * Creates a decoder that knows nothing.
    *
    * @param capacity entity slots, at least the server's; 1..65,535
-   * @param key the session's datagram key
+   * @param epoch as in {@code Welcome}, 0..7
    * @param tick the server's tick in {@code Welcome}: datagrams carry 16 bits of theirs
    * @param tickRate ticks per second, as in {@code Welcome}
    * @param words number of words of the player's fields in an own section
    * @param tables takes the rows of the server's tables, whose layouts it has
    */
   public SnapshotDecoder(
-      int capacity, int key, int tick, int tickRate, int words, TableInbox tables) {
+      int capacity, int epoch, int tick, int tickRate, int words, TableInbox tables) {
     own = new OwnInbox(words);
     this.tables = tables;
     this.capacity = capacity;
-    this.key = key;
+    mark = DatagramMark.ofState(epoch);
     this.tick = tick;
     newestTick = tick;
     predictor = new Predictor(tickRate);
@@ -152,22 +148,16 @@ public final class SnapshotDecoder {
     }
     reader.reset(bytes, offset, length);
     head.code(reader, newestTick);
-    int covered = offset + DatagramHead.CHECK_BYTES;
-    if (head.check != Crc16.of(key, bytes, covered, length - DatagramHead.CHECK_BYTES)) {
-      return DAMAGED;
+    if (head.mark != mark) {
+      return DecodeStatus.STALE;
     }
-    int ahead = hasAck ? Sequence.difference(head.sequence, ackSequence) : 1;
-    if (ahead <= 0) {
-      if (ahead < -ACK_BITS) {
-        return DecodeStatus.STALE;
-      }
-      if (ahead == 0 || (ackBits >>> (-1 - ahead) & 1) != 0) {
-        return DecodeStatus.DUPLICATE;
-      }
+    DecodeStatus seen = receipts.status(head.sequence);
+    if (seen != OK) {
+      return seen;
     }
     DecodeStatus status = read(bytes, offset + length);
     if (status == OK) {
-      acknowledge(head.sequence, ahead);
+      receipts.add(head.sequence);
       keep();
     }
     return status;
@@ -333,20 +323,6 @@ public final class SnapshotDecoder {
     }
   }
 
-  private void acknowledge(int sequence, int ahead) {
-    if (!hasAck) {
-      hasAck = true;
-      ackSequence = sequence;
-    } else if (ahead > 0) {
-      // The old newest moves to bit (ahead - 1); Java shifts by the lowest six bits only.
-      long moved = ahead >= ACK_BITS ? 0 : ackBits << ahead;
-      ackBits = ahead > ACK_BITS ? 0 : moved | 1L << (ahead - 1);
-      ackSequence = sequence;
-    } else {
-      ackBits |= 1L << (-1 - ahead);
-    }
-  }
-
   private void keep() {
     int datagramTick = head.tick;
     tick = datagramTick;
@@ -470,16 +446,16 @@ public final class SnapshotDecoder {
 
   /** Returns whether any datagram was decoded: before that, there is nothing to ack. */
   public boolean hasAck() {
-    return hasAck;
+    return receipts.any();
   }
 
   /** Returns the sequence number of the newest datagram decoded. */
   public int ackSequence() {
-    return ackSequence;
+    return receipts.newest();
   }
 
   /** Returns the ack bits: bit i = datagram {@code ackSequence() - 1 - i} was decoded. */
   public long ackBits() {
-    return ackBits;
+    return receipts.older();
   }
 }

@@ -1,8 +1,8 @@
 package carom.net.snapshot;
 
 import carom.net.codec.BitWriter;
-import carom.net.codec.Crc16;
 import carom.net.codec.RangeEncoder;
+import carom.net.protocol.DatagramMark;
 import carom.net.snapshot.event.EventOutbox;
 import carom.net.snapshot.exact.NearRowCodec;
 import carom.net.snapshot.exact.OwnAcks;
@@ -53,7 +53,7 @@ public final class SnapshotEncoder {
   private static final int SHARE = 4;
 
   private final FrameRing ring;
-  private final int key;
+  private final int mark;
   private final RangeEncoder range = new RangeEncoder();
   private final NearRowCodec nearRows = new NearRowCodec();
   private final DatagramHead head = new DatagramHead();
@@ -92,24 +92,24 @@ public final class SnapshotEncoder {
    * Creates the encoder of a client that sees everything, and shares its deltas with nobody.
    *
    * @param ring the room's frames
-   * @param key as in the other constructor
+   * @param epoch as in the other constructor
    * @param tickRate ticks per second, for prediction; the client's decoder must be given the same
    */
-  public SnapshotEncoder(FrameRing ring, int key, int tickRate) {
-    this(new Deltas(ring, tickRate), key, Interest.EVERYTHING, Tables.NONE, null);
+  public SnapshotEncoder(FrameRing ring, int epoch, int tickRate) {
+    this(new Deltas(ring, tickRate), epoch, Interest.EVERYTHING, Tables.NONE, null);
   }
 
   /**
    * Creates the encoder of a client that knows nothing but the ring's {@link FrameRing#level}.
    *
    * @param deltas those of the room, shared by all sessions, like the frames they are of
-   * @param key the session's datagram key; seeds the check that each datagram carries
+   * @param epoch that of the client's last {@code Welcome}, 0..7
    * @param interest what the client is told about
    * @param tables those of the room, shared by all sessions
    * @param audience what the client may know of them; null without tables
    */
   public SnapshotEncoder(
-      Deltas deltas, int key, Interest interest, Tables tables, RowAudience audience) {
+      Deltas deltas, int epoch, Interest interest, Tables tables, RowAudience audience) {
     ring = deltas.ring();
     events = new EventOutbox(ring.events(), SentLog.SIZE);
     this.tables = new TableOutbox(tables, audience, SentLog.SIZE);
@@ -118,7 +118,7 @@ public final class SnapshotEncoder {
     selection = new Selection(ring, interest, sizes, client);
     records = new RecordsWriter(deltas, selection, client, sent, range);
     own = new OwnAcks(ring);
-    this.key = key;
+    mark = DatagramMark.ofState(epoch);
   }
 
   /**
@@ -317,9 +317,6 @@ public final class SnapshotEncoder {
     headerBytes = first ? header + rowBytes : headerBytes;
     records.write(frame, room - RecordsWriter.END_BITS);
     int length = header + range.finish();
-    int check = Crc16.of(key, out, DatagramHead.CHECK_BYTES, length - DatagramHead.CHECK_BYTES);
-    out[0] = (byte) check;
-    out[1] = (byte) (check >>> 8);
     sent.end(length);
     budget -= length;
     first = false;
@@ -331,6 +328,7 @@ public final class SnapshotEncoder {
   }
 
   private void writeHeader(BitWriter w, int sequence, boolean withOwn) {
+    head.mark = mark;
     head.sequence = sequence;
     head.tick = frame.tick();
     head.news = news;

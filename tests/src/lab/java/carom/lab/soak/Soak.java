@@ -2,7 +2,6 @@ package carom.lab.soak;
 
 import carom.client.ClientConfig;
 import carom.client.PredictionMode;
-import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.replay.RecordingReader;
@@ -15,8 +14,6 @@ import carom.server.room.Room;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.message.Emote;
-import carom.testkit.Scripts;
-import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -32,7 +29,7 @@ import java.util.Map;
  * every tick what must always hold:
  *
  * <ul>
- *   <li>each state that a client decodes equals the server's of that tick;
+ *   <li>each state that a client decodes, if clients decode, equals the server's of that tick;
  *   <li>what a client shows is there, and what is there it shows, see {@link EntityWatch};
  *   <li>all bodies have finite poses and velocities;
  *   <li>no more seats are taken than a room has, and the server counts no error;
@@ -48,23 +45,36 @@ final class Soak {
    *
    * @param seconds length, s of virtual time
    * @param clients largest number of clients at a time
-   * @param predicting whether clients predict; otherwise they interpolate, which is cheaper
+   * @param play what clients do
    * @param recordings folder for recordings, or null for none
    */
-  record Settings(long seed, double seconds, int clients, boolean predicting, Path recordings) {}
+  record Settings(long seed, double seconds, int clients, Play play, Path recordings) {}
+
+  /** What the clients of a soak do, from the most work to the least. */
+  enum Play {
+    /** Clients predict. */
+    PREDICTING,
+    /** Clients decode snapshots and interpolate. */
+    INTERPOLATING,
+    /** Clients send inputs and acknowledge snapshots, but don't decode them. */
+    INPUT_ONLY
+  }
 
   /** Datagrams that aren't lost are read every 2 ms, or once a tick where nothing is predicted. */
   private static final int COARSE_SLICES = 8;
+
+  /** Of input-only clients, one in so many has the server send it a predicted set. */
+  private static final int PREDICTED = 4;
 
   private static final int SEATS = 12; // of each room, fewer than clients: some are refused
 
   private final Settings settings;
   private final Stepper stepper;
-  private final SimulatedClient[] clients;
+  private final Guest[] clients;
   private final Map<Incident.Kind, Integer> happened = new EnumMap<>(Incident.Kind.class);
   private final Map<Room, EntityWatch> watches = new HashMap<>();
   private final Map<Room, Integer> checkedTicks = new HashMap<>();
-  private final Map<SimulatedClient, Long> thawNs = new HashMap<>();
+  private final Map<Guest, Long> thawNs = new HashMap<>();
   private final long startNs;
   private List<Path> recorded = List.of();
   private int lives;
@@ -84,7 +94,7 @@ final class Soak {
     ServerConfig config = ServerConfig.defaults().withSeed(settings.seed);
     stepper = Stepper.ofRooms(config, MatchLibrary.INSTALLED, rooms.toArray(new RoomConfig[0]));
     stepper.expectExpulsions();
-    clients = new SimulatedClient[settings.clients];
+    clients = new Guest[settings.clients];
     startNs = stepper.nowNs();
     begin();
   }
@@ -119,13 +129,18 @@ final class Soak {
   }
 
   private void step() {
-    for (Map.Entry<SimulatedClient, Long> frozen : List.copyOf(thawNs.entrySet())) {
+    for (Map.Entry<Guest, Long> frozen : List.copyOf(thawNs.entrySet())) {
       if (stepper.nowNs() - frozen.getValue() >= 0) {
         frozen.getKey().freeze(false);
         thawNs.remove(frozen.getKey());
       }
     }
-    stepper.step(settings.predicting ? 1 : COARSE_SLICES);
+    stepper.step(settings.play == Play.PREDICTING ? 1 : COARSE_SLICES);
+    for (Guest client : clients) {
+      if (client != null) {
+        client.update(stepper.nowNs());
+      }
+    }
     for (Room room : stepper.server().rooms()) {
       if (room.tick() != checkedTicks.getOrDefault(room, -1)) {
         checkedTicks.put(room, room.tick());
@@ -158,11 +173,14 @@ final class Soak {
     if (room.seats().takenCount() > SEATS) {
       throw failure(room, "taken seats=" + room.seats().takenCount() + " of " + SEATS);
     }
+    if (settings.play == Play.INPUT_ONLY) {
+      return;
+    }
     EntityWatch watch = watches.computeIfAbsent(room, r -> new EntityWatch());
     watch.tick(room.frames().newest(), room.match());
-    for (SimulatedClient client : clients) {
-      if (client != null && client.view().room().equals(room.name())) {
-        entitiesSeen += watch.check(client);
+    for (Guest client : clients) {
+      if (client instanceof FullGuest full && full.room().equals(room.name())) {
+        entitiesSeen += watch.check(full.client());
       }
     }
   }
@@ -174,7 +192,7 @@ final class Soak {
   // ---- incidents
 
   private void happen(Incident incident) throws IOException {
-    SimulatedClient client = clients[incident.client()];
+    Guest client = clients[incident.client()];
     boolean there = client != null;
     switch (incident.kind()) {
       case JOIN -> join(incident);
@@ -187,7 +205,7 @@ final class Soak {
       case BLACKOUT -> {
         if (there && client.isConnected()) {
           disturb(client);
-          stepper.blackout(client, incident.detail() % 12_000 / 1e3);
+          client.blackout(incident.detail() % 12_000 / 1e3);
         }
       }
       case FREEZE -> {
@@ -206,17 +224,17 @@ final class Soak {
       }
       case TALK -> {
         if (isPlaying(client)) {
-          client.game().chat("this happened: " + incident.detail());
+          client.say("this happened: " + incident.detail());
         }
       }
       case EMOTE -> {
         if (isPlaying(client)) {
-          client.game().emote(Emote.values()[(int) (incident.detail() % Emote.values().length)]);
+          client.show(Emote.values()[(int) (incident.detail() % Emote.values().length)]);
         }
       }
       case MOVE -> {
         if (isPlaying(client)) {
-          client.game().changeRoom(client.view().room().equals("cup") ? "jump" : "cup");
+          client.changeRoom(client.room().equals("cup") ? "jump" : "cup");
         }
       }
       case LEVEL -> {
@@ -238,39 +256,45 @@ final class Soak {
     if (clients[incident.client()] != null) {
       return;
     }
-    ClientConfig config =
-        ClientConfig.of("p" + number++)
-            .withServer("localhost", stepper.tcpPort(), stepper.udpPort())
-            .withPrediction(settings.predicting ? PredictionMode.ISLAND : PredictionMode.NONE);
+    String name = "p" + number++;
     clients[incident.client()] =
-        stepper.add(
-            config,
-            incident.network().withSeed(incident.detail()),
-            Scripts.wander(incident.detail()));
+        settings.play == Play.INPUT_ONLY
+            ? new InputOnlyGuest(
+                name,
+                stepper.transport(),
+                stepper::nowNs,
+                incident.network(),
+                number % PREDICTED == 0,
+                incident.detail())
+            : new FullGuest(stepper, config(name), incident.network(), incident.detail());
+  }
+
+  private ClientConfig config(String name) {
+    return ClientConfig.of(name)
+        .withServer("localhost", stepper.tcpPort(), stepper.udpPort())
+        .withPrediction(
+            settings.play == Play.PREDICTING ? PredictionMode.ISLAND : PredictionMode.NONE);
   }
 
   private void leave(Incident incident) {
-    SimulatedClient client = clients[incident.client()];
+    Guest client = clients[incident.client()];
     if (client == null) {
       return;
     }
-    if (incident.kind() == Incident.Kind.LEAVE) {
-      client.leave();
-    } else if (client.isConnected()) {
-      client.kill();
-    }
+    client.end(incident.kind() == Incident.Kind.DIE);
     clients[incident.client()] = null;
     thawNs.remove(client);
     compared += client.compared();
-    stepper.remove(client);
   }
 
-  private void disturb(SimulatedClient client) {
-    watches.values().forEach(watch -> watch.disturbed(client));
+  private void disturb(Guest client) {
+    if (client instanceof FullGuest full) {
+      watches.values().forEach(watch -> watch.disturbed(full.client()));
+    }
   }
 
-  private static boolean isPlaying(SimulatedClient client) {
-    return client != null && client.view().phase() == ConnectionPhase.PLAYING;
+  private static boolean isPlaying(Guest client) {
+    return client != null && client.isPlaying();
   }
 
   // ---- the lives of the server

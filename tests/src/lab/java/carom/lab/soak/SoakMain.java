@@ -1,7 +1,9 @@
 package carom.lab.soak;
 
 import carom.testkit.Folders;
+import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -34,6 +36,11 @@ public final class SoakMain implements Callable<Integer> {
   @Option(names = "--predict", description = "clients predict, instead of interpolating")
   private boolean predict;
 
+  @Option(
+      names = "--input-only",
+      description = "clients send inputs and acknowledge snapshots, but don't decode them")
+  private boolean inputOnly;
+
   @Option(names = "--no-recordings", description = "records nothing, and replays nothing")
   private boolean noRecordings;
 
@@ -58,14 +65,21 @@ public final class SoakMain implements Callable<Integer> {
     List<Incident> script = Incident.script(seed, minutes * 60, clients);
     script = script.subList(0, Math.min(incidents, script.size()));
     System.out.printf(
-        "soak: seed=%d minutes=%.1f clients=%d predict=%b incidents=%d%n",
-        seed, minutes, clients, predict, script.size());
+        "soak: seed=%d minutes=%.1f clients=%d play=%s incidents=%d%n",
+        seed, minutes, clients, play(), script.size());
     long start = System.nanoTime();
+    double startCpuS = cpuS();
     Outcome outcome = attempt(script, minutes * 60);
     double took = (System.nanoTime() - start) * 1e-9;
     System.out.printf(
-        "%s%n%.0f s of virtual time in %.0f s: %.1f times real time%n",
-        outcome.summary, outcome.seconds, took, outcome.seconds / took);
+        "%s%n%.0f s of virtual time in %.0f s, %.0f s of processors: %.1f times real time, %.1f"
+            + " times processor time%n",
+        outcome.summary,
+        outcome.seconds,
+        took,
+        cpuS() - startCpuS,
+        outcome.seconds / took,
+        outcome.seconds / (cpuS() - startCpuS));
     if (outcome.failure == null) {
       return 0;
     }
@@ -73,9 +87,27 @@ public final class SoakMain implements Callable<Integer> {
     int fewest = shortest(script, outcome.seconds);
     System.out.printf(
         "the shortest script that fails: --seed %d --minutes %.3f --clients %d%s --incidents %d%n",
-        seed, outcome.seconds / 60 + 0.01, clients, predict ? " --predict" : "", fewest);
+        seed, outcome.seconds / 60 + 0.01, clients, flag(), fewest);
     script.subList(Math.max(0, fewest - 10), fewest).forEach(System.out::println);
     return 1;
+  }
+
+  private Soak.Play play() {
+    return predict
+        ? Soak.Play.PREDICTING
+        : inputOnly ? Soak.Play.INPUT_ONLY : Soak.Play.INTERPOLATING;
+  }
+
+  private String flag() {
+    return predict ? " --predict" : inputOnly ? " --input-only" : "";
+  }
+
+  /**
+   * Returns what this process has used of processors so far, s; all threads, the compiler's too.
+   */
+  private static double cpuS() {
+    return ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class).getProcessCpuTime()
+        * 1e-9;
   }
 
   /** How a soak ended. */
@@ -83,7 +115,7 @@ public final class SoakMain implements Callable<Integer> {
 
   private Outcome attempt(List<Incident> script, double seconds) throws IOException {
     Path folder = noRecordings ? null : Files.createTempDirectory("carom-soak");
-    Soak soak = new Soak(new Soak.Settings(seed, seconds, clients, predict, folder));
+    Soak soak = new Soak(new Soak.Settings(seed, seconds, clients, play(), folder));
     Throwable failure = null;
     try {
       soak.run(script);

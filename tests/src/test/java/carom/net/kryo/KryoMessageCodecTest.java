@@ -45,7 +45,7 @@ final class KryoMessageCodecTest {
     return List.of(
         new ServerMessage.Welcome(
             -2,
-            0x01020304,
+            4,
             255,
             240,
             "cup",
@@ -67,6 +67,12 @@ final class KryoMessageCodecTest {
         new ServerMessage.Roster(full),
         new ServerMessage.Notice("x".repeat(Limits.MAX_TEXT_BYTES)),
         new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""),
+        new ServerMessage.Redirect(
+            "x".repeat(Limits.MAX_ADDRESS_BYTES),
+            "f".repeat(Limits.MAX_FINGERPRINT_BYTES),
+            "cup",
+            "t".repeat(Limits.MAX_TOKEN_BYTES)),
+        new ServerMessage.Redirect("b.example.org:1", "", "", ""),
         new ServerMessage.Watching(65_535),
         new ServerMessage.RecordingChunk(Long.MAX_VALUE, chunk),
         new ServerMessage.RecordingChunk(0, new byte[0]),
@@ -128,7 +134,7 @@ final class KryoMessageCodecTest {
     assertEquals(
         "40" // class
             + "feffffffffffffff" // sessionSecret
-            + "04030201" // datagramKey
+            + "04" // epoch
             + "ff01" // playerId
             + "f0" // tickRate
             + "03637570" // room
@@ -190,10 +196,14 @@ final class KryoMessageCodecTest {
             new ServerMessage.RecordingChunk(-1, new byte[1]),
             new ServerMessage.RecordingChunk(0, new byte[Limits.MAX_LEVEL_CHUNK_BYTES + 1]),
             new ClientMessage.Watch(1, 2, 0),
+            new ClientMessage.LevelRequest(8, 0),
+            new ClientMessage.Ready(-1, 0),
             new ClientMessage.RecordingRequest(-1),
             new ServerMessage.LevelChunk(-1, new byte[1]),
             new ServerMessage.Welcome(
                 1, 1, Limits.MAX_PLAYERS, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+            new ServerMessage.Welcome(
+                1, 8, 1, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
             new ServerMessage.Welcome(
                 1, 1, 1, 0, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
             new ServerMessage.Welcome(

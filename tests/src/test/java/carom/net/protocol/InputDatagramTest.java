@@ -15,7 +15,7 @@ class InputDatagramTest {
   private static final long SEED = 77;
 
   private static void fill(InputDatagram d, Random random) {
-    d.key = random.nextInt();
+    d.epoch = random.nextInt(8);
     d.sequence = random.nextInt(65_536);
     d.hasAck = random.nextInt(4) != 0;
     d.ackSequence = d.hasAck ? random.nextInt(65_536) : 0;
@@ -44,7 +44,6 @@ class InputDatagramTest {
       int length = out.encode(bytes, 2);
       assertTrue(length <= InputDatagram.MAX_BYTES);
       assertTrue(in.decode(bytes, 2, length), "seed=" + SEED + " i=" + i);
-      assertEquals(out.key, InputDatagram.peekKey(bytes, 2, length));
       assertMeansSame(out, in, "seed=" + SEED + " i=" + i);
     }
   }
@@ -52,7 +51,7 @@ class InputDatagramTest {
   /** What counts: a comparison only of what is near, delays only with inputs. */
   private static void assertMeansSame(InputDatagram out, InputDatagram in, String which) {
     boolean disagrees = out.near != InputDatagram.NEAR_NONE && out.disagrees;
-    assertEquals(out.key, in.key, which);
+    assertEquals(out.epoch, in.epoch, which);
     assertEquals(out.sequence, in.sequence, which);
     assertEquals(out.hasAck, in.hasAck, which);
     assertEquals(out.ackSequence, in.ackSequence, which);
@@ -108,8 +107,8 @@ class InputDatagramTest {
       assertTrue(d.decode(bytes, 0, d.encode(bytes, 0)), "near=" + near);
       assertEquals(near, d.near);
     }
-    int length = d.encode(bytes, 0); // 32 bits of key, 16 of sequence, none of acks, then near = 2
-    bytes[6] |= 0b010;
+    int length = d.encode(bytes, 0); // 4 bits of mark, 16 of sequence, none of acks, then near = 2
+    bytes[2] |= 0b10_0000;
     assertFalse(d.decode(bytes, 0, length));
     d.near = InputDatagram.NEAR_ALL + 1;
     assertThrows(IllegalArgumentException.class, () -> d.encode(bytes, 0));
@@ -150,7 +149,9 @@ class InputDatagramTest {
         assertTrue(in.count >= 0 && in.count <= Limits.MAX_INPUTS);
       }
     }
-    assertEquals(0, InputDatagram.peekKey(bytes, 0, 3));
+    d.epoch = 8;
+    assertThrows(IllegalArgumentException.class, () -> d.encode(bytes, 0));
+    d.epoch = 0;
     d.viewDelay = InputDatagram.MAX_VIEW_DELAY + 1;
     d.count = 1;
     assertThrows(IllegalArgumentException.class, () -> d.encode(bytes, 0));

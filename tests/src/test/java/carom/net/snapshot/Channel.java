@@ -26,7 +26,7 @@ import java.util.TreeSet;
  */
 final class Channel {
 
-  static final int KEY = 0x5eed1234;
+  static final int EPOCH = 3;
 
   @SuppressWarnings("ArrayRecordComponent") // never compared
   private record Delayed(int atTick, byte[] bytes, int ackSequence, long ackBits) {}
@@ -39,7 +39,6 @@ final class Channel {
   double lossPercent;
   double duplicatePercent;
   double reorderPercent;
-  double damagePercent;
   int sendEvery = 1;
   int latencyTicks = 3;
   int jitterTicks;
@@ -80,8 +79,9 @@ final class Channel {
     dice = new Dice(seed);
     name = "seed=" + seed;
     encoder =
-        new SnapshotEncoder(new Deltas(scene.ring, tickRate), KEY, interest, Tables.NONE, null);
-    decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, tickRate, 4, new TableInbox());
+        new SnapshotEncoder(new Deltas(scene.ring, tickRate), EPOCH, interest, Tables.NONE, null);
+    decoder =
+        new SnapshotDecoder(scene.slots, EPOCH, scene.firstTick, tickRate, 4, new TableInbox());
   }
 
   void tick() {
@@ -108,9 +108,6 @@ final class Channel {
       byte[] copy = Arrays.copyOf(buffer, n);
       if (dice.percent(lossPercent)) {
         continue;
-      }
-      if (dice.percent(damagePercent)) {
-        copy[dice.below(n)] ^= (byte) (1 << dice.below(8));
       }
       down.add(new Delayed(due(), copy, 0, 0));
       if (dice.percent(duplicatePercent)) {

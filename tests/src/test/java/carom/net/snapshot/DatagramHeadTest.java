@@ -15,7 +15,7 @@ class DatagramHeadTest {
 
   private DatagramHead head() {
     DatagramHead head = new DatagramHead();
-    head.check = random.nextInt(1 << 16);
+    head.mark = random.nextInt(16);
     head.sequence = random.nextInt(1 << 16);
     head.tick = NEAR_TICK + random.nextInt(1 << 16) - (1 << 15);
     head.news = random.nextBoolean();
@@ -34,7 +34,7 @@ class DatagramHeadTest {
     InputFeedback f = head.feedback;
     String feedback =
         f.present ? f.sequence + " " + f.holdMs + " " + f.consumedTick + " " + f.margin : "none";
-    return head.check
+    return head.mark
         + " "
         + head.sequence
         + " "

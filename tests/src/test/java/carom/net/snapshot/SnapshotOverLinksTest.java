@@ -18,13 +18,13 @@ import org.junit.jupiter.api.Test;
  */
 class SnapshotOverLinksTest {
 
-  private static final int KEY = 0x0badcafe;
+  private static final int EPOCH = 4;
   private static final long TICK_NS = 1_000_000_000L / Scene.TICK_RATE;
 
   private final Scene scene = new Scene(80, 500, 5);
-  private final SnapshotEncoder encoder = new SnapshotEncoder(scene.ring, KEY, Scene.TICK_RATE);
+  private final SnapshotEncoder encoder = new SnapshotEncoder(scene.ring, EPOCH, Scene.TICK_RATE);
   private final SnapshotDecoder decoder =
-      new SnapshotDecoder(scene.slots, KEY, scene.firstTick, Scene.TICK_RATE);
+      new SnapshotDecoder(scene.slots, EPOCH, scene.firstTick, Scene.TICK_RATE);
   private final InputDatagram up = new InputDatagram();
   private final InputDatagram received = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
@@ -42,7 +42,7 @@ class SnapshotOverLinksTest {
         @Override
         public void datagram(Link link, byte[] bytes, int length) {
           assertTrue(received.decode(bytes, 0, length));
-          assertEquals(KEY, received.key);
+          assertEquals(EPOCH, received.epoch);
           if (received.hasAck) {
             encoder.receiveAck(received.ackSequence, received.ackBits);
           }
@@ -96,7 +96,7 @@ class SnapshotOverLinksTest {
       }
       nowNs += TICK_NS;
       client.poll(atClient, 1_000);
-      up.key = KEY;
+      up.epoch = EPOCH;
       up.sequence = (up.sequence + 1) & 0xffff;
       up.hasAck = decoder.hasAck();
       up.ackSequence = decoder.ackSequence();

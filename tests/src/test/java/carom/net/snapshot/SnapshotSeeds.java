@@ -11,7 +11,7 @@ public final class SnapshotSeeds {
   public static final int SLOTS = 60;
 
   /** Key of the datagrams' checks. */
-  public static final int KEY = 99;
+  public static final int EPOCH = 0;
 
   /** Ticks a second of the world. */
   public static final int TICK_RATE = Scene.TICK_RATE;
@@ -21,9 +21,10 @@ public final class SnapshotSeeds {
   /** Returns the datagrams of so many ticks, each acknowledged. */
   public static List<byte[]> datagrams(long seed, int ticks) {
     Scene scene = new Scene(SLOTS, 0, seed);
-    SnapshotEncoder encoder = new SnapshotEncoder(scene.ring, KEY, TICK_RATE);
+    SnapshotEncoder encoder = new SnapshotEncoder(scene.ring, EPOCH, TICK_RATE);
     SnapshotDecoder decoder =
-        new SnapshotDecoder(SLOTS, KEY, 0, TICK_RATE, 4, new carom.net.snapshot.table.TableInbox());
+        new SnapshotDecoder(
+            SLOTS, EPOCH, 0, TICK_RATE, 4, new carom.net.snapshot.table.TableInbox());
     InputFeedback feedback = new InputFeedback();
     feedback.present = true;
     OwnState own = new OwnState(4);

@@ -236,7 +236,9 @@ public final class JointSolver {
 
   private boolean isPlainRevolute(int slot) {
     int more = JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG;
-    return store.type[slot] == JointStore.REVOLUTE && (store.flags[slot] & more) == 0;
+    return store.type[slot] == JointStore.REVOLUTE
+        && (store.flags[slot] & more) == 0
+        && !store.isRatchet(slot);
   }
 
   /** Gives each group its places. */

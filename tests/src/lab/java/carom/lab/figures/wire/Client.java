@@ -12,7 +12,7 @@ import carom.net.snapshot.frame.FrameRing;
  * fixed number of sends.
  */
 final class Client {
-  private static final int KEY = 1;
+  private static final int EPOCH = 1;
 
   private final SnapshotEncoder encoder;
   private final SnapshotDecoder decoder;
@@ -32,8 +32,8 @@ final class Client {
    * @param budgetBytes budget of each send, bytes
    */
   Client(FrameRing ring, int tickRate, boolean decodes, int lag, int budgetBytes) {
-    encoder = new SnapshotEncoder(ring, KEY, tickRate);
-    decoder = decodes ? new SnapshotDecoder(ring.capacity(), KEY, 0, tickRate) : null;
+    encoder = new SnapshotEncoder(ring, EPOCH, tickRate);
+    decoder = decodes ? new SnapshotDecoder(ring.capacity(), EPOCH, 0, tickRate) : null;
     ackSequence = new int[lag];
     ackBits = new long[lag];
     budget = budgetBytes;

@@ -1,0 +1,46 @@
+package carom.lab.soak;
+
+import carom.net.transport.Impairment;
+import carom.sim.message.Emote;
+
+/** A client of a soak, as far as incidents reach it. */
+interface Guest {
+  /** Advances the client to a moment, ns, if nobody else does. */
+  void update(long nowNs);
+
+  /** Returns whether the client has a link and its process lives. */
+  boolean isConnected();
+
+  /** Returns whether it plays. */
+  boolean isPlaying();
+
+  /** Returns the name of the room that welcomed it, or an empty text. */
+  String room();
+
+  /** Breaks the connection; the client comes back. */
+  void cut();
+
+  /** Loses all datagrams for some time, s. */
+  void blackout(double seconds);
+
+  /** Stops the process, or lets it go on. */
+  void freeze(boolean stopped);
+
+  /** Changes the network. */
+  void impair(Impairment network);
+
+  /** Says a line to all. */
+  void say(String text);
+
+  /** Shows an emote. */
+  void show(Emote emote);
+
+  /** Asks for another room. */
+  void changeRoom(String name);
+
+  /** Leaves for good, with a goodbye or, when the process dies, without. */
+  void end(boolean dies);
+
+  /** Returns how many states it compared with the server's. */
+  long compared();
+}
