@@ -7,6 +7,7 @@ import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
 import carom.server.command.CommandRegistry;
+import carom.server.command.RedirectCommands;
 import carom.server.command.RoomCommands;
 import carom.server.command.ServerCommands;
 import carom.server.config.BadSettingException;
@@ -320,8 +321,8 @@ public final class ServerMain implements Callable<Integer> {
     RoomCommands.add(commands, server.rooms(), flags.dataFolder());
     AccessCommands.add(commands, access, server.rooms());
     server.chatCommands(new AdminChat(commands, access, server.rooms()));
-    ServerCommands.add(
-        commands, server::status, settings(), ServerMain::replay, ServerMain::stopSoon);
+    ServerCommands.add(commands, server::status, settings(), ServerMain::replay);
+    RedirectCommands.add(commands, server.rooms(), ServerMain::stopSoon);
     return commands;
   }
 

@@ -112,8 +112,9 @@ public final class JointDef<T> {
 
   /**
    * Makes the definition of a distance joint, a rod that keeps two points at their distance. With
-   * {@link #spring} it becomes a spring, and with {@link #limits} it allows a range; both together
-   * are a spring with stops.
+   * {@link #spring} it becomes a spring, with {@link #limits} it allows a range, and with {@link
+   * #motor} it pushes and pulls along the line of its points; all together are a driven spring with
+   * stops.
    *
    * @param bodyA the first body, or null for the world
    * @param bodyB the second body
@@ -199,6 +200,92 @@ public final class JointDef<T> {
   public static <T> JointDef<T> wheel(
       Body<T> bodyA, Body<T> bodyB, float x, float y, float axisX, float axisY) {
     return new JointDef<>(JointType.WHEEL, bodyA, bodyB).anchors(x, y, x, y).axis(axisX, axisY);
+  }
+
+  /**
+   * Makes the definition of a groove: a point of B stays on a line between two points of A, and B
+   * turns freely. It is a {@link #wheel} without suspension, whose {@link #limits} are the groove's
+   * ends and whose coordinate is 0 where B is when the joint is created.
+   *
+   * @param bodyA the body with the groove, or null for the world; the groove turns with it
+   * @param bodyB the body that slides
+   * @param fromX x of one end of the groove, m, world
+   * @param fromY y of one end of the groove, m, world
+   * @param toX x of the other end, at least 1 mm away
+   * @param toY y of the other end
+   * @param x x of the point of B, m, world; a point beside the groove is drawn into it
+   * @param y y of the point of B, m, world
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> groove(
+      Body<T> bodyA,
+      Body<T> bodyB,
+      float fromX,
+      float fromY,
+      float toX,
+      float toY,
+      float x,
+      float y) {
+    float wayX = Limits.coordinate("toX", toX) - Limits.coordinate("fromX", fromX);
+    float wayY = Limits.coordinate("toY", toY) - Limits.coordinate("fromY", fromY);
+    float length = (float) Math.sqrt((double) wayX * wayX + (double) wayY * wayY);
+    if (!(length >= 1e-3f)) {
+      throw new IllegalArgumentException(
+          "length=" + length + " of a groove is below 0.001; move its ends apart");
+    }
+    float ux = wayX / length;
+    float uy = wayY / length;
+    float along = Math.max(0, Math.min((x - fromX) * ux + (y - fromY) * uy, length));
+    return wheel(bodyA, bodyB, x, y, ux, uy)
+        .anchors(fromX + ux * along, fromY + uy * along, x, y)
+        .limits(-along, length - along);
+  }
+
+  /**
+   * Makes the definition of a ratchet: a {@link #revolute} joint that turns in one direction only.
+   * It may turn back to the last tooth that it has passed. It counts full turns, can have a {@link
+   * #motor} and a {@link #spring}, and has no {@link #limits}.
+   *
+   * @param bodyA the first body, or null for the world
+   * @param bodyB the second body
+   * @param x x of the point, m, world
+   * @param y y of the point, m, world
+   * @param tooth angle between teeth, rad, its size 0.001..100; positive if B turns freely
+   *     counter-clockwise, negative if clockwise
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> ratchet(
+      Body<T> bodyA, Body<T> bodyB, float x, float y, float tooth) {
+    if (!(Math.abs(tooth) >= 0.001f && Math.abs(tooth) <= 100)) {
+      throw new IllegalArgumentException("tooth=" + tooth + " rad; its size must be 0.001..100");
+    }
+    JointDef<T> d = revolute(bodyA, bodyB, x, y);
+    d.ratio = tooth;
+    return d;
+  }
+
+  /**
+   * Makes the definition of a friction joint, which resists all motion of B relative to A, as drag
+   * on a table seen from above does. It pulls B to no place.
+   *
+   * @param bodyA what B rubs against, or null for the world
+   * @param bodyB the body that is slowed down
+   * @param x x of the point of B at which the force acts, m, world
+   * @param y y of that point, m, world
+   * @param maxForce greatest force, N; of a body that rests on a table {@code mu m g}
+   * @param maxTorque greatest torque, N m
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> friction(
+      Body<T> bodyA, Body<T> bodyB, float x, float y, float maxForce, float maxTorque) {
+    JointDef<T> d = new JointDef<>(JointType.MOTOR, bodyA, bodyB);
+    d.maxForce = Limits.range("maxForce", maxForce, 0, Limits.MAX_FORCE);
+    d.maxTorque = Limits.range("maxTorque", maxTorque, 0, Limits.MAX_FORCE);
+    d.driven = true;
+    return d.anchors(x, y, x, y).collideConnected(true);
   }
 
   /**
@@ -347,6 +434,9 @@ public final class JointDef<T> {
    */
   public JointDef<T> limits(float newLower, float newUpper) {
     refuseUnless(hasLimits(type), "limits");
+    if (type == JointType.REVOLUTE && ratio != 0) {
+      throw new IllegalStateException("limits are not possible for a ratchet; use a revolute");
+    }
     lower = Limits.range("lower", newLower, least(type), most(type));
     upper = Limits.range("upper", newUpper, lower, most(type));
     limited = true;
@@ -354,8 +444,9 @@ public final class JointDef<T> {
   }
 
   /**
-   * Adds a motor that drives the angle of a revolute joint, the translation of a prismatic joint,
-   * or the rotation of a wheel.
+   * Adds a motor that drives the angle of a revolute joint, the distance of a distance joint, the
+   * translation of a prismatic joint, or the rotation of a wheel. A distance joint with a motor is
+   * no rod any more: without a spring or limits, the motor alone acts.
    *
    * @param speed target speed, m/s or rad/s
    * @param max largest force or torque of the motor, N or N m
@@ -454,7 +545,7 @@ public final class JointDef<T> {
   private boolean winds() {
     return switch (type) {
       case GEAR, RACK -> true;
-      case REVOLUTE -> windsBeyond(lower) || windsBeyond(upper) || windsBeyond(rest);
+      case REVOLUTE -> ratio != 0 || windsBeyond(lower) || windsBeyond(upper) || windsBeyond(rest);
       default -> false;
     };
   }
@@ -483,8 +574,8 @@ public final class JointDef<T> {
 
   static boolean hasMotor(JointType type) {
     return switch (type) {
-      case REVOLUTE, PRISMATIC, WHEEL -> true;
-      case DISTANCE, WELD, MOTOR, MOUSE, GEAR, RACK, PULLEY -> false;
+      case REVOLUTE, DISTANCE, PRISMATIC, WHEEL -> true;
+      case WELD, MOTOR, MOUSE, GEAR, RACK, PULLEY -> false;
     };
   }
 

@@ -22,7 +22,8 @@ import java.util.Arrays;
  * <p><b>Order.</b> Casts find the nearest hit; of equal fractions they take the body with the
  * smaller index, then its earlier part. "All" methods visit every body once, at its first touch, in
  * this order, until the visitor returns false. Overlaps come by ascending body index. The order
- * never depends on the shape of a tree, so queries may steer a simulation.
+ * never depends on the shape of a tree, so queries may steer a simulation. {@link #parts} visits
+ * each convex part.
  *
  * <p><b>Filters.</b> A null filter accepts everything but sensors. A filter that is given decides
  * alone.
@@ -45,7 +46,8 @@ public final class Queries<T> {
     SHAPE,
     BOX,
     NEAREST,
-    OVERLAP
+    OVERLAP,
+    PARTS
   }
 
   private enum Mode {
@@ -259,6 +261,11 @@ public final class Queries<T> {
   }
 
   private void askBox(Mode how, Aabb area, float wayX, float wayY, QueryFilter<T> filter) {
+    place(area);
+    castBox(Kind.BOX, how, wayX, wayY, filter);
+  }
+
+  private void place(Aabb area) {
     if (area.isEmpty()) {
       throw new IllegalArgumentException("area=" + area + " is empty, needs min <= max");
     }
@@ -267,7 +274,6 @@ public final class Queries<T> {
         Limits.coordinate("minY", area.minY),
         Limits.coordinate("maxX", area.maxX),
         Limits.coordinate("maxY", area.maxY));
-    castBox(Kind.BOX, how, wayX, wayY, filter);
   }
 
   // ---------------------------------------------------------------- places
@@ -314,6 +320,33 @@ public final class Queries<T> {
   public boolean nearest(float x, float y, float radius, QueryFilter<T> filter, QueryHit<T> out) {
     askPoint(x, y, Limits.range("radius", radius, 0, Limits.MAX_COORDINATE), Mode.CLOSEST, filter);
     return takeClosest(out);
+  }
+
+  /**
+   * Visits the convex parts whose boxes overlap or touch an area, for code that measures for
+   * itself, such as a {@link carom.physics.mover.Mover}.
+   *
+   * @param area the area, read only
+   * @param filter chooses shapes, null for all but sensors
+   * @param visitor receives each part once, by ascending index of the body, then of the part
+   */
+  public void parts(Aabb area, QueryFilter<T> filter, PartVisitor<T> visitor) {
+    place(area);
+    begin(Kind.PARTS, Mode.ALL, filter);
+    searchBox();
+    Arrays.sort(keys, 0, keyCount);
+    world.beginQuery("query");
+    try {
+      boolean more = true;
+      for (int i = 0; i < keyCount && more; i++) {
+        int slot = slotOf(keys[i]);
+        int part = partOf(keys[i]);
+        findPose(slot);
+        more = visitor.visit(world.body(slot), parts.shapeOf(part), parts.convexOf(part), pose);
+      }
+    } finally {
+      world.endQuery();
+    }
   }
 
   private void askPoint(float x, float y, float radius, Mode how, QueryFilter<T> filter) {
@@ -417,6 +450,7 @@ public final class Queries<T> {
       case BOX -> measureBox(part, convex);
       case NEAREST -> measurePoint(convex);
       case OVERLAP -> overlaps(convex);
+      case PARTS -> measureArea(part, convex);
     };
   }
 
@@ -474,13 +508,23 @@ public final class Queries<T> {
     return false;
   }
 
-  /** Sweeps the box through the slabs of both axes; the slab entered last gives the normal. */
-  private boolean measureBox(int part, Convex convex) {
+  private boolean measureArea(int part, Convex convex) {
+    hit.fraction = 0;
+    findBox(part, convex);
+    return box.overlaps(startBox);
+  }
+
+  private void findBox(int part, Convex convex) {
     if (poses == null) {
       parts.boxOf(part, false, box);
     } else {
       convex.aabb(pose, box);
     }
+  }
+
+  /** Sweeps the box through the slabs of both axes; the slab entered last gives the normal. */
+  private boolean measureBox(int part, Convex convex) {
+    findBox(part, convex);
     double enterX = enter(startBox.minX, startBox.maxX, box.minX, box.maxX, dx);
     double enterY = enter(startBox.minY, startBox.maxY, box.minY, box.maxY, dy);
     double at = Math.max(0, Math.max(enterX, enterY));
@@ -527,9 +571,17 @@ public final class Queries<T> {
     return true;
   }
 
+  private static int slotOf(long key) {
+    return (int) (key >>> PART_BITS) & ((1 << BODY_BITS) - 1);
+  }
+
+  private int partOf(long key) {
+    return store.firstPart[slotOf(key)] + ((int) key & ((1 << PART_BITS) - 1));
+  }
+
   private void fill(long key, CastHit from, QueryHit<T> out) {
-    int slot = (int) (key >>> PART_BITS) & ((1 << BODY_BITS) - 1);
-    int part = store.firstPart[slot] + ((int) key & ((1 << PART_BITS) - 1));
+    int slot = slotOf(key);
+    int part = partOf(key);
     boolean moves = kind == Kind.RAY || kind == Kind.SHAPE || kind == Kind.BOX;
     float way = (float) Math.sqrt((double) dx * dx + (double) dy * dy);
     out.set(
@@ -551,12 +603,12 @@ public final class Queries<T> {
     world.beginQuery("query");
     try {
       for (int i = 0; i < keyCount; i++) {
-        int slot = (int) (keys[i] >>> PART_BITS) & ((1 << BODY_BITS) - 1);
+        int slot = slotOf(keys[i]);
         if (visited[slot] == question) {
           continue;
         }
         visited[slot] = question;
-        measure(store.firstPart[slot] + ((int) keys[i] & ((1 << PART_BITS) - 1)), slot);
+        measure(partOf(keys[i]), slot);
         fill(keys[i], hit, found);
         if (!visitor.visit(found)) {
           return;

@@ -117,6 +117,13 @@ final class ArchitectureTest {
         "dynamics.parallel",
         "dynamics.body",
         "dynamics.solver",
+        "dynamics.joint",
+        "dynamics.jointtree");
+    stage(
+        "jointtree",
+        "dynamics.parallel",
+        "dynamics.body",
+        "dynamics.solver",
         "dynamics.joint");
     stage(
         "sleep",
@@ -160,6 +167,7 @@ final class ArchitectureTest {
         "carom.physics.dynamics.*");
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
+    allow("carom.physics.mover", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
     allow("carom.sim.pool", "carom.physics..");
@@ -314,9 +322,10 @@ final class ArchitectureTest {
         "carom.net.seal",
         "carom.net.admission",
         "carom.text");
+    allow("carom.net.kryo.message", "carom.net.protocol", "carom.text");
     allow(
         "carom.net.kryo",
-        "carom.text",
+        "carom.net.kryo.message",
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.seal",

@@ -44,6 +44,7 @@ final class PhysicsDrawings {
     figures.put("physics-contact.svg", contact());
     figures.put("physics-joints.svg", joints());
     figures.put("physics-step.svg", step());
+    figures.put("physics-mover.svg", mover());
     return figures;
   }
 
@@ -230,7 +231,7 @@ final class PhysicsDrawings {
   // ---- joints
 
   private static String joints() {
-    Drawing d = new Drawing(760, 490, "The kinds of joints");
+    Drawing d = new Drawing(760, 650, "The kinds of joints");
     for (JointType type : JointType.values()) {
       joint(d, type);
     }
@@ -244,7 +245,68 @@ final class PhysicsDrawings {
     box(d, ORANGE, 0.15, -0.5, 0.3, 0.25);
     d.path(INK, 1.5, NOTHING, 0, 0.8, -0.22, 0.35, -0.1, -0.05, 0.15, -0.5);
     anchors(d, 0, 0.8, 0.15, -0.5);
+    cell(d, 0, 3, "distance, motor", "a piston: speed, force");
+    box(d, BLUE, -0.75, 0, 0.3, 0.3);
+    box(d, ORANGE, 0.6, 0, 0.3, 0.3);
+    d.path(INK, 2, NOTHING, -0.75, 0, 0.6, 0);
+    anchors(d, -0.75, 0, 0.6, 0);
+    d.arrow(RED, 0.1, 0.5, 0.9, 0.5);
+    cell(d, 1, 3, "revolute, ratchet", "turns one way, tooth by tooth");
+    d.circle(ORANGE, 1.5, ORANGE, 0, 0, 0.6);
+    d.dot(INK, 0, 0, 3);
+    d.path(BLUE, 3, NOTHING, 1.1, 0.7, 0.5, 0.35);
+    d.arc(RED, 0, 0, 0.4, -0.6, 2.6, true);
+    cell(d, 2, 3, "wheel, groove", "a point on a line of A");
+    box(d, BLUE, 0, -0.1, 1.2, 0.4);
+    d.path(INK, 3, NOTHING, -0.9, -0.1, 0.9, -0.1);
+    tilted(d, 0.25, 0.1, 0.3, 0.3, 0.6);
+    d.dot(INK, 0.3, -0.1, 3.5);
+    d.arrow(RED, 0.6, -0.3, 1.1, -0.3);
+    d.arrow(RED, 0, -0.3, -0.6, -0.3);
+    cell(d, 3, 3, "motor, friction", "to rest, limited force");
+    tilted(d, -0.1, 0, 0.45, 0.3, 0.35);
+    d.dot(INK, -0.1, 0, 3);
+    d.arrow(FAINT, 0.4, 0.15, 1.1, 0.4);
+    d.arrow(RED, -0.1, 0, -0.8, -0.25);
     return d.svg();
+  }
+
+  // ---- the mover
+
+  private static String mover() {
+    Drawing d = new Drawing(760, 230, "How a mover walks");
+    panel(d, 130, "along the ground", "as fast uphill as on the level");
+    d.path(INK, 2, NOTHING, -1.9, -0.8, -0.3, -0.8, 1.7, 0.3);
+    capsule(d, BLUE, -1.2, -0.8);
+    d.arrow(RED, -0.8, -0.45, -0.3, -0.45);
+    capsule(d, ORANGE, 0.55, -0.26);
+    d.arrow(RED, 0.95, 0.32, 1.4, 0.57);
+    panel(d, 380, "up a step", "lift, forward, down");
+    d.path(INK, 2, NOTHING, -1.8, -0.8, 0.3, -0.8, 0.3, -0.35, 1.8, -0.35);
+    capsule(d, BLUE, -0.05, -0.8);
+    capsule(d, ORANGE, 0.8, -0.35);
+    d.path(RED, 1.5, NOTHING, -0.45, 0, -0.45, 0.95, 0.8, 0.95);
+    d.arrow(RED, 0.8, 0.95, 0.8, 0.72);
+    panel(d, 630, "out of a wedge", "the nearest point between planes");
+    d.path(INK, 2, NOTHING, -1.6, 0.9, 0, -0.9, 1.6, 0.9);
+    capsule(d, ORANGE, 0, -0.62);
+    d.dashes(RED, -1.2, 0.7, 0.1, -0.75);
+    d.dashes(RED, 1.2, 0.7, -0.1, -0.75);
+    d.arrow(INK, 0, 0.9, 0, 0.5);
+    return d.svg();
+  }
+
+  /** A drawing of its own around a place, 55 pixels per metre, with two lines of words below. */
+  private static void panel(Drawing d, double x, String title, String words) {
+    d.view(x, 95, 55);
+    d.bold("middle", 0, -1.75, title);
+    d.small("middle", 0, -2.1, words);
+  }
+
+  /** A capsule that stands at a place. */
+  private static void capsule(Drawing d, String colour, double x, double y) {
+    d.shape(colour, new Capsule(0, 0.28f, 0, 0.75f, 0.28f), HERE.set((float) x, (float) y, 0));
+    HERE.setIdentity();
   }
 
   private static void joint(Drawing d, JointType type) {

@@ -231,6 +231,8 @@ class ProtocolDocTest {
                 List.of(
                     new ServerMessage.RoomEntry(
                         "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
+    golden.put(
+        "redirect", codec.encode(new ServerMessage.Redirect("b.example.org:54555", "", "cup", "")));
     golden.put("pace", codec.encode(new ServerMessage.Pace(75)));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put(

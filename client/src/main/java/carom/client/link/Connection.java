@@ -88,15 +88,16 @@ public final class Connection implements LinkHandler {
 
   private static final int MAX_POLL = 2_048;
 
-  private final ServerAddress address;
+  private ServerAddress address;
   private final String playerName;
   private final String game;
-  private final String token;
+  private String token;
   private final boolean reconnects;
   private final ClientTransport transport;
   private final Listener listener;
   private final NetStatsRecorder stats;
   private final ReconnectTimer comeback = new ReconnectTimer();
+  private final Redirects redirects = new Redirects();
   private final LevelDownload download = new LevelDownload();
 
   private Stage stage = Stage.IDLE;
@@ -256,6 +257,8 @@ public final class Connection implements LinkHandler {
       refused(refused);
     } else if (received instanceof ServerMessage.Goodbye goodbye) {
       goodbye(goodbye);
+    } else if (received instanceof ServerMessage.Redirect redirect) {
+      redirected(redirect);
     } else if (received instanceof ServerMessage.Roster roster) {
       listener.roster(roster);
     } else if (received instanceof ServerMessage.RoomList rooms) {
@@ -387,6 +390,34 @@ public final class Connection implements LinkHandler {
     } else {
       end(goodbye.playerText());
     }
+  }
+
+  /** Goes to another server, and brings nothing of this one along but the player's name. */
+  private void redirected(ServerMessage.Redirect redirect) {
+    ServerAddress to;
+    try {
+      to = redirects.follow(redirect, address, nowNs);
+    } catch (IllegalArgumentException e) {
+      end(e.getMessage());
+      return;
+    }
+    boolean wasPlaying = stage == Stage.PLAYING;
+    dropLink("sent to " + to);
+    stop();
+    message = "The server at " + address + " sends you to " + to + ".";
+    address = to;
+    token = redirect.token();
+    room = redirect.room();
+    secret = 0;
+    welcome = null;
+    if (!redirect.fingerprint().isEmpty()) {
+      transport.expect(to.toString(), redirect.fingerprint());
+    }
+    comeback.stop();
+    if (reconnects && wasPlaying) {
+      comeback.start(nowNs);
+    }
+    open();
   }
 
   /** Drops the link. The connection ends, or tries to come back if it was playing. */

@@ -12,17 +12,12 @@ public final class ServerCommands {
   private final Supplier<List<String>> status;
   private final EffectiveSettings settings;
   private final UnaryOperator<String> replay;
-  private final Runnable stop;
 
   private ServerCommands(
-      Supplier<List<String>> status,
-      EffectiveSettings settings,
-      UnaryOperator<String> replay,
-      Runnable stop) {
+      Supplier<List<String>> status, EffectiveSettings settings, UnaryOperator<String> replay) {
     this.status = status;
     this.settings = settings;
     this.replay = replay;
-    this.stop = stop;
   }
 
   /**
@@ -31,15 +26,13 @@ public final class ServerCommands {
    * @param status returns lines about rooms and load
    * @param settings the effective settings
    * @param replay computes a recording again and returns the outcome
-   * @param stop begins to stop the server, and returns at once
    */
   public static void add(
       CommandRegistry registry,
       Supplier<List<String>> status,
       EffectiveSettings settings,
-      UnaryOperator<String> replay,
-      Runnable stop) {
-    ServerCommands all = new ServerCommands(status, settings, replay, stop);
+      UnaryOperator<String> replay) {
+    ServerCommands all = new ServerCommands(status, settings, replay);
     registry.add(
         new Command(
             "status", "", "Shows load and traffic since the start.", all::status, Command.NONE));
@@ -57,9 +50,6 @@ public final class ServerCommands {
             "Computes a recording again and compares every tick; takes a core for a while.",
             all::replay,
             Command.NONE));
-    registry.add(
-        new Command(
-            "stop", "", "Tells the players and stops the server.", all::stop, Command.NONE));
   }
 
   private String status(CommandWords words) throws CommandException {
@@ -102,11 +92,5 @@ public final class ServerCommands {
   private String replay(CommandWords words) throws CommandException {
     words.requireAtMost(1);
     return replay.apply(words.word(0, "FILE"));
-  }
-
-  private String stop(CommandWords words) throws CommandException {
-    words.requireAtMost(0);
-    stop.run();
-    return "stopping";
   }
 }

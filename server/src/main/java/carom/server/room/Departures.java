@@ -1,6 +1,7 @@
 package carom.server.room;
 
 import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
@@ -185,6 +186,12 @@ final class Departures {
   void kick(Session session, String text, long nowNs) {
     session.sayGoodbye(GoodbyeReason.KICKED, text);
     remove(session, "kicked by the operator", " was removed", nowNs);
+  }
+
+  /** Removes a player, whose client goes to another server. */
+  void redirect(Session session, ServerMessage.Redirect redirect, long nowNs) {
+    session.send(redirect);
+    remove(session, "sent to " + redirect.server(), " went to another server", nowNs);
   }
 
   /** Ends all sessions because the room closes. */

@@ -1,5 +1,6 @@
 package carom.server.room;
 
+import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.server.match.MatchInfo;
 import carom.server.match.SavedMatch;
@@ -120,6 +121,32 @@ public final class OperatorCommands {
           departures.kick(session, text, clock.getAsLong());
           return "removed player=" + playerId + " name=" + session.seat().name();
         });
+  }
+
+  /**
+   * Sends players to another server.
+   *
+   * @param playerId a seat's number, or -1 for all that have a link
+   * @return the number of players that were sent; 0 if the room doesn't answer
+   */
+  public int redirect(int playerId, ServerMessage.Redirect redirect) {
+    try {
+      return await(
+          () -> {
+            int sent = 0;
+            for (int i = sessions.count() - 1; i >= 0; i--) {
+              Session session = sessions.get(i);
+              boolean meant = playerId < 0 || session.seat().id() == playerId;
+              if (meant && session.state() != SessionState.GRACE) {
+                departures.redirect(session, redirect, clock.getAsLong());
+                sent++;
+              }
+            }
+            return sent;
+          });
+    } catch (NoAnswer e) {
+      return 0;
+    }
   }
 
   /** Drops a player's chat and emotes from now on, or ends that; returns what was done. */

@@ -46,6 +46,10 @@ import java.util.List;
  * Players move relative to the body they stand on, so moving platforms carry them. Down drops
  * through one-way platforms.
  *
+ * <p>Players are dynamic bodies, not {@link carom.physics.mover.Mover}s: they stand on each other,
+ * push crates and are pushed, and clients predict that with the engine's own solver. A mover in
+ * {@link #input} would see the level's geometry only.
+ *
  * <p>A level needs spawns {@code player}, where players also come back, and spawns {@code coin} and
  * {@code flag}. A player who falls below the bounds is back at the nearest spawn a second later.
  */

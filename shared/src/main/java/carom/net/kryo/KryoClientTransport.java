@@ -68,6 +68,11 @@ public final class KryoClientTransport implements ClientTransport {
   }
 
   @Override
+  public void expect(String server, String fingerprint) {
+    trust.servers().hear(server, fingerprint);
+  }
+
+  @Override
   public void close() {
     closed = true;
     for (ClientLink link : links) {

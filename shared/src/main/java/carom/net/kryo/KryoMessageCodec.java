@@ -1,5 +1,7 @@
 package carom.net.kryo;
 
+import carom.net.kryo.message.MessageSerializer;
+import carom.net.kryo.message.RedirectSerializer;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
 import carom.net.protocol.DatagramMark;
@@ -15,6 +17,7 @@ import carom.net.protocol.ServerMessage.Notice;
 import carom.net.protocol.ServerMessage.Pace;
 import carom.net.protocol.ServerMessage.PoolChunk;
 import carom.net.protocol.ServerMessage.RecordingChunk;
+import carom.net.protocol.ServerMessage.Redirect;
 import carom.net.protocol.ServerMessage.Refused;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.RoomList;
@@ -23,21 +26,16 @@ import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.protocol.ServerMessage.Watching;
 import carom.net.protocol.ServerMessage.Welcome;
 import carom.net.transport.MessageCodec;
-import carom.text.Texts;
 import com.esotericsoftware.kryo.Kryo;
 import com.esotericsoftware.kryo.KryoException;
-import com.esotericsoftware.kryo.Serializer;
 import com.esotericsoftware.kryo.io.Input;
 import com.esotericsoftware.kryo.io.KryoBufferUnderflowException;
 import com.esotericsoftware.kryo.io.Output;
-import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 
 /**
  * Codec of the protocol's messages: Kryo for those from the server, the fixed layout of {@link
@@ -84,6 +82,7 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(RoomList.class, new RoomListSerializer(), id++);
     kryo.register(PoolChunk.class, new PoolChunkSerializer(), id++);
     kryo.register(Pace.class, new PaceSerializer(), id++);
+    kryo.register(Redirect.class, new RedirectSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -173,30 +172,9 @@ public final class KryoMessageCodec implements MessageCodec {
     }
   }
 
-  /** Base of the serializers. Messages are never null and immutable. */
-  private abstract static class MessageSerializer<T> extends Serializer<T> {
-    MessageSerializer() {
-      super(false, true);
-    }
-
-    @Override
-    public final T read(Kryo kryo, Input in, Class<? extends T> type) {
-      return read(in);
-    }
-
-    @Override
-    public final void write(Kryo kryo, Output out, T message) {
-      write(out, message);
-    }
-
-    abstract void write(Output out, T message);
-
-    abstract T read(Input in);
-  }
-
   private static final class WelcomeSerializer extends MessageSerializer<Welcome> {
     @Override
-    void write(Output out, Welcome m) {
+    protected void write(Output out, Welcome m) {
       out.writeLong(m.sessionSecret());
       out.writeByte(DatagramMark.checkedEpoch(m.epoch()));
       out.writeVarInt(playerId(m.playerId()), true);
@@ -220,7 +198,7 @@ public final class KryoMessageCodec implements MessageCodec {
     }
 
     @Override
-    Welcome read(Input in) {
+    protected Welcome read(Input in) {
       return new Welcome(
           in.readLong(),
           inRange("epoch", in.readByteUnsigned(), 0, DatagramMark.LAST_EPOCH),
@@ -253,14 +231,14 @@ public final class KryoMessageCodec implements MessageCodec {
 
   private static final class LevelChunkSerializer extends MessageSerializer<LevelChunk> {
     @Override
-    void write(Output out, LevelChunk m) {
+    protected void write(Output out, LevelChunk m) {
       out.writeVarInt(inRange("offset", m.offset(), 0, Limits.MAX_LEVEL_BYTES - 1), true);
       out.writeVarInt(inRange("bytes", m.bytes().length, 1, Limits.MAX_LEVEL_CHUNK_BYTES), true);
       out.writeBytes(m.bytes());
     }
 
     @Override
-    LevelChunk read(Input in) {
+    protected LevelChunk read(Input in) {
       int offset = inRange("offset", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES - 1);
       int length = inRange("bytes", in.readVarInt(true), 1, Limits.MAX_LEVEL_CHUNK_BYTES);
       return new LevelChunk(offset, readBytes(in, length));
@@ -270,13 +248,13 @@ public final class KryoMessageCodec implements MessageCodec {
   private static final class RefusedSerializer extends MessageSerializer<Refused> {
     @Override
     @SuppressWarnings("EnumOrdinal") // the order is part of the protocol
-    void write(Output out, Refused m) {
+    protected void write(Output out, Refused m) {
       out.writeByte(m.reason().ordinal());
       writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
     }
 
     @Override
-    Refused read(Input in) {
+    protected Refused read(Input in) {
       int reason = inRange("reason", in.readByteUnsigned(), 0, REFUSALS.length - 1);
       return new Refused(REFUSALS[reason], readText(in, "text", Limits.MAX_TEXT_BYTES));
     }
@@ -289,7 +267,7 @@ public final class KryoMessageCodec implements MessageCodec {
     private static final int ALIVE = 1 << 2;
 
     @Override
-    void write(Output out, Roster m) {
+    protected void write(Output out, Roster m) {
       out.writeVarInt(inRange("entries", m.entries().size(), 0, Limits.MAX_ROSTER_ENTRIES), true);
       for (RosterEntry entry : m.entries()) {
         out.writeVarInt(playerId(entry.playerId()), true);
@@ -311,7 +289,7 @@ public final class KryoMessageCodec implements MessageCodec {
     }
 
     @Override
-    Roster read(Input in) {
+    protected Roster read(Input in) {
       int most =
           Math.min(Limits.MAX_ROSTER_ENTRIES, (in.limit() - in.position()) / MIN_ENTRY_BYTES);
       int count = inRange("entries", in.readVarInt(true), 0, most);
@@ -343,24 +321,24 @@ public final class KryoMessageCodec implements MessageCodec {
 
   private static final class PaceSerializer extends MessageSerializer<Pace> {
     @Override
-    void write(Output out, Pace m) {
+    protected void write(Output out, Pace m) {
       out.writeByte(m.percent());
     }
 
     @Override
-    Pace read(Input in) {
+    protected Pace read(Input in) {
       return new Pace(inRange("percent", in.readByte(), 1, 100));
     }
   }
 
   private static final class NoticeSerializer extends MessageSerializer<Notice> {
     @Override
-    void write(Output out, Notice m) {
+    protected void write(Output out, Notice m) {
       writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
     }
 
     @Override
-    Notice read(Input in) {
+    protected Notice read(Input in) {
       return new Notice(readText(in, "text", Limits.MAX_TEXT_BYTES));
     }
   }
@@ -368,13 +346,13 @@ public final class KryoMessageCodec implements MessageCodec {
   private static final class GoodbyeSerializer extends MessageSerializer<Goodbye> {
     @Override
     @SuppressWarnings("EnumOrdinal") // the order is part of the protocol
-    void write(Output out, Goodbye m) {
+    protected void write(Output out, Goodbye m) {
       out.writeByte(m.reason().ordinal());
       writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
     }
 
     @Override
-    Goodbye read(Input in) {
+    protected Goodbye read(Input in) {
       int reason = inRange("reason", in.readByteUnsigned(), 0, GOODBYES.length - 1);
       return new Goodbye(GOODBYES[reason], readText(in, "text", Limits.MAX_TEXT_BYTES));
     }
@@ -382,26 +360,26 @@ public final class KryoMessageCodec implements MessageCodec {
 
   private static final class WatchingSerializer extends MessageSerializer<Watching> {
     @Override
-    void write(Output out, Watching m) {
+    protected void write(Output out, Watching m) {
       out.writeVarInt(inRange("delaySeconds", m.delaySeconds(), 1, 65_535), true);
     }
 
     @Override
-    Watching read(Input in) {
+    protected Watching read(Input in) {
       return new Watching(inRange("delaySeconds", in.readVarInt(true), 1, 65_535));
     }
   }
 
   private static final class RecordingChunkSerializer extends MessageSerializer<RecordingChunk> {
     @Override
-    void write(Output out, RecordingChunk m) {
+    protected void write(Output out, RecordingChunk m) {
       out.writeLong(notNegative(m.offset()));
       out.writeVarInt(inRange("bytes", m.bytes().length, 0, Limits.MAX_LEVEL_CHUNK_BYTES), true);
       out.writeBytes(m.bytes());
     }
 
     @Override
-    RecordingChunk read(Input in) {
+    protected RecordingChunk read(Input in) {
       long offset = notNegative(in.readLong());
       int length = inRange("bytes", in.readVarInt(true), 0, Limits.MAX_LEVEL_CHUNK_BYTES);
       return new RecordingChunk(offset, readBytes(in, length));
@@ -417,7 +395,7 @@ public final class KryoMessageCodec implements MessageCodec {
 
   private static final class PoolChunkSerializer extends MessageSerializer<PoolChunk> {
     @Override
-    void write(Output out, PoolChunk m) {
+    protected void write(Output out, PoolChunk m) {
       out.writeVarInt(inRange("size", m.size(), 1, Limits.MAX_POOL_STATE_BYTES), true);
       out.writeVarInt(inRange("offset", m.offset(), 0, m.size() - 1), true);
       out.writeVarInt(inRange("bytes", m.bytes().length, 1, Limits.MAX_LEVEL_CHUNK_BYTES), true);
@@ -425,7 +403,7 @@ public final class KryoMessageCodec implements MessageCodec {
     }
 
     @Override
-    PoolChunk read(Input in) {
+    protected PoolChunk read(Input in) {
       int size = inRange("size", in.readVarInt(true), 1, Limits.MAX_POOL_STATE_BYTES);
       int offset = inRange("offset", in.readVarInt(true), 0, size - 1);
       int most = Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, size - offset);
@@ -436,14 +414,14 @@ public final class KryoMessageCodec implements MessageCodec {
 
   private static final class GameMessageSerializer extends MessageSerializer<GameMessage> {
     @Override
-    void write(Output out, GameMessage m) {
+    protected void write(Output out, GameMessage m) {
       out.writeVarInt(m.number(), true);
       out.writeVarInt(inRange("bytes", m.bytes().length, 1, Limits.MAX_GAME_MESSAGE_BYTES), true);
       out.writeBytes(m.bytes());
     }
 
     @Override
-    GameMessage read(Input in) {
+    protected GameMessage read(Input in) {
       int number = inRange("number", in.readVarInt(true), 1, Integer.MAX_VALUE);
       int length = inRange("bytes", in.readVarInt(true), 1, Limits.MAX_GAME_MESSAGE_BYTES);
       return new GameMessage(number, readBytes(in, length));
@@ -452,12 +430,12 @@ public final class KryoMessageCodec implements MessageCodec {
 
   private static final class HeardSerializer extends MessageSerializer<Heard> {
     @Override
-    void write(Output out, Heard m) {
+    protected void write(Output out, Heard m) {
       out.writeVarInt(inRange("number", m.number(), 0, Integer.MAX_VALUE), true);
     }
 
     @Override
-    Heard read(Input in) {
+    protected Heard read(Input in) {
       return new Heard(inRange("number", in.readVarInt(true), 0, Integer.MAX_VALUE));
     }
   }
@@ -467,7 +445,7 @@ public final class KryoMessageCodec implements MessageCodec {
     private static final int MAX_COUNT = 0xffff;
 
     @Override
-    void write(Output out, RoomList m) {
+    protected void write(Output out, RoomList m) {
       out.writeVarInt(inRange("left", m.left(), 0, MAX_ROOMS), true);
       out.writeVarInt(inRange("rooms", m.rooms().size(), 0, Limits.MAX_LISTED_ROOMS), true);
       for (RoomEntry room : m.rooms()) {
@@ -489,7 +467,7 @@ public final class KryoMessageCodec implements MessageCodec {
     }
 
     @Override
-    RoomList read(Input in) {
+    protected RoomList read(Input in) {
       int left = inRange("left", in.readVarInt(true), 0, MAX_ROOMS);
       int count = inRange("rooms", in.readVarInt(true), 0, Limits.MAX_LISTED_ROOMS);
       List<RoomEntry> rooms = new ArrayList<>(count);
@@ -517,37 +495,5 @@ public final class KryoMessageCodec implements MessageCodec {
       }
       return Collections.unmodifiableMap(metadata);
     }
-  }
-
-  private static int playerId(int id) {
-    return inRange("playerId", id, 0, Limits.MAX_PLAYERS - 1);
-  }
-
-  private static int inRange(String name, int value, int min, int max) {
-    if (value < min || value > max) {
-      throw new IllegalArgumentException(
-          name + "=" + value + " must be from " + min + " to " + max);
-    }
-    return value;
-  }
-
-  private static void writeText(Output out, String name, String text, int maxBytes) {
-    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-    out.writeVarInt(inRange(name + ".bytes", bytes.length, 0, maxBytes), true);
-    out.writeBytes(bytes);
-  }
-
-  /** Reads a text, which may come to a screen or a terminal: without what can't be shown there. */
-  private static String readText(Input in, String name, int maxBytes) {
-    int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
-    ByteBuffer bytes = ByteBuffer.wrap(readBytes(in, length));
-    return Texts.clean(Objects.requireNonNull(Texts.ofUtf8(bytes), name));
-  }
-
-  private static byte[] readBytes(Input in, int length) {
-    if (length > in.limit() - in.position()) {
-      throw new KryoBufferUnderflowException("length=" + length);
-    }
-    return in.readBytes(length);
   }
 }

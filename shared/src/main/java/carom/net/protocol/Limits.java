@@ -44,6 +44,12 @@ public final class Limits {
   /** Longest join token in bytes of ASCII. */
   public static final int MAX_TOKEN_BYTES = 768;
 
+  /** Longest address of a server in UTF-8 bytes: a host name of 253 and a port. */
+  public static final int MAX_ADDRESS_BYTES = 261;
+
+  /** Longest fingerprint of a server's key in bytes. */
+  public static final int MAX_FINGERPRINT_BYTES = 43;
+
   /** Longest level name in UTF-8 bytes. */
   public static final int MAX_LEVEL_NAME_BYTES = 128;
 

@@ -338,4 +338,23 @@ public sealed interface ServerMessage {
   private static String withDetails(String sentence, String details) {
     return details.isEmpty() || details.equals(sentence) ? sentence : sentence + " " + details;
   }
+
+  /**
+   * Sends the client to another server. Nothing of the session goes along: it joins there as a
+   * newcomer. The client decides whether it follows.
+   *
+   * @param server host and TCP port, {@code host:port}, at most {@link Limits#MAX_ADDRESS_BYTES}
+   * @param fingerprint of the key that the other server must show, or empty if this one doesn't
+   *     know
+   * @param room to ask for there, or empty for any
+   * @param token join token for the other server, or empty
+   */
+  record Redirect(String server, String fingerprint, String room, String token)
+      implements ServerMessage {
+    /** Leaves the token out, which lets its bearer in. */
+    @Override
+    public String toString() {
+      return "Redirect[server=" + server + ", room=" + room + "]";
+    }
+  }
 }

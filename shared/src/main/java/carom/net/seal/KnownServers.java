@@ -47,6 +47,21 @@ public final class KnownServers {
   }
 
   /**
+   * Notes which key a server must have, as another server said: it never displaces what is known.
+   *
+   * @param server address and TCP port
+   */
+  public synchronized void hear(String server, String fingerprint) {
+    try {
+      if (known(server) == null) {
+        fingerprints.put(key(server), fingerprint);
+      }
+    } catch (IOException e) {
+      fingerprints.putIfAbsent(key(server), fingerprint); // the problem is told when it connects
+    }
+  }
+
+  /**
    * Returns why a client must not trust a server, in words for the player, or null if it may.
    *
    * @param server address and TCP port

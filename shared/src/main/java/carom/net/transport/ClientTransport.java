@@ -14,6 +14,14 @@ public interface ClientTransport extends AutoCloseable {
    */
   Link connect(String host, int tcpPort, int udpPort);
 
+  /**
+   * Notes which key a server must show, as another server said, unless this client knows one
+   * already. Transports without keys ignore it.
+   *
+   * @param server host and TCP port, {@code host:port}
+   */
+  default void expect(String server, String fingerprint) {}
+
   /** Closes all links and stops the transport's threads. A second call does nothing. */
   @Override
   void close();

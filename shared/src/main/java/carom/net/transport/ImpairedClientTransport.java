@@ -31,6 +31,11 @@ public final class ImpairedClientTransport implements ClientTransport {
   }
 
   @Override
+  public void expect(String server, String fingerprint) {
+    inner.expect(server, fingerprint);
+  }
+
+  @Override
   public void close() {
     inner.close();
   }

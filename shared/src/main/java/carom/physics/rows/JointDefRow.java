@@ -84,7 +84,7 @@ public final class JointDefRow {
   /** Torque beyond which the joint breaks, N m; may be infinite. */
   public static final int BREAK_TORQUE = BREAK_FORCE + 1;
 
-  /** Ratio of gear, rack and pulley. */
+  /** Ratio of gear, rack and pulley; angle between a ratchet's teeth, rad. */
   public static final int RATIO = BREAK_TORQUE + 1;
 
   /** Where A's length or angle counts from: a point of the world, m, or a rotation. */

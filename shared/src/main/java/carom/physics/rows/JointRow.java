@@ -75,7 +75,7 @@ public final class JointRow {
   /** Number of the ints of {@link #TURNS}. */
   public static final int TURN_INTS = 4;
 
-  /** Full turns of A, an integer. */
+  /** Full turns of A, or teeth that a ratchet has passed, an integer. */
   public static final int TURNS_A = TURNS;
 
   /** Full turns of B, or of B relative to A, an integer. */

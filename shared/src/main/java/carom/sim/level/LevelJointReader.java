@@ -34,51 +34,24 @@ import java.util.TreeMap;
 final class LevelJointReader {
   static final int MAX_JOINTS = 4096;
 
-  static final List<String> REVOLUTE =
-      List.of(
-          "type", "name", "a", "b", "collide", "breaks", "at", "limits", "motor", "spring", "rest");
+  static final List<String> REVOLUTE = withFieldsOfAll("at", "limits", "motor", "spring", "rest");
   static final List<String> DISTANCE =
-      List.of(
-          "type", "name", "a", "b", "collide", "breaks", "from", "to", "limits", "spring", "rest");
-  static final List<String> ROPE =
-      List.of("type", "name", "a", "b", "collide", "breaks", "from", "to", "length");
+      withFieldsOfAll("from", "to", "limits", "motor", "spring", "rest");
+  static final List<String> RATCHET = withFieldsOfAll("at", "tooth", "motor", "spring", "rest");
+  static final List<String> GROOVE = withFieldsOfAll("from", "to", "at");
+  static final List<String> FRICTION = withFieldsOfAll("at", "maxForce", "maxTorque");
+  static final List<String> ROPE = withFieldsOfAll("from", "to", "length");
   static final List<String> PRISMATIC =
-      List.of(
-          "type", "name", "a", "b", "collide", "breaks", "at", "axis", "limits", "motor", "spring",
-          "rest");
-  static final List<String> WHEEL = PRISMATIC;
-  static final List<String> WELD =
-      List.of("type", "name", "a", "b", "collide", "breaks", "at", "spring", "angularSpring");
+      withFieldsOfAll("at", "axis", "limits", "motor", "spring", "rest");
+  static final List<String> WELD = withFieldsOfAll("at", "spring", "angularSpring");
   static final List<String> MOTOR =
-      List.of(
-          "type",
-          "name",
-          "a",
-          "b",
-          "collide",
-          "breaks",
-          "maxForce",
-          "maxTorque",
-          "spring",
-          "angularSpring");
+      withFieldsOfAll("maxForce", "maxTorque", "spring", "angularSpring");
   static final List<String> MOUSE =
       List.of("type", "name", "b", "collide", "breaks", "at", "maxForce", "spring");
-  static final List<String> GEAR = List.of("type", "name", "a", "b", "collide", "breaks", "ratio");
-  static final List<String> RACK =
-      List.of("type", "name", "a", "b", "collide", "breaks", "axis", "ratio");
+  static final List<String> GEAR = withFieldsOfAll("ratio");
+  static final List<String> RACK = withFieldsOfAll("axis", "ratio");
   static final List<String> PULLEY =
-      List.of(
-          "type",
-          "name",
-          "a",
-          "b",
-          "collide",
-          "breaks",
-          "from",
-          "to",
-          "groundFrom",
-          "groundTo",
-          "ratio");
+      withFieldsOfAll("from", "to", "groundFrom", "groundTo", "ratio");
   static final List<String> MOTOR_FIELDS = List.of("speed", "max");
   static final List<String> SPRING = List.of("hertz", "damping");
   static final List<String> BREAKS = List.of("force", "torque");
@@ -94,7 +67,10 @@ final class LevelJointReader {
           "mouse",
           "gear",
           "rack",
-          "pulley");
+          "pulley",
+          "ratchet",
+          "groove",
+          "friction");
 
   private static final float RAD_PER_DEGREE = (float) (Math.PI / 180);
   private static final float MAX_FORCE = 1e9f;
@@ -109,6 +85,13 @@ final class LevelJointReader {
 
   LevelJointReader(LevelReader file) {
     this.file = file;
+  }
+
+  /** Returns the fields that all joints with two ends have, and more. */
+  private static List<String> withFieldsOfAll(String... more) {
+    List<String> fields = new ArrayList<>(List.of("type", "name", "a", "b", "collide", "breaks"));
+    fields.addAll(List.of(more));
+    return List.copyOf(fields);
   }
 
   /** Notes the bodies of an item, by which joints may name them. */
@@ -136,7 +119,7 @@ final class LevelJointReader {
     try {
       Body<Object> bodyA = a == LevelJoint.GROUND ? null : made(a);
       JointDef<Object> def = def(type, node, bodyA, made(b));
-      def.collideConnected(bool(node, "collide", type.equals("mouse")));
+      def.collideConnected(bool(node, "collide", type.equals("mouse") || type.equals("friction")));
       breaks(node, def);
       Joint<Object> joint = world.createJoint(def);
       world.readJoint(joint, definition, 0);
@@ -151,13 +134,15 @@ final class LevelJointReader {
       case "revolute" -> REVOLUTE;
       case "distance" -> DISTANCE;
       case "rope" -> ROPE;
-      case "prismatic" -> PRISMATIC;
-      case "wheel" -> WHEEL;
+      case "prismatic", "wheel" -> PRISMATIC;
       case "weld" -> WELD;
       case "motor" -> MOTOR;
       case "mouse" -> MOUSE;
       case "gear" -> GEAR;
       case "rack" -> RACK;
+      case "ratchet" -> RATCHET;
+      case "groove" -> GROOVE;
+      case "friction" -> FRICTION;
       default -> PULLEY;
     };
   }
@@ -197,8 +182,8 @@ final class LevelJointReader {
         return springs(node, JointDef.weld(a, b, at[0], at[1]));
       }
       case "motor" -> {
-        float force = force(node, "maxForce");
-        return springs(node, JointDef.motor(a, b, force, force(node, "maxTorque")));
+        return springs(
+            node, JointDef.motor(a, b, force(node, "maxForce"), force(node, "maxTorque")));
       }
       case "mouse" -> {
         float[] at = point(node, "at");
@@ -206,6 +191,24 @@ final class LevelJointReader {
       }
       case "gear" -> {
         return JointDef.gear(requiredBody(node, a), b, ratio(node));
+      }
+      case "ratchet" -> {
+        float[] at = point(node, "at");
+        required(node, "tooth");
+        float turn = RAD_PER_DEGREE;
+        float tooth = number(node, "tooth", 0, -5000, 5000) * turn;
+        return driven(node, JointDef.ratchet(a, b, at[0], at[1], tooth), turn, turn);
+      }
+      case "groove" -> {
+        float[] to = point(node, "to");
+        float[] at = point(node, "at");
+        float[] p = point(node, "from");
+        return JointDef.groove(a, b, p[0], p[1], to[0], to[1], at[0], at[1]);
+      }
+      case "friction" -> {
+        float[] at = point(node, "at");
+        return JointDef.friction(
+            a, b, at[0], at[1], force(node, "maxForce"), force(node, "maxTorque"));
       }
       case "rack" -> {
         float[] axis = axis(node);

@@ -67,6 +67,12 @@ final class KryoMessageCodecTest {
         new ServerMessage.Roster(full),
         new ServerMessage.Notice("x".repeat(Limits.MAX_TEXT_BYTES)),
         new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""),
+        new ServerMessage.Redirect(
+            "x".repeat(Limits.MAX_ADDRESS_BYTES),
+            "f".repeat(Limits.MAX_FINGERPRINT_BYTES),
+            "cup",
+            "t".repeat(Limits.MAX_TOKEN_BYTES)),
+        new ServerMessage.Redirect("b.example.org:1", "", "", ""),
         new ServerMessage.Watching(65_535),
         new ServerMessage.RecordingChunk(Long.MAX_VALUE, chunk),
         new ServerMessage.RecordingChunk(0, new byte[0]),

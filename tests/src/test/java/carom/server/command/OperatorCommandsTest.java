@@ -7,12 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
 import carom.client.message.MessageListener;
 import carom.net.transport.Impairment;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
 import carom.server.config.Setting;
 import carom.server.jmx.CommandInspector;
+import carom.server.metrics.Counter;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.lang.management.ManagementFactory;
@@ -50,8 +52,8 @@ final class OperatorCommandsTest {
         registry,
         stepper.server()::status,
         new EffectiveSettings(List.of(seed)),
-        file -> "replayed " + file,
-        () -> stopped.set(true));
+        file -> "replayed " + file);
+    RedirectCommands.add(registry, stepper.server().rooms(), () -> stopped.set(true));
   }
 
   @AfterEach
@@ -177,6 +179,24 @@ final class OperatorCommandsTest {
     assertTrue(ok("config seed").contains("from: command line"));
     assertTrue(ok("config seed").contains("CAROM_SEED"));
     assertTrue(fails("config sead").contains("did you mean \"seed\"?"));
+  }
+
+  @Test
+  void sendsPlayersToAnotherServer() {
+    assertTrue(fails("redirect nowhere").contains("must be HOST:PORT"));
+    assertTrue(fails("redirect x:70000").contains("must be HOST:PORT"));
+    assertTrue(fails("redirect x:1#short").contains("must be HOST:PORT"));
+    assertTrue(fails("stop now").contains("isn't --redirect"));
+    assertFalse(stopped.get());
+    assertEquals(2, stepper.count(Counter.JOINS));
+    assertEquals("sent players=1 to [::1]:9", ok("redirect [::1]:9 Ann"));
+    stepper.run(1);
+    // In memory all addresses are this server's.
+    assertEquals(3, stepper.count(Counter.JOINS));
+    assertEquals(0, stepper.count(Counter.RESUMES));
+    assertEquals(ConnectionPhase.PLAYING, ann.view().phase());
+    assertEquals("sent players=2 to localhost:1, stopping", ok("stop --redirect localhost:1"));
+    assertTrue(stopped.get());
   }
 
   @Test

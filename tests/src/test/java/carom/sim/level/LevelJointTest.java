@@ -62,7 +62,15 @@ final class LevelJointTest {
       {"type": "gear", "a": "wheel", "b": "cog", "ratio": -1},
       {"type": "rack", "a": "cog", "b": "plank[3]", "axis": [1, 0], "ratio": 0.4},
       {"type": "pulley", "a": "plank[0]", "b": "plank[1]", "from": [-5, 0], "to": [-4, 0],
-       "groundFrom": [-5, 5], "groundTo": [-4, 5], "ratio": 1}
+       "groundFrom": [-5, 5], "groundTo": [-4, 5], "ratio": 1},
+      {"type": "ratchet", "name": "winch", "b": "wheel", "at": [3, 0], "tooth": -30,
+       "motor": {"speed": -90, "max": 20}},
+      {"type": "groove", "name": "slot", "a": "plank[2]", "b": "cog", "from": [-3.4, 0],
+       "to": [-2.6, 0], "at": [5, 0]},
+      {"type": "friction", "name": "drag", "b": "cog", "at": [5, 0], "maxForce": 5,
+       "maxTorque": 2},
+      {"type": "distance", "name": "piston", "b": "cog", "from": [5, 4], "to": [5, 0],
+       "limits": [1, 5], "motor": {"speed": 0.5, "max": 40}}
       """;
 
   @Test
@@ -80,6 +88,12 @@ final class LevelJointTest {
     assertEquals(s.entity(0).body(), hinge.bodyB());
     assertEquals(Math.toRadians(45), hinge.upper(), 1e-5);
     assertEquals(-5.5f, hinge.anchorBX(), 1e-5f);
+    assertEquals(Math.toRadians(-30), s.joint("winch").ratio(), 1e-5);
+    assertEquals(0, s.joint("winch").toothAngle());
+    assertEquals(JointType.WHEEL, s.joint("slot").type());
+    assertEquals(0.8, s.joint("slot").upper() - s.joint("slot").lower(), 1e-5);
+    assertTrue(s.joint("drag").collideConnected() && s.joint("drag").isDriven());
+    assertEquals(0.5f, s.joint("piston").motorSpeed());
     String message =
         assertThrows(IllegalArgumentException.class, () -> s.joint("door")).getMessage();
     assertTrue(message.contains("door"), message);
@@ -117,6 +131,12 @@ final class LevelJointTest {
         "{\"type\": \"wheel\", \"b\": \"cog\", \"at\": [0, 0], \"axis\": [0, 0]} | is not a"
             + " direction",
         "{\"type\": \"gear\", \"b\": \"cog\", \"ratio\": 1} | joints[0].a is missing",
+        "{\"type\": \"ratchet\", \"b\": \"cog\", \"at\": [5, 0]} | joints[0].tooth is missing",
+        "{\"type\": \"ratchet\", \"b\": \"cog\", \"at\": [5, 0], \"tooth\": 0} | tooth=0.0",
+        "{\"type\": \"groove\", \"b\": \"cog\", \"at\": [5, 0], \"from\": [1, 1], \"to\": [1, 1]}"
+            + " | length=0.0",
+        "{\"type\": \"friction\", \"b\": \"cog\", \"at\": [5, 0], \"maxForce\": 1} |"
+            + " joints[0].maxTorque is missing",
       })
   void whatIsWrongIsNamedWithItsPlace(String joint, String expected) {
     String message = assertThrows(LevelException.class, () -> level(joint)).getMessage();

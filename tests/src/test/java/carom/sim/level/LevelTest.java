@@ -366,7 +366,10 @@ class LevelTest {
     assertEquals(LevelJointReader.DISTANCE, schema.fields("distance"));
     assertEquals(LevelJointReader.ROPE, schema.fields("rope"));
     assertEquals(LevelJointReader.PRISMATIC, schema.fields("prismatic"));
-    assertEquals(LevelJointReader.WHEEL, schema.fields("wheel"));
+    assertEquals(LevelJointReader.PRISMATIC, schema.fields("wheel"));
+    assertEquals(LevelJointReader.RATCHET, schema.fields("ratchet"));
+    assertEquals(LevelJointReader.GROOVE, schema.fields("groove"));
+    assertEquals(LevelJointReader.FRICTION, schema.fields("friction"));
     assertEquals(LevelJointReader.WELD, schema.fields("weld"));
     assertEquals(LevelJointReader.MOTOR, schema.fields("motorJoint"));
     assertEquals(LevelJointReader.MOUSE, schema.fields("mouse"));

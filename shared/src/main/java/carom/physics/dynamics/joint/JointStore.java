@@ -183,7 +183,10 @@ public final class JointStore {
   /** Torque on B in the last substep, N m. */
   public float[] torque = new float[FIRST_CAPACITY];
 
-  /** Gear, rack and pulley: what B does by what A does. */
+  /**
+   * Gear, rack and pulley: what B does by what A does. Revolute: the angle between the teeth of a
+   * ratchet, rad, in the direction in which it is free; 0 for none.
+   */
   public float[] ratio = new float[FIRST_CAPACITY];
 
   /**
@@ -201,7 +204,10 @@ public final class JointStore {
   /** See {@link #baseBx}. */
   public float[] baseBy = new float[FIRST_CAPACITY];
 
-  /** Full turns of A, if they are counted, and its angle when they last were, rad. */
+  /**
+   * Full turns of A, if they are counted, and its angle when they last were, rad; of a ratchet the
+   * teeth that it has passed.
+   */
   int[] turnsA = new int[FIRST_CAPACITY];
 
   float[] lastA = new float[FIRST_CAPACITY];
@@ -408,6 +414,24 @@ public final class JointStore {
   /** Returns whether full turns of a joint are counted. */
   public boolean winds(int slot) {
     return (flags[slot] & WINDS) != 0;
+  }
+
+  /** Returns whether a joint turns in one direction only. */
+  public boolean isRatchet(int slot) {
+    return type[slot] == REVOLUTE && ratio[slot] != 0;
+  }
+
+  /** Returns the angle of the last tooth that a ratchet has passed, rad. */
+  public double tooth(int slot) {
+    return (double) ratio[slot] * turnsA[slot];
+  }
+
+  /** Counts the teeth that a ratchet has passed at an angle over all turns, rad. */
+  public void passTeeth(int slot, double angle) {
+    double passed = Math.floor(angle / ratio[slot]);
+    if (passed > turnsA[slot]) {
+      turnsA[slot] = (int) passed;
+    }
   }
 
   /** Counts full turns of A, and returns its angle over all of them, rad. */

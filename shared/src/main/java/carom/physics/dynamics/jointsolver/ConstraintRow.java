@@ -267,6 +267,12 @@ abstract class ConstraintRow {
     }
   }
 
+  /** Lets both impulses act at B's anchor, however far it is from A's. */
+  final void actAtB() {
+    rAx += dx;
+    rAy += dy;
+  }
+
   /** Applies an impulse at the anchors. */
   final void applyImpulse(float px, float py) {
     if (mA != 0) {

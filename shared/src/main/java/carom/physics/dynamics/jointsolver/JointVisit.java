@@ -21,10 +21,12 @@ import carom.physics.math.Trig;
  * <pre>
  *   revolute    angle: motor, spring, limits        then the point (2 x 2)
  *   distance    length: motor, spring, limits       or rigid
+ *   ratchet     as revolute; angle: a limit at the last tooth
  *   prismatic   axis: motor, spring, limits         then across the axis and angle (2 x 2)
  *   weld        angle: rigid or spring              then the point: rigid or spring
  *   wheel       angle: motor; axis: spring, limits  then across the axis
  *   motor       angle: spring                       then the point: spring, both of limited force
+ *   friction    angle: at rest                      then the point: at rest, both of limited force
  *   mouse                                           the point: spring of limited force
  *   gear, rack  the coupled coordinate, rigid
  *   pulley      the coupled length: limits, spring  or rigid
@@ -38,6 +40,9 @@ import carom.physics.math.Trig;
  *
  * <p>Lever arms turn with the bodies in each substep, other than those of contacts: a pendulum
  * turns much between two ticks.
+ *
+ * <p><b>Length.</b> One method per way in which a joint holds, and a switch that says which type of
+ * joint holds in which ways.
  */
 final class JointVisit extends ConstraintRow {
   // What the step is about.
@@ -98,7 +103,12 @@ final class JointVisit extends ConstraintRow {
           if (hinge || (j.type[slot] == JointStore.WELD && j.hertz[slot] == 0)) {
             actAtOnePoint();
           }
-          applyImpulse(j.impulseX[slot], j.impulseY[slot]);
+          if (isFriction(slot)) {
+            actAtB();
+          }
+          if (!joints.inTree[k]) {
+            applyImpulse(j.impulseX[slot], j.impulseY[slot]);
+          }
           applyAngularImpulse(j.impulseW[slot] + axial);
         }
       }
@@ -120,17 +130,26 @@ final class JointVisit extends ConstraintRow {
       switch (j.type[slot]) {
         case JointStore.REVOLUTE -> {
           int flags = j.flags[slot];
-          if ((flags & (JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG)) != 0) {
+          boolean ratchet = j.isRatchet(slot);
+          if (ratchet
+              || (flags & (JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG)) != 0) {
             angleRow();
             float angle = angle(k);
-            solveCoordinate(slot, j.winds(slot) ? (float) j.windB(slot, angle) : angle, bias);
+            double turned = j.winds(slot) ? j.windB(slot, angle) : angle;
+            solveCoordinate(slot, (float) turned, bias);
+            if (ratchet) {
+              solveRatchet(slot, turned, bias);
+            }
           }
-          solvePoint(slot, bias);
+          if (!joints.inTree[k]) {
+            solvePoint(slot, bias);
+          }
         }
         case JointStore.DISTANCE -> {
           float length = lengthRow();
           solveCoordinate(slot, length, bias);
-          if ((j.flags[slot] & (JointStore.LIMITED | JointStore.SPRUNG)) == 0) {
+          int free = JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG;
+          if ((j.flags[slot] & free) == 0) {
             j.impulseX[slot] += solveRigid(length - j.rest[slot], j.impulseX[slot], bias);
           }
         }
@@ -178,7 +197,9 @@ final class JointVisit extends ConstraintRow {
           j.impulseX[slot] += solveRigid(across, j.impulseX[slot], bias);
         }
         case JointStore.MOTOR -> {
-          if (bias) {
+          if (isFriction(slot)) {
+            solveFriction(slot);
+          } else if (bias) {
             angleRow();
             float old = j.impulseW[slot];
             float most = j.maxTorque[slot];
@@ -211,6 +232,9 @@ final class JointVisit extends ConstraintRow {
       int slot = joints.joint[k];
       load(k);
       float axial = axialImpulse(j, slot);
+      if (j.isRatchet(slot)) {
+        j.passTeeth(slot, j.windB(slot, angle(k)));
+      }
       float x = j.impulseX[slot];
       float y = j.impulseY[slot];
       float torque = j.impulseW[slot] + axial;
@@ -343,6 +367,58 @@ final class JointVisit extends ConstraintRow {
     }
   }
 
+  /** Keeps a ratchet from turning back behind the last tooth that it has passed. */
+  private void solveRatchet(int slot, double angle, boolean bias) {
+    JointStore j = store;
+    double past = angle - j.tooth(slot);
+    if (j.ratio[slot] > 0) {
+      j.lowerImpulse[slot] += solveLimit((float) past, 1, j.lowerImpulse[slot], bias);
+    } else {
+      j.upperImpulse[slot] += solveLimit((float) -past, -1, j.upperImpulse[slot], bias);
+    }
+  }
+
+  /** Returns whether a motor joint draws its body to rest instead of to a pose. */
+  private boolean isFriction(int slot) {
+    return store.type[slot] == JointStore.MOTOR && (store.flags[slot] & JointStore.DRIVEN) != 0;
+  }
+
+  /** Brings angle and point to rest relative to A, by limited torque and force. */
+  private void solveFriction(int slot) {
+    JointStore j = store;
+    angleRow();
+    float oldW = j.impulseW[slot];
+    float mostW = h * j.maxTorque[slot];
+    j.impulseW[slot] = Math.max(-mostW, Math.min(oldW - mass * rowSpeed(), mostW));
+    applyAngularImpulse(j.impulseW[slot] - oldW);
+    actAtB();
+    float vx = v[b + VX] - v[b + W] * rBy - v[a + VX] + v[a + W] * rAy;
+    float vy = v[b + VY] + v[b + W] * rBx - v[a + VY] - v[a + W] * rAx;
+    float masses = mA + mB;
+    float xx = masses + iA * rAy * rAy + iB * rBy * rBy;
+    float xy = -iA * rAx * rAy - iB * rBx * rBy;
+    float yy = masses + iA * rAx * rAx + iB * rBx * rBx;
+    float determinant = xx * yy - xy * xy;
+    float inverse = determinant > 0 ? 1 / determinant : 0;
+    float oldX = j.impulseX[slot];
+    float oldY = j.impulseY[slot];
+    limitPoint(
+        slot,
+        oldX - inverse * (yy * vx - xy * vy),
+        oldY - inverse * (xx * vy - xy * vx),
+        j.maxForce[slot]);
+    applyImpulse(j.impulseX[slot] - oldX, j.impulseY[slot] - oldY);
+  }
+
+  /** Stores the impulse of a point, cut to what a force may give in a substep. */
+  private void limitPoint(int slot, float x, float y, float maxForce) {
+    float most = h * maxForce;
+    float square = x * x + y * y;
+    float cut = square > most * most ? most / (float) Math.sqrt(square) : 1;
+    store.impulseX[slot] = x * cut;
+    store.impulseY[slot] = y * cut;
+  }
+
   private void solveMotor(int slot) {
     JointStore j = store;
     float old = j.motorImpulse[slot];
@@ -402,16 +478,8 @@ final class JointVisit extends ConstraintRow {
     float share = 1 / (1 + soft);
     float x = oldX - (inverse * (yy * wantX - xy * wantY) + oldX) * share;
     float y = oldY - (inverse * (xx * wantY - xy * wantX) + oldY) * share;
-    float most = h * maxForce;
-    float square = x * x + y * y;
-    if (square > most * most) {
-      float cut = most / (float) Math.sqrt(square);
-      x *= cut;
-      y *= cut;
-    }
-    j.impulseX[slot] = x;
-    j.impulseY[slot] = y;
-    applyImpulse(x - oldX, y - oldY);
+    limitPoint(slot, x, y, maxForce);
+    applyImpulse(j.impulseX[slot] - oldX, j.impulseY[slot] - oldY);
   }
 
   /** Holds a slider on its axis and from turning, both at once. */

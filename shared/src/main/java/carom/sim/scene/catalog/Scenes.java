@@ -21,6 +21,7 @@ public final class Scenes {
     CoupledScenes.all().forEach(Scenes::add);
     ParticleScenes.all().forEach(Scenes::add);
     TrafficScenes.all().forEach(Scenes::add);
+    MoverScenes.all().forEach(Scenes::add);
   }
 
   private Scenes() {}

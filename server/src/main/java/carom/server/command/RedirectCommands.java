@@ -1,0 +1,104 @@
+package carom.server.command;
+
+import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage;
+import carom.server.room.Room;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** The command that sends players to another server, and the one that does so and stops this. */
+public final class RedirectCommands {
+  private static final String SERVER = "SERVER";
+  private static final String FLAG = "--redirect";
+  private static final int ALL = -1;
+  private static final Pattern TARGET =
+      Pattern.compile("((?:\\[[\\da-fA-F:.]+]|[-.\\w]+):(\\d{1,5}))(?:#([-\\w]{43}))?");
+
+  private final List<Room> rooms;
+  private final RoomFinder finder;
+  private final Runnable stop;
+
+  private RedirectCommands(List<Room> rooms, Runnable stop) {
+    this.rooms = rooms;
+    finder = new RoomFinder(rooms);
+    this.stop = stop;
+  }
+
+  /**
+   * Adds the commands to a registry.
+   *
+   * @param rooms all rooms of the server
+   * @param stop begins to stop the server, and returns at once
+   */
+  public static void add(CommandRegistry registry, List<Room> rooms, Runnable stop) {
+    RedirectCommands all = new RedirectCommands(rooms, stop);
+    registry.add(
+        new Command(
+            "redirect",
+            "[@ROOM] HOST:PORT[#FINGERPRINT] [PLAYER [TOKEN]]",
+            "Sends the players to another server, or one of them.",
+            all::redirect,
+            place -> place == 1 ? all.finder.playerNames() : List.of()));
+    registry.add(
+        new Command(
+            "stop",
+            "[--redirect HOST:PORT[#FINGERPRINT]]",
+            "Tells the players and stops the server; may send them to another one before.",
+            all::stop,
+            place -> place == 0 ? List.of(FLAG) : List.of()));
+  }
+
+  private String redirect(CommandWords words) throws CommandException {
+    words.requireAtMost(3);
+    String token = words.has(2) ? words.word(2, "TOKEN") : "";
+    if (token.length() > Limits.MAX_TOKEN_BYTES) {
+      throw new CommandException(
+          "TOKEN has characters=%d, limit=%d".formatted(token.length(), Limits.MAX_TOKEN_BYTES));
+    }
+    ServerMessage.Redirect redirect = parse(words.word(0, SERVER), token);
+    if (!words.has(1)) {
+      return sentAll(finder.all(words), redirect);
+    }
+    RoomFinder.Found found = finder.player(new CommandWords(words.all(), words.room()), 1);
+    int sent = found.room().operator().redirect(found.player().id(), redirect);
+    return "sent players=%d to %s".formatted(sent, redirect.server());
+  }
+
+  private static String sentAll(List<Room> rooms, ServerMessage.Redirect redirect) {
+    int sent = 0;
+    for (Room room : rooms) {
+      sent += room.operator().redirect(ALL, redirect);
+    }
+    return "sent players=%d to %s".formatted(sent, redirect.server());
+  }
+
+  private String stop(CommandWords words) throws CommandException {
+    if (!words.has(0)) {
+      stop.run();
+      return "stopping";
+    }
+    if (!words.word(0, FLAG).equals(FLAG)) {
+      throw new CommandException("\"" + words.word(0, FLAG) + "\" isn't " + FLAG);
+    }
+    words.requireAtMost(2);
+    String sent = sentAll(new ArrayList<>(rooms), parse(words.word(1, SERVER), ""));
+    stop.run();
+    return sent + ", stopping";
+  }
+
+  private static ServerMessage.Redirect parse(String text, String token) throws CommandException {
+    Matcher target = TARGET.matcher(text);
+    if (!target.matches()
+        || target.group(1).length() > Limits.MAX_ADDRESS_BYTES
+        || Integer.parseInt(target.group(2)) < 1
+        || Integer.parseInt(target.group(2)) > 65_535) {
+      throw new CommandException(
+          "SERVER=%s must be HOST:PORT or HOST:PORT#FINGERPRINT, such as play.example.org:54555"
+              .formatted(text));
+    }
+    String fingerprint = target.group(3) == null ? "" : target.group(3);
+    return new ServerMessage.Redirect(target.group(1), fingerprint, "", token);
+  }
+}
