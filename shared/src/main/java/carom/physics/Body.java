@@ -186,6 +186,7 @@ public final class Body<T> {
    */
   public void wake() {
     check();
+    world.note(Call.WAKE, index);
     dynamics().wake(index);
   }
 
@@ -199,6 +200,7 @@ public final class Body<T> {
    */
   public void sleep() {
     check();
+    world.note(Call.SLEEP, index);
     world.sleep(index);
   }
 
@@ -220,6 +222,7 @@ public final class Body<T> {
    */
   public void setSleepAllowed(boolean allowed) {
     check();
+    world.note(Call.SET_SLEEP_ALLOWED, index, allowed);
     if (allowed) {
       store.flags[index] &= ~BodyStore.SLEEPLESS;
     } else {
@@ -247,6 +250,7 @@ public final class Body<T> {
    */
   public void setSleepSpeed(float speed) {
     check();
+    world.note(Call.SET_SLEEP_SPEED, index, speed);
     store.sleepSpeed[index] = Limits.range("sleepSpeed", speed, 0, Limits.MAX_SLEEP_SPEED);
     store.coldChanged();
   }
@@ -517,6 +521,7 @@ public final class Body<T> {
    */
   public void setPose(float x, float y, float cos, float sin) {
     check();
+    world.note(Call.SET_POSE, index, x, y, cos, sin);
     float oldX = store.x[index];
     float oldY = store.y[index];
     float oldCos = store.cos[index];
@@ -546,6 +551,7 @@ public final class Body<T> {
    */
   public void setCenterPose(float x, float y, float cos, float sin) {
     check();
+    world.note(Call.SET_CENTER_POSE, index, x, y, cos, sin);
     float oldX = store.x[index];
     float oldY = store.y[index];
     float oldCos = store.cos[index];
@@ -562,6 +568,7 @@ public final class Body<T> {
    */
   public void setVelocity(float vx, float vy) {
     check();
+    world.note(Call.SET_VELOCITY, index, vx, vy);
     Limits.velocity("velocityX", vx);
     Limits.velocity("velocityY", vy);
     if (store.type[index] != BodyStore.STATIC) {
@@ -580,6 +587,7 @@ public final class Body<T> {
    */
   public void setAngularVelocity(float radPerSecond) {
     check();
+    world.note(Call.SET_ANGULAR_VELOCITY, index, radPerSecond);
     Limits.velocity("angularVelocity", radPerSecond);
     if (store.type[index] != BodyStore.STATIC) {
       if (radPerSecond != 0) {
@@ -592,10 +600,10 @@ public final class Body<T> {
   /**
    * Sets the velocities by which a kinematic body reaches a pose in the next step, so that it
    * pushes and carries what is in the way; {@link #setPose} would put it there without. It turns
-   * the shorter way round, half a turn to within 0.01 rad. The velocities stay after the step, so call this before every step: a
-   * body that is there, to 0.01 mm and 0.01 mrad, stops and may sleep. Speeds above the world's
-   * limits are cut. Dynamic bodies get the velocities, too, but gravity and what they meet change
-   * them. Does nothing on a static body.
+   * the shorter way round, half a turn to within 0.01 rad. The velocities stay after the step, so
+   * call this before every step: a body that is there, to 0.01 mm and 0.01 mrad, stops and may
+   * sleep. Speeds above the world's limits are cut. Dynamic bodies get the velocities, too, but
+   * gravity and what they meet change them. Does nothing on a static body.
    *
    * @param x x of the origin, m, world
    * @param y y of the origin, m, world
@@ -634,6 +642,11 @@ public final class Body<T> {
    */
   public void applyForce(float fx, float fy) {
     check();
+    world.note(Call.APPLY_FORCE, index, fx, fy);
+    addForce(fx, fy);
+  }
+
+  private void addForce(float fx, float fy) {
     Limits.force("forceX", fx);
     Limits.force("forceY", fy);
     if (acts() && (fx != 0 || fy != 0)) {
@@ -655,7 +668,9 @@ public final class Body<T> {
   public void applyForce(float fx, float fy, float px, float py) {
     Limits.coordinate("px", px);
     Limits.coordinate("py", py);
-    applyForce(fx, fy);
+    check();
+    world.note(Call.APPLY_FORCE_AT, index, fx, fy, px, py);
+    addForce(fx, fy);
     if (acts()) {
       store.torque[index] += (px - store.x[index]) * fy - (py - store.y[index]) * fx;
     }
@@ -672,6 +687,7 @@ public final class Body<T> {
    */
   public void applyAmbientForce(float fx, float fy, float torque) {
     check();
+    world.note(Call.APPLY_AMBIENT_FORCE, index, fx, fy, torque);
     Limits.force("forceX", fx);
     Limits.force("forceY", fy);
     Limits.force("torque", torque);
@@ -702,6 +718,7 @@ public final class Body<T> {
    */
   public void writeRow(int[] row, int at) {
     check();
+    world.noteRow(index, row, at);
     dynamics().wake(index);
     float oldX = store.x[index];
     float oldY = store.y[index];
@@ -744,6 +761,11 @@ public final class Body<T> {
    */
   public void applyImpulse(float jx, float jy) {
     check();
+    world.note(Call.APPLY_IMPULSE, index, jx, jy);
+    addImpulse(jx, jy);
+  }
+
+  private void addImpulse(float jx, float jy) {
     Limits.force("impulseX", jx);
     Limits.force("impulseY", jy);
     if (acts() && (jx != 0 || jy != 0)) {
@@ -765,7 +787,9 @@ public final class Body<T> {
   public void applyImpulse(float jx, float jy, float px, float py) {
     Limits.coordinate("px", px);
     Limits.coordinate("py", py);
-    applyImpulse(jx, jy);
+    check();
+    world.note(Call.APPLY_IMPULSE_AT, index, jx, jy, px, py);
+    addImpulse(jx, jy);
     if (acts()) {
       store.impulseW[index] += (px - store.x[index]) * jy - (py - store.y[index]) * jx;
     }
@@ -778,6 +802,7 @@ public final class Body<T> {
    */
   public void applyTorque(float torque) {
     check();
+    world.note(Call.APPLY_TORQUE, index, torque);
     Limits.force("torque", torque);
     if (acts() && torque != 0) {
       dynamics().wake(index);
@@ -793,6 +818,7 @@ public final class Body<T> {
    */
   public void applyAngularImpulse(float j) {
     check();
+    world.note(Call.APPLY_ANGULAR_IMPULSE, index, j);
     Limits.force("angularImpulse", j);
     if (acts() && j != 0) {
       dynamics().wake(index);
@@ -850,6 +876,7 @@ public final class Body<T> {
    */
   public void setBullet(boolean bullet) {
     check();
+    world.note(Call.SET_BULLET, index, bullet);
     store.setBullet(index, bullet);
   }
 
@@ -946,7 +973,7 @@ public final class Body<T> {
    * rotation. Wakes the body. In a callback this takes effect at the end of the step.
    *
    * @param fixed true if no force shall turn the body
-   * @throws IllegalStateException during a query
+   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
    */
   public void setFixedRotation(boolean fixed) {
     check();
@@ -975,7 +1002,7 @@ public final class Body<T> {
    * free one gives way a little under sudden loads, because the lock takes back what the joint did.
    *
    * @param locks the locks, the rotation's included
-   * @throws IllegalStateException during a query
+   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
    */
   public void setMotionLocks(MotionLocks locks) {
     check();
@@ -1174,6 +1201,7 @@ public final class Body<T> {
    */
   public void setGravityScale(float factor) {
     check();
+    world.note(Call.SET_GRAVITY_SCALE, index, factor);
     Limits.range("gravityScale", factor, -Limits.MAX_GRAVITY_SCALE, Limits.MAX_GRAVITY_SCALE);
     if (store.gravityScale[index] != factor) {
       rouse();
@@ -1199,6 +1227,7 @@ public final class Body<T> {
    */
   public void setLinearDamping(float perSecond) {
     check();
+    world.note(Call.SET_LINEAR_DAMPING, index, perSecond);
     store.linearDamping[index] = Limits.range("linearDamping", perSecond, 0, Limits.MAX_DAMPING);
     store.coldChanged();
   }
@@ -1220,6 +1249,7 @@ public final class Body<T> {
    */
   public void setAngularDamping(float perSecond) {
     check();
+    world.note(Call.SET_ANGULAR_DAMPING, index, perSecond);
     store.angularDamping[index] = Limits.range("angularDamping", perSecond, 0, Limits.MAX_DAMPING);
     store.coldChanged();
   }

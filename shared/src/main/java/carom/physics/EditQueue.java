@@ -36,7 +36,7 @@ public final class EditQueue<T> {
    * @param removed how many go
    * @param added how many come in their place
    */
-  private record ShapesChange(ShapeDef[] after, int at, int removed, int added) {}
+  record ShapesChange(ShapeDef[] after, int at, int removed, int added) {}
 
   private final World<T> world;
   private final BodyEditor editor;
@@ -86,25 +86,26 @@ public final class EditQueue<T> {
     world.refuseDuringQuery("changing a shape");
     ShapeDef[] after = shapesToBe(body).clone();
     checkIndex(shape, after.length);
-    after[shape] = how.apply(after[shape]);
-    request(body, new ShapesChange(after, shape, 0, 0));
+    ShapeDef before = after[shape];
+    after[shape] = how.apply(before);
+    request(body, new ShapesChange(after, shape, 0, 0), !isSame(after[shape], before));
   }
 
   void addShape(Body<T> body, ShapeDef added) {
-    world.refuseReshaping("addShape");
+    world.refuseShared("addShape");
     ShapeDef[] before = shapesToBe(body);
     request(body, spliced(before, before.length, 0, added));
   }
 
   void removeShape(Body<T> body, int shape) {
-    world.refuseReshaping("removeShape");
+    world.refuseShared("removeShape");
     ShapeDef[] before = shapesToBe(body);
     checkIndex(shape, before.length);
     request(body, spliced(before, shape, 1));
   }
 
   void replaceShape(Body<T> body, int shape, ShapeDef by) {
-    world.refuseReshaping("replaceShape");
+    world.refuseShared("replaceShape");
     ShapeDef[] before = shapesToBe(body);
     checkIndex(shape, before.length);
     request(body, spliced(before, shape, 1, by));
@@ -138,9 +139,16 @@ public final class EditQueue<T> {
   }
 
   private void request(Body<T> body, ShapesChange change) {
+    request(body, change, true);
+  }
+
+  private void request(Body<T> body, ShapesChange change, boolean recorded) {
     ShapeSpec[] specs = World.specs(change.after);
     BodyEditor.checkShapes(World.code(body.type()), specs, handles.ownMass(body.index()));
-    request(CHANGE_SHAPES, body.index(), body.generation(), change);
+    if (recorded) {
+      world.noteEdit(CHANGE_SHAPES, body.index(), change);
+    }
+    carryOutOrQueue(CHANGE_SHAPES, body.index(), body.generation(), change);
   }
 
   void changeMass(Body<T> body, MassData ownOrNull) {
@@ -152,13 +160,13 @@ public final class EditQueue<T> {
   }
 
   void lockMotion(Body<T> body, MotionLocks locks) {
-    world.refuseDuringQuery("setMotionLocks");
+    world.refuseShared("setMotionLocks");
     request(LOCK_MOTION, body.index(), body.generation(), locks);
   }
 
   /** Fixes or frees the rotation; the other locks are those that the body will have by then. */
   void fixRotation(Body<T> body, boolean fixed) {
-    world.refuseDuringQuery("setFixedRotation");
+    world.refuseShared("setFixedRotation");
     MotionLocks locks = body.motionLocks();
     for (int i = 0; i < pendingCount; i++) {
       if (pending[i] == LOCK_MOTION
@@ -170,8 +178,52 @@ public final class EditQueue<T> {
     lockMotion(body, locks.withAngularZ(fixed));
   }
 
-  /** Carries out an edit now, or queues it until the end of the step. */
+  /** Makes an edit again that was recorded. Shapes that it didn't change stay those they are. */
+  void repeat(byte what, int slot, Object value) {
+    if (what < DESTROY_BODY || what > LOCK_MOTION || slot < 0) {
+      throw new IllegalArgumentException("edit=" + what + " of slot=" + slot);
+    }
+    Joint<T> joint = what == DESTROY_JOINT ? world.joint(slot) : null;
+    Body<T> body = what == DESTROY_JOINT ? null : world.body(slot);
+    if (body == null && joint == null) {
+      throw new IllegalStateException("edit=" + what + " of slot=" + slot + ", which is free");
+    }
+    if (what == CHANGE_SHAPES) {
+      request(body, withShapesOf(shapesToBe(body), (ShapesChange) value));
+    } else if (what == CHANGE_MASS) {
+      changeMass(body, (MassData) value);
+    } else if (what == LOCK_MOTION) {
+      lockMotion(body, (MotionLocks) value);
+    } else if (what >= CHANGE_TYPE && what < CHANGE_SHAPES) {
+      changeType(body, BodyType.values()[what - CHANGE_TYPE]);
+    } else {
+      request(what, slot, joint != null ? joint.generation() : body.generation(), null);
+    }
+  }
+
+  private static ShapesChange withShapesOf(ShapeDef[] before, ShapesChange change) {
+    ShapeDef[] after = change.after.clone();
+    int kept = change.added - change.removed;
+    if (change.at < 0 || change.removed < 0 || after.length != before.length + kept) {
+      throw new IllegalArgumentException("shapes=" + before.length + " before " + after.length);
+    }
+    for (int i = 0; i < after.length; i++) {
+      int from = i < change.at ? i : i - kept;
+      if (i < change.at || i >= change.at + change.added) {
+        ShapeDef d = after[i];
+        after[i] = new ShapeDef(before[from].shape(), d.material(), d.filter(), d.sensor());
+      }
+    }
+    return new ShapesChange(after, change.at, change.removed, change.added);
+  }
+
   private void request(byte what, int slot, int generation, Object value) {
+    world.noteEdit(what, slot, value);
+    carryOutOrQueue(what, slot, generation, value);
+  }
+
+  /** Carries out an edit now, or queues it until the end of the step. */
+  private void carryOutOrQueue(byte what, int slot, int generation, Object value) {
     if (pendingCount == pending.length) {
       pending = Arrays.copyOf(pending, pendingCount * 2);
       pendingSlot = Arrays.copyOf(pendingSlot, pendingCount * 2);

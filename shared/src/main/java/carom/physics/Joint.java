@@ -451,6 +451,8 @@ public final class Joint<T> {
    * @param max largest force or torque of the motor, N or N m
    */
   public void setMotor(float speed, float max) {
+    check();
+    world.note(Call.SET_MOTOR, index, speed, max);
     refuseUnless(JointDef.hasMotor(type), "setMotor");
     Limits.velocity("speed", speed);
     Limits.range("max", max, 0, Limits.MAX_FORCE);
@@ -482,6 +484,7 @@ public final class Joint<T> {
   /** Stops the motor, so that it no longer drives the coordinate. Does nothing without a motor. */
   public void stopMotor() {
     check();
+    world.note(Call.STOP_MOTOR, index);
     clear(JointStore.DRIVEN);
     store.motorImpulse[index] = 0;
   }
@@ -494,6 +497,7 @@ public final class Joint<T> {
    */
   public void setLimits(float lower, float upper) {
     check();
+    world.note(Call.SET_LIMITS, index, lower, upper);
     refuseUnless(JointDef.hasLimits(type) && !store.isRatchet(index), "setLimits");
     Limits.range("lower", lower, JointDef.least(type), JointDef.most(type));
     Limits.range("upper", upper, lower, JointDef.most(type));
@@ -507,6 +511,7 @@ public final class Joint<T> {
   /** Removes the limits. A rope becomes a rod of its rest length. */
   public void removeLimits() {
     check();
+    world.note(Call.REMOVE_LIMITS, index);
     clear(JointStore.LIMITED);
     store.lowerImpulse[index] = 0;
     store.upperImpulse[index] = 0;
@@ -520,6 +525,8 @@ public final class Joint<T> {
    * @param dampingRatio 0..100
    */
   public void setSpring(float hertz, float dampingRatio) {
+    check();
+    world.note(Call.SET_SPRING, index, hertz, dampingRatio);
     refuseUnless(JointDef.canSpring(type), "setSpring");
     Limits.range("hertz", hertz, 0, Limits.MAX_HERTZ);
     Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
@@ -555,6 +562,8 @@ public final class Joint<T> {
    * its rest length.
    */
   public void removeSpring() {
+    check();
+    world.note(Call.REMOVE_SPRING, index);
     refuseUnless(JointDef.hasCoordinateSpring(type), "removeSpring");
     clear(JointStore.SPRUNG);
     store.springImpulse[index] = 0;
@@ -567,6 +576,8 @@ public final class Joint<T> {
    * @param coordinate m or rad, see {@link JointType}
    */
   public void setRest(float coordinate) {
+    check();
+    world.note(Call.SET_REST, index, coordinate);
     refuseUnless(JointDef.hasLimits(type), "setRest");
     set(store.rest, Limits.range("rest", coordinate, JointDef.least(type), JointDef.most(type)));
     wind(coordinate);
@@ -590,6 +601,8 @@ public final class Joint<T> {
    * @param y y of the target, m, in the same frame
    */
   public void setTarget(float x, float y) {
+    check();
+    world.note(Call.SET_TARGET, index, x, y);
     refuseUnless(type == JointType.MOTOR || type == JointType.MOUSE, "setTarget");
     Limits.coordinate("x", x);
     Limits.coordinate("y", y);
@@ -623,6 +636,8 @@ public final class Joint<T> {
    * @param angleRad angle of B relative to A, or to the world if there is no A, rad, within 1e5
    */
   public void setTargetAngle(float angleRad) {
+    check();
+    world.note(Call.SET_TARGET_ANGLE, index, angleRad);
     refuseUnless(type == JointType.MOTOR, "setTargetAngle");
     Limits.range("angle", angleRad, -1e5f, 1e5f);
     set(store.refCos, Trig.cos(angleRad));

@@ -27,6 +27,7 @@ import carom.physics.settings.Settings;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.Objects;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
 
@@ -76,6 +77,9 @@ public final class World<T> {
 
   private CollisionListener<T> listener;
   private JointListener<T> jointListener;
+
+  /** Records calls that change this world; null (the default) records nothing. */
+  private WorldRecorder recorder;
 
   private boolean stepping;
   private boolean querying;
@@ -149,6 +153,7 @@ public final class World<T> {
     refuseDuringQuery("redefine");
     refuseIfSealed("redefine");
     newDef.checkFollows(def);
+    noteValue(Call.REDEFINE, newDef);
     boolean wakes =
         newDef.gravityX() != def.gravityX()
             || newDef.gravityY() != def.gravityY()
@@ -183,9 +188,9 @@ public final class World<T> {
   }
 
   /**
-   * Seals the world: from now on no body can be given another shape, and constants stay. Programs
-   * seal worlds that others compute, too, from the same definitions and without hearing of such a
-   * change. The seal is no part of the state.
+   * Seals the world: from now on no body can be given another shape or other locks, and constants
+   * stay. Programs seal worlds that others compute, too, from the same definitions and without
+   * hearing of such a change. The seal is no part of the state.
    *
    * @param why the reason and the way out, for the error's text
    */
@@ -205,6 +210,7 @@ public final class World<T> {
    */
   public Body<T> createBody(BodyDef bodyDef, T user) {
     refuseDuringQuery("createBody");
+    noteValue(Call.CREATE_BODY, bodyDef);
     ShapeDef[] given = bodyDef.shapes.toArray(new ShapeDef[0]);
     int slot =
         dynamics
@@ -296,9 +302,7 @@ public final class World<T> {
   }
 
   void removeJoint(int slot) {
-    if (jointListener != null) {
-      jointListener.destroyed(joint(slot));
-    }
+    tell(JointListener::destroyed, joint(slot));
     dynamics.destroyJoint(slot);
     handles.removeJoint(slot);
   }
@@ -313,6 +317,7 @@ public final class World<T> {
    */
   public Joint<T> createJoint(JointDef<T> d) {
     refuseDuringQuery("createJoint");
+    settleRecorder();
     own(d.bodyB);
     if (d.bodyA != null) {
       own(d.bodyA);
@@ -338,6 +343,7 @@ public final class World<T> {
    */
   public Joint<T> createJoint(Body<T> bodyA, Body<T> bodyB, int[] definition, int at) {
     refuseDuringQuery("createJoint");
+    settleRecorder();
     own(bodyB);
     if (bodyA != null) {
       own(bodyA);
@@ -368,9 +374,12 @@ public final class World<T> {
     JointType type = JOINT_TYPES[joints.type[j]];
     Joint<T> joint = new Joint<>(this, joints, j, joints.generation(j), type);
     handles.put(joint);
-    if (jointListener != null) {
-      jointListener.created(joint);
+    if (recorder != null) {
+      int[] made = new int[JointDefRow.INTS];
+      dynamics.jointTransfer().readDefinition(j, made, 0);
+      recorder.noteValue(Call.CREATE_JOINT, joints.bodyA[j], joints.bodyB[j], made);
     }
+    tell(JointListener::created, joint);
     return joint;
   }
 
@@ -415,6 +424,7 @@ public final class World<T> {
   public void sortFreeBodies() {
     refuseDuringStep("sortFreeBodies");
     refuseDuringQuery("sortFreeBodies");
+    note(Call.SORT_FREE_BODIES);
     store.sortFree();
   }
 
@@ -427,6 +437,7 @@ public final class World<T> {
   public void destroyJoints() {
     refuseDuringStep("destroyJoints");
     refuseDuringQuery("destroyJoints");
+    note(Call.DESTROY_JOINTS);
     for (int j = joints.slots() - 1; j >= 0; j--) {
       if (joint(j) != null) {
         removeJoint(j);
@@ -507,13 +518,12 @@ public final class World<T> {
    */
   public void jointListener(JointListener<T> newListener) {
     jointListener = newListener;
+    note(Call.LISTENERS, listeners());
   }
 
   private void broke(int slot) {
     Joint<T> joint = joint(slot);
-    if (jointListener != null) {
-      jointListener.broke(joint);
-    }
+    tell(JointListener::broke, joint);
     edits.destroy(joint);
   }
 
@@ -530,6 +540,9 @@ public final class World<T> {
     Limits.timeStep(dtSeconds);
     refuseDuringStep("step");
     refuseDuringQuery("step");
+    if (recorder != null) {
+      recorder.noteStep(dtSeconds);
+    }
     stepping = true;
     try {
       moves++;
@@ -562,6 +575,7 @@ public final class World<T> {
    */
   public void listener(CollisionListener<T> newListener) {
     listener = newListener;
+    note(Call.LISTENERS, listeners());
   }
 
   /**
@@ -578,27 +592,41 @@ public final class World<T> {
   private final class Events implements ContactEvents {
     @Override
     public void begin(int row) {
+      enterCallback();
       listener.begin(collision.at(row));
+      leaveCallback();
     }
 
     @Override
     public void end(int row) {
+      enterCallback();
       listener.end(collision.at(row));
+      leaveCallback();
     }
 
     @Override
     public boolean preSolve(int row) {
-      return listener.preSolve(collision.at(row));
+      enterCallback();
+      boolean accepts = listener.preSolve(collision.at(row));
+      if (!accepts) {
+        note(Call.REFUSE_CONTACT);
+      }
+      leaveCallback();
+      return accepts;
     }
 
     @Override
     public void postSolve(int row) {
+      enterCallback();
       listener.postSolve(collision.at(row));
+      leaveCallback();
     }
 
     @Override
     public void hit(int row, float speed) {
+      enterCallback();
       listener.hit(collision.at(row, speed));
+      leaveCallback();
     }
   }
 
@@ -645,6 +673,7 @@ public final class World<T> {
     refuseDuringStep("restore");
     refuseDuringQuery("restore");
     checkOwner(s);
+    noteValue(Call.STATE, s);
     moves++;
     take(s.def);
     dynamics.restore(s.dynamics, handles.sameBodies(s.handles));
@@ -721,7 +750,11 @@ public final class World<T> {
   public void writeRows(ExactRows rows) {
     refuseDuringStep("writeRows");
     refuseDuringQuery("writeRows");
+    settleRecorder();
     dynamics.write(rows);
+    if (recorder != null) {
+      recorder.noteValue(Call.STATE, save(null));
+    }
   }
 
   private void checkOwner(WorldState s) {
@@ -1085,6 +1118,118 @@ public final class World<T> {
     return edits;
   }
 
+  // ---------------------------------------------------------------- recording of calls
+
+  /** Sets the recorder of calls; null for none. */
+  void recorder(WorldRecorder newRecorder) {
+    refuseDuringStep("recording");
+    recorder = newRecorder;
+  }
+
+  /** Returns which listeners there are: 1 for collisions, 2 for joints, added up. */
+  int listeners() {
+    return (listener == null ? 0 : 1) | (jointListener == null ? 0 : 2);
+  }
+
+  /** Returns whether calls are recorded now: those of a step's own are not. */
+  private boolean records() {
+    return recorder != null && (!stepping || recorder.isInCallback());
+  }
+
+  private void settleRecorder() {
+    if (records()) {
+      recorder.settle();
+    }
+  }
+
+  private void enterCallback() {
+    if (recorder != null) {
+      recorder.enter();
+    }
+  }
+
+  private void leaveCallback() {
+    if (recorder != null) {
+      recorder.leave();
+    }
+  }
+
+  private void tell(BiConsumer<JointListener<T>, Joint<T>> what, Joint<T> joint) {
+    if (jointListener != null) {
+      enterCallback();
+      what.accept(jointListener, joint);
+      leaveCallback();
+    }
+  }
+
+  private void note(Call call) {
+    if (records()) {
+      recorder.note(call);
+    }
+  }
+
+  /** Notes a call of a body or joint, or one with a number. */
+  void note(Call call, int of) {
+    if (records()) {
+      recorder.note(call, of);
+    }
+  }
+
+  /** Notes a call of a body with a flag. */
+  void note(Call call, int of, boolean flag) {
+    if (records()) {
+      recorder.note(call, of, flag ? 1 : 0);
+    }
+  }
+
+  /** Notes a call of a body or joint with a number. */
+  void note(Call call, int of, float a) {
+    if (records()) {
+      recorder.note(call, of, a);
+    }
+  }
+
+  /** Notes a call of a body or joint with two numbers. */
+  void note(Call call, int of, float a, float b) {
+    if (records()) {
+      recorder.note(call, of, a, b);
+    }
+  }
+
+  /** Notes a call of a body with three numbers. */
+  void note(Call call, int of, float a, float b, float c) {
+    if (records()) {
+      recorder.note(call, of, a, b, c);
+    }
+  }
+
+  /** Notes a call of a body with four numbers. */
+  void note(Call call, int of, float a, float b, float c, float d) {
+    if (records()) {
+      recorder.note(call, of, a, b, c, d);
+    }
+  }
+
+  /** Notes a row that is written into a body. */
+  void noteRow(int body, int[] row, int at) {
+    if (records()) {
+      recorder.noteRow(body, row, at);
+    }
+  }
+
+  /** Notes an edit. */
+  void noteEdit(byte what, int slot, Object value) {
+    if (records()) {
+      recorder.noteValue(Call.EDIT, what, slot, value);
+    }
+  }
+
+  private void noteValue(Call call, Object value) {
+    if (records()) {
+      recorder.noteValue(call, value);
+    }
+  }
+
   /** Returns the receiver of contact events; null if there is no listener. */
   ContactEvents contactEvents() {
     return listener == null ? null : events;
@@ -1115,7 +1260,8 @@ public final class World<T> {
     moves++;
   }
 
-  void refuseReshaping(String what) {
+  /** Refuses an edit of which others that compute this world don't hear. */
+  void refuseShared(String what) {
     refuseDuringQuery(what);
     refuseIfSealed(what);
   }

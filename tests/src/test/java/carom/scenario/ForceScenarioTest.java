@@ -65,6 +65,17 @@ class ForceScenarioTest {
       """
           .formatted(ForceGame.crates(0));
 
+  private static final String LOCKS =
+      """
+      , "bodies": [
+         {"at": [-5, -2], "lockY": true, "fixedRotation": true,
+          "shape": {"type": "box", "width": 4, "height": 0.5}},
+         {"at": [5, -3], "lockX": true, "shape": {"type": "box", "width": 3, "height": 0.5}},
+         {"at": [0, 0], "lockX": true, "lockY": true,
+          "shape": {"type": "box", "width": 5, "height": 0.3}}, %s]
+      """
+          .formatted(ForceGame.crates(0));
+
   private static String crates(int tag) {
     return ", \"bodies\": [" + ForceGame.crates(tag) + "]";
   }
@@ -77,6 +88,7 @@ class ForceScenarioTest {
         Arguments.of("a place of another gravity", GRAVITY, -10f),
         Arguments.of("a conveyor", CONVEYOR, -10f),
         Arguments.of("a fan on a path", FAN, -10f),
+        Arguments.of("bodies with locked axes", LOCKS, -10f),
         Arguments.of("springs", crates(ForceGame.SPRING), -10f),
         Arguments.of("engines", crates(ForceGame.ENGINE), -10f),
         Arguments.of("bodies that hover", crates(ForceGame.HOVER), -10f));

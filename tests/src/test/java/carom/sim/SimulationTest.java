@@ -9,7 +9,12 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.physics.Body;
 import carom.physics.Material;
+import carom.physics.MotionLocks;
+import carom.physics.ShapeDef;
+import carom.physics.World;
+import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
@@ -21,6 +26,7 @@ import carom.sim.field.Ratio;
 import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.level.ScriptedMotion;
@@ -30,6 +36,9 @@ import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class SimulationTest {
   private static final Count STEPS = Field.count("steps", 0, 1_000_000);
@@ -248,5 +257,54 @@ class SimulationTest {
     assertEquals("friction", Suggestion.nearest("frction", List.of("density", "friction")));
     assertEquals("at", Suggestion.nearest("ta", List.of("at", "zones")));
     assertNull(Suggestion.nearest("xyzzy", List.of("density", "friction")));
+  }
+
+  /**
+   * Clients would not hear of such changes, so a game learns at its first try what to do instead.
+   */
+  @ParameterizedTest
+  @EnumSource(Role.class)
+  void shapesLocksAndConstantsOfASharedWorldAreRefusedByName(Role role) {
+    Simulation s = start(role, "");
+    Entity e =
+        role == Role.AUTHORITY
+            ? s.spawn(game.disc, 0, 0, 0, null)
+            : s.mirror().spawn(0, 0, game.disc, 0, 0, 0, Entity.NO_OWNER, false);
+    long before = s.world().stateHash();
+    List<Executable> edits =
+        List.of(
+            () -> e.body().addShape(new ShapeDef(new Circle(1))),
+            () -> e.body().replaceShape(0, new ShapeDef(new Circle(1))),
+            () -> e.body().removeShape(0),
+            () -> e.body().setMotionLocks(new MotionLocks(true, false, false)),
+            () -> e.body().setFixedRotation(true),
+            () -> s.world().redefine(s.world().def().withGravity(0, 1)));
+    for (Executable edit : edits) {
+      String why = assertThrows(IllegalStateException.class, edit).getMessage();
+      assertTrue(why.contains(" is not possible in this world: clients compute it, too"), why);
+      assertTrue(why.contains("spawn an entity of another archetype"), why);
+    }
+    assertEquals(before, s.world().stateHash());
+  }
+
+  @Test
+  void locksAndSleepSpeedsOfAnArchetypeAreThoseOfItsBodies() {
+    MotionLocks locks = new MotionLocks(false, true, true);
+    ArchetypeDef def = new ArchetypeDef("lift").shape(new Circle(0.5f), new Material(1, 0, 0));
+    World<String> w = new World<>(new WorldDef());
+    Archetype lift = new Archetypes().add(def.motionLocks(locks).sleepSpeed(0.5f));
+    Body<String> body = w.createBody(lift.body(0, 3, 0), "lift");
+    assertEquals(locks, body.motionLocks());
+    assertEquals(0.5f, body.sleepSpeed());
+    Simulation s =
+        start(
+            Role.AUTHORITY,
+            "{\"at\":[1,2],\"lockX\":true,\"shape\":{\"type\":\"circle\",\"radius\":1}}");
+    Body<Entity> ofLevel = s.entity(0).body();
+    assertEquals(new MotionLocks(true, false, false), ofLevel.motionLocks());
+    ofLevel.applyImpulse(3, 3);
+    s.step();
+    assertEquals(1f, ofLevel.x());
+    assertTrue(ofLevel.y() > 2);
   }
 }
