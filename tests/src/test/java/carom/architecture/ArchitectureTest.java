@@ -117,6 +117,13 @@ final class ArchitectureTest {
         "dynamics.parallel",
         "dynamics.body",
         "dynamics.solver",
+        "dynamics.joint",
+        "dynamics.jointtree");
+    stage(
+        "jointtree",
+        "dynamics.parallel",
+        "dynamics.body",
+        "dynamics.solver",
         "dynamics.joint");
     stage(
         "sleep",

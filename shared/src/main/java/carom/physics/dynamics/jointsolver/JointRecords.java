@@ -1,6 +1,8 @@
 package carom.physics.dynamics.jointsolver;
 
 import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.jointtree.JointFrame;
+import carom.physics.dynamics.jointtree.TreeSolver;
 import carom.physics.dynamics.solver.SolverBodies;
 
 /**
@@ -53,6 +55,9 @@ final class JointRecords {
 
   int[] bodyB = new int[0];
 
+  /** Per joint: whether {@link TreeSolver} solves its point. */
+  boolean[] inTree = new boolean[0];
+
   /** Records of all joints. */
   float[] data = new float[0];
 
@@ -63,18 +68,20 @@ final class JointRecords {
       joint = new int[n];
       bodyA = new int[n];
       bodyB = new int[n];
+      inTree = new boolean[n];
       data = new float[n * RECORD];
     }
   }
 
   /** Fills in joint k, as the step begins. */
-  void pack(int k, JointFrame f, JointStore j) {
+  void pack(int k, JointFrame f, JointStore j, boolean tree) {
     float[] d = data;
     int at = k * RECORD;
     int slot = f.slot;
     joint[k] = slot;
     bodyA[k] = f.offsetA;
     bodyB[k] = f.offsetB;
+    inTree[k] = tree;
     d[at + MASS_A] = f.massA;
     d[at + MASS_B] = f.massB;
     d[at + INERTIA_A] = f.inertiaA;

@@ -2,6 +2,9 @@ package carom.physics.dynamics.jointsolver;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.jointtree.JointFrame;
+import carom.physics.dynamics.jointtree.JointTrees;
+import carom.physics.dynamics.jointtree.TreeSolver;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.SolverBodies;
 import carom.physics.settings.Settings;
@@ -18,6 +21,9 @@ import java.util.Arrays;
  * RevoluteSolver}), then the others one by one. Threads share both. A body with more than {@value
  * #LAST_COLOUR} joints spills into a last colour without plain revolutes, which isn't shared. The
  * colouring depends on the awake joints alone, and is kept while these stay the same.
+ *
+ * <p><b>Trees.</b> Chains that carry far more than their links weigh are solved as a whole, after
+ * all colours: see {@link JointTrees}.
  */
 public final class JointSolver {
   private static final float TWO_PI = 6.2831855f;
@@ -31,6 +37,9 @@ public final class JointSolver {
   /** Number of groups: every colour has one of plain revolutes, and one of other joints. */
   private static final int GROUPS = 2 * (LAST_COLOUR + 1);
 
+  /** Group of joints that have no colour, because a tree solves all of them. */
+  private static final int NO_GROUP = -1;
+
   /** Joints that make a piece of work for a worker. */
   private static final int GRAIN = 16;
 
@@ -39,6 +48,8 @@ public final class JointSolver {
   /** The joints that aren't plain revolutes. */
   private final JointRecords others = new JointRecords();
 
+  private final JointTrees trees = new JointTrees();
+  private final TreeSolver treeSolver;
   private final ParallelFor parallel;
 
   /** Visits, one per worker. */
@@ -102,6 +113,7 @@ public final class JointSolver {
   public JointSolver(RevoluteLanes lanes, ParallelFor parallel) {
     this.parallel = parallel;
     revolutes = new RevoluteSolver(lanes, parallel);
+    treeSolver = new TreeSolver(trees, parallel);
   }
 
   /** Returns the number of joints to solve. */
@@ -123,9 +135,11 @@ public final class JointSolver {
       place = new int[capacity];
       colouredVersion = -1;
     }
-    boolean anew = colouredVersion != j.version();
+    boolean anew = colouredVersion != j.version() || trees.areStale(j, bodyStore);
     if (anew) {
       colouredVersion = j.version();
+      findJoints();
+      trees.find(j, bodyStore, found, count);
       assignColours(solverBodies.count());
     }
     float omega = TWO_PI * Math.min(s.jointHertz(), MAX_HERTZ_PER_RATE / h);
@@ -142,11 +156,12 @@ public final class JointSolver {
     layOut();
     if (anew) {
       for (int i = 0; i < count; i++) {
-        place[i] = next[group[i]]++;
+        place[i] = group[i] == NO_GROUP ? 0 : next[group[i]]++;
       }
     }
     parallel.run(0, count, GRAIN, packing);
     revolutes.ready();
+    treeSolver.begin(j, bodyStore, slotOf, solverBodies.state, h, biasRate);
   }
 
   /** Makes what each worker needs. */
@@ -162,37 +177,53 @@ public final class JointSolver {
     }
   }
 
-  /** Finds the joints to solve and gives each its colour. */
-  private void assignColours(int slots) {
+  /** Finds the joints to solve. */
+  private void findJoints() {
     JointStore j = store;
     count = 0;
-    colours = 0;
-    Arrays.fill(size, 0);
     for (int slot = j.nextAwake(0); slot >= 0; slot = j.nextAwake(slot + 1)) {
-      if (count == 0) {
-        clearTaken(slots);
-      }
       int one = j.bodyA[slot];
       int two = j.bodyB[slot];
-      boolean heldA = one < 0 || bodies.invMass[one] == 0;
-      boolean heldB = bodies.invMass[two] == 0;
       boolean gone = bodies.disabled(two) || (one >= 0 && bodies.disabled(one));
-      if ((heldA && heldB) || gone) {
+      if ((isHeld(one) && isHeld(two)) || gone) {
         j.forget(slot);
+      } else {
+        found[count++] = slot;
+      }
+    }
+  }
+
+  /** Returns whether what a joint is with can't be moved. */
+  private boolean isHeld(int body) {
+    return body < 0 || bodies.invMass[body] == 0;
+  }
+
+  /** Gives each joint its colour, but for those that trees solve. */
+  private void assignColours(int slots) {
+    JointStore j = store;
+    colours = 0;
+    Arrays.fill(size, 0);
+    if (count > 0) {
+      clearTaken(slots);
+    }
+    for (int i = 0; i < count; i++) {
+      int slot = found[i];
+      boolean plain = isPlainRevolute(slot);
+      if (plain && trees.has(slot)) {
+        group[i] = NO_GROUP;
         continue;
       }
       // Slot 0 stands for what can't be moved, and takes no colour.
-      int a = heldA ? 0 : slotOf[one];
-      int b = heldB ? 0 : slotOf[two];
+      int a = isHeld(j.bodyA[slot]) ? 0 : slotOf[j.bodyA[slot]];
+      int b = isHeld(j.bodyB[slot]) ? 0 : slotOf[j.bodyB[slot]];
       int colour = Math.min(Long.numberOfTrailingZeros(~(taken[a] | taken[b])), LAST_COLOUR);
       long bit = 1L << colour;
       taken[a] |= bit;
       taken[b] |= bit;
       taken[0] = 0;
       colours = Math.max(colours, colour + 1);
-      group[count] = 2 * colour + (colour < LAST_COLOUR && isPlainRevolute(slot) ? 0 : 1);
-      size[group[count]]++;
-      found[count++] = slot;
+      group[i] = 2 * colour + (colour < LAST_COLOUR && plain ? 0 : 1);
+      size[group[i]]++;
     }
   }
 
@@ -228,11 +259,14 @@ public final class JointSolver {
   private void packJoints(int from, int to, int worker) {
     JointFrame frame = frames[worker];
     for (int i = from; i < to; i++) {
+      if (group[i] == NO_GROUP) {
+        continue;
+      }
       frame.load(found[i], store, bodies, slotOf);
       if ((group[i] & 1) == 0) {
         revolutes.pack(place[i], frame, store);
       } else {
-        others.pack(place[i], frame, store);
+        others.pack(place[i], frame, store, trees.has(found[i]));
       }
     }
   }
@@ -243,6 +277,7 @@ public final class JointSolver {
       revolutes.warmStart(revoluteStart[c], revoluteStart[c + 1]);
       run(c, warming);
     }
+    treeSolver.warmStart();
   }
 
   /** Visits each joint once before bodies move: errors are corrected and springs act. */
@@ -251,6 +286,7 @@ public final class JointSolver {
       revolutes.push(revoluteStart[c], revoluteStart[c + 1]);
       run(c, pushing);
     }
+    treeSolver.push();
   }
 
   /** Visits each joint once after bodies moved, rigid. */
@@ -259,6 +295,7 @@ public final class JointSolver {
       revolutes.relax(revoluteStart[c], revoluteStart[c + 1]);
       run(c, relaxing);
     }
+    treeSolver.relax();
   }
 
   /** Does a stage for the joints of a colour that aren't plain revolutes. */
@@ -273,6 +310,7 @@ public final class JointSolver {
   /** Stores what the joints exerted. */
   public void store() {
     revolutes.store(store, inverseH);
+    treeSolver.store(store, inverseH);
     parallel.run(0, start[colours], GRAIN, storing);
   }
 }

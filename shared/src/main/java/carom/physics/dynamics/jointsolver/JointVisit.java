@@ -106,7 +106,9 @@ final class JointVisit extends ConstraintRow {
           if (isFriction(slot)) {
             actAtB();
           }
-          applyImpulse(j.impulseX[slot], j.impulseY[slot]);
+          if (!joints.inTree[k]) {
+            applyImpulse(j.impulseX[slot], j.impulseY[slot]);
+          }
           applyAngularImpulse(j.impulseW[slot] + axial);
         }
       }
@@ -139,7 +141,9 @@ final class JointVisit extends ConstraintRow {
               solveRatchet(slot, turned, bias);
             }
           }
-          solvePoint(slot, bias);
+          if (!joints.inTree[k]) {
+            solvePoint(slot, bias);
+          }
         }
         case JointStore.DISTANCE -> {
           float length = lengthRow();

@@ -9,6 +9,7 @@ import static carom.physics.dynamics.solver.SolverBodies.VY;
 import static carom.physics.dynamics.solver.SolverBodies.W;
 
 import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.jointtree.JointFrame;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.ContactBlocks;
 import carom.physics.simd.VectorModule;

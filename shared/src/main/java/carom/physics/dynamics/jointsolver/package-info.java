@@ -1,8 +1,8 @@
 /**
- * How joints are solved: plain revolutes in lanes, all others one by one.
+ * How joints are solved: plain revolutes in lanes, heavy trees as a whole, all others one by one.
  *
  * <p>May import {@code carom.physics.math} and {@code simd}, and {@code dynamics.body}, {@code
- * joint}, {@code solver} and {@code parallel}. Read first: {@code JointSolver}, {@code JointVisit},
- * {@code ConstraintRow}.
+ * joint}, {@code jointtree}, {@code solver} and {@code parallel}. Read first: {@code JointSolver},
+ * {@code JointVisit}, {@code ConstraintRow}.
  */
 package carom.physics.dynamics.jointsolver;

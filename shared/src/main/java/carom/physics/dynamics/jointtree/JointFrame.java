@@ -1,4 +1,4 @@
-package carom.physics.dynamics.jointsolver;
+package carom.physics.dynamics.jointtree;
 
 import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
 
@@ -7,44 +7,48 @@ import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.solver.SolverBodies;
 
 /** A joint and its two bodies as a step begins: the scratch of one worker that packs joints. */
-final class JointFrame {
+public final class JointFrame {
   /** Slot of the joint. */
-  int slot;
+  public int slot;
+
+  /** Slot of body B. */
+  public int bodyB;
 
   /** Offsets of the bodies in {@link SolverBodies#state}, 0 for the world. */
-  int offsetA;
+  public int offsetA;
 
-  int offsetB;
+  public int offsetB;
 
-  float massA;
-  float massB;
-  float inertiaA;
-  float inertiaB;
+  public float massA;
+  public float massB;
+  public float inertiaA;
+  public float inertiaB;
 
   /** Rotations of the bodies. */
-  float cosA;
+  public float cosA;
 
-  float sinA;
-  float cosB;
-  float sinB;
+  public float sinA;
+  public float cosB;
+  public float sinB;
 
   /** Lever arms of the anchors, m. */
-  float armAx;
+  public float armAx;
 
-  float armAy;
-  float armBx;
-  float armBy;
+  public float armAy;
+  public float armBx;
+  public float armBy;
 
   /** Centre of B relative to that of A, or to the anchor of the world, m. */
-  float gapX;
+  public float gapX;
 
-  float gapY;
+  public float gapY;
 
   /** Loads a joint. */
-  void load(int joint, JointStore j, BodyStore bodies, int[] slotOf) {
+  public void load(int joint, JointStore j, BodyStore bodies, int[] slotOf) {
     slot = joint;
     int one = j.bodyA[slot];
     int two = j.bodyB[slot];
+    bodyB = two;
     cosB = bodies.cos[two];
     sinB = bodies.sin[two];
     float bx = j.anchorBx[slot] - bodies.localX[two];

@@ -1,0 +1,7 @@
+/**
+ * Trees of revolute joints that are solved as a whole, because they carry far more than they weigh.
+ *
+ * <p>May import {@code dynamics.body}, {@code joint}, {@code solver} and {@code parallel}. Read
+ * first: {@code JointTrees}, {@code TreeSolver}.
+ */
+package carom.physics.dynamics.jointtree;
