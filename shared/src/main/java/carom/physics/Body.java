@@ -18,7 +18,7 @@ import java.util.function.Consumer;
  *
  * <p>All methods except {@link #isValid}, {@link #index}, {@link #generation}, {@link #type},
  * {@link #user} and the shape accessors throw IllegalStateException once the body was destroyed.
- * Numbers that are not finite or out of range (beyond 1e7 m, 1e5 m/s) throw
+ * Numbers that are not finite or out of range (beyond 32,768 m, 1e5 m/s) throw
  * IllegalArgumentException with the value. No method allocates unless its comment says so.
  *
  * <p>A body that rests for a while falls asleep with all that it touches, see {@link #awake}. It

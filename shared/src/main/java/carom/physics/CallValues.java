@@ -115,10 +115,10 @@ final class CallValues {
     boolean reads = a.reads();
     int most = Integer.MAX_VALUE;
     return new EditQueue.ShapesChange(
-        new BodyArchive(a).passShapes(reads ? null : given.after()),
-        a.integer("place of shape", reads ? 0 : given.at(), 0, most),
-        a.integer("shapes removed", reads ? 0 : given.removed(), 0, most),
-        a.integer("shapes added", reads ? 0 : given.added(), 0, most));
+        new BodyArchive(a).passShapes(reads ? null : given.after),
+        a.integer("place of shape", reads ? 0 : given.at, 0, most),
+        a.integer("shapes removed", reads ? 0 : given.removed, 0, most),
+        a.integer("shapes added", reads ? 0 : given.added, 0, most));
   }
 
   /** Passes all constants of a world. When reading, the given ones are ignored. */

@@ -28,15 +28,22 @@ public final class EditQueue<T> {
   private static final byte CHANGE_MASS = 8;
   private static final byte LOCK_MOTION = 9;
 
-  /**
-   * A change of a body's shapes.
-   *
-   * @param after all shapes afterwards
-   * @param at number of the first shape that changes, goes or comes
-   * @param removed how many go
-   * @param added how many come in their place
-   */
-  record ShapesChange(ShapeDef[] after, int at, int removed, int added) {}
+  /** A change of a body's shapes: from one number on, some go and others come in their place. */
+  static final class ShapesChange {
+    /** All shapes afterwards. */
+    final ShapeDef[] after;
+
+    final int at;
+    final int removed;
+    final int added;
+
+    ShapesChange(ShapeDef[] after, int at, int removed, int added) {
+      this.after = after;
+      this.at = at;
+      this.removed = removed;
+      this.added = added;
+    }
+  }
 
   private final World<T> world;
   private final BodyEditor editor;
