@@ -168,6 +168,39 @@ final class MachineScenarioTest {
   }
 
   @Test
+  void ratchetsGroovesFrictionAndPistonsArePredicted() {
+    // Goal: the presets of joints are shared as the others are, a ratchet's tooth included. Method:
+    // one of each in the level file, in a driver's way and over it.
+    String fields =
+        """
+        , "bodies": [
+            {"name": "winch", "at": [-19, 1.6], "shape": {"type": "box", "width": 2.2, "height": 0.2}},
+            {"name": "sled", "at": [-14, 0.5], "shape": {"type": "box", "width": 0.8, "height": 0.8}},
+            {"name": "puck", "at": [-11, 0.4], "shape": {"type": "circle", "radius": 0.4}},
+            {"name": "piston", "at": [-22, 3], "shape": {"type": "box", "width": 0.8, "height": 0.4}}],
+          "joints": [
+            {"type": "ratchet", "name": "winch", "b": "winch", "at": [-19, 1.6], "tooth": 20,
+             "motor": {"speed": 60, "max": 15}},
+            {"type": "groove", "b": "sled", "from": [-16, 0.5], "to": [-12, 1.5], "at": [-14, 0.5]},
+            {"type": "friction", "b": "puck", "at": [-11, 0.4], "maxForce": 6, "maxTorque": 2},
+            {"type": "distance", "name": "piston", "b": "piston", "from": [-22, 7],
+             "to": [-22, 3], "limits": [2, 5.5], "motor": {"speed": 1, "max": 30}}]
+        """;
+    Level level = MachineGame.level(spawn("crate", -17, 4, 0), fields);
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
+      stepper.run(25);
+      Simulation server = stepper.room().simulation();
+      double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
+      String about = "right=" + right + " " + stepper.describe();
+      assertTrue(right >= 99, about);
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
+      assertTrue(
+          server.joint("winch").toothAngle() > 1, "teeth=" + server.joint("winch").toothAngle());
+    }
+  }
+
+  @Test
   void whatTheGameChangesAboutAJointIsToldOnceAndDrawn() {
     // Goal: a picture has the targets, lengths and motors of now, and what stays as it is costs
     // nothing. Method: a driver who stands still sees a crate on a mouse joint and a rope, which
