@@ -119,12 +119,7 @@ final class ArchitectureTest {
         "dynamics.solver",
         "dynamics.joint",
         "dynamics.jointtree");
-    stage(
-        "jointtree",
-        "dynamics.parallel",
-        "dynamics.body",
-        "dynamics.solver",
-        "dynamics.joint");
+    stage("jointtree", "dynamics.parallel", "dynamics.body", "dynamics.solver", "dynamics.joint");
     stage(
         "sleep",
         "settings",

@@ -243,7 +243,8 @@ class MotionLocksTest {
           r.nextInt(5) > 0
               ? MotionLocks.NONE
               : new MotionLocks(r.nextBoolean(), r.nextBoolean(), r.nextBoolean());
-      BodyDef def = new BodyDef(BodyType.DYNAMIC).position(i % 40 - 20, 0.5f + i / 40);
+      BodyDef def =
+          new BodyDef(BodyType.DYNAMIC).position(i % 40 - 20, 0.5f + Math.floorDiv(i, 40));
       def.motionLocks(locks);
       w.createBody(
           r.nextBoolean() ? def.shape(new Circle(0.5f)) : def.shape(new Box(0.48f, 0.48f)), "b");

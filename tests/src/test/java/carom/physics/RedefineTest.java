@@ -83,7 +83,7 @@ class RedefineTest {
   private static void fill(World<String> w) {
     w.createBody(new BodyDef().shape(new Box(50, 1)).position(0, -1), "floor");
     for (int i = 0; i < 12; i++) {
-      box(w, i % 3 * 0.9f, 0.6f + i / 3 * 1.1f, 0.5f, 0.5f, M.withRestitution(0.4f));
+      box(w, i % 3 * 0.9f, 0.6f + Math.floorDiv(i, 3) * 1.1f, 0.5f, 0.5f, M.withRestitution(0.4f));
     }
     Body<String> b = box(w, 5, 6, 0.5f, 0.1f, M);
     w.createJoint(JointDef.revolute(null, b, 4.5f, 6));

@@ -74,7 +74,7 @@ class WorldReplayTest {
       bodies.add(
           w.createBody(
               new BodyDef(BodyType.DYNAMIC)
-                  .position(i % 4 - 1.5f, 0.5f + i / 4 * 1.02f)
+                  .position(i % 4 - 1.5f, 0.5f + Math.floorDiv(i, 4) * 1.02f)
                   .shape(i % 3 == 0 ? new Circle(0.5f) : new Box(0.5f, 0.5f)),
               "body" + i));
     }
