@@ -18,7 +18,7 @@ import java.util.function.Consumer;
  *
  * <p>All methods except {@link #isValid}, {@link #index}, {@link #generation}, {@link #type},
  * {@link #user} and the shape accessors throw IllegalStateException once the body was destroyed.
- * Numbers that are not finite or out of range (beyond 1e7 m, 1e5 m/s) throw
+ * Numbers that are not finite or out of range (beyond 32,768 m, 1e5 m/s) throw
  * IllegalArgumentException with the value. No method allocates unless its comment says so.
  *
  * <p>A body that rests for a while falls asleep with all that it touches, see {@link #awake}. It
@@ -1148,6 +1148,19 @@ public final class Body<T> {
   public void setFilter(int i, Filter newFilter) {
     check();
     world.edits().changeShape(this, i, shape -> shape.withFilter(newFilter));
+  }
+
+  /**
+   * Asks the world's {@link CollisionFilter} about this body again, because its answer has changed.
+   * Contacts that it no longer allows end in the next step; those that it newly allows begin there.
+   * Wakes the body and what it touches. In a callback this takes effect at the end of the step.
+   * Costs a look at all contacts of the world.
+   *
+   * @throws IllegalStateException during a query
+   */
+  public void refilter() {
+    check();
+    world.edits().refilter(this);
   }
 
   /**

@@ -7,10 +7,12 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
 import carom.physics.geometry.Shape;
 import carom.physics.geometry.ShapeArchive;
+import carom.physics.settings.MixingRule;
 
 /** Passes the shapes, materials, filters and own masses of bodies through an archive. */
 final class BodyArchive {
   private static final float MOST = Float.MAX_VALUE;
+  private static final MixingRule[] RULES = MixingRule.values();
   private static final int SHAPE_BYTES = 4 * Integer.BYTES;
 
   private final Archive a;
@@ -60,7 +62,15 @@ final class BodyArchive {
         a.number("restitution", reads ? 0 : m.restitution(), 0, MOST),
         a.number("rolling resistance", reads ? 0 : m.rollingResistance(), 0, MOST),
         a.number("tangent speed", reads ? 0 : m.tangentSpeed(), -MOST, MOST),
-        a.integer("tag", reads ? 0 : m.tag(), Integer.MIN_VALUE, Integer.MAX_VALUE));
+        a.integer("tag", reads ? 0 : m.tag(), Integer.MIN_VALUE, Integer.MAX_VALUE),
+        pass("friction mixing", reads ? null : m.frictionMixing()),
+        pass("restitution mixing", reads ? null : m.restitutionMixing()));
+  }
+
+  /** Passes a rule through the archive, by its number in the list; 0 stands for the world's. */
+  private MixingRule pass(String what, MixingRule rule) {
+    int code = a.integer(what, rule == null ? 0 : rule.ordinal() + 1, 0, RULES.length);
+    return code == 0 ? null : RULES[code - 1];
   }
 
   private Filter pass(Filter f) {

@@ -82,13 +82,13 @@ public final class BodyDef {
   /**
    * Sets the position of the body's origin. The default is (0, 0).
    *
-   * @param newX m, world, within 1e7
-   * @param newY m, world, within 1e7
+   * @param newX m, world, within 32,768
+   * @param newY m, world, within 32,768
    * @return this
    */
   public BodyDef position(float newX, float newY) {
-    x = Limits.coordinate("x", newX);
-    y = Limits.coordinate("y", newY);
+    x = Limits.position("x", newX);
+    y = Limits.position("y", newY);
     return this;
   }
 

@@ -31,6 +31,8 @@ enum Call {
   LISTENERS("i"),
   /** A listener refuses a contact. */
   REFUSE_CONTACT(""),
+  /** A listener sets a number of its contact; i: which, f: the number. */
+  SET_CONTACT("if"),
   /** {@link Body#wake}. */
   WAKE("b"),
   /** {@link Body#sleep}. */

@@ -4,6 +4,7 @@ import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.MassData;
 import carom.physics.rows.JointDefRow;
+import carom.physics.settings.MixingRule;
 
 /**
  * Passes the arguments of calls that are objects through an archive: definitions, values of edits,
@@ -115,10 +116,10 @@ final class CallValues {
     boolean reads = a.reads();
     int most = Integer.MAX_VALUE;
     return new EditQueue.ShapesChange(
-        new BodyArchive(a).passShapes(reads ? null : given.after()),
-        a.integer("place of shape", reads ? 0 : given.at(), 0, most),
-        a.integer("shapes removed", reads ? 0 : given.removed(), 0, most),
-        a.integer("shapes added", reads ? 0 : given.added(), 0, most));
+        new BodyArchive(a).passShapes(reads ? null : given.after),
+        a.integer("place of shape", reads ? 0 : given.at, 0, most),
+        a.integer("shapes removed", reads ? 0 : given.removed, 0, most),
+        a.integer("shapes added", reads ? 0 : given.added, 0, most));
   }
 
   /** Passes all constants of a world. When reading, the given ones are ignored. */
@@ -128,7 +129,13 @@ final class CallValues {
     int substeps = a.integer("substeps", d.substeps(), 1, Integer.MAX_VALUE);
     float speculative = a.number("speculative distance", d.speculativeDistance(), 0, MOST);
     int integrator = a.integer("integrator", d.integrator().ordinal(), 0, integrators - 1);
+    MixingRule[] rules = MixingRule.values();
+    int friction = a.integer("friction mixing", d.frictionMixing().ordinal(), 0, rules.length - 1);
+    int restitution =
+        a.integer("restitution mixing", d.restitutionMixing().ordinal(), 0, rules.length - 1);
     return d.withSubsteps(substeps)
+        .withFrictionMixing(rules[friction])
+        .withRestitutionMixing(rules[restitution])
         .withSpeculativeDistance(speculative)
         .withIntegrator(Integrator.values()[integrator])
         .passChangeable(a);

@@ -1,7 +1,9 @@
 package carom.physics;
 
+import carom.physics.dynamics.ContactOverrides;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Limits;
 
 /**
  * Two touching shapes, as a {@link CollisionListener} sees them. The world has one such object and
@@ -309,7 +311,8 @@ public final class Collision<T> {
   }
 
   /**
-   * Returns the mixed friction of the two shapes, see {@link Material}.
+   * Returns the friction of the contact: that of the two shapes, mixed as {@link Material} says, or
+   * what {@link #setFriction} has set in this step.
    *
    * @return Coulomb coefficient
    */
@@ -318,12 +321,87 @@ public final class Collision<T> {
   }
 
   /**
-   * Returns the mixed restitution of the two shapes, see {@link Material}.
+   * Returns the restitution of the contact: that of the two shapes, mixed as {@link Material} says,
+   * or what {@link #setRestitution} has set in this step.
    *
    * @return ratio of the speed after a bounce to the speed before
    */
   public float restitution() {
     return table.restitution(row);
+  }
+
+  /**
+   * Returns the tangent speed of the contact: that of both shapes together, or what {@link
+   * #setTangentSpeed} has set in this step.
+   *
+   * @return m/s; seen from self, a positive speed drives the other body along the normal turned
+   *     right
+   */
+  public float tangentSpeed() {
+    return table.surface(row);
+  }
+
+  /**
+   * Sets the friction of this contact for this step. In the next step the contact has the friction
+   * of its shapes again, so a listener that wants to keep it sets it in each {@code preSolve}. It
+   * is no part of the world's state, because it follows from the listener.
+   *
+   * @param friction Coulomb coefficient, 0..100
+   * @throws IllegalStateException anywhere but in {@link CollisionListener#preSolve}
+   */
+  public void setFriction(float friction) {
+    set("setFriction", ContactTable.FRICTION, Limits.range("friction", friction, 0, 100));
+  }
+
+  /**
+   * Sets the restitution of this contact for this step, as {@link #setFriction} does.
+   *
+   * @param restitution 0..2; acts above {@link WorldDef#restitutionThreshold}
+   * @throws IllegalStateException anywhere but in {@link CollisionListener#preSolve}
+   */
+  public void setRestitution(float restitution) {
+    set("setRestitution", ContactTable.RESTITUTION, Limits.range("restitution", restitution, 0, 2));
+  }
+
+  /**
+   * Sets the tangent speed of this contact for this step, as {@link #setFriction} does: a conveyor
+   * belt that works only here or now. It takes the place of both shapes' tangent speeds.
+   *
+   * @param speed m/s, within 1e5; seen from self, a positive speed drives the other body along the
+   *     normal turned right. On a floor it drives what lies on it to the right, whichever of the
+   *     two is self
+   * @throws IllegalStateException anywhere but in {@link CollisionListener#preSolve}
+   */
+  public void setTangentSpeed(float speed) {
+    set("setTangentSpeed", ContactTable.SURFACE, Limits.velocity("tangentSpeed", speed));
+  }
+
+  private void set(String what, int place, float value) {
+    ContactOverrides overrides = world.dynamics().contactOverrides();
+    if (!overrides.decides(row)) {
+      throw new IllegalStateException(what + " is possible in preSolve only");
+    }
+    world.note(Call.SET_CONTACT, place, value);
+    overrides.set(row, place, value);
+  }
+
+  /** Sets again what was recorded; a place that isn't one is refused. */
+  void repeat(int place, float value) {
+    switch (place) {
+      case ContactTable.FRICTION -> setFriction(value);
+      case ContactTable.RESTITUTION -> setRestitution(value);
+      case ContactTable.SURFACE -> setTangentSpeed(value);
+      default -> throw new IllegalArgumentException("place=" + place + " of a contact's numbers");
+    }
+  }
+
+  /**
+   * Returns the length of the step.
+   *
+   * @return s; outside of a step that of the last one
+   */
+  public float stepSeconds() {
+    return world.stepSeconds();
   }
 
   /**

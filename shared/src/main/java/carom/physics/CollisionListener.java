@@ -44,7 +44,10 @@ public interface CollisionListener<T> {
   default void end(Collision<T> collision) {}
 
   /**
-   * Decides whether touching shapes are pushed apart in this step.
+   * Decides whether touching shapes are pushed apart in this step, and how: it may set the
+   * collision's {@linkplain Collision#setFriction friction}, {@linkplain Collision#setRestitution
+   * restitution} and {@linkplain Collision#setTangentSpeed tangent speed}. Both the answer and the
+   * settings hold for this step only; the next one asks again.
    *
    * @param collision valid during the call only; the impulses are those of the step before
    * @return false to let them pass through each other in this step

@@ -27,16 +27,24 @@ public final class EditQueue<T> {
   private static final byte CHANGE_SHAPES = 7;
   private static final byte CHANGE_MASS = 8;
   private static final byte LOCK_MOTION = 9;
+  private static final byte REFILTER = 10;
 
-  /**
-   * A change of a body's shapes.
-   *
-   * @param after all shapes afterwards
-   * @param at number of the first shape that changes, goes or comes
-   * @param removed how many go
-   * @param added how many come in their place
-   */
-  record ShapesChange(ShapeDef[] after, int at, int removed, int added) {}
+  /** A change of a body's shapes: from one number on, some go and others come in their place. */
+  static final class ShapesChange {
+    /** All shapes afterwards. */
+    final ShapeDef[] after;
+
+    final int at;
+    final int removed;
+    final int added;
+
+    ShapesChange(ShapeDef[] after, int at, int removed, int added) {
+      this.after = after;
+      this.at = at;
+      this.removed = removed;
+      this.added = added;
+    }
+  }
 
   private final World<T> world;
   private final BodyEditor editor;
@@ -178,9 +186,14 @@ public final class EditQueue<T> {
     lockMotion(body, locks.withAngularZ(fixed));
   }
 
+  void refilter(Body<T> body) {
+    world.refuseDuringQuery("refilter");
+    request(REFILTER, body.index(), body.generation(), null);
+  }
+
   /** Makes an edit again that was recorded. Shapes that it didn't change stay those they are. */
   void repeat(byte what, int slot, Object value) {
-    if (what < DESTROY_BODY || what > LOCK_MOTION || slot < 0) {
+    if (what < DESTROY_BODY || what > REFILTER || slot < 0) {
       throw new IllegalArgumentException("edit=" + what + " of slot=" + slot);
     }
     Joint<T> joint = what == DESTROY_JOINT ? world.joint(slot) : null;
@@ -267,6 +280,10 @@ public final class EditQueue<T> {
     switch (what) {
       case DESTROY_BODY -> world.removeBody(slot);
       case ENABLE, DISABLE -> editor.setEnabled(slot, what == ENABLE);
+      case REFILTER -> {
+        editor.refilter(slot);
+        return;
+      }
       case CHANGE_SHAPES -> changeShapes(slot, (ShapesChange) value);
       case CHANGE_MASS -> {
         editor.change(slot, World.specs(handles.shapes(slot)), (MassData) value);

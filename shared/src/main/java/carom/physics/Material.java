@@ -1,11 +1,14 @@
 package carom.physics;
 
 import carom.physics.math.Limits;
+import carom.physics.settings.MixingRule;
 
 /**
- * The surface and density of a shape. The materials of two touching shapes are mixed: friction is
- * {@code sqrt(f1 f2)}, restitution is {@code max(r1, r2)}, rolling resistance is {@code max(c1,
- * c2)}, and both tangent speeds act.
+ * The surface and density of a shape. The materials of two touching shapes are mixed. Friction and
+ * restitution are mixed by a {@link MixingRule}: friction is {@code sqrt(f1 f2)} and restitution
+ * {@code max(r1, r2)} unless the world or a material says otherwise. Rolling resistance is {@code
+ * max(c1, c2)}, and both tangent speeds act. A {@link CollisionListener} may set other values for a
+ * contact.
  *
  * @param density mass per area, kg/m^2, 0..1e9; only used by dynamic bodies
  * @param friction Coulomb coefficient, 0..100; 0 is ice, 0.6 is wood on wood
@@ -17,6 +20,10 @@ import carom.physics.math.Limits;
  * @param tangentSpeed speed of the surface along itself, m/s, -1e5..1e5, as of a conveyor belt. A
  *     positive speed runs clockwise around the shape, so its upper side runs to the right
  * @param tag a number for the using program, such as a sound; the engine ignores it
+ * @param frictionMixing how friction is mixed with that of another shape; null (the default) for
+ *     the world's rule
+ * @param restitutionMixing how restitution is mixed with that of another shape; null (the default)
+ *     for the world's rule
  */
 public record Material(
     float density,
@@ -24,7 +31,9 @@ public record Material(
     float restitution,
     float rollingResistance,
     float tangentSpeed,
-    int tag) {
+    int tag,
+    MixingRule frictionMixing,
+    MixingRule restitutionMixing) {
   /** The default material, like a wooden toy: density 1, friction 0.6, restitution 0. */
   public static final Material DEFAULT = new Material(1, 0.6f, 0);
 
@@ -39,6 +48,26 @@ public record Material(
     Limits.range("restitution", restitution, 0, 2);
     Limits.range("rollingResistance", rollingResistance, 0, 10);
     Limits.velocity("tangentSpeed", tangentSpeed);
+  }
+
+  /**
+   * Makes a material that is mixed by the world's rules.
+   *
+   * @param density kg/m^2
+   * @param friction Coulomb coefficient
+   * @param restitution 0 to 2
+   * @param rollingResistance 0 to 10
+   * @param tangentSpeed m/s, positive runs clockwise around the shape
+   * @param tag number for the using program
+   */
+  public Material(
+      float density,
+      float friction,
+      float restitution,
+      float rollingResistance,
+      float tangentSpeed,
+      int tag) {
+    this(density, friction, restitution, rollingResistance, tangentSpeed, tag, null, null);
   }
 
   /**
@@ -59,7 +88,15 @@ public record Material(
    * @return a changed copy
    */
   public Material withDensity(float newDensity) {
-    return new Material(newDensity, friction, restitution, rollingResistance, tangentSpeed, tag);
+    return new Material(
+        newDensity,
+        friction,
+        restitution,
+        rollingResistance,
+        tangentSpeed,
+        tag,
+        frictionMixing,
+        restitutionMixing);
   }
 
   /**
@@ -69,7 +106,15 @@ public record Material(
    * @return a changed copy
    */
   public Material withFriction(float newFriction) {
-    return new Material(density, newFriction, restitution, rollingResistance, tangentSpeed, tag);
+    return new Material(
+        density,
+        newFriction,
+        restitution,
+        rollingResistance,
+        tangentSpeed,
+        tag,
+        frictionMixing,
+        restitutionMixing);
   }
 
   /**
@@ -79,7 +124,15 @@ public record Material(
    * @return a changed copy
    */
   public Material withRestitution(float newRestitution) {
-    return new Material(density, friction, newRestitution, rollingResistance, tangentSpeed, tag);
+    return new Material(
+        density,
+        friction,
+        newRestitution,
+        rollingResistance,
+        tangentSpeed,
+        tag,
+        frictionMixing,
+        restitutionMixing);
   }
 
   /**
@@ -89,7 +142,15 @@ public record Material(
    * @return a changed copy
    */
   public Material withRollingResistance(float newRollingResistance) {
-    return new Material(density, friction, restitution, newRollingResistance, tangentSpeed, tag);
+    return new Material(
+        density,
+        friction,
+        restitution,
+        newRollingResistance,
+        tangentSpeed,
+        tag,
+        frictionMixing,
+        restitutionMixing);
   }
 
   /**
@@ -99,7 +160,15 @@ public record Material(
    * @return a changed copy
    */
   public Material withTangentSpeed(float newTangentSpeed) {
-    return new Material(density, friction, restitution, rollingResistance, newTangentSpeed, tag);
+    return new Material(
+        density,
+        friction,
+        restitution,
+        rollingResistance,
+        newTangentSpeed,
+        tag,
+        frictionMixing,
+        restitutionMixing);
   }
 
   /**
@@ -109,6 +178,43 @@ public record Material(
    * @return a changed copy
    */
   public Material withTag(int newTag) {
-    return new Material(density, friction, restitution, rollingResistance, tangentSpeed, newTag);
+    return new Material(
+        density,
+        friction,
+        restitution,
+        rollingResistance,
+        tangentSpeed,
+        newTag,
+        frictionMixing,
+        restitutionMixing);
+  }
+
+  /**
+   * Returns a copy whose friction is mixed by a rule of its own.
+   *
+   * @param rule goes before the world's; null for the world's
+   * @return a changed copy
+   */
+  public Material withFrictionMixing(MixingRule rule) {
+    return new Material(
+        density,
+        friction,
+        restitution,
+        rollingResistance,
+        tangentSpeed,
+        tag,
+        rule,
+        restitutionMixing);
+  }
+
+  /**
+   * Returns a copy whose restitution is mixed by a rule of its own.
+   *
+   * @param rule goes before the world's; null for the world's
+   * @return a changed copy
+   */
+  public Material withRestitutionMixing(MixingRule rule) {
+    return new Material(
+        density, friction, restitution, rollingResistance, tangentSpeed, tag, frictionMixing, rule);
   }
 }

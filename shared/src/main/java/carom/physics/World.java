@@ -25,7 +25,9 @@ import carom.physics.rows.ExactRows;
 import carom.physics.rows.JointDefRow;
 import carom.physics.settings.Settings;
 import carom.physics.threads.Workers;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -65,9 +67,8 @@ public final class World<T> {
   private final Dynamics dynamics;
   private final PartQueries parts;
   private final BodyStore store;
-  private final Collision<T> collision;
   private final JointStore joints;
-  private final Events events = new Events();
+  private final ContactDispatch<T> events;
   private final Queries<T> queries;
   private final Handles<T> handles = new Handles<>();
   private final EditQueue<T> edits;
@@ -75,8 +76,12 @@ public final class World<T> {
   private QueryFilter<T> scope;
   private final JointEvents onBroke = this::broke;
 
-  private CollisionListener<T> listener;
   private JointListener<T> jointListener;
+
+  private float stepSeconds;
+
+  /** Whether the program decides which shapes meet. */
+  private boolean filtered;
 
   /** Records calls that change this world; null (the default) records nothing. */
   private WorldRecorder recorder;
@@ -107,7 +112,7 @@ public final class World<T> {
     parts = dynamics.queries();
     store = dynamics.bodies();
     joints = dynamics.joints();
-    collision = new Collision<>(this, dynamics.contacts());
+    events = new ContactDispatch<>(this, new Collision<>(this, dynamics.contacts()));
     queries = new Queries<>(this, null);
     edits = new EditQueue<>(this, dynamics, handles);
   }
@@ -238,6 +243,40 @@ public final class World<T> {
     return body;
   }
 
+  /**
+   * Creates the bodies of a long line: as few as its segments need, all with the same definition
+   * and user. Move kinematic ones alike, and destroy them all.
+   *
+   * @param chain the line, in the bodies' frame
+   * @param bodyDef a static or kinematic body without shapes; stays as it is
+   * @param user object that the bodies stand for, may be null
+   * @return the bodies, in the order of the points
+   * @throws IllegalArgumentException if the line crosses itself, or the body is dynamic or has
+   *     shapes
+   * @throws IllegalStateException during a query
+   */
+  public List<Body<T>> createChain(ChainDef chain, BodyDef bodyDef, T user) {
+    if (bodyDef.type == BodyType.DYNAMIC || !bodyDef.shapes.isEmpty()) {
+      throw new IllegalArgumentException(
+          "type="
+              + bodyDef.type
+              + " shapes="
+              + bodyDef.shapes.size()
+              + " of the body of a chain; it must be static or kinematic, without shapes");
+    }
+    List<Body<T>> bodies = new ArrayList<>();
+    try {
+      for (List<ShapeDef> shapes : chain.bodies()) {
+        bodyDef.shapes.addAll(shapes);
+        bodies.add(createBody(bodyDef, user));
+        bodyDef.shapes.clear();
+      }
+    } finally {
+      bodyDef.shapes.clear();
+    }
+    return bodies;
+  }
+
   static ShapeSpec[] specs(ShapeDef[] shapes) {
     ShapeSpec[] specs = new ShapeSpec[shapes.length];
     for (int i = 0; i < shapes.length; i++) {
@@ -254,7 +293,9 @@ public final class World<T> {
               f.category(),
               f.mask(),
               f.group(),
-              shapes[i].sensor());
+              shapes[i].sensor(),
+              m.frictionMixing(),
+              m.restitutionMixing());
     }
     return specs;
   }
@@ -523,6 +564,9 @@ public final class World<T> {
 
   private void broke(int slot) {
     Joint<T> joint = joint(slot);
+    if (events.lists() != null) {
+      events.lists().broke(joint);
+    }
     tell(JointListener::broke, joint);
     edits.destroy(joint);
   }
@@ -544,13 +588,20 @@ public final class World<T> {
       recorder.noteStep(dtSeconds);
     }
     stepping = true;
+    stepSeconds = dtSeconds;
     try {
       moves++;
+      if (events.lists() != null) {
+        events.lists().beginStep();
+      }
       dynamics.step(dtSeconds, contactEvents(), onBroke);
       edits.carryOut();
     } finally {
       stepping = false;
       edits.forget();
+      if (events.lists() != null) {
+        events.lists().endStep();
+      }
     }
   }
 
@@ -574,8 +625,57 @@ public final class World<T> {
    * @param newListener the listener, null for none
    */
   public void listener(CollisionListener<T> newListener) {
-    listener = newListener;
+    events.listener(newListener);
     note(Call.LISTENERS, listeners());
+  }
+
+  /**
+   * Sets the lists that each step fills with what happened in it. They are not part of the state.
+   *
+   * @param newLists lists that no other world fills, null (the default) for none
+   * @throws IllegalStateException in a callback of a step
+   */
+  public void eventLists(EventLists<T> newLists) {
+    refuseDuringStep("eventLists");
+    if (newLists != null) {
+      newLists.clear();
+    }
+    events.lists(newLists);
+  }
+
+  /**
+   * Sets the filter that is asked which shapes meet. It is not part of the state. All bodies wake,
+   * and the next step asks it about all pairs. Set it before bodies are created if they shall stay
+   * asleep.
+   *
+   * @param newFilter the filter, null (the default) for none
+   * @throws IllegalStateException during a step or a query, or while calls are recorded
+   */
+  public void collisionFilter(CollisionFilter<T> newFilter) {
+    refuseDuringStep("collisionFilter");
+    refuseDuringQuery("collisionFilter");
+    if (recorder != null && newFilter != null) {
+      throw new IllegalStateException(
+          "collisionFilter is not possible while calls are recorded: its answers are none");
+    }
+    filtered = newFilter != null;
+    dynamics.customRule(
+        newFilter == null ? null : (partA, partB) -> shouldCollide(newFilter, partA, partB));
+    forEachBody(Body::wake);
+  }
+
+  private boolean shouldCollide(CollisionFilter<T> filter, int partA, int partB) {
+    boolean before = querying;
+    querying = true;
+    try {
+      return filter.shouldCollide(
+          body(parts.bodyOf(partA)),
+          parts.shapeOf(partA),
+          body(parts.bodyOf(partB)),
+          parts.shapeOf(partB));
+    } finally {
+      querying = before;
+    }
   }
 
   /**
@@ -586,48 +686,6 @@ public final class World<T> {
    */
   public void stageListener(StageListener newListener) {
     dynamics.stageListener(newListener);
-  }
-
-  /** Passes the rows of the contact table to the listener. */
-  private final class Events implements ContactEvents {
-    @Override
-    public void begin(int row) {
-      enterCallback();
-      listener.begin(collision.at(row));
-      leaveCallback();
-    }
-
-    @Override
-    public void end(int row) {
-      enterCallback();
-      listener.end(collision.at(row));
-      leaveCallback();
-    }
-
-    @Override
-    public boolean preSolve(int row) {
-      enterCallback();
-      boolean accepts = listener.preSolve(collision.at(row));
-      if (!accepts) {
-        note(Call.REFUSE_CONTACT);
-      }
-      leaveCallback();
-      return accepts;
-    }
-
-    @Override
-    public void postSolve(int row) {
-      enterCallback();
-      listener.postSolve(collision.at(row));
-      leaveCallback();
-    }
-
-    @Override
-    public void hit(int row, float speed) {
-      enterCallback();
-      listener.hit(collision.at(row, speed));
-      leaveCallback();
-    }
   }
 
   /**
@@ -675,6 +733,9 @@ public final class World<T> {
     checkOwner(s);
     noteValue(Call.STATE, s);
     moves++;
+    if (events.lists() != null) {
+      events.lists().clear();
+    }
     take(s.def);
     dynamics.restore(s.dynamics, handles.sameBodies(s.handles));
     s.handles.copyTo(handles, store.slots(), joints.slots());
@@ -1062,6 +1123,10 @@ public final class World<T> {
     dynamics.sleep(slot);
   }
 
+  float stepSeconds() {
+    return stepSeconds;
+  }
+
   BodyStore store() {
     return store;
   }
@@ -1123,12 +1188,16 @@ public final class World<T> {
   /** Sets the recorder of calls; null for none. */
   void recorder(WorldRecorder newRecorder) {
     refuseDuringStep("recording");
+    if (filtered && newRecorder != null) {
+      throw new IllegalStateException(
+          "a world with a collisionFilter can't be recorded: what it answers is no call");
+    }
     recorder = newRecorder;
   }
 
   /** Returns which listeners there are: 1 for collisions, 2 for joints, added up. */
   int listeners() {
-    return (listener == null ? 0 : 1) | (jointListener == null ? 0 : 2);
+    return (events.listener() == null ? 0 : 1) | (jointListener == null ? 0 : 2);
   }
 
   /** Returns whether calls are recorded now: those of a step's own are not. */
@@ -1142,13 +1211,13 @@ public final class World<T> {
     }
   }
 
-  private void enterCallback() {
+  void enterCallback() {
     if (recorder != null) {
       recorder.enter();
     }
   }
 
-  private void leaveCallback() {
+  void leaveCallback() {
     if (recorder != null) {
       recorder.leave();
     }
@@ -1162,7 +1231,7 @@ public final class World<T> {
     }
   }
 
-  private void note(Call call) {
+  void note(Call call) {
     if (records()) {
       recorder.note(call);
     }
@@ -1230,9 +1299,9 @@ public final class World<T> {
     }
   }
 
-  /** Returns the receiver of contact events; null if there is no listener. */
+  /** Returns the receiver of contact events; null if nobody wants to know. */
   ContactEvents contactEvents() {
-    return listener == null ? null : events;
+    return events.orNull();
   }
 
   /** Marks the world as busy. Returns false if it was busy already, in a step or in an edit. */
@@ -1280,7 +1349,8 @@ public final class World<T> {
 
   void refuseDuringQuery(String what) {
     if (querying) {
-      throw new IllegalStateException(what + " is not possible while a query visits bodies");
+      throw new IllegalStateException(
+          what + " is not possible while a query or a collision filter runs");
     }
   }
 }

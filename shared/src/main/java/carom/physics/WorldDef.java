@@ -2,6 +2,7 @@ package carom.physics;
 
 import carom.physics.archive.Archive;
 import carom.physics.math.Limits;
+import carom.physics.settings.MixingRule;
 import carom.physics.math.StateHash;
 import carom.physics.settings.Settings;
 import java.util.function.Consumer;
@@ -196,6 +197,29 @@ public final class WorldDef extends Settings {
     return explicitEuler() ? Integrator.EXPLICIT_EULER : Integrator.SYMPLECTIC_EULER;
   }
 
+  /**
+   * Returns a copy in which the friction of two shapes is mixed by this rule, unless one of their
+   * materials has its own; default {@link MixingRule#GEOMETRIC_MEAN}.
+   */
+  public WorldDef withFrictionMixing(MixingRule rule) {
+    return with(d -> d.frictionMixing = checked("frictionMixing", rule));
+  }
+
+  /**
+   * Returns a copy in which the restitution of two shapes is mixed by this rule, unless one of
+   * their materials has its own; default {@link MixingRule#MAX}.
+   */
+  public WorldDef withRestitutionMixing(MixingRule rule) {
+    return with(d -> d.restitutionMixing = checked("restitutionMixing", rule));
+  }
+
+  private static MixingRule checked(String name, MixingRule rule) {
+    if (rule == null) {
+      throw new IllegalArgumentException(name + "=null; choose one of MixingRule's");
+    }
+    return rule;
+  }
+
   /** Returns a copy for the stages of one world. */
   Settings live() {
     return copy();
@@ -213,6 +237,9 @@ public final class WorldDef extends Settings {
     h = StateHash.mix(h, jointHertz(), jointDampingRatio());
     h = StateHash.mix(h, sleepSpeed(), sleepDelay());
     h = StateHash.mix(h, (sleeping() ? 1 : 0) | (continuous() ? 2 : 0));
+    if (frictionMixing() != MixingRule.GEOMETRIC_MEAN || restitutionMixing() != MixingRule.MAX) {
+      h = StateHash.mix(h, frictionMixing().ordinal() << 4 | restitutionMixing().ordinal());
+    }
     return StateHash.finish(StateHash.mix(h, integrator().ordinal()));
   }
 
@@ -230,6 +257,9 @@ public final class WorldDef extends Settings {
         "the boxes and contacts that the world holds were measured with it");
     refuseChange(
         "integrator", integrator(), before.integrator(), "both give velocities another meaning");
+    String mixed = "the contacts that the world holds were mixed by it";
+    refuseChange("frictionMixing", frictionMixing(), before.frictionMixing(), mixed);
+    refuseChange("restitutionMixing", restitutionMixing(), before.restitutionMixing(), mixed);
   }
 
   private static void refuseChange(String name, Object now, Object before, String why) {

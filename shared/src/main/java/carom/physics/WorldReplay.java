@@ -40,6 +40,10 @@ public final class WorldReplay {
   private final float[] floats = new float[4];
   private int floatCount;
   private final int[] row = new int[Call.ROW];
+
+  /** The contact about which a callback decides now, or null. */
+  private Collision<Object> contact;
+
   private Object value;
   private WorldState state;
 
@@ -215,6 +219,10 @@ public final class WorldReplay {
       case REDEFINE -> world.redefine(is(WorldDef.class));
       case STATE -> world.restore(state);
       case LISTENERS -> listen(ints[0]);
+      case SET_CONTACT -> {
+        require(contact != null, "call=" + call + " outside of preSolve");
+        contact.repeat(ints[0], floats[0]);
+      }
       default -> throw refused("call=" + call + " where none is made");
     }
   }
@@ -320,7 +328,12 @@ public final class WorldReplay {
 
     @Override
     public boolean preSolve(Collision<Object> collision) {
-      return callback();
+      contact = collision;
+      try {
+        return callback();
+      } finally {
+        contact = null;
+      }
     }
 
     @Override

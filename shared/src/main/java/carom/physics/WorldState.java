@@ -29,12 +29,13 @@ public final class WorldState {
   /** The constants that the world has. */
   WorldDef def;
 
-  final DynamicsState dynamics = new DynamicsState();
+  final DynamicsState dynamics;
   final Handles<?> handles = new Handles<>();
 
   WorldState(World<?> owner) {
     this.owner = owner;
     def = owner.firstDef();
+    dynamics = new DynamicsState(owner.def());
   }
 
   /**

@@ -3,9 +3,9 @@ package carom.sim;
 import carom.physics.Collision;
 import carom.physics.Joint;
 import carom.physics.WorldDef;
+import carom.physics.effects.OneWay;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.OneWay;
 import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
@@ -30,6 +30,12 @@ import java.util.List;
  * runs on {@link Role#AUTHORITY} only.
  */
 public interface Game {
+  /**
+   * The rule of one-way platforms, for bodies of archetypes that are {@linkplain
+   * carom.sim.level.Archetype#oneWay one-way}. {@link #collision} applies it by default.
+   */
+  OneWay<Entity> ONE_WAY = new OneWay<>((body, shape) -> body.user().archetype().oneWay());
+
   /** Returns the name under which the game is found, in lower case. */
   String name();
 
@@ -228,11 +234,12 @@ public interface Game {
 
   /**
    * Returns whether a touching pair collides in this tick; both roles, during the step. It may read
-   * entities, their fields and those of their owners, and must change nothing. The default lets
-   * bodies pass one-way platforms from below.
+   * entities, their fields and those of their owners, and must change nothing but the friction,
+   * restitution and tangent speed of this contact for this tick ({@link Collision#setFriction}).
+   * The default lets bodies pass one-way platforms from below.
    */
   default boolean collision(Simulation s, Collision<Entity> c) {
-    return OneWay.responds(s.tickSeconds(), c);
+    return ONE_WAY.preSolve(c);
   }
 
   /**

@@ -181,7 +181,12 @@ final class ArchitectureTest {
         "carom.json",
         "carom.text");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
-    allow("carom.sim.area", "carom.physics..", "carom.sim.level", "carom.sim.field");
+    allow(
+        "carom.sim.area",
+        "carom.physics..",
+        "carom.sim.level",
+        "carom.sim.field",
+        "carom.sim.pool");
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.finding");
     allow("carom.sim.match");

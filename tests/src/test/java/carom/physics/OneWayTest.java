@@ -2,43 +2,29 @@ package carom.physics;
 
 import static carom.physics.Scenes.DT;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.physics.effects.OneWay;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Trig;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A one-way platform is ten lines of game code, and lets pass from every angle. */
+/** A one-way platform lets pass from every angle, and holds what comes from above. */
 class OneWayTest {
   private static final List<Shape> SHAPES =
       List.of(new Circle(.4f), new Box(.4f, .3f), new Capsule(-.3f, 0, .3f, 0, .3f));
 
-  /** The ten lines. */
-  private static final class Platform implements CollisionListener<String> {
-    @Override
-    public boolean preSolve(Collision<String> c) {
-      float up = c.self().user().equals("platform") ? c.normalY() : -c.normalY();
-      boolean shallow = up > .7f;
-      for (int i = 0; i < c.pointCount(); i++) {
-        float fallen = Math.max(0, -c.normalSpeed(i)) * DT;
-        shallow &= -c.separation(i) < .03f + fallen;
-        if (up > .7f && c.warmImpulse(i) > 0) {
-          return true;
-        }
-      }
-      return shallow;
-    }
-  }
-
   private static World<String> world() {
     World<String> w = new World<>(new WorldDef().withGravity(0, 0));
     w.createBody(new BodyDef().shape(new Box(500, .1f)), "platform");
-    w.listener(new Platform());
+    w.listener(new OneWay<>((body, shape) -> body.user().equals("platform")));
     return w;
   }
 
@@ -82,5 +68,42 @@ class OneWayTest {
 
   private static BodyDef dynamic(Shape shape) {
     return new BodyDef(BodyType.DYNAMIC).shape(shape, Material.DEFAULT.withFriction(0));
+  }
+
+  /** A platform of one body among other shapes of it, and another way up. */
+  @Test
+  void oneShapeMayBeAPlatformAndAnyWayUp() {
+    World<String> w = new World<>(new WorldDef().withGravity(10, 0));
+    w.createBody(
+        new BodyDef()
+            .shape(new Box(.1f, 5, 0, 5), Material.DEFAULT.withTag(1))
+            .shape(new Box(.1f, 5, 0, -5), Material.DEFAULT),
+        "wall");
+    w.listener(
+        new CollisionListener<>() {
+          @Override
+          public boolean preSolve(Collision<String> c) {
+            return c.selfMaterial().tag() != 1 || OneWay.holds(c, true, -1, 0);
+          }
+        });
+    Body<String> passes =
+        w.createBody(dynamic(new Circle(.4f)).position(2, 3).velocity(-9, 0), "r");
+    Body<String> stays =
+        w.createBody(dynamic(new Circle(.4f)).position(2, -3).velocity(-9, 0), "r");
+    boolean passed = false;
+    for (int i = 0; i < 180; i++) {
+      w.step(DT);
+      passed |= passes.x() < -.5f;
+      assertTrue(stays.x() > .4f, "the other shape is solid: x=" + stays.x());
+    }
+    assertTrue(passed);
+    assertEquals(-.5f, passes.x(), .02f);
+  }
+
+  @Test
+  void noRuleOfPlatformsIsRefused() {
+    String message =
+        assertThrows(IllegalArgumentException.class, () -> new OneWay<String>(null)).getMessage();
+    assertEquals("platforms=null; say which shapes are one-way platforms", message);
   }
 }

@@ -14,6 +14,7 @@ import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Box;
+import carom.physics.settings.MixingRule;
 import carom.physics.settings.Settings;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
@@ -202,7 +203,11 @@ class RedefineTest {
       all = change.apply(all);
     }
     all =
-        all.withSubsteps(7).withSpeculativeDistance(0.5f).withIntegrator(Integrator.EXPLICIT_EULER);
+        all.withSubsteps(7)
+            .withSpeculativeDistance(0.5f)
+            .withIntegrator(Integrator.EXPLICIT_EULER)
+            .withFrictionMixing(MixingRule.MIN)
+            .withRestitutionMixing(MixingRule.MULTIPLY);
     Settings live = new WorldDef().live();
     Settings fresh = new WorldDef().live();
     live.take(all);

@@ -25,8 +25,13 @@ final class Scenes {
 
   static World<String> floor(Material material, WorldDef def) {
     World<String> w = new World<>(def);
-    w.createBody(new BodyDef().shape(new Box(100, 1), material).position(0, -1), "floor");
+    w.createBody(floorDef(material), "floor");
     return w;
+  }
+
+  /** A static floor whose surface is y = 0. */
+  static BodyDef floorDef(Material material) {
+    return new BodyDef().shape(new Box(100, 1), material).position(0, -1);
   }
 
   static Body<String> disc(World<String> w, float x, float y, float radius, Material m) {

@@ -3,6 +3,7 @@ package carom.physics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import carom.physics.settings.MixingRule;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.util.Map;
@@ -27,7 +28,9 @@ class WorldDefTest {
         ? (Object) !b
         : value instanceof Integer i
             ? (Object) (i + 1)
-            : value instanceof Float f ? (Object) (f + 0.5f) : Integrator.EXPLICIT_EULER;
+            : value instanceof Float f
+                ? (Object) (f + 0.5f)
+                : value instanceof MixingRule ? MixingRule.MULTIPLY : Integrator.EXPLICIT_EULER;
   }
 
   @Test
@@ -48,7 +51,7 @@ class WorldDefTest {
         changed++;
       }
     }
-    assertEquals(18, changed);
+    assertEquals(20, changed);
     WorldDef heavy = def.withGravity(1, -20);
     assertEquals(1, heavy.gravityX());
     assertEquals(-20, heavy.gravityY());
@@ -77,6 +80,8 @@ class WorldDefTest {
     refused("sleepDelay=0.0", () -> def.withSleepDelay(0));
     refused("hitSpeed=-1.0", () -> def.withHitSpeed(-1));
     refused("integrator=null; choose one", () -> def.withIntegrator(null));
+    refused("frictionMixing=null; choose one", () -> def.withFrictionMixing(null));
+    refused("restitutionMixing=null; choose one", () -> def.withRestitutionMixing(null));
   }
 
   private static void refused(String start, Runnable change) {

@@ -45,6 +45,7 @@ class WorldReplayTest {
       Set.of(
           "World.workers",
           "World.stageListener",
+          "World.eventLists", // only tells
           "World.queryScope",
           "World.seal",
           "World.readJoint",
@@ -236,6 +237,8 @@ class WorldReplayTest {
       return method.equals("World.createJoint") && w.moves() >= 0 ? pick() : bodies.get(3);
     } else if (type == Joint.class) {
       return w.joint(1);
+    } else if (type == BodyDef.class && method.equals("World.createChain")) {
+      return new BodyDef();
     } else if (type == BodyDef.class) {
       return new BodyDef(BodyType.DYNAMIC).position(0, 9).shape(new Circle(0.4f));
     } else if (type == JointDef.class) {
@@ -250,6 +253,8 @@ class WorldReplayTest {
       return new Filter(4, 8, 0);
     } else if (type == ShapeDef.class) {
       return new ShapeDef(new Circle(0.2f), Material.DEFAULT);
+    } else if (type == ChainDef.class) {
+      return ChainDef.open(-5, 30, 0, 30, 5, 30);
     } else if (type == MotionLocks.class) {
       return new MotionLocks(true, false, false);
     } else if (type == MassData.class) {
@@ -276,6 +281,8 @@ class WorldReplayTest {
         || type == ArchiveReader.class
         || type == IntFunction.class
         || type == CollisionListener.class
+        || type == CollisionFilter.class
+        || type == EventLists.class
         || type == JointListener.class) {
       return null;
     } else if (type == Consumer.class) {

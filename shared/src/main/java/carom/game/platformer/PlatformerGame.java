@@ -19,7 +19,6 @@ import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.OneWay;
 import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
@@ -325,7 +324,7 @@ public final class PlatformerGame implements Game {
         || drops(s, c.other().user(), c.self().user())) {
       return false;
     }
-    return OneWay.responds(s.tickSeconds(), c);
+    return ONE_WAY.preSolve(c);
   }
 
   private static boolean drops(Simulation s, Entity rider, Entity platform) {

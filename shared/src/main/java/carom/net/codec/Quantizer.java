@@ -19,8 +19,8 @@ public final class Quantizer {
   /** Angular speed below which a body stands still, rad/s. */
   public static final float STILL_SPIN = 1f / 16;
 
-  /** Largest magnitude of a quantised position: a step less than 65,536 m. */
-  public static final int MAX_POSITION = (1 << 25) - 1;
+  /** Largest magnitude of a quantised position: a step less than 32,768 m, where worlds end. */
+  public static final int MAX_POSITION = (1 << 24) - 1;
 
   /**
    * Shortest column that is quantised by vector kernels, where the JVM has them. A shorter one

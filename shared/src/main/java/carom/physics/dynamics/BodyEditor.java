@@ -191,6 +191,17 @@ public final class BodyEditor {
   }
 
   /**
+   * Wakes a body and what it touches, and decides anew in the next step which parts may touch.
+   *
+   * @param body the slot
+   */
+  public void refilter(int body) {
+    sleeping.disturb(body);
+    sleeping.wakeOverlapped(body);
+    refilter.markStale();
+  }
+
+  /**
    * Locks axes of a body's motion, or frees them. Its velocity along an axis that is newly locked
    * becomes zero.
    *

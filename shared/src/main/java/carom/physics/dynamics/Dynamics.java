@@ -13,6 +13,7 @@ import carom.physics.dynamics.joint.JointEvents;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.joint.JointTransfer;
 import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.dynamics.pairs.PartRule;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.sleep.Sleeping;
 import carom.physics.dynamics.store.IntList;
@@ -62,6 +63,9 @@ import carom.physics.threads.Workers;
  * Sleeping}.
  *
  * <p>One thread at a time. A steady step allocates nothing.
+ *
+ * <p><b>Length.</b> A third of the class is what is said above and the documents of its accessors;
+ * the stages themselves are elsewhere.
  */
 public final class Dynamics {
   /** Rows to have room for per awake body before there are as many, so that few steps allocate. */
@@ -69,7 +73,7 @@ public final class Dynamics {
 
   private final Settings settings;
   private final BodyStore bodies = new BodyStore();
-  private final ShapeTable parts = new ShapeTable();
+  private final ShapeTable parts;
   private final ContactTable contacts = new ContactTable();
   private final JointStore joints = new JointStore();
   private final ParallelFor parallel = new ParallelFor();
@@ -91,8 +95,7 @@ public final class Dynamics {
   private final SleepingContacts sleepers = new SleepingContacts();
   private final BodyContacts bodyContacts = new BodyContacts(contacts, sleepers);
   private final JointTransfer jointTransfer = new JointTransfer(bodies, joints);
-  private final RowTransfer transfer =
-      new RowTransfer(bodies, parts, contacts, sleepers, bodyContacts, jointTransfer);
+  private final RowTransfer transfer;
 
   /** Scratch: the bodies of rows that sleep there. */
   private final IntList asleepThere = new IntList();
@@ -107,12 +110,14 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
+    parts = new ShapeTable(settings);
+    transfer = new RowTransfer(bodies, parts, contacts, sleepers, bodyContacts, jointTransfer);
     pairs = new PairFinder(settings, bodies, active, parts, contacts, joints::mayTouch, parallel);
     continuous = new ContinuousCollision(pairs, settings, bodies, active, parts, contacts);
     sleeping = new Sleeping(settings, bodies, active, parts, contacts, sleepers, joints, pairs);
     collideStage =
         new CollideStage(sleeping, settings, bodies, parts, contacts, parallel, continuous);
-    eventStage = new EventStage(settings, bodies, contacts);
+    eventStage = new EventStage(settings, bodies, parts, contacts);
     refilter = new Refilter(contacts, pairs);
     editor = new BodyEditor(settings, bodies, parts, active, contacts, pairs, sleeping, refilter);
     queries = new PartQueries(pairs, parts);
@@ -361,6 +366,17 @@ public final class Dynamics {
   public BodyContacts bodyContacts() {
     sleeping.mergeWoken();
     return bodyContacts;
+  }
+
+  /** Sets a rule of the user, asked last which parts may touch; null for none. */
+  public void customRule(PartRule rule) {
+    pairs.customRule(rule);
+    refilter.markStale();
+  }
+
+  /** Returns what callbacks set for single contacts in a step. */
+  public ContactOverrides contactOverrides() {
+    return eventStage.overrides();
   }
 
   /**

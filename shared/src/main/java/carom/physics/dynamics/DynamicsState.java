@@ -11,6 +11,7 @@ import carom.physics.dynamics.contact.SleepingContacts;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.store.Stamp;
 import carom.physics.geometry.MassData;
+import carom.physics.settings.Settings;
 
 /**
  * The state of a world at one moment: copies of its stores. Trees, fat boxes and rows of parts that
@@ -21,16 +22,23 @@ public final class DynamicsState {
   public static final int MAX_PARTS = 1 << 20;
 
   final BodyStore bodies = new BodyStore();
-  final ShapeTable parts = new ShapeTable();
+  final ShapeTable parts;
   final ContactTable contacts = new ContactTable();
   final JointStore joints = new JointStore();
   final SleepingContacts sleepers = new SleepingContacts();
   final Stamp sleep = new Stamp();
-  private final BodyMaker maker = new BodyMaker(bodies, parts);
+  private final BodyMaker maker;
   private long bytes;
 
-  /** Makes an empty state to save into. */
-  public DynamicsState() {}
+  /**
+   * Makes an empty state to save into.
+   *
+   * @param settings of the world
+   */
+  public DynamicsState(Settings settings) {
+    parts = new ShapeTable(settings);
+    maker = new BodyMaker(bodies, parts);
+  }
 
   /**
    * Returns what the last save copied, apart from shapes, which are copied if bodies came or went,

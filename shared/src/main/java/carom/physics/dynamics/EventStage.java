@@ -1,6 +1,7 @@
 package carom.physics.dynamics;
 
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.settings.Settings;
@@ -13,19 +14,23 @@ final class EventStage {
   private final Settings settings;
   private final BodyStore bodies;
   private final ContactTable contacts;
+  private final ContactOverrides overrides;
 
   /** Per row: approach speed if this may be an impact worth telling, else 0. */
   private float[] hitSpeeds = new float[0];
 
-  EventStage(Settings settings, BodyStore bodies, ContactTable contacts) {
+  EventStage(Settings settings, BodyStore bodies, ShapeTable parts, ContactTable contacts) {
     this.settings = settings;
     this.bodies = bodies;
     this.contacts = contacts;
+    overrides = new ContactOverrides(contacts, parts);
   }
 
   /** Reports what ended and began, asks which contacts respond, and notes possible impacts. */
   void beforeSolving(ContactEvents events) {
+    overrides.begin();
     announce(events);
+    overrides.decide(-1);
     measureHits();
   }
 
@@ -40,6 +45,12 @@ final class EventStage {
         }
       }
     }
+    overrides.end();
+  }
+
+  /** Returns the numbers that callbacks set for single contacts in this step. */
+  ContactOverrides overrides() {
+    return overrides;
   }
 
   private void announce(ContactEvents events) {
@@ -53,10 +64,11 @@ final class EventStage {
         if (!before) {
           events.begin(row);
         }
-        if (contacts.points[row] > 0
-            && (flags & ContactTable.DORMANT) == 0
-            && !events.preSolve(row)) {
-          contacts.flags[row] |= ContactTable.VETOED;
+        if (contacts.points[row] > 0 && (flags & ContactTable.DORMANT) == 0) {
+          overrides.decide(row);
+          if (!events.preSolve(row)) {
+            contacts.flags[row] |= ContactTable.VETOED;
+          }
         }
       }
     }

@@ -178,11 +178,7 @@ public final class AreaEffect implements Effect {
 
   @Override
   public void reach(Transform frame, Aabb out) {
-    out.setEmpty();
-    out.add(frame.worldX(area.minX, area.minY), frame.worldY(area.minX, area.minY));
-    out.add(frame.worldX(area.maxX, area.minY), frame.worldY(area.maxX, area.minY));
-    out.add(frame.worldX(area.maxX, area.maxY), frame.worldY(area.maxX, area.maxY));
-    out.add(frame.worldX(area.minX, area.maxY), frame.worldY(area.minX, area.maxY));
+    Areas.reach(area, frame, out);
   }
 
   /**

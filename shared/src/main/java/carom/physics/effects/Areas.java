@@ -3,6 +3,7 @@ package carom.physics.effects;
 import carom.physics.World;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
+import carom.physics.math.Transform;
 
 /** Checks and actions common to all areas. */
 final class Areas {
@@ -16,6 +17,15 @@ final class Areas {
     Limits.coordinate("minY", area.minY);
     Limits.coordinate("maxX", area.maxX);
     Limits.coordinate("maxY", area.maxY);
+  }
+
+  /** Computes the box around an area in a frame. */
+  static void reach(Aabb area, Transform frame, Aabb out) {
+    out.setEmpty();
+    out.add(frame.worldX(area.minX, area.minY), frame.worldY(area.minX, area.minY));
+    out.add(frame.worldX(area.maxX, area.minY), frame.worldY(area.maxX, area.minY));
+    out.add(frame.worldX(area.maxX, area.maxY), frame.worldY(area.maxX, area.maxY));
+    out.add(frame.worldX(area.minX, area.maxY), frame.worldY(area.minX, area.maxY));
   }
 
   static void wake(Nearby nearby, World<?> world, Aabb area) {

@@ -1,6 +1,6 @@
 /**
- * Effects that act on bodies from a distance: buoyancy, areas of force, wind and drag, attraction,
- * explosions.
+ * Effects that act on bodies from a distance: buoyancy, areas of force, wind and drag, wind with
+ * lift, attraction, explosions; and the rule of one-way platforms.
  *
  * <p>They are helpers on top of a {@link carom.physics.World}. The game calls them before {@code
  * World.step}; the engine doesn't know them. They hold settings and scratch memory but no state of

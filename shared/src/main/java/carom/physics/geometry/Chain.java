@@ -3,7 +3,6 @@ package carom.physics.geometry;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 
@@ -17,18 +16,32 @@ import java.util.List;
  *
  * <p>Each segment knows its neighbours. So bodies slide over the joints of flat or hollow ground
  * without catching on the next segment's end (no ghost collisions).
+ *
+ * <p>A chain may be a piece of a longer line, see {@link #pieces}.
  */
 public final class Chain extends Shape {
-  /** Largest number of segments in a chain. Use several chains for more. */
+  /**
+   * Largest number of segments in a chain. A body has 1,024 parts at most, because the key of a
+   * contact has 10 bits for each part. {@code carom.physics.ChainDef} makes longer lines of several
+   * chains.
+   */
   public static final int MAX_SEGMENTS = 1000;
 
   private final float[] xy;
   private final boolean loop;
+
+  /** Where the line goes on beyond an open end: the point before the first, that after the last. */
+  private final float[] before;
+
+  private final float[] after;
   private final List<Convex> parts;
 
-  private Chain(float[] xy, boolean loop) {
+  /** Makes a chain; the points beyond its ends are null if it ends there. */
+  Chain(float[] xy, boolean loop, float[] before, float[] after) {
     this.xy = xy;
     this.loop = loop;
+    this.before = before;
+    this.after = after;
     parts = Collections.unmodifiableList(segments());
   }
 
@@ -64,98 +77,67 @@ public final class Chain extends Shape {
       throw new IllegalArgumentException(
           "chain points=" + points + " must be in " + least + ".." + most);
     }
-    Chain chain = new Chain(xy.clone(), loop);
-    chain.refuseCrossings();
-    return chain;
+    new ChainCrossings(xy, loop).refuse();
+    return new Chain(xy.clone(), loop, null, null);
   }
 
-  private void refuseCrossings() {
+  /**
+   * Cuts a long line into chains, each of which knows where the next one goes on. So bodies slide
+   * over the cuts as over any other joint. {@code carom.physics.ChainDef} makes bodies of them.
+   *
+   * @param xy x0, y0, x1, y1, ... in metres, as for {@link #open} or {@link #loop}
+   * @param loop whether the last point is joined to the first
+   * @param cuts the first segment of each chain but the first one's, ascending, above 0
+   * @return the chains, in the order of the points; none has more than {@value #MAX_SEGMENTS}
+   *     segments
+   * @throws IllegalArgumentException when the line crosses itself or turns back on itself, or a
+   *     piece is empty or too long
+   */
+  public static List<Chain> pieces(float[] xy, boolean loop, int... cuts) {
     int points = xy.length / 2;
-    int count = parts.size();
-    for (int i = 0; i < count; i++) {
-      int next = i + 1 < count || loop ? (i + 1) % count : i;
-      int middle = (i + 1) % points;
-      int after = (i + 2) % points;
-      if (next != i && side(i, middle, after) == 0 && ahead(i, middle, after) < 0) {
-        throw new IllegalArgumentException(
-            "chain segment=" + next + " turns back on segment=" + i + "; leave a gap between them");
-      }
-    }
-    // Only segments that overlap along the longer axis can cross, and on a line of ground few do.
-    int axis = extent(0) >= extent(1) ? 0 : 1;
-    long[] byLowEnd = new long[count];
-    for (int i = 0; i < count; i++) {
-      int bits = Float.floatToIntBits(low(i, axis) + 0f); // turns minus zero into zero
-      byLowEnd[i] = (long) (bits ^ (bits >> 31 & Integer.MAX_VALUE)) << 32 | i;
-    }
-    Arrays.sort(byLowEnd);
-    for (int k = 0; k < count; k++) {
-      int i = (int) byLowEnd[k];
-      float end = high(i, axis);
-      for (int l = k + 1; l < count && low((int) byLowEnd[l], axis) <= end; l++) {
-        int j = (int) byLowEnd[l];
-        if (low(i, 1 - axis) <= high(j, 1 - axis) && low(j, 1 - axis) <= high(i, 1 - axis)) {
-          refuseCrossing(Math.min(i, j), Math.max(i, j));
-        }
-      }
-    }
-  }
-
-  private void refuseCrossing(int i, int j) {
-    int points = xy.length / 2;
-    int middle = (i + 1) % points;
-    int end = (j + 1) % points;
-    if (j > i + 1
-        && side(i, middle, j) * side(i, middle, end) < 0
-        && side(j, end, i) * side(j, end, middle) < 0) {
+    int segments = loop ? points : points - 1;
+    if (xy.length % 2 != 0 || segments < (loop ? 3 : 1)) {
       throw new IllegalArgumentException(
-          "chain segment=" + i + " crosses segment=" + j + "; make it two chains");
+          "chain coordinates="
+              + xy.length
+              + " must be x and y of each of "
+              + (loop ? 3 : 2)
+              + " points or more");
     }
-  }
-
-  private float low(int segment, int axis) {
-    int next = (segment + 1) % (xy.length / 2);
-    return Math.min(xy[2 * segment + axis], xy[2 * next + axis]);
-  }
-
-  private float high(int segment, int axis) {
-    int next = (segment + 1) % (xy.length / 2);
-    return Math.max(xy[2 * segment + axis], xy[2 * next + axis]);
-  }
-
-  /** Returns the extent of the points along an axis, metres. */
-  private float extent(int axis) {
-    float least = Float.POSITIVE_INFINITY;
-    float most = Float.NEGATIVE_INFINITY;
-    for (int at = axis; at < xy.length; at += 2) {
-      least = Math.min(least, xy[at]);
-      most = Math.max(most, xy[at]);
+    if (cuts.length == 0) {
+      return List.of(loop ? loop(xy) : open(xy));
     }
-    return most - least;
+    new ChainCrossings(xy, loop).refuse();
+    List<Chain> pieces = new ArrayList<>(cuts.length + 1);
+    for (int i = 0; i <= cuts.length; i++) {
+      int from = i == 0 ? 0 : cuts[i - 1];
+      int to = i == cuts.length ? segments : cuts[i];
+      if (to <= from || to - from > MAX_SEGMENTS) {
+        throw new IllegalArgumentException(
+            "chain piece="
+                + i
+                + " from segment "
+                + from
+                + " to "
+                + to
+                + " must have 1.."
+                + MAX_SEGMENTS
+                + " segments");
+      }
+      float[] piece = new float[2 * (to - from + 1)];
+      for (int p = from; p <= to; p++) {
+        piece[2 * (p - from)] = xy[2 * (p % points)];
+        piece[2 * (p - from) + 1] = xy[2 * (p % points) + 1];
+      }
+      float[] before = loop || from > 0 ? point(xy, (from + points - 1) % points) : null;
+      float[] after = loop || to < segments ? point(xy, (to + 1) % points) : null;
+      pieces.add(new Chain(piece, false, before, after));
+    }
+    return pieces;
   }
 
-  /**
-   * Returns a positive number if a point is to the left of the line through two others, and a
-   * negative one if it is to the right.
-   */
-  private double side(int from, int to, int point) {
-    double ux = (double) xy[2 * to] - xy[2 * from];
-    double uy = (double) xy[2 * to + 1] - xy[2 * from + 1];
-    double px = (double) xy[2 * point] - xy[2 * from];
-    double py = (double) xy[2 * point + 1] - xy[2 * from + 1];
-    return Math.signum(ux * py - uy * px);
-  }
-
-  /**
-   * Returns a positive number if the way from a middle point leads on, and a negative one if it
-   * leads back.
-   */
-  private double ahead(int from, int middle, int to) {
-    double ux = (double) xy[2 * middle] - xy[2 * from];
-    double uy = (double) xy[2 * middle + 1] - xy[2 * from + 1];
-    double px = (double) xy[2 * to] - xy[2 * middle];
-    double py = (double) xy[2 * to + 1] - xy[2 * middle + 1];
-    return ux * px + uy * py;
+  private static float[] point(float[] xy, int i) {
+    return new float[] {xy[2 * i], xy[2 * i + 1]};
   }
 
   /**
@@ -168,9 +150,11 @@ public final class Chain extends Shape {
     List<Convex> segments = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
       int next = (i + 1) % points;
-      int after = (i + 2) % points;
-      int before = (i + points - 1) % points;
-      boolean[] linked = {loop || i + 2 < points, loop || i > 0};
+      boolean last = i + 1 == count;
+      float[] beyondNext = !loop && last && after != null ? after : point(xy, (i + 2) % points);
+      float[] beyondThis =
+          !loop && i == 0 && before != null ? before : point(xy, (i + points - 1) % points);
+      boolean[] linked = {loop || !last || after != null, loop || i > 0 || before != null};
       segments.add(
           new Segment(
               xy[2 * next],
@@ -179,10 +163,24 @@ public final class Chain extends Shape {
               xy[2 * i + 1],
               true,
               linked,
-              new float[] {xy[2 * after], xy[2 * before]},
-              new float[] {xy[2 * after + 1], xy[2 * before + 1]}));
+              new float[] {beyondNext[0], beyondThis[0]},
+              new float[] {beyondNext[1], beyondThis[1]}));
     }
     return segments;
+  }
+
+  /**
+   * Returns where the line goes on beyond the first point, in another chain.
+   *
+   * @return x and y, or null if it ends there
+   */
+  float[] before() {
+    return before;
+  }
+
+  /** Returns where the line goes on beyond the last point, as {@link #before} does. */
+  float[] after() {
+    return after;
   }
 
   /** Returns whether the last point is joined to the first. */
@@ -250,7 +248,11 @@ public final class Chain extends Shape {
       moved[i] += dx;
       moved[i + 1] += dy;
     }
-    return new Chain(moved, loop);
+    return new Chain(moved, loop, moved(before, dx, dy), moved(after, dx, dy));
+  }
+
+  private static float[] moved(float[] pointOrNull, float dx, float dy) {
+    return pointOrNull == null ? null : new float[] {pointOrNull[0] + dx, pointOrNull[1] + dy};
   }
 
   @Override

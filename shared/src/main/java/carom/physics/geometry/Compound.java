@@ -6,13 +6,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Several convex shapes that move as one, the way to build concave bodies. Nested compounds are
- * flattened, and the order of the parts is kept. Parts may overlap; their common area then counts
- * once for each part.
+ * Several convex shapes that move as one, the way to build concave bodies; {@link #ofOutline} finds
+ * the parts of a concave outline. Nested compounds are flattened, and the order of the parts is
+ * kept. Parts may overlap; their common area then counts once for each part.
  */
 public final class Compound extends Shape {
   /** Largest number of parts in a compound. */
   public static final int MAX_PARTS = 4096;
+
+  /** Largest number of points of an outline, see {@link #ofOutline}. */
+  public static final int MAX_OUTLINE_POINTS = 2048;
 
   private final List<Convex> parts;
 
@@ -36,6 +39,24 @@ public final class Compound extends Shape {
           "compound parts=" + flat.size() + " must be in 1.." + MAX_PARTS);
     }
     return new Compound(List.copyOf(flat));
+  }
+
+  /**
+   * Creates a compound of the convex parts of a simple polygon, which may be concave. The same
+   * outline always gives the same parts. Their corners are corners of the outline; none has more
+   * than {@value Convex#MAX_VERTICES}. They touch each other and don't overlap, but for what {@link
+   * Polygon} drops. Slivers that are hardly thicker than {@link Shape#MIN_SIZE} are left out.
+   *
+   * <p>Bodies slide over the seams between the parts of a static or kinematic body, as over those
+   * of any ground made of pieces.
+   *
+   * @param xy x0, y0, x1, y1, ... in metres, 3 to {@value #MAX_OUTLINE_POINTS} points along the
+   *     outline in either winding; points on a line are dropped
+   * @throws IllegalArgumentException when the outline crosses or touches itself, has no area, or a
+   *     coordinate is not a number within {@link Shape#MAX_SIZE}
+   */
+  public static Compound ofOutline(float... xy) {
+    return of(ConvexDecomposition.parts(new SimpleOutline(xy, MAX_OUTLINE_POINTS)));
   }
 
   @Override

@@ -5,13 +5,16 @@ import carom.physics.math.Vec2;
 import java.util.Arrays;
 
 /**
- * A convex polygon: the convex hull of given points, with 3 to {@value Convex#MAX_VERTICES}
- * vertices, counter-clockwise. Its corners are sharp or rounded by a radius.
+ * A convex polygon with 3 to {@value Convex#MAX_VERTICES} vertices, counter-clockwise. Its corners
+ * are sharp or rounded by a radius.
  *
- * <p>The points may come in any order and winding. Points inside the hull are dropped. So are
- * points that would make contacts ill-conditioned: near-duplicates (closer than 1e-4 of the size of
- * the bounding box) and points nearly on the line through their neighbours (nearer than 1e-5 of
- * it). Vertex 0 is the leftmost one (of these the lowest).
+ * <p>{@link #of} takes the outline of a convex polygon, in either winding, and refuses a concave
+ * one; {@link Compound#ofOutline} cuts that into convex parts. {@link #hull} takes any points in
+ * any order, and drops those inside their hull.
+ *
+ * <p>Both drop points that would make contacts ill-conditioned: near-duplicates (closer than 1e-4
+ * of the size of the bounding box) and points nearly on the line through their neighbours (nearer
+ * than 1e-5 of it). Vertex 0 is the leftmost one (of these the lowest).
  */
 public final class Polygon extends Convex {
   private static final double DUPLICATE = 1e-4;
@@ -26,21 +29,28 @@ public final class Polygon extends Convex {
   }
 
   /**
-   * Creates the hull of 3 or more points, rounded by a radius.
+   * Creates a convex polygon from its outline, rounded by a radius.
    *
    * @param radius rounding, metres; 0 for sharp corners, else {@link Shape#MIN_SIZE} to {@link
    *     Shape#MAX_SIZE}
    * @param xy points as for {@link #of(float...)}
    */
   public static Polygon rounded(float radius, float... xy) {
-    Polygon sharp = of(xy);
-    if (radius == 0) {
-      return sharp;
-    }
-    return new Polygon(sharp.vx, sharp.vy, sharp.nx, sharp.ny, checkSize("polygon radius", radius));
+    return of(xy).withRadius(radius);
   }
 
-  /** Creates the hull of 3 or more points, see {@link #of(float...)}. */
+  /**
+   * Returns a polygon with these vertices, rounded by a radius.
+   *
+   * @param newRadius rounding, metres; 0 for sharp corners, else {@link Shape#MIN_SIZE} to {@link
+   *     Shape#MAX_SIZE}
+   */
+  public Polygon withRadius(float newRadius) {
+    float checked = newRadius == 0 ? 0 : checkSize("polygon radius", newRadius);
+    return new Polygon(vx, vy, nx, ny, checked);
+  }
+
+  /** Creates a convex polygon from its outline, see {@link #of(float...)}. */
   public static Polygon of(Vec2... points) {
     float[] xy = new float[2 * points.length];
     for (int i = 0; i < points.length; i++) {
@@ -51,14 +61,33 @@ public final class Polygon extends Convex {
   }
 
   /**
-   * Creates the hull of 3 or more points, by Andrew's monotone chain (1979).
+   * Creates a convex polygon from its outline.
+   *
+   * @param xy x0, y0, x1, y1, ... in metres, along the outline in either winding
+   * @throws IllegalArgumentException when the outline is concave or its points are not in order,
+   *     and as {@link #hull}
+   */
+  public static Polygon of(float... xy) {
+    Vec2[] points = points(xy);
+    Vec2[] hull = convexHull(points);
+    refuseConcave(points, hull);
+    return build(hull, points.length);
+  }
+
+  /**
+   * Creates the hull of 3 or more points in any order, by Andrew's monotone chain (1979).
    *
    * @param xy x0, y0, x1, y1, ... in metres
    * @throws IllegalArgumentException when a coordinate is not a number within {@link
    *     Shape#MAX_SIZE}, when the hull is thinner than {@link Shape#MIN_SIZE} or has more than
    *     {@value Convex#MAX_VERTICES} vertices
    */
-  public static Polygon of(float... xy) {
+  public static Polygon hull(float... xy) {
+    Vec2[] points = points(xy);
+    return build(convexHull(points), points.length);
+  }
+
+  private static Vec2[] points(float[] xy) {
     if (xy.length % 2 != 0) {
       throw new IllegalArgumentException(
           "polygon coordinates=" + xy.length + " must be even: x and y of each vertex");
@@ -76,12 +105,61 @@ public final class Polygon extends Convex {
               checkCoordinate("polygon x" + i, xy[2 * i]) + 0f,
               checkCoordinate("polygon y" + i, xy[2 * i + 1]) + 0f);
     }
-    Vec2[] hull = cleaned(hull(points));
+    return points;
+  }
+
+  private static Vec2[] convexHull(Vec2[] points) {
+    Vec2[] hull = cleaned(strictHull(points));
     if (hull.length > MAX_VERTICES) {
       throw new IllegalArgumentException(
           "polygon hull vertices=" + hull.length + " must be <= " + MAX_VERTICES);
     }
-    return build(hull, given);
+    return hull;
+  }
+
+  /**
+   * Refuses points that aren't the outline of their hull: one of them is inside it, or they go
+   * round it in another order. What is cleaned away is forgiven.
+   */
+  private static void refuseConcave(Vec2[] points, Vec2[] hull) {
+    if (hull.length < 3) {
+      return; // refused for its area
+    }
+    double slack = 2 * DUPLICATE * size(points);
+    double perimeter = 0;
+    for (int k = 0; k < hull.length; k++) {
+      perimeter += distance(hull[k], hull[(k + 1) % hull.length]);
+    }
+    for (int i = 0; i < points.length; i++) {
+      double inside = Double.POSITIVE_INFINITY;
+      for (int k = 0; k < hull.length; k++) {
+        Vec2 p = hull[k];
+        Vec2 q = hull[(k + 1) % hull.length];
+        inside = Math.min(inside, turn(p, q, points[i]) / distance(p, q));
+      }
+      if (inside > slack) {
+        throw new IllegalArgumentException(
+            "polygon point="
+                + i
+                + " is inside the hull, so the outline is concave; Compound.ofOutline cuts it into"
+                + " convex parts, Polygon.hull takes its hull");
+      }
+    }
+    double missing = Math.abs(twiceArea(hull)) - Math.abs(twiceArea(points));
+    if (Math.abs(missing) > 2 * slack * perimeter) {
+      throw new IllegalArgumentException(
+          "polygon points are not in the order of an outline; sort them, or use Polygon.hull, which"
+              + " takes any order");
+    }
+  }
+
+  /** Returns twice the signed area that a way along points and back to the first one encloses. */
+  private static double twiceArea(Vec2[] points) {
+    double twice = 0;
+    for (int i = 1; i + 1 < points.length; i++) {
+      twice += turn(points[0], points[i], points[i + 1]);
+    }
+    return twice;
   }
 
   /**
@@ -149,7 +227,7 @@ public final class Polygon extends Convex {
   }
 
   /** Returns the strict convex hull, counter-clockwise, from the leftmost lowest point. */
-  private static Vec2[] hull(Vec2[] points) {
+  private static Vec2[] strictHull(Vec2[] points) {
     Vec2[] sorted = points.clone();
     Arrays.sort(
         sorted,

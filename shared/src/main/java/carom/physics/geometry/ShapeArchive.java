@@ -144,10 +144,24 @@ public final class ShapeArchive {
       xy[2 * i + 1] = c.pointY(i);
     }
     a.numbers("chain point", xy, xy.length, MOST);
+    float[] before = passBeyond(a, reads ? null : c.before());
+    float[] after = passBeyond(a, reads ? null : c.after());
     if (!reads) {
       return c;
     }
-    return loop ? Chain.loop(xy) : Chain.open(xy);
+    a.require(!loop || (before == null && after == null), "loop=true of a chain that goes on");
+    Chain whole = loop ? Chain.loop(xy) : Chain.open(xy);
+    return before == null && after == null ? whole : new Chain(xy, false, before, after);
+  }
+
+  /** Passes the point beyond an end of a chain through an archive, null if there is none. */
+  private static float[] passBeyond(Archive a, float[] point) {
+    if (!a.flag("chain that goes on", point != null)) {
+      return null;
+    }
+    float[] xy = point == null ? new float[2] : point;
+    a.numbers("point beyond a chain", xy, 2, MOST);
+    return xy;
   }
 
   private static Compound passCompound(Archive a, Compound c) {

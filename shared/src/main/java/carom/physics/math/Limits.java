@@ -8,8 +8,14 @@ package carom.physics.math;
  * values whose products overflow. Programs may use the same limits for their own input.
  */
 public final class Limits {
-  /** Largest distance from the origin, m. Floats are 1 m apart there. */
+  /** Largest coordinate of anything but a body or particle, m, such as the end of a ray. */
   public static final float MAX_COORDINATE = 1e7f;
+
+  /**
+   * Largest coordinate of a body or particle, m. Floats are 2 mm apart just below, and 4 mm above.
+   * A step adds what its float can hold: beyond, a body of 0.1 m/s would stand still.
+   */
+  public static final float MAX_POSITION = 32_768;
 
   /** Largest speed that a program may request, m/s or rad/s. */
   public static final float MAX_VELOCITY = 1e5f;
@@ -66,6 +72,25 @@ public final class Limits {
    */
   public static float coordinate(String name, float value) {
     return magnitude(name, value, MAX_COORDINATE);
+  }
+
+  /**
+   * Checks a coordinate of a body or particle in metres.
+   *
+   * @param name name of the value, for messages
+   * @param value the value
+   * @return the value
+   */
+  public static float position(String name, float value) {
+    if (!(Math.abs(value) <= MAX_POSITION)) {
+      throw new IllegalArgumentException(
+          name
+              + "="
+              + value
+              + " is outside -32768..32768 m, where floats are too coarse for slow motion;"
+              + " put the world nearer to its origin");
+    }
+    return value;
   }
 
   /**

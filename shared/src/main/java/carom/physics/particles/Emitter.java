@@ -23,8 +23,8 @@ public final class Emitter {
    * @param dirY y of its direction
    */
   public Emitter(float x, float y, float dirX, float dirY) {
-    this.x = Limits.coordinate("x", x);
-    this.y = Limits.coordinate("y", y);
+    this.x = Limits.position("x", x);
+    this.y = Limits.position("y", y);
     Limits.coordinate("dirX", dirX);
     Limits.coordinate("dirY", dirY);
     double length = Math.sqrt((double) dirX * dirX + (double) dirY * dirY);

@@ -170,8 +170,8 @@ final class ParticleStore {
     a.integers("generation of particle", generation, n, 0, Integer.MAX_VALUE);
     count = a.count("particles", count, n, Integer.BYTES + 5 * Float.BYTES);
     a.integers("slot of particle", slot, count, 0, n - 1);
-    a.numbers("particle x", x, count, Limits.MAX_COORDINATE);
-    a.numbers("particle y", y, count, Limits.MAX_COORDINATE);
+    a.numbers("particle x", x, count, Limits.MAX_POSITION);
+    a.numbers("particle y", y, count, Limits.MAX_POSITION);
     a.numbers("particle velocity", vx, count, 3 * Limits.MAX_VELOCITY);
     a.numbers("particle velocity", vy, count, 3 * Limits.MAX_VELOCITY);
     a.numbers("particle age", age, count, Float.MAX_VALUE);

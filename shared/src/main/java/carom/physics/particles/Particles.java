@@ -93,15 +93,15 @@ public final class Particles {
   /**
    * Adds a particle.
    *
-   * @param x x, m, within 1e7 of the origin
-   * @param y y, m, within 1e7 of the origin
+   * @param x x, m, within 32,768 of the origin
+   * @param y y, m, within 32,768 of the origin
    * @param vx velocity along x, m/s, within 1e5
    * @param vy velocity along y, m/s, within 1e5
    * @return its id, or {@link #NONE} if the largest number is reached
    */
   public long add(float x, float y, float vx, float vy) {
-    Limits.coordinate("x", x);
-    Limits.coordinate("y", y);
+    Limits.position("x", x);
+    Limits.position("y", y);
     Limits.velocity("vx", vx);
     Limits.velocity("vy", vy);
     return store.count < def.maxCount ? store.add(x, y, vx, vy, def.maxCount) : NONE;
@@ -395,7 +395,7 @@ public final class Particles {
     for (int i = 0; i < store.count; i++) {
       store.age[i] += dt;
       boolean here =
-          Math.abs(store.x[i]) + Math.abs(store.y[i]) < 0.5f * Limits.MAX_COORDINATE
+          Math.abs(store.x[i]) + Math.abs(store.y[i]) < Limits.MAX_POSITION
               && Math.abs(store.vx[i]) + Math.abs(store.vy[i]) < 3 * Limits.MAX_VELOCITY;
       if (here && store.age[i] <= def.lifetime) {
         store.move(i, kept++);

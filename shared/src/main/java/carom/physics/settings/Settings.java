@@ -29,6 +29,8 @@ public abstract class Settings implements Cloneable {
   protected boolean continuous = true;
   protected float hitSpeed = 1;
   protected boolean explicitEuler;
+  protected MixingRule frictionMixing = MixingRule.GEOMETRIC_MEAN;
+  protected MixingRule restitutionMixing = MixingRule.MAX;
 
   /** Starts with the defaults. */
   protected Settings() {}
@@ -64,6 +66,8 @@ public abstract class Settings implements Cloneable {
     continuous = from.continuous;
     hitSpeed = from.hitSpeed;
     explicitEuler = from.explicitEuler;
+    frictionMixing = from.frictionMixing;
+    restitutionMixing = from.restitutionMixing;
   }
 
   /** Returns the acceleration of every dynamic body along x, m/s^2. */
@@ -164,5 +168,15 @@ public abstract class Settings implements Cloneable {
   /** Returns whether positions advance by the old velocities, not the new ones. */
   public final boolean explicitEuler() {
     return explicitEuler;
+  }
+
+  /** Returns how the friction of two shapes without a rule of their own is mixed. */
+  public final MixingRule frictionMixing() {
+    return frictionMixing;
+  }
+
+  /** Returns how the restitution of two shapes without a rule of their own is mixed. */
+  public final MixingRule restitutionMixing() {
+    return restitutionMixing;
   }
 }

@@ -7,7 +7,6 @@ import carom.physics.ShapeDef;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
-import carom.sim.entity.OneWay;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
 import carom.sim.field.Schema;
@@ -78,7 +77,10 @@ public final class Archetype {
     return materials;
   }
 
-  /** Returns whether its bodies carry only what comes from above; see {@link OneWay}. */
+  /**
+   * Returns whether its bodies carry only what comes from above; see {@link
+   * carom.physics.effects.OneWay}.
+   */
   public boolean oneWay() {
     return def.oneWay;
   }

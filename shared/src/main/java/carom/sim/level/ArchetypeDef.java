@@ -5,7 +5,6 @@ import carom.physics.Material;
 import carom.physics.MotionLocks;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Limits;
-import carom.sim.entity.OneWay;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
@@ -125,7 +124,10 @@ public final class ArchetypeDef {
     return this;
   }
 
-  /** Sets whether the bodies carry only what comes from above; see {@link OneWay}. */
+  /**
+   * Sets whether the bodies carry only what comes from above; see {@link
+   * carom.physics.effects.OneWay}.
+   */
   public ArchetypeDef oneWay(boolean value) {
     oneWay = value;
     return this;

@@ -6,6 +6,7 @@ import carom.physics.effects.Attractor;
 import carom.physics.effects.Attractor.Falloff;
 import carom.physics.effects.Buoyancy;
 import carom.physics.effects.Effect;
+import carom.physics.effects.Wind;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 
@@ -54,6 +55,10 @@ public final class Area implements Cloneable {
   private float y;
   private float rate;
   private float angularRate;
+
+  /** Whether a wind acts on edges, with the rates as its coefficients of drag and lift. */
+  private boolean edges;
+
   private float strength;
   private float swirl;
   private Falloff falloff = Falloff.CONSTANT;
@@ -209,6 +214,23 @@ public final class Area implements Cloneable {
   }
 
   /**
+   * Returns this wind so that it acts on the edges of shapes, by {@link Wind}: it turns sails and
+   * lifts kites. Its rate then means nothing.
+   *
+   * @param newDrag coefficient, 0..1000
+   * @param newLift coefficient, 0..1000
+   * @throws IllegalStateException for another kind
+   */
+  public Area onEdges(float newDrag, float newLift) {
+    require(kind == Kind.WIND, "onEdges");
+    Area area = copy();
+    area.edges = true;
+    area.rate = Limits.range("drag", newDrag, 0, 1000);
+    area.angularRate = Limits.range("lift", newLift, 0, 1000);
+    return area;
+  }
+
+  /**
    * Returns this water with a flow, which acts through its drag.
    *
    * @param vx velocity, m/s
@@ -330,7 +352,10 @@ public final class Area implements Cloneable {
     Aabb box = new Aabb(minX, minY, maxX, maxY);
     return switch (kind) {
       case WATER -> new Buoyancy(box, density).drag(rate).angularDrag(angularRate).flow(x, y);
-      case WIND -> AreaEffect.wind(box, x, y, rate);
+      case WIND ->
+          edges
+              ? new Wind(box, x, y).drag(rate).lift(angularRate)
+              : AreaEffect.wind(box, x, y, rate);
       case GRAVITY -> AreaEffect.gravity(box, x - world.gravityX(), y - world.gravityY());
       case DRAG -> AreaEffect.drag(box, rate, angularRate);
       case ATTRACTOR ->

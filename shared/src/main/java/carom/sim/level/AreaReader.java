@@ -26,7 +26,7 @@ final class AreaReader {
   private static final List<String> AREA = List.of("type", "name", "tag", "color");
   private static final List<String> BOX_AREA = with(AREA, "min", "max");
   static final List<String> WATER = with(BOX_AREA, "density", "drag", "angularDrag", "flow");
-  static final List<String> WIND = with(BOX_AREA, "velocity", "rate");
+  static final List<String> WIND = with(BOX_AREA, "velocity", "rate", "drag", "lift");
   static final List<String> GRAVITY = with(BOX_AREA, "gravity");
   static final List<String> DRAG = with(BOX_AREA, "drag", "angularDrag");
   static final List<String> ATTRACTOR =
@@ -76,7 +76,15 @@ final class AreaReader {
     float[] box = box(node, MAX_COORDINATE);
     float[] velocity = vector(required(node, "velocity"), 1000);
     float rate = number(node, "rate", 1, 0, 1000);
-    return Area.wind(box[0], box[1], box[2], box[3], velocity[0], velocity[1], rate);
+    Area wind = Area.wind(box[0], box[1], box[2], box[3], velocity[0], velocity[1], rate);
+    if (!node.fields.containsKey("drag") && !node.fields.containsKey("lift")) {
+      return wind;
+    }
+    if (node.fields.containsKey("rate")) {
+      throw wrong(
+          node.fields.get("rate"), " stands beside drag or lift; a wind has one of the two");
+    }
+    return wind.onEdges(number(node, "drag", 1, 0, 1000), number(node, "lift", 1, 0, 1000));
   }
 
   private static Area gravityArea(Json node) throws JsonException {

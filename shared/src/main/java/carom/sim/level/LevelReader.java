@@ -21,6 +21,7 @@ import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.MotionLocks;
 import carom.physics.geometry.Shape;
+import carom.physics.settings.MixingRule;
 import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
 import java.util.ArrayList;
@@ -72,7 +73,15 @@ final class LevelReader {
   static final List<String> BOUNDS = List.of("min", "max");
   static final List<String> THEME = List.of("background", "sky", "grid", "accent");
   static final List<String> MATERIAL =
-      List.of("density", "friction", "restitution", "surfaceSpeed");
+      List.of(
+          "density",
+          "friction",
+          "restitution",
+          "surfaceSpeed",
+          "frictionMixing",
+          "restitutionMixing");
+  private static final List<String> MIXING =
+      List.of("average", "geometricMean", "min", "multiply", "max");
   static final List<String> SPAWN = List.of("name", "at", "team");
   static final List<String> ZONE = List.of("name", "min", "max", "team", "color");
   static final List<String> STATIC =
@@ -217,7 +226,15 @@ final class LevelReader {
         number(node, "restitution", DEFAULT_MATERIAL.restitution(), 0, 2),
         0,
         number(node, "surfaceSpeed", 0, -1000, 1000),
-        0);
+        0,
+        mixing(node, "frictionMixing"),
+        mixing(node, "restitutionMixing"));
+  }
+
+  private static MixingRule mixing(Json node, String field) throws JsonException {
+    return node.fields.containsKey(field)
+        ? MixingRule.values()[MIXING.indexOf(word(node, field, MIXING, ""))]
+        : null;
   }
 
   private Material material(Json node) throws JsonException {

@@ -20,15 +20,15 @@ import carom.physics.geometry.Chain;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;
 import carom.physics.geometry.Convex;
-import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
+import java.util.ArrayList;
 import java.util.List;
 
 /** Reads the shapes of a level file. */
 final class ShapeReader {
   static final int MAX_PARTS = 32;
-  static final int MAX_POINTS = 8;
+  static final int MAX_POINTS = 64;
   static final int MAX_CHAIN_POINTS = 256;
   static final List<String> CIRCLE = List.of("type", "radius", "at");
   static final List<String> BOX = List.of("type", "width", "height", "at");
@@ -83,14 +83,16 @@ final class ShapeReader {
     return new Box(size(node, "width") / 2, size(node, "height") / 2, at[0], at[1]);
   }
 
-  private static Polygon polygon(Json node) throws JsonException {
+  /** Returns a polygon, or the convex parts of a concave one. */
+  private static Shape polygon(Json node) throws JsonException {
     knownFields(node, POLYGON);
     required(node, "points");
     List<Json> points = list(node, "points", MAX_POINTS);
     if (points.size() < 3) {
       throw wrong(node.fields.get("points"), " has " + points.size() + " points, needs 3 at least");
     }
-    return Polygon.of(coordinates(points));
+    List<Convex> parts = Compound.ofOutline(coordinates(points)).parts();
+    return parts.size() == 1 ? parts.get(0) : compound(node.fields.get("points"), parts);
   }
 
   private static float[] coordinates(List<Json> points) throws JsonException {
@@ -131,11 +133,19 @@ final class ShapeReader {
     if (parts.isEmpty()) {
       throw wrong(node.fields.get("parts"), " has no part, needs 1 at least");
     }
-    Convex[] convex = new Convex[parts.size()];
-    for (int i = 0; i < convex.length; i++) {
-      convex[i] = (Convex) shape(parts.get(i), false);
+    List<Convex> convex = new ArrayList<>();
+    for (Json part : parts) {
+      convex.addAll(shape(part, false).parts());
     }
-    return Compound.of(convex);
+    return compound(node.fields.get("parts"), convex);
+  }
+
+  private static Compound compound(Json place, List<Convex> parts) throws JsonException {
+    if (parts.size() > MAX_PARTS) {
+      throw wrong(
+          place, " needs " + parts.size() + " convex parts, more than " + MAX_PARTS + "; split it");
+    }
+    return Compound.of(parts);
   }
 
   private static float size(Json node, String field) throws JsonException {

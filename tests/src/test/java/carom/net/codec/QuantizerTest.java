@@ -3,6 +3,7 @@ package carom.net.codec;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.physics.math.Limits;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -82,5 +83,12 @@ class QuantizerTest {
     assertEquals(511, Quantizer.wrapAngle(511));
     assertEquals((float) Math.PI, Quantizer.angleOf(512));
     assertEquals(1023, Quantizer.angle(-0.006f));
+  }
+
+  @Test
+  void everyPlaceOfABodyHasAPositionOnTheWire() {
+    float step = 1f / Quantizer.POSITION_STEPS;
+    assertEquals(
+        Limits.MAX_POSITION, Quantizer.MAX_POSITION / (double) Quantizer.POSITION_STEPS, step);
   }
 }

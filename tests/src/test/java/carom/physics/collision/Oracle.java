@@ -42,7 +42,7 @@ public final class Oracle {
     for (int i = 0; i < xy.length; i++) {
       xy[i] = (float) (size * random.nextDouble(-1, 1));
     }
-    return kind == 5 ? Polygon.rounded(0.2f * w, xy) : Polygon.of(xy);
+    return Polygon.hull(xy).withRadius(kind == 5 ? 0.2f * w : 0);
   }
 
   public static Transform pose(SplittableRandom random, double spread) {

@@ -151,7 +151,7 @@ final class ShapeTest {
     for (int i = 0; i < xy.length; i++) {
       xy[i] = (float) random.nextDouble(-0.9, 0.9);
     }
-    return Polygon.of(xy);
+    return Polygon.hull(xy);
   }
 
   @Test
@@ -160,7 +160,7 @@ final class ShapeTest {
     assertEquals(square.toString(), Polygon.of(0, 1, 1, 1, 1, 0, 0, 0).toString());
     assertEquals(
         square.toString(),
-        Polygon.of(0, 0, 0.5f, 0, 1, 0, 1, 0.00001f, 1, 1, 0.5f, 0.5f, 0, 1, -0f, 1).toString());
+        Polygon.hull(0, 0, 0.5f, 0, 1, 0, 1, 0.00001f, 1, 1, 0.5f, 0.5f, 0, 1, -0f, 1).toString());
     assertEquals(64, Polygon.regular(64, 0.01f).vertexCount());
     assertEquals(64, Polygon.regular(64, 1000).vertexCount());
   }

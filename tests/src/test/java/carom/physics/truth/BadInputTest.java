@@ -25,6 +25,7 @@ import carom.physics.geometry.Compound;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Segment;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -431,8 +432,8 @@ final class BadInputTest {
             () -> s.body.applyTorque(1e20f),
             () -> s.body.setVelocity(-1e5f, 1e5f),
             () -> s.body.setAngularVelocity(1e5f),
-            () -> s.body.setPose(-1e7f, 1e7f, 1e5f),
-            () -> s.other.setPose(-1e7f, 1e7f, 0),
+            () -> s.body.setPose(-Limits.MAX_POSITION, Limits.MAX_POSITION, 1e5f),
+            () -> s.other.setPose(-Limits.MAX_POSITION, Limits.MAX_POSITION, 0),
             () -> s.joints.values().forEach(j -> j.setSpring(1e3f, 100)));
     for (int i = 0; i < 120; i++) {
       excesses.get(r.nextInt(excesses.size())).run();

@@ -9,6 +9,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.json.Json;
+import carom.physics.Material;
+import carom.physics.World;
+import carom.physics.WorldDef;
+import carom.physics.effects.Wind;
+import carom.physics.geometry.Shape;
+import carom.physics.settings.MixingRule;
 import carom.sim.SchemaChecker;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -140,7 +146,24 @@ class LevelTest {
             "flat polygon",
             "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"polygon\", \"points\":"
                 + " [[0,0],[1,1],[2,2]]}}]",
-            "4:37: statics[0].shape: polygon"));
+            "4:37: statics[0].shape: outline turns back on itself at point=0"));
+    c.add(
+        meaning(
+            "crossing polygon",
+            "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"polygon\", \"points\":"
+                + " [[0,0],[2,2],[2,0],[0,2]]}}]",
+            "4:37: statics[0].shape: outline edge=0 (from point 0) meets edge=2"));
+    c.add(
+        field(
+            "mixing",
+            "\"materials\": {\"ice\": {\"frictionMixing\": \"mni\"}}",
+            "4:41: materials.ice.frictionMixing=\"mni\" must be one of"));
+    c.add(
+        meaning(
+            "two winds",
+            "\"areas\": [{\"type\": \"wind\", \"min\": [0, 0], \"max\": [1, 1], \"velocity\":"
+                + " [1, 0],\n\"rate\": 1, \"lift\": 1}]",
+            "5:9: areas[0].rate stands beside drag or lift"));
     c.add(
         field(
             "nested compound",
@@ -309,6 +332,45 @@ class LevelTest {
       assertEquals("", schema.check(Json.parse(level.source())));
     }
     assertEquals("", schema.check(Json.parse((HEAD + "\"zones\": []}").getBytes(UTF_8))));
+  }
+
+  @Test
+  void aConcavePolygonBecomesItsConvexPartsAndMaterialsHaveRules() throws Exception {
+    String l =
+        "{\"type\": \"polygon\", \"points\": [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]}";
+    String wall =
+        "{\"at\": [0, 0], \"material\": {\"frictionMixing\": \"min\", \"restitutionMixing\":"
+            + " \"geometricMean\"}, \"shape\": "
+            + l
+            + "}";
+    String pieces =
+        "{\"at\": [4, 0], \"shape\": {\"type\": \"compound\", \"parts\": ["
+            + l
+            + ", {\"type\": \"circle\", \"radius\": 1}]}}";
+    byte[] good =
+        (HEAD + "\"statics\": [" + wall + "], \"bodies\": [" + pieces + "]}").getBytes(UTF_8);
+    Level level = Level.parse("t.json", good);
+    Shape shape = level.archetypes().get(0).shapes.get(0);
+    assertEquals(2, shape.parts().size());
+    assertEquals(3, shape.area(), 1e-6);
+    assertEquals(3, level.archetypes().get(1).shapes.get(0).parts().size());
+    Material material = level.archetypes().get(0).materials.get(0);
+    assertEquals(MixingRule.MIN, material.frictionMixing());
+    assertEquals(MixingRule.GEOMETRIC_MEAN, material.restitutionMixing());
+    assertEquals("", SchemaChecker.levels().check(Json.parse(good)));
+  }
+
+  @Test
+  void aWindWithLiftBlowsAgainstEdges() throws Exception {
+    byte[] good =
+        (HEAD
+                + "\"areas\": [{\"type\": \"wind\", \"min\": [0, 0], \"max\": [9, 9],"
+                + " \"velocity\": [5, 0], \"lift\": 0.5}]}")
+            .getBytes(UTF_8);
+    Level level = Level.parse("t.json", good);
+    World<Object> world = new World<>(new WorldDef());
+    assertEquals(Wind.class, level.areas().get(0).effect(world).getClass());
+    assertEquals("", SchemaChecker.levels().check(Json.parse(good)));
   }
 
   @Test

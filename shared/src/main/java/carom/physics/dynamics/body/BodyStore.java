@@ -420,8 +420,8 @@ public final class BodyStore {
    * @param s sine
    */
   public void setCenterPose(int slot, float newX, float newY, float c, float s) {
-    Limits.coordinate("x", newX);
-    Limits.coordinate("y", newY);
+    Limits.position("x", newX);
+    Limits.position("y", newY);
     setRotation(slot, c, s);
     x[slot] = newX;
     y[slot] = newY;
@@ -437,8 +437,8 @@ public final class BodyStore {
    * @param s sine
    */
   public void setOriginPose(int slot, float originX, float originY, float c, float s) {
-    Limits.coordinate("x", originX);
-    Limits.coordinate("y", originY);
+    Limits.position("x", originX);
+    Limits.position("y", originY);
     setRotation(slot, c, s);
     x[slot] = originX + (cos[slot] * localX[slot] - sin[slot] * localY[slot]);
     y[slot] = originY + (sin[slot] * localX[slot] + cos[slot] * localY[slot]);

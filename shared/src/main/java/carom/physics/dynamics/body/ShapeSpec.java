@@ -2,6 +2,7 @@ package carom.physics.dynamics.body;
 
 import carom.physics.geometry.Shape;
 import carom.physics.math.StateHash;
+import carom.physics.settings.MixingRule;
 
 /**
  * A shape of a body with all that belongs to it, as the engine takes it over; see {@code
@@ -17,6 +18,8 @@ import carom.physics.math.StateHash;
  * @param mask bits
  * @param group 0 for none
  * @param sensor whether it only notices
+ * @param frictionMixing null for the world's
+ * @param restitutionMixing null for the world's
  */
 public record ShapeSpec(
     Shape shape,
@@ -28,7 +31,9 @@ public record ShapeSpec(
     int category,
     int mask,
     int group,
-    boolean sensor) {
+    boolean sensor,
+    MixingRule frictionMixing,
+    MixingRule restitutionMixing) {
 
   static final int DEFAULT_CATEGORY = 1;
   static final int DEFAULT_MASK = -1;
@@ -47,6 +52,9 @@ public record ShapeSpec(
     }
     if (rollingResistance != 0 || tangentSpeed != 0) {
       h = StateHash.mix(h, rollingResistance, tangentSpeed);
+    }
+    if (frictionMixing != null || restitutionMixing != null) {
+      h = StateHash.mix(h, MaterialMixing.code(frictionMixing, restitutionMixing));
     }
     if (!dynamic && density != 1) {
       h = StateHash.mix(h, density, 0);

@@ -4,6 +4,7 @@ import carom.physics.broadphase.index.AabbArray;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**
@@ -52,6 +53,9 @@ public final class ShapeTable {
   /** The speed of each part's surface, m/s. */
   public float[] tangentSpeed = new float[FIRST_CAPACITY];
 
+  /** How friction and restitution of parts are mixed, and which parts have rules of their own. */
+  public final MaterialMixing mixing;
+
   /** The part's category; see {@code carom.physics.Filter}. */
   int[] category = new int[FIRST_CAPACITY];
 
@@ -92,8 +96,13 @@ public final class ShapeTable {
   private int[] nextFree = new int[FIRST_CAPACITY];
   private int used;
 
-  /** Makes an empty table. */
-  public ShapeTable() {
+  /**
+   * Makes an empty table.
+   *
+   * @param settings has the world's rules of mixing materials
+   */
+  public ShapeTable(Settings settings) {
+    mixing = new MaterialMixing(settings, FIRST_CAPACITY);
     Arrays.fill(freeBlocks, -1);
   }
 
@@ -148,6 +157,7 @@ public final class ShapeTable {
     restitution[part] = spec.restitution();
     rolling[part] = spec.rollingResistance();
     tangentSpeed[part] = spec.tangentSpeed();
+    mixing.set(part, spec.frictionMixing(), spec.restitutionMixing());
     category[part] = spec.category();
     mask[part] = spec.mask();
     group[part] = spec.group();
@@ -230,6 +240,7 @@ public final class ShapeTable {
     System.arraycopy(restitution, 0, to.restitution, 0, used);
     System.arraycopy(rolling, 0, to.rolling, 0, used);
     System.arraycopy(tangentSpeed, 0, to.tangentSpeed, 0, used);
+    mixing.copyTo(to.mixing, used);
     System.arraycopy(category, 0, to.category, 0, used);
     System.arraycopy(mask, 0, to.mask, 0, used);
     System.arraycopy(group, 0, to.group, 0, used);
@@ -255,6 +266,7 @@ public final class ShapeTable {
       restitution = Arrays.copyOf(restitution, grown);
       rolling = Arrays.copyOf(rolling, grown);
       tangentSpeed = Arrays.copyOf(tangentSpeed, grown);
+      mixing.grow(grown);
       category = Arrays.copyOf(category, grown);
       mask = Arrays.copyOf(mask, grown);
       group = Arrays.copyOf(group, grown);

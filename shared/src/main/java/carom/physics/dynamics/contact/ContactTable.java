@@ -199,8 +199,15 @@ public final class ContactTable extends ContactColumns {
     mix(row, parts);
   }
 
-  /** Mixes the materials of a row's parts. */
-  private void mix(int row, ShapeTable parts) {
+  /** Sets one of the mixed numbers of a row until they are mixed again. */
+  public void setMaterial(int row, int place, float value) {
+    ownPairs();
+    bouncy |= place == RESTITUTION && value != 0;
+    material[row * MATERIAL + place] = value;
+  }
+
+  /** Mixes the materials of a row's parts. The arrays must be this table's own. */
+  public void mix(int row, ShapeTable parts) {
     int a = part[2 * row];
     int b = part[2 * row + 1];
     float roundA = parts.convex[a].radius();
@@ -209,12 +216,13 @@ public final class ContactTable extends ContactColumns {
     if (rolling != 0) {
       rolls = true; // not |=, which could undo what another worker did meanwhile
     }
-    float restitution = Math.max(parts.restitution[a], parts.restitution[b]);
+    float restitution =
+        parts.mixing.restitution(a, b).mix(parts.restitution[a], parts.restitution[b]);
     if (restitution != 0) {
       bouncy = true; // not |=, as above
     }
     int at = row * MATERIAL;
-    material[at + FRICTION] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
+    material[at + FRICTION] = parts.mixing.friction(a, b).mix(parts.friction[a], parts.friction[b]);
     material[at + RESTITUTION] = restitution;
     material[at + ROLLING] = rolling;
     material[at + SURFACE] = parts.tangentSpeed[a] + parts.tangentSpeed[b];

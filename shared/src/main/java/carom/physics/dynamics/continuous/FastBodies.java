@@ -255,8 +255,8 @@ final class FastBodies {
   /** Adds a body, if its points may have moved by more than a way, m. */
   private void add(int body, float least) {
     boolean atEdge =
-        Math.abs(bodies.x[body]) >= Limits.MAX_COORDINATE
-            || Math.abs(bodies.y[body]) >= Limits.MAX_COORDINATE;
+        Math.abs(bodies.x[body]) >= Limits.MAX_POSITION
+            || Math.abs(bodies.y[body]) >= Limits.MAX_POSITION;
     if (atEdge) {
       return;
     }

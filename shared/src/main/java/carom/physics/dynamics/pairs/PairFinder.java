@@ -37,6 +37,7 @@ public final class PairFinder {
   private final BodyStore bodies;
   private final ActiveBodies active;
   private final ShapeTable parts;
+  private final ContactTable contacts;
   private final RowOrder rows;
   private final MovedParts moved;
   private final FatBoxes boxes;
@@ -69,6 +70,7 @@ public final class PairFinder {
     this.active = active;
     this.parts = parts;
     this.parallel = parallel;
+    this.contacts = contacts;
     rows = contacts.order();
     moved = new MovedParts(parts);
     boxes = new FatBoxes(settings, bodies, parts, contacts);
@@ -161,7 +163,12 @@ public final class PairFinder {
 
   // ---------------------------------------------------------------- pairs
 
-  /** Returns whether filters, joints and types let two parts touch. */
+  /** Sets a rule of the user, which is asked last; null for none. */
+  public void customRule(PartRule custom) {
+    filter.custom(custom);
+  }
+
+  /** Returns whether filters, joints, types and the user's rule let two parts touch. */
   public boolean mayTouch(int p, int q) {
     return filter.mayTouch(p, q);
   }
@@ -199,7 +206,8 @@ public final class PairFinder {
     trees.refit();
     CandidateList[] found = search.run(searchAll, sorter.capacity());
     long[] keys = sorter.sort(found);
-    rows.merge(keys, sorter.count(), bodies, parts, searchAll, parallel);
+    int count = filter.ask(keys, sorter.count(), contacts);
+    rows.merge(keys, count, bodies, parts, searchAll, parallel);
     moved.clear();
     searchAll = false;
   }

@@ -501,11 +501,11 @@ public final class SolverBodies {
   }
 
   private static float inside(BodyStore b, int body, float coordinate) {
-    if (Math.abs(coordinate) <= Limits.MAX_COORDINATE) {
+    if (Math.abs(coordinate) <= Limits.MAX_POSITION) {
       return coordinate;
     }
     b.vx[body] = 0;
     b.vy[body] = 0;
-    return coordinate > 0 ? Limits.MAX_COORDINATE : -Limits.MAX_COORDINATE;
+    return coordinate > 0 ? Limits.MAX_POSITION : -Limits.MAX_POSITION;
   }
 }

@@ -138,7 +138,7 @@ final class JointScenes {
     }
     s.body(new BodyDef().shape(Chain.open(ground), SceneBodies.STONE.withFriction(1)));
     Polygon chassis =
-        Polygon.of(
+        Polygon.hull(
             -1.6f, -0.3f, 1.6f, -0.3f, 1.7f, 0.1f, 0.7f, 0.25f, 0.2f, 0.75f, -1.1f, 0.75f, -1.6f,
             0.2f);
     Body<T> car = free(s, chassis, -12, 3, SceneColors.CORAL);

@@ -8,10 +8,9 @@ import static carom.sim.scene.catalog.SceneBodies.trough;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
-import carom.physics.Collision;
-import carom.physics.CollisionListener;
 import carom.physics.Material;
 import carom.physics.WorldDef;
+import carom.physics.effects.OneWay;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Chain;
@@ -113,34 +112,7 @@ final class SurfaceScenes {
             }
           }
         });
-    s.listener(oneWay());
-  }
-
-  /**
-   * Returns a listener that lets bodies pass one-way surfaces unless they come from above. Such a
-   * body stands on the surface already, or its lowest point is no deeper than it moved in a tick.
-   */
-  private static <T> CollisionListener<T> oneWay() {
-    return new CollisionListener<>() {
-      @Override
-      public boolean preSolve(Collision<T> c) {
-        boolean self = c.selfMaterial().tag() == ONE_WAY;
-        if (!self && c.otherMaterial().tag() != ONE_WAY) {
-          return true;
-        }
-        float up = self ? c.normalY() : -c.normalY();
-        if (up < 0.7f) {
-          return false;
-        }
-        for (int i = 0; i < c.pointCount(); i++) {
-          float fallen = Math.max(0, -c.normalSpeed(i)) / Scene.DEFAULT_TICK_RATE;
-          if (c.warmImpulse(i) > 0 || c.separation(i) >= -0.03f - fallen) {
-            return true;
-          }
-        }
-        return false;
-      }
-    };
+    s.listener(new OneWay<>((body, shape) -> body.material(shape).tag() == ONE_WAY));
   }
 
   private static void bouncing(Stage<?> s) {

@@ -87,7 +87,7 @@ public class ContactSolverBenchmark {
   }
 
   private void add(byte type, Shape shape, float x, float y) {
-    ShapeSpec spec = new ShapeSpec(shape, 1, 0.6f, 0, 0, 0, 1, -1, 0, false);
+    ShapeSpec spec = new ShapeSpec(shape, 1, 0.6f, 0, 0, 0, 1, -1, 0, false, null, null);
     int body = world.editor().create(type, new ShapeSpec[] {spec}, null, false);
     world.bodies().setOriginPose(body, x, y, 1, 0);
     world.editor().enter(body, true);

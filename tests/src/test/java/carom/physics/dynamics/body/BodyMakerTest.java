@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.physics.WorldDef;
 import carom.physics.geometry.Chain;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
@@ -16,11 +17,11 @@ class BodyMakerTest {
     for (int i = 0; i < xy.length; i += 2) {
       xy[i] = i;
     }
-    ShapeSpec spec = new ShapeSpec(Chain.open(xy), 1, 0, 0, 0, 0, 1, 1, 0, false);
+    ShapeSpec spec = new ShapeSpec(Chain.open(xy), 1, 0, 0, 0, 0, 1, 1, 0, false, null, null);
     ShapeSpec[] shapes = new ShapeSpec[(1 << 30) / Chain.MAX_SEGMENTS * 4 + 10];
     Arrays.fill(shapes, spec);
     BodyStore bodies = new BodyStore();
-    BodyMaker maker = new BodyMaker(bodies, new ShapeTable());
+    BodyMaker maker = new BodyMaker(bodies, new ShapeTable(new WorldDef()));
     IllegalArgumentException e =
         assertThrows(
             IllegalArgumentException.class,

@@ -263,7 +263,7 @@ final class KeptManifoldsTest {
       xy[i] = (float) (random.nextDouble(0.4, 0.8) * Math.cos(angle));
       xy[i + 1] = (float) (random.nextDouble(0.4, 0.8) * Math.sin(angle));
     }
-    return Polygon.of(xy);
+    return Polygon.hull(xy);
   }
 
   private static Transform pose(SplittableRandom random, double spread, double turn) {

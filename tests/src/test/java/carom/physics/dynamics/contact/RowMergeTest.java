@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.physics.WorldDef;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.store.RowMoves;
@@ -20,7 +21,7 @@ final class RowMergeTest {
   private static final int BODIES = 150;
 
   private final ContactTable table = new ContactTable();
-  private final ShapeTable shapes = new ShapeTable();
+  private final ShapeTable shapes = new ShapeTable(new WorldDef());
 
   /** Does tasks backwards, as if each was another thread's. */
   private static final class Backwards implements Workers {

@@ -1,10 +1,13 @@
-package carom.sim.level;
+package carom.sim.area;
 
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.math.Trig;
+import carom.sim.level.Archetype;
+import carom.sim.level.Archetypes;
+import carom.sim.level.Level;
 import carom.sim.pool.Pools;
 import java.util.ArrayList;
 import java.util.List;
