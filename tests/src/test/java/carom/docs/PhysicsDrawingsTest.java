@@ -27,7 +27,7 @@ final class PhysicsDrawingsTest {
   @Test
   void thePagesShowEveryFigureAsItIsDrawn() throws IOException {
     String pages = "";
-    for (String page : new String[] {"PHYSICS.md", "SHAPES.md", "JOINTS.md"}) {
+    for (String page : new String[] {"PHYSICS.md", "SHAPES.md", "JOINTS.md", "MOVER.md"}) {
       pages += Files.readString(docs().resolve(page));
     }
     for (Map.Entry<String, String> figure : PhysicsDrawings.all().entrySet()) {
