@@ -148,8 +148,9 @@ public final class World<T> {
    * changes or sleeping is switched off; otherwise they sleep on. Lower limits of speed act on
    * bodies that are faster.
    *
-   * @param newDef the constants; substeps, speculativeDistance and integrator stay as they are
-   * @throws IllegalArgumentException if one of these three differs
+   * @param newDef the constants; substeps, speculativeDistance, integrator and both mixing rules
+   *     stay as they are
+   * @throws IllegalArgumentException if one of these five differs
    * @throws IllegalStateException during a step or a query, or if the world is {@linkplain #seal
    *     sealed}
    */

@@ -142,6 +142,7 @@ class SealedWorldTest {
         floor.setEnabled(false);
         floor.setPose(1, -2, 0);
         floor.setCenterPose(1, -3, 1, 0);
+        s.world().collisionFilter((a, i, b, j) -> true);
       }
       assertRefused("setType", () -> floor.setType(BodyType.KINEMATIC));
     }
@@ -317,6 +318,7 @@ class SealedWorldTest {
     assertFalse(floor.isEnabled());
     assertEquals(-3, floor.y());
     assertRefused("setEnabled", () -> floor.setEnabled(true));
+    assertRefused("collisionFilter", () -> s.world().collisionFilter(null));
   }
 
   @Test

@@ -13,7 +13,7 @@ import java.util.Set;
  *
  * <p>The simulation itself makes some of these calls. It {@linkplain #permit announces} each of
  * them just before. Until {@code Game.setUp} has ended, which runs on both sides, statics of the
- * level may be changed, too.
+ * level may be changed, too, and a collision filter set.
  *
  * <p>One simulation's; one thread. Allocates for a refusal only.
  */
@@ -63,9 +63,8 @@ public final class WorldSeal implements Seal<Entity> {
           Map.entry("redefine", CONSTANTS),
           Map.entry(
               "collisionFilter",
-              CLIENTS
-                  + "none of its answers; let Game.collision return false, or give archetypes a"
-                  + " filter by ArchetypeDef.filter"),
+              "both sides set it in Game.setUp or never; let Game.collision return false, or give"
+                  + " archetypes a filter by ArchetypeDef.filter"),
           Map.entry("listener", LISTENER + "Game.collision or Game.hit, or read World.eventLists"),
           Map.entry("jointListener", LISTENER + "Game.broke"),
           Map.entry("queryScope", "the simulation sets it; give the query a QueryFilter"),
@@ -107,7 +106,8 @@ public final class WorldSeal implements Seal<Entity> {
     if (isMove(call) && !ofStatic) {
       return null; // an entity, of whose moves clients hear
     }
-    if (!isSetUp && ofStatic && OF_STATICS.contains(call)) {
+    boolean alike = (ofStatic && OF_STATICS.contains(call)) || call.equals("collisionFilter");
+    if (!isSetUp && alike) {
       return null;
     }
     return Objects.requireNonNull(REASONS.get(call), call);
