@@ -17,9 +17,8 @@ package carom.physics;
  * pairs of the body: contacts that are refused end, and those that are allowed begin.
  *
  * <p>Where several machines compute the same world, each must set an equal filter, and answers must
- * never change: a game sets it in its set-up on server and clients, and clients aren't told of
- * {@link Body#refilter}. What changes belongs to the game's {@code collision}, which both sides
- * ask.
+ * never change: a game sets it in its set-up on server and clients, and its world refuses {@link
+ * Body#refilter}. What changes belongs to the game's {@code collision}, which both sides ask.
  *
  * <p>A world with a filter can't be recorded by {@link WorldRecorder}, which records calls and not
  * answers.
