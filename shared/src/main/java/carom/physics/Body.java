@@ -25,6 +25,9 @@ import java.util.function.Consumer;
  * wakes by itself when something moves it or what it touches. Setting a property to the value it
  * already has doesn't wake it.
  *
+ * <p>In a {@linkplain World#seal sealed} world, methods that change what a body is made of, or move
+ * a static one, throw IllegalStateException unless the seal lets them pass.
+ *
  * <p>Forces and impulses add up, act in the next step, and are then cleared. They do nothing on
  * static, kinematic and disabled bodies.
  *
@@ -222,6 +225,7 @@ public final class Body<T> {
    */
   public void setSleepAllowed(boolean allowed) {
     check();
+    world.refuseIfSealed("setSleepAllowed", this);
     world.note(Call.SET_SLEEP_ALLOWED, index, allowed);
     if (allowed) {
       store.flags[index] &= ~BodyStore.SLEEPLESS;
@@ -250,6 +254,7 @@ public final class Body<T> {
    */
   public void setSleepSpeed(float speed) {
     check();
+    world.refuseIfSealed("setSleepSpeed", this);
     world.note(Call.SET_SLEEP_SPEED, index, speed);
     store.sleepSpeed[index] = Limits.range("sleepSpeed", speed, 0, Limits.MAX_SLEEP_SPEED);
     store.coldChanged();
@@ -521,6 +526,7 @@ public final class Body<T> {
    */
   public void setPose(float x, float y, float cos, float sin) {
     check();
+    refuseIfStatic("setPose");
     world.note(Call.SET_POSE, index, x, y, cos, sin);
     float oldX = store.x[index];
     float oldY = store.y[index];
@@ -528,6 +534,13 @@ public final class Body<T> {
     float oldSin = store.sin[index];
     store.setOriginPose(index, x, y, cos, sin);
     movedFrom(oldX, oldY, oldCos, oldSin);
+  }
+
+  /** Refuses to move a static body of a world that others compute without hearing of it. */
+  private void refuseIfStatic(String call) {
+    if (store.type[index] == BodyStore.STATIC) {
+      world.refuseIfSealed(call, this);
+    }
   }
 
   private void movedFrom(float x, float y, float cos, float sin) {
@@ -551,6 +564,7 @@ public final class Body<T> {
    */
   public void setCenterPose(float x, float y, float cos, float sin) {
     check();
+    refuseIfStatic("setCenterPose");
     world.note(Call.SET_CENTER_POSE, index, x, y, cos, sin);
     float oldX = store.x[index];
     float oldY = store.y[index];
@@ -718,6 +732,7 @@ public final class Body<T> {
    */
   public void writeRow(int[] row, int at) {
     check();
+    refuseIfStatic("writeRow");
     world.noteRow(index, row, at);
     dynamics().wake(index);
     float oldX = store.x[index];
@@ -876,6 +891,7 @@ public final class Body<T> {
    */
   public void setBullet(boolean bullet) {
     check();
+    world.refuseIfSealed("setBullet", this);
     world.note(Call.SET_BULLET, index, bullet);
     store.setBullet(index, bullet);
   }
@@ -1089,7 +1105,7 @@ public final class Body<T> {
    */
   public void setShapeUser(int i, Object user) {
     check();
-    world.edits().changeShape(this, i, shape -> shape.withUser(user));
+    world.edits().changeShape("setShapeUser", this, i, shape -> shape.withUser(user));
   }
 
   /**
@@ -1123,7 +1139,7 @@ public final class Body<T> {
    */
   public void setMaterial(int i, Material newMaterial) {
     check();
-    world.edits().changeShape(this, i, shape -> shape.withMaterial(newMaterial));
+    world.edits().changeShape("setMaterial", this, i, shape -> shape.withMaterial(newMaterial));
   }
 
   /**
@@ -1147,7 +1163,7 @@ public final class Body<T> {
    */
   public void setFilter(int i, Filter newFilter) {
     check();
-    world.edits().changeShape(this, i, shape -> shape.withFilter(newFilter));
+    world.edits().changeShape("setFilter", this, i, shape -> shape.withFilter(newFilter));
   }
 
   /**
@@ -1184,7 +1200,7 @@ public final class Body<T> {
    */
   public void setSensor(int i, boolean sensor) {
     check();
-    world.edits().changeShape(this, i, shape -> shape.withSensor(sensor));
+    world.edits().changeShape("setSensor", this, i, shape -> shape.withSensor(sensor));
   }
 
   /**
@@ -1214,6 +1230,7 @@ public final class Body<T> {
    */
   public void setGravityScale(float factor) {
     check();
+    world.refuseIfSealed("setGravityScale", this);
     world.note(Call.SET_GRAVITY_SCALE, index, factor);
     Limits.range("gravityScale", factor, -Limits.MAX_GRAVITY_SCALE, Limits.MAX_GRAVITY_SCALE);
     if (store.gravityScale[index] != factor) {
@@ -1240,6 +1257,7 @@ public final class Body<T> {
    */
   public void setLinearDamping(float perSecond) {
     check();
+    world.refuseIfSealed("setLinearDamping", this);
     world.note(Call.SET_LINEAR_DAMPING, index, perSecond);
     store.linearDamping[index] = Limits.range("linearDamping", perSecond, 0, Limits.MAX_DAMPING);
     store.coldChanged();
@@ -1262,6 +1280,7 @@ public final class Body<T> {
    */
   public void setAngularDamping(float perSecond) {
     check();
+    world.refuseIfSealed("setAngularDamping", this);
     world.note(Call.SET_ANGULAR_DAMPING, index, perSecond);
     store.angularDamping[index] = Limits.range("angularDamping", perSecond, 0, Limits.MAX_DAMPING);
     store.coldChanged();

@@ -77,12 +77,12 @@ public final class EditQueue<T> {
   }
 
   void enable(Body<T> body, boolean enabled) {
-    world.refuseDuringQuery("setEnabled");
+    world.refuseShared("setEnabled", body);
     request(enabled ? ENABLE : DISABLE, body.index(), body.generation(), null);
   }
 
   void changeType(Body<T> body, BodyType type) {
-    world.refuseDuringQuery("setType");
+    world.refuseShared("setType", body);
     if (type == BodyType.DYNAMIC) {
       BodyEditor.checkMass(body.specs(), handles.ownMass(body.index()));
     }
@@ -90,8 +90,8 @@ public final class EditQueue<T> {
   }
 
   /** Changes the material, filter, sensor flag or user of a shape. */
-  void changeShape(Body<T> body, int shape, UnaryOperator<ShapeDef> how) {
-    world.refuseDuringQuery("changing a shape");
+  void changeShape(String call, Body<T> body, int shape, UnaryOperator<ShapeDef> how) {
+    world.refuseShared(call, body);
     ShapeDef[] after = shapesToBe(body).clone();
     checkIndex(shape, after.length);
     ShapeDef before = after[shape];
@@ -100,20 +100,20 @@ public final class EditQueue<T> {
   }
 
   void addShape(Body<T> body, ShapeDef added) {
-    world.refuseShared("addShape");
+    world.refuseShared("addShape", body);
     ShapeDef[] before = shapesToBe(body);
     request(body, spliced(before, before.length, 0, added));
   }
 
   void removeShape(Body<T> body, int shape) {
-    world.refuseShared("removeShape");
+    world.refuseShared("removeShape", body);
     ShapeDef[] before = shapesToBe(body);
     checkIndex(shape, before.length);
     request(body, spliced(before, shape, 1));
   }
 
   void replaceShape(Body<T> body, int shape, ShapeDef by) {
-    world.refuseShared("replaceShape");
+    world.refuseShared("replaceShape", body);
     ShapeDef[] before = shapesToBe(body);
     checkIndex(shape, before.length);
     request(body, spliced(before, shape, 1, by));
@@ -160,7 +160,7 @@ public final class EditQueue<T> {
   }
 
   void changeMass(Body<T> body, MassData ownOrNull) {
-    world.refuseDuringQuery("setMass");
+    world.refuseShared(ownOrNull == null ? "computeMass" : "setMass", body);
     if (body.type() == BodyType.DYNAMIC) {
       BodyEditor.checkMass(body.specs(), ownOrNull);
     }
@@ -168,13 +168,13 @@ public final class EditQueue<T> {
   }
 
   void lockMotion(Body<T> body, MotionLocks locks) {
-    world.refuseShared("setMotionLocks");
+    world.refuseShared("setMotionLocks", body);
     request(LOCK_MOTION, body.index(), body.generation(), locks);
   }
 
   /** Fixes or frees the rotation; the other locks are those that the body will have by then. */
   void fixRotation(Body<T> body, boolean fixed) {
-    world.refuseShared("setFixedRotation");
+    world.refuseShared("setFixedRotation", body);
     MotionLocks locks = body.motionLocks();
     for (int i = 0; i < pendingCount; i++) {
       if (pending[i] == LOCK_MOTION
@@ -187,7 +187,7 @@ public final class EditQueue<T> {
   }
 
   void refilter(Body<T> body) {
-    world.refuseDuringQuery("refilter");
+    world.refuseShared("refilter", body);
     request(REFILTER, body.index(), body.generation(), null);
   }
 

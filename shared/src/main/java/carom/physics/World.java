@@ -89,8 +89,8 @@ public final class World<T> {
   private boolean stepping;
   private boolean querying;
 
-  /** Why shapes and constants must stay; null if they needn't. */
-  private String seal;
+  /** Decides which calls may still change this world; null if all may. */
+  private Seal<T> seal;
 
   private final Aabb box = new Aabb();
   private final Aabb queryBox = new Aabb();
@@ -148,15 +148,16 @@ public final class World<T> {
    * changes or sleeping is switched off; otherwise they sleep on. Lower limits of speed act on
    * bodies that are faster.
    *
-   * @param newDef the constants; substeps, speculativeDistance and integrator stay as they are
-   * @throws IllegalArgumentException if one of these three differs
+   * @param newDef the constants; substeps, speculativeDistance, integrator and both mixing rules
+   *     stay as they are
+   * @throws IllegalArgumentException if one of these five differs
    * @throws IllegalStateException during a step or a query, or if the world is {@linkplain #seal
    *     sealed}
    */
   public void redefine(WorldDef newDef) {
     refuseDuringStep("redefine");
     refuseDuringQuery("redefine");
-    refuseIfSealed("redefine");
+    refuseIfSealed("redefine", null);
     newDef.checkFollows(def);
     noteValue(Call.REDEFINE, newDef);
     boolean wakes =
@@ -193,14 +194,17 @@ public final class World<T> {
   }
 
   /**
-   * Seals the world: from now on no body can be given another shape or other locks, and constants
-   * stay. Programs seal worlds that others compute, too, from the same definitions and without
-   * hearing of such a change. The seal is no part of the state.
+   * Seals the world: from now on calls that others who compute it don't hear of throw
+   * IllegalStateException, unless the seal lets them pass. The seal is no part of the state.
    *
-   * @param why the reason and the way out, for the error's text
+   * @param newSeal decides for good; asked before a call changes anything
+   * @throws IllegalStateException if the world is sealed already
    */
-  public void seal(String why) {
-    seal = Objects.requireNonNull(why);
+  public void seal(Seal<T> newSeal) {
+    if (seal != null) {
+      throw new IllegalStateException("seal is not possible in this world: it is sealed already");
+    }
+    seal = Objects.requireNonNull(newSeal);
   }
 
   /**
@@ -214,7 +218,7 @@ public final class World<T> {
    * @throws IllegalStateException during a query
    */
   public Body<T> createBody(BodyDef bodyDef, T user) {
-    refuseDuringQuery("createBody");
+    refuseShared("createBody", null);
     noteValue(Call.CREATE_BODY, bodyDef);
     ShapeDef[] given = bodyDef.shapes.toArray(new ShapeDef[0]);
     int slot =
@@ -264,6 +268,7 @@ public final class World<T> {
               + bodyDef.shapes.size()
               + " of the body of a chain; it must be static or kinematic, without shapes");
     }
+    refuseShared("createChain", null);
     List<Body<T>> bodies = new ArrayList<>();
     try {
       for (List<ShapeDef> shapes : chain.bodies()) {
@@ -321,7 +326,7 @@ public final class World<T> {
    * @throws IllegalArgumentException if the body belongs to another world
    */
   public void destroyBody(Body<T> body) {
-    refuseDuringQuery("destroyBody");
+    refuseShared("destroyBody", body);
     own(body);
     edits.destroy(body);
   }
@@ -464,7 +469,7 @@ public final class World<T> {
    */
   public void sortFreeBodies() {
     refuseDuringStep("sortFreeBodies");
-    refuseDuringQuery("sortFreeBodies");
+    refuseShared("sortFreeBodies", null);
     note(Call.SORT_FREE_BODIES);
     store.sortFree();
   }
@@ -477,7 +482,7 @@ public final class World<T> {
    */
   public void destroyJoints() {
     refuseDuringStep("destroyJoints");
-    refuseDuringQuery("destroyJoints");
+    refuseShared("destroyJoints", null);
     note(Call.DESTROY_JOINTS);
     for (int j = joints.slots() - 1; j >= 0; j--) {
       if (joint(j) != null) {
@@ -558,6 +563,7 @@ public final class World<T> {
    * @param newListener the listener, null for none
    */
   public void jointListener(JointListener<T> newListener) {
+    refuseIfSealed("jointListener", null);
     jointListener = newListener;
     note(Call.LISTENERS, listeners());
   }
@@ -583,7 +589,7 @@ public final class World<T> {
   public void step(float dtSeconds) {
     Limits.timeStep(dtSeconds);
     refuseDuringStep("step");
-    refuseDuringQuery("step");
+    refuseShared("step", null);
     if (recorder != null) {
       recorder.noteStep(dtSeconds);
     }
@@ -625,6 +631,7 @@ public final class World<T> {
    * @param newListener the listener, null for none
    */
   public void listener(CollisionListener<T> newListener) {
+    refuseIfSealed("listener", null);
     events.listener(newListener);
     note(Call.LISTENERS, listeners());
   }
@@ -653,7 +660,7 @@ public final class World<T> {
    */
   public void collisionFilter(CollisionFilter<T> newFilter) {
     refuseDuringStep("collisionFilter");
-    refuseDuringQuery("collisionFilter");
+    refuseShared("collisionFilter", null);
     if (recorder != null && newFilter != null) {
       throw new IllegalStateException(
           "collisionFilter is not possible while calls are recorded: its answers are none");
@@ -729,7 +736,7 @@ public final class World<T> {
    */
   public void restore(WorldState s) {
     refuseDuringStep("restore");
-    refuseDuringQuery("restore");
+    refuseShared("restore", null);
     checkOwner(s);
     noteValue(Call.STATE, s);
     moves++;
@@ -810,7 +817,7 @@ public final class World<T> {
    */
   public void writeRows(ExactRows rows) {
     refuseDuringStep("writeRows");
-    refuseDuringQuery("writeRows");
+    refuseShared("writeRows", null);
     settleRecorder();
     dynamics.write(rows);
     if (recorder != null) {
@@ -1172,6 +1179,7 @@ public final class World<T> {
    * @param newScope the shapes that queries see from now on; null for all
    */
   public void queryScope(QueryFilter<T> newScope) {
+    refuseIfSealed("queryScope", null);
     scope = newScope;
   }
 
@@ -1329,15 +1337,17 @@ public final class World<T> {
     moves++;
   }
 
-  /** Refuses an edit of which others that compute this world don't hear. */
-  void refuseShared(String what) {
+  /** Refuses a call of which others that compute this world don't hear, and any in a query. */
+  void refuseShared(String what, Body<T> body) {
+    refuseIfSealed(what, body);
     refuseDuringQuery(what);
-    refuseIfSealed(what);
   }
 
-  private void refuseIfSealed(String what) {
-    if (seal != null) {
-      throw new IllegalStateException(what + " is not possible in this world: " + seal);
+  /** Refuses a call of which others that compute this world don't hear. */
+  void refuseIfSealed(String what, Body<T> body) {
+    String why = seal == null ? null : seal.refusal(what, body);
+    if (why != null) {
+      throw new IllegalStateException(what + " is not possible in this world: " + why);
     }
   }
 

@@ -10,6 +10,7 @@ import carom.sim.entity.CallRules;
 import carom.sim.entity.Entity;
 import carom.sim.entity.EntityTable;
 import carom.sim.entity.PlayerTable;
+import carom.sim.entity.WorldSeal;
 import carom.sim.event.EventKinds;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldUse;
@@ -45,10 +46,6 @@ import java.util.List;
  * other.
  */
 final class SimParts {
-  private static final String SEAL =
-      "clients compute it, too, and know shapes by archetypes and constants by Game.world alone;"
-          + " spawn an entity of another archetype in its place, or use an area of another gravity";
-
   final Game game;
   final Level level;
   final int tickRate;
@@ -56,6 +53,10 @@ final class SimParts {
   final CallRules calls;
   final WorldDef worldDef;
   final World<Entity> world;
+
+  /** Keeps games from changing {@link #world} behind the clients' backs. */
+  final WorldSeal seal = new WorldSeal();
+
   final Archetypes archetypes = new Archetypes();
   final Assemblies assemblies = new Assemblies(archetypes);
   final EventKinds eventKinds = new EventKinds();
@@ -109,7 +110,6 @@ final class SimParts {
     random = new SimRandom(seed);
     worldDef = game.world(level);
     world = new World<>(worldDef);
-    world.seal(SEAL);
     areas =
         new AreaForces<>(
             world, level.areas(), (carrier, power) -> carrier.user().get(power), decides);
@@ -118,6 +118,7 @@ final class SimParts {
     entities =
         new EntityTable(
             world,
+            seal,
             areas,
             assemblies,
             joints,

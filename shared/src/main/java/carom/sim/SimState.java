@@ -77,6 +77,7 @@ public final class SimState {
 
   /** Gives the parts this state. Messages that wait for the next step are dropped. */
   void restore() {
+    owner.seal.permit("restore");
     owner.world.restore(world);
     owner.received.clear();
     owner.tick = tick;

@@ -101,8 +101,10 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     outbox = new Outbox(role == Role.AUTHORITY);
     World<Entity> world = parts.world;
     past = parts.history == null ? world.queries() : world.queries(parts.history);
+    world.seal(parts.seal);
     parts.buildLevel();
     game.setUp(this);
+    parts.seal.endSetUp();
     ticks.beginClock();
     parts.closeDeclarations();
     parts.capturePoses();
@@ -274,7 +276,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /**
    * Creates an entity without an owner under the smallest free id. Its body may have more than the
-   * archetype says: filters, velocities, a bullet. Clients that predict it know the archetype only.
+   * archetype says: filters, a mass. Clients that predict it know pose, velocity and archetype
+   * only, and {@link #findings} says what they lack.
    *
    * @param archetype its archetype, with the same shapes; its path is ignored
    * @param def the definition of the body

@@ -99,6 +99,7 @@ final class Tick {
     during("hit");
     calls.inPhysics(true);
     try {
+      parts.seal.permit("step");
       parts.world.step(seconds);
     } finally {
       calls.inPhysics(false);
@@ -172,17 +173,22 @@ final class Tick {
     forceCheck.beginTick(decides ? parts.tick : 1);
     calls.inForces(true);
     fields.beginForces();
-    parts.world.queryScope(geometry);
+    queryScope(geometry);
     try {
       parts.world.forEachAwake(forces);
     } finally {
-      parts.world.queryScope(null);
+      queryScope(null);
       fields.end();
       calls.inForces(false);
     }
     if (decides) {
       pools.close();
     }
+  }
+
+  private void queryScope(QueryFilter<Entity> scope) {
+    parts.seal.permit("queryScope");
+    parts.world.queryScope(scope);
   }
 
   private void applyForces(Body<Entity> body) {

@@ -29,7 +29,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The figures of {@code docs/PHYSICS.md}, with shapes and manifolds of the engine itself. {@code
+ * The figures of the engine's pages in docs, with shapes and manifolds of the engine itself. {@code
  * main} writes them; {@link PhysicsDrawingsTest} compares the files with what is drawn here.
  */
 final class PhysicsDrawings {

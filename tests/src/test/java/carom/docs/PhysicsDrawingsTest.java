@@ -10,8 +10,8 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: the figures of {@code docs/PHYSICS.md} are those that {@link PhysicsDrawings} draws. With
- * {@code -Dcarom.renew=true} the test writes them.
+ * Goal: the figures of the engine's pages are those that {@link PhysicsDrawings} draws. With {@code
+ * -Dcarom.renew=true} the test writes them.
  */
 final class PhysicsDrawingsTest {
   private static final int MAX_BYTES = 20_000;
@@ -25,8 +25,11 @@ final class PhysicsDrawingsTest {
   }
 
   @Test
-  void thePageShowsEveryFigureAsItIsDrawn() throws IOException {
-    String page = Files.readString(docs().resolve("PHYSICS.md"));
+  void thePagesShowEveryFigureAsItIsDrawn() throws IOException {
+    String pages = "";
+    for (String page : new String[] {"PHYSICS.md", "SHAPES.md", "JOINTS.md", "MOVER.md"}) {
+      pages += Files.readString(docs().resolve(page));
+    }
     for (Map.Entry<String, String> figure : PhysicsDrawings.all().entrySet()) {
       Path file = docs().resolve("images").resolve(figure.getKey());
       if (Boolean.getBoolean("carom.renew")) {
@@ -34,7 +37,7 @@ final class PhysicsDrawingsTest {
       }
       assertEquals(Files.readString(file), figure.getValue(), figure.getKey());
       assertTrue(figure.getValue().length() < MAX_BYTES, figure.getKey());
-      assertTrue(page.contains("images/" + figure.getKey()), figure.getKey());
+      assertTrue(pages.contains("images/" + figure.getKey()), figure.getKey());
     }
   }
 }

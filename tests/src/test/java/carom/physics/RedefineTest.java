@@ -192,7 +192,7 @@ class RedefineTest {
         });
     assertEquals(before, w.stateHash());
     w.step(DT);
-    w.seal("others compute it");
+    w.seal((call, body) -> "others compute it");
     assertThrows(IllegalStateException.class, () -> w.redefine(d.withHitSpeed(3)));
   }
 

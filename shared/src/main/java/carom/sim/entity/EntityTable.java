@@ -34,6 +34,7 @@ public final class EntityTable
   public static final int MAX_ENTITIES = 65_535;
 
   private final World<Entity> world;
+  private final WorldSeal seal;
   private final AreaForces<Entity> areas;
   private final Assemblies assemblies;
   private final JointTable<Entity> joints;
@@ -63,6 +64,7 @@ public final class EntityTable
    */
   public EntityTable(
       World<Entity> world,
+      WorldSeal seal,
       AreaForces<Entity> areas,
       Assemblies assemblies,
       JointTable<Entity> joints,
@@ -74,6 +76,7 @@ public final class EntityTable
     this.assemblies = assemblies;
     this.joints = joints;
     this.world = world;
+    this.seal = seal;
     this.tickRate = tickRate;
     fields = new FieldStore(schema, clock, this);
     entityFields = new EntityFields(fields);
@@ -196,12 +199,11 @@ public final class EntityTable
     return add(new Entity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
   }
 
-  /**
-   * Creates an entity without an owner under the smallest free id, with a body from a definition.
-   */
+  /** Creates an entity without an owner under the smallest free id, with a body as defined. */
   public Entity spawn(Archetype archetype, BodyDef def) {
     int id = takeFreeId(archetype);
     Entity entity = new Entity(this, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
+    seal.permit("createBody");
     entity.body(world.createBody(def, entity));
     return register(entity, true);
   }
@@ -363,6 +365,7 @@ public final class EntityTable
   private void createBody(Entity entity, float x, float y, float angle) {
     BodyDef body = entity.archetype().body(x, y, angle);
     body.sleepAllowed(entity.ownerId() == Entity.NO_OWNER);
+    seal.permit("createBody");
     entity.body(world.createBody(body, entity));
   }
 
@@ -386,6 +389,7 @@ public final class EntityTable
   public void despawn(Entity entity) {
     int id = entity.id();
     areas.go(id);
+    seal.permit("destroyBody");
     world.destroyBody(entity.body());
     noteChange();
     if (entity.origin() != Origin.NONE && players.get(entity.ownerId()) != null) {

@@ -77,10 +77,7 @@ public final class Archetype {
     return materials;
   }
 
-  /**
-   * Returns whether its bodies carry only what comes from above; see {@link
-   * carom.physics.effects.OneWay}.
-   */
+  /** Returns whether its bodies carry only what comes from above. */
   public boolean oneWay() {
     return def.oneWay;
   }
@@ -148,7 +145,8 @@ public final class Archetype {
             .linearDamping(def.linearDamping)
             .angularDamping(def.angularDamping)
             .gravityScale(def.gravityScale)
-            .motionLocks(def.locks);
+            .motionLocks(def.locks)
+            .bullet(def.bullet);
     if (def.sleepSpeed != null) {
       body.sleepSpeed(def.sleepSpeed);
     }
@@ -156,7 +154,7 @@ public final class Archetype {
       body.angularVelocity(def.spin);
     }
     for (int i = 0; i < shapes.size(); i++) {
-      body.shape(new ShapeDef(shapes.get(i), materials.get(i)).withSensor(def.sensor));
+      body.shape(new ShapeDef(shapes.get(i), materials.get(i), def.filter, def.sensor));
     }
     return body;
   }

@@ -1,6 +1,7 @@
 package carom.sim.level;
 
 import carom.physics.BodyType;
+import carom.physics.Filter;
 import carom.physics.Material;
 import carom.physics.MotionLocks;
 import carom.physics.geometry.Shape;
@@ -34,6 +35,8 @@ public final class ArchetypeDef {
   float gravityScale = 1;
   MotionLocks locks = MotionLocks.NONE;
   Float sleepSpeed;
+  boolean bullet;
+  Filter filter = Filter.DEFAULT;
   boolean oneWay;
   boolean sensor;
   int tag;
@@ -63,6 +66,8 @@ public final class ArchetypeDef {
     gravityScale = d.gravityScale;
     locks = d.locks;
     sleepSpeed = d.sleepSpeed;
+    bullet = d.bullet;
+    filter = d.filter;
     oneWay = d.oneWay;
     sensor = d.sensor;
     tag = d.tag;
@@ -124,10 +129,19 @@ public final class ArchetypeDef {
     return this;
   }
 
-  /**
-   * Sets whether the bodies carry only what comes from above; see {@link
-   * carom.physics.effects.OneWay}.
-   */
+  /** Sets whether fast bodies hit other moving ones exactly, as bullets; false by default. */
+  public ArchetypeDef bullet(boolean value) {
+    bullet = value;
+    return this;
+  }
+
+  /** Sets with what all shapes of the bodies collide; with everything by default. */
+  public ArchetypeDef filter(Filter value) {
+    filter = Objects.requireNonNull(value, "filter");
+    return this;
+  }
+
+  /** Sets whether the bodies carry only what comes from above; false by default. */
   public ArchetypeDef oneWay(boolean value) {
     oneWay = value;
     return this;
@@ -145,9 +159,7 @@ public final class ArchetypeDef {
     return this;
   }
 
-  /**
-   * Sets the constant angular velocity of a kinematic body, rad/s, counterclockwise; 0 by default.
-   */
+  /** Sets the angular velocity of a kinematic body, rad/s, counterclockwise; 0 by default. */
   public ArchetypeDef spin(float radPerSecond) {
     spin = radPerSecond;
     return this;

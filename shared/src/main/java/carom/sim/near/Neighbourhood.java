@@ -188,6 +188,7 @@ public final class Neighbourhood {
     }
     joints.make(s, rows, who.joints());
     joints.toggle(s, rows);
+    s.mirror().permit("writeRows");
     s.world().writeRows(rows);
     joints.toggle(s, rows);
     writeFields(s);
@@ -208,6 +209,7 @@ public final class Neighbourhood {
    * of. New bodies and joints then get slots in order.
    */
   private void despawnAll(Simulation s, Identity who) {
+    s.mirror().permit("destroyJoints");
     s.world().destroyJoints();
     Arrays.fill(listed, 0, listedCount, null);
     listedCount = 0;
@@ -229,6 +231,7 @@ public final class Neighbourhood {
       s.despawn(listed[--listedCount]);
       listed[listedCount] = null;
     }
+    s.mirror().permit("sortFreeBodies");
     s.world().sortFreeBodies();
   }
 

@@ -60,6 +60,7 @@ public final class InterferenceLog {
   private Mark[] ofPlayers = new Mark[16];
 
   private final Findings findings;
+  private final Definitions definitions = new Definitions();
   private final RulingLog rulings = new RulingLog();
   private final Ruling ruling = new Ruling();
   private final int[] row = new int[BodyRow.INTS];
@@ -79,6 +80,9 @@ public final class InterferenceLog {
   /** Compares an entity in the next step, too. A second call before that step has no effect. */
   public void watch(Entity entity) {
     ofEntities = grown(ofEntities, entity.id());
+    if (find(ofEntities, entity.id(), entity) == null) {
+      findWhatClientsLack(entity);
+    }
     Mark mark = claim(ofEntities, entity.id(), entity);
     if (mark.watched) {
       return;
@@ -92,6 +96,23 @@ public final class InterferenceLog {
       watched = Arrays.copyOf(watched, 2 * watchedCount);
     }
     watched[watchedCount++] = entity;
+  }
+
+  /** Tells if a body was spawned with more than its archetype says. */
+  private void findWhatClientsLack(Entity entity) {
+    String what = definitions.difference(entity.archetype(), entity.body());
+    if (what != null) {
+      findings.add(
+          "spawn " + what + " " + entity.archetype().index(),
+          "spawn(archetype, def) gives entity "
+              + entity.id()
+              + " ("
+              + entity.archetype().name()
+              + ") another "
+              + what
+              + " than its archetype, so clients can't predict it; register an archetype that has"
+              + " it.");
+    }
   }
 
   /**

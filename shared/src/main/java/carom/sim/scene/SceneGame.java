@@ -4,9 +4,11 @@ import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
 import carom.physics.Collision;
+import carom.physics.Material;
 import carom.physics.ShapeDef;
 import carom.physics.World;
 import carom.physics.WorldDef;
+import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.sim.Game;
 import carom.sim.Role;
@@ -32,7 +34,7 @@ import java.util.TreeMap;
  * <p>Every body is an entity, and bodies that look the same share an archetype. Joints are sent as
  * in any game. Particles are not; clients see their effects. Both sides learn the archetypes by
  * running the scene's actions {@value #PREVIEW_TICKS} ticks ahead in a world that stands still. A
- * body that first appears later, with a look of its own, exists but is not seen.
+ * body that first appears later, with a look of its own, is seen as a dot.
  */
 public final class SceneGame implements Game {
   /** Prefix of the names of these games; the scene's name follows. */
@@ -42,6 +44,7 @@ public final class SceneGame implements Game {
 
   private final Scene scene;
   private final Map<String, Archetype> kinds = new TreeMap<>();
+  private Archetype dot;
   private Stage<Entity> stage;
 
   /**
@@ -127,6 +130,8 @@ public final class SceneGame implements Game {
     for (int tick = 0; tick < PREVIEW_TICKS; tick++) {
       preview.runActions(tick);
     }
+    dot =
+        s.archetypes().add(new ArchetypeDef("dot").shape(new Circle(0.1f), new Material(1, 0, 0)));
     if (s.role() == Role.AUTHORITY) {
       stage = new Stage<>(s.world(), def -> enter(s, def), body -> leave(s, body));
       scene.build(stage);
@@ -134,16 +139,11 @@ public final class SceneGame implements Game {
   }
 
   private Body<Entity> enter(Simulation s, BodyDef def) {
-    Archetype kind = kinds.get(look(def));
-    return kind == null ? s.world().createBody(def, null) : s.spawn(kind, def).body();
+    return s.spawn(kinds.getOrDefault(look(def), dot), def).body();
   }
 
   private static void leave(Simulation s, Body<Entity> body) {
-    if (body.user() == null) {
-      s.world().destroyBody(body);
-    } else {
-      s.despawn(body.user());
-    }
+    s.despawn(body.user());
   }
 
   /** Returns a text that is equal for bodies that look the same. */
