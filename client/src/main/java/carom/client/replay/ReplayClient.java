@@ -140,13 +140,15 @@ public final class ReplayClient implements AutoCloseable {
 
   private void workTowards(int tick) {
     long stopNs = System.nanoTime() + SEEK_NS;
-    while (replay.simulation().tick() < tick && next()) {
-      if (System.nanoTime() > stopNs) {
-        return;
-      }
+    boolean inTime = true;
+    while (inTime && replay.simulation().tick() < tick && next()) {
+      inTime = System.nanoTime() <= stopNs;
     }
-    target = -1;
-    due = 0;
+    replay.simulation().outbox().drainNotices(skipped -> {}); // they are of another time
+    if (inTime) {
+      target = -1;
+      due = 0;
+    }
   }
 
   /** Computes one tick; returns false at the end, for now or for good. */

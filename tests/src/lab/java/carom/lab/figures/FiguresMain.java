@@ -43,8 +43,8 @@ public final class FiguresMain implements Callable<Integer> {
       paramLabel = "JOB",
       split = ",",
       description =
-          "these jobs: snapshots, naive, budget, perfect, alone, push, feel, rollback, encode,"
-              + " rest, entry, crowd, codec")
+          "these jobs: snapshots, naive, budget, perfect, alone, push, forces, rocket, machines,"
+              + " feel, rollback, encode, rest, entry, crowd, codec")
   private List<String> only = new ArrayList<>();
 
   @Option(

@@ -87,6 +87,29 @@ final class ReplayClientTest {
   }
 
   @Test
+  void whatIsSkippedIsNoNews() throws Exception {
+    Path goals;
+    try (Stepper stepper = Stepper.of("arena")) {
+      goals = stepper.server().record(folder.resolve("goals.carom")).get(0);
+      for (int i = 0; i < 4; i++) {
+        stepper.join("bot" + i, Impairment.NONE, new Bot(i));
+      }
+      stepper.run(60);
+    }
+    try (ReplayClient played = new ReplayClient(goals);
+        ReplayClient skipped = new ReplayClient(goals)) {
+      int ticks = played.lastTick();
+      played.update(nowNs);
+      run(played, ticks - 5);
+      assertFalse(played.view().notices().isEmpty(), "the recording has a notice");
+      skipped.seek(ticks - 5);
+      settle(skipped);
+      run(skipped, 3);
+      assertTrue(skipped.view().notices().isEmpty());
+    }
+  }
+
+  @Test
   void jumpsShowTheSameGameAsPlayingThrough() throws Exception {
     long[] hashes = new long[700];
     try (ReplayClient client = new ReplayClient(recorded)) {

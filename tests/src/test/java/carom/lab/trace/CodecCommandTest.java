@@ -121,7 +121,7 @@ final class CodecCommandTest {
     write(1, 1, 60, 0, Float.NaN, 0, 0, 0, 0);
     assertRefused("tick=0 body=0: y=NaN", "codec", "--trace", file);
     write(1, 1, 60, 70_000, 0, 0, 0, 0, 0);
-    assertRefused("x=70000.0 is outside +-65536", "codec", "--trace", file);
+    assertRefused("x=70000.0 is outside +-32767.998", "codec", "--trace", file);
     write(1, 1, 60, 0, 0, 0, 3_000, 0, 0);
     assertEquals(0, run("codec", "--trace", file), "velocities don't count in poses");
     assertRefused("vx=3000.0", "codec", "--trace", file, "--full");

@@ -148,7 +148,7 @@ public final class GamePicture implements Disposable {
       hud.scores(view);
     }
     clock.draw(view);
-    hud.notices(view, nowNs);
+    hud.notices(view, nowNs, over ? ClockPanel.RESULT : 0);
     hud.drawAnswer(deltaSeconds);
   }
 

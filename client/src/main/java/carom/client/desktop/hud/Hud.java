@@ -203,10 +203,14 @@ public final class Hud implements Disposable {
     return -1;
   }
 
-  /** Draws the notices of the last seconds, newest on top, fading. */
-  public void notices(ClientView view, long nowNs) {
+  /**
+   * Draws the notices of the last seconds, newest on top, fading.
+   *
+   * @param below distance from the window's upper edge that others need, points
+   */
+  public void notices(ClientView view, long nowNs, float below) {
     batch.begin();
-    float y = height - 70;
+    float y = height - Math.max(70, below);
     for (int i = view.notices().size() - 1; i >= 0; i--) {
       ClientView.Notice notice = view.notices().get(i);
       float left = 1 - (nowNs - notice.arrivedNs()) / (float) NOTICE_NS;

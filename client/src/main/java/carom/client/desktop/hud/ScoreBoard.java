@@ -131,7 +131,10 @@ public final class ScoreBoard {
 
   private String keys(ClientView view) {
     RosterEntry own = view.participant(view.playerId());
-    boolean watches = own != null && own.spectator();
+    if (own == null) {
+      return ""; // who looks at a replay presses other keys
+    }
+    boolean watches = own.spectator();
     StringBuilder keys = new StringBuilder(watches ? "P: play" : "P: watch     R: ready");
     for (int i = 0; i < Math.min(9, teams(view).size()) && !watches; i++) {
       keys.append("     ").append(i + 1).append(": ").append(teams(view).get(i));
