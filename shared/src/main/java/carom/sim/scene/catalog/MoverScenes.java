@@ -29,6 +29,7 @@ import java.util.List;
 final class MoverScenes {
   private static final float DT = 1 / 60f;
   private static final float SPEED = 4;
+  private static final float JUMP = 7.5f;
 
   /** Filter of the body that shows the mover: it touches nothing. */
   private static final Filter FOR_SHOW = new Filter(2, 0);
@@ -48,13 +49,15 @@ final class MoverScenes {
     floor(s, 18);
     int stone = SceneColors.STONE;
     Material rock = SceneColors.of(stone);
+    fixed(s, new Box(0.25f, 5.5f), -17.75f, 5.5f, 0, rock);
+    fixed(s, new Box(0.25f, 5.5f), 17.75f, 5.5f, 0, rock);
     for (int i = 0; i < 4; i++) {
       fixed(s, new Box(4 - i, 0.125f), -8, 0.125f + 0.25f * i, 0, rock);
     }
     fixed(s, Polygon.of(-3, 0, 4, 0, 1, 1.6f), 1, 0, 0, rock);
     Body<T> oneWay = fixed(s, new Box(1.5f, 0.1f), -8, 3, 0, SceneColors.of(SceneColors.LEAF));
     Body<T> ferry = kinematic(s, new Box(2, 0.1f), 9, 0.6f);
-    Body<T> lift = kinematic(s, new Box(1, 0.1f), 15, 0.1f);
+    Body<T> lift = kinematic(s, new Box(1, 0.1f), 15, 2.1f);
     for (int i = 0; i < 3; i++) {
       free(s, new Box(0.3f, 0.3f), -14 + 0.7f * i, 0.3f, SceneColors.bright(i));
     }
@@ -84,9 +87,10 @@ final class MoverScenes {
     boolean stands = mover.findGround();
     Body<T> ground = mover.ground();
     boolean right = tick % 1200 < 600;
-    float vy = stands ? 0 : shown.velocityY() - 10 * DT;
+    // The body's velocity is its way of one tick, so a step up looks like a leap.
+    float vy = stands ? 0 : Math.min(shown.velocityY(), JUMP) - 10 * DT;
     if (stands && tick % 150 == 0) {
-      vy = 7.5f;
+      vy = JUMP;
     }
     mover.move(right ? SPEED : -SPEED, vy, DT);
     float vx = (mover.x() - shown.x()) / DT;

@@ -59,6 +59,33 @@ final class SceneTruthTest {
   }
 
   @Test
+  void theCharacterStaysInThePicture() {
+    SceneRun run = start("mover");
+    List<Body<String>> upright = new ArrayList<>();
+    run.world()
+        .forEachBody(
+            b -> {
+              if (b.type() == BodyType.KINEMATIC && b.x() == -5 && b.y() == 3) {
+                upright.add(b);
+              }
+            });
+    Body<String> character = upright.get(0);
+    float left = 0;
+    float right = 0;
+    float top = 0;
+    for (int tick = 0; tick < 7200; tick++) {
+      run.step();
+      left = Math.min(left, character.x());
+      right = Math.max(right, character.x());
+      top = Math.max(top, character.y());
+      assertTrue(character.y() > 0.7f && character.y() < 10, "tick=" + tick + " " + character);
+      assertTrue(Math.abs(character.x()) < 17.5f, "tick=" + tick + " " + character);
+    }
+    assertTrue(left < -12 && right > 15, "left=" + left + " right=" + right);
+    assertTrue(top > 4, "top=" + top);
+  }
+
+  @Test
   void noBulletPassesAWall() {
     SceneRun run = start("bullets");
     List<Body<String>> crates = dynamics(run);
