@@ -37,17 +37,23 @@ public final class Recorder implements Journal {
    *     than one block, besides what waits for the disk
    * @param keyframeSeconds time between keyframes, s; 0 = none at all
    * @param stateSeconds time between whole states, s; 0 = only one, with which it always begins
+   * @param mostStateBytes largest state that is written, bytes, 1..{@link #MOST_STATE_BYTES}
    */
-  public record Pace(int blocksPerSecond, int keyframeSeconds, int stateSeconds) {
+  public record Pace(
+      int blocksPerSecond, int keyframeSeconds, int stateSeconds, int mostStateBytes) {
     /** The pace of a recording that people play and search. */
-    public static final Pace RECORDING = new Pace(1, KEYFRAME_SECONDS, STATE_SECONDS);
+    public static final Pace RECORDING =
+        new Pace(1, KEYFRAME_SECONDS, STATE_SECONDS, MOST_STATE_BYTES);
 
     /** The pace of a log behind a checkpoint, which is read once, from its beginning. */
-    public static final Pace LOG = new Pace(4, 0, 0);
+    public static final Pace LOG = new Pace(4, 0, 0, MOST_STATE_BYTES);
   }
 
   /** Largest number of bytes of a state before the part that the simulation writes. */
   private static final int STATE_HEAD = 1 << 13;
+
+  /** Largest state that a recording can hold, bytes. */
+  public static final int MOST_STATE_BYTES = Block.MAX_STATE_BYTES - STATE_HEAD;
 
   private static final int FULL_BLOCK = 1 << 16;
 
@@ -270,15 +276,14 @@ public final class Recorder implements Journal {
       leftOut = "tick=" + lastTick + " has no state to begin from: " + e.getMessage();
       return false; // the world has a number that isn't finite or is out of range
     }
-    if (archive.length() > Block.MAX_STATE_BYTES - STATE_HEAD) {
-      int most = Block.MAX_STATE_BYTES - STATE_HEAD;
+    if (archive.length() > pace.mostStateBytes()) {
       leftOut =
           "tick="
               + lastTick
               + ": bytes="
               + archive.length()
               + " are more than "
-              + most
+              + pace.mostStateBytes()
               + ", so a replay can't begin there; fewer bodies make it smaller";
       return false;
     }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.SessionState;
 import carom.server.checkpoint.RoomCheckpoints;
+import carom.server.checkpoint.SlotDisk;
 import carom.server.match.LoadedLevel;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
@@ -366,6 +367,32 @@ class CheckpointTest {
     kept.close();
     try (Stream<Path> files = Files.list(path.resolve("cup"))) {
       assertFalse(files.anyMatch(file -> file.toString().endsWith(".log")));
+    }
+  }
+
+  @Test
+  void aStateAboveTheLimitIsRefusedByNameAndTheRoomGoesOn() throws Exception {
+    Path path = folder.resolve("big");
+    Logger log = (Logger) LoggerFactory.getLogger(RoomCheckpoints.class);
+    ListAppender<ILoggingEvent> lines = new ListAppender<>();
+    lines.start();
+    log.addAppender(lines);
+    try (SlotDisk disk = new SlotDisk(1_000);
+        KeptServer kept = new KeptServer(KeptServer.library(), List.of("chain"), null, START_NS)) {
+      kept.room().checkpoint(disk, path, 1);
+      kept.runTo(200);
+      assertEquals(0, kept.server.count(Counter.CHECKPOINTS));
+      assertEquals(4, kept.server.count(Counter.CHECKPOINTS_FAILED), "one is tried each second");
+    } finally {
+      log.detachAppender(lines);
+    }
+    List<String> texts = lines.list.stream().map(ILoggingEvent::getFormattedMessage).toList();
+    assertEquals(1, texts.size(), () -> "told once: " + texts);
+    assertTrue(
+        texts.get(0).matches(".*no checkpoint of game=test level=chain: .* are more than 1000, .*"),
+        () -> texts.get(0));
+    try (Stream<Path> files = Files.list(path)) {
+      assertEquals(List.of(), files.filter(file -> file.toString().endsWith(".log")).toList());
     }
   }
 

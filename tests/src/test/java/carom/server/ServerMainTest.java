@@ -43,13 +43,21 @@ class ServerMainTest {
   }
 
   private Process start(String... args) throws IOException {
-    Process process = startWithInput(args);
+    return start(List.of(), args);
+  }
+
+  private Process start(List<String> before, String... args) throws IOException {
+    Process process = startWithInput(before, args);
     process.getOutputStream().close(); // closed standard input must not matter
     return process;
   }
 
   private Process startWithInput(String... args) throws IOException {
-    List<String> command = new ArrayList<>();
+    return startWithInput(List.of(), args);
+  }
+
+  private Process startWithInput(List<String> before, String... args) throws IOException {
+    List<String> command = new ArrayList<>(before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
     command.add(System.getProperty("java.class.path"));
@@ -232,6 +240,21 @@ class ServerMainTest {
   }
 
   @Test
+  void ctrlCEndsItInGoodOrderWithTheExitCodeOfShells() throws Exception {
+    // A shell without job control starts background jobs with SIGINT ignored, which Java keeps.
+    List<String> reset = List.of("env", "--default-signal=INT");
+    Process process = start(reset, "--tcp-port", "0", "--udp-port", "0", "--log-keep", "0");
+    BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
+    assertTrue(READY.matcher(out.readLine()).find(), err());
+    String pid = Long.toString(process.pid());
+    assertEquals(0, new ProcessBuilder("kill", "-INT", pid).start().waitFor());
+    assertTrue(process.waitFor(20, TimeUnit.SECONDS), err());
+    assertEquals(130, process.exitValue(), err());
+    assertTrue(err().contains("stop: asked to"), err());
+    assertTrue(err().contains("stopped: "), err());
+  }
+
+  @Test
   void saysReadyOnceServesPlayersAndSigtermTellsThem() throws Exception {
     Process process = start("--tcp-port", "0", "--udp-port", "0", "--seed", "7");
     BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
@@ -265,7 +288,7 @@ class ServerMainTest {
       assertEquals(GoodbyeReason.SERVER_STOPPING, client.goodbye.reason());
     }
     assertNull(out.readLine(), "one line on standard output");
-    assertTrue(process.exitValue() == 143 || process.exitValue() == 0, "" + process.exitValue());
+    assertEquals(143, process.exitValue(), "128 and the number of SIGTERM");
     String log = err();
     assertTrue(log.contains("seed 7"), log);
     assertTrue(log.contains("join: Ann as player 0"), log);

@@ -249,7 +249,7 @@ public final class RoomCheckpoints {
     countedFailure = false;
     try {
       if (recorder == null) {
-        recorder = new Recorder(s, header, next, Recorder.Pace.LOG);
+        recorder = new Recorder(s, header, next, disk.pace());
         s.addJournal(recorder);
       } else {
         recorder.goOn(s, "CHECKPOINT", header, next);

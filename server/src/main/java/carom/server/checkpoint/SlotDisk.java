@@ -1,5 +1,6 @@
 package carom.server.checkpoint;
 
+import carom.replay.Recorder;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -19,8 +20,28 @@ public final class SlotDisk implements AutoCloseable {
   private final ExecutorService writes = thread("carom-checkpoints");
   private final ExecutorService syncs = thread("carom-checkpoints-sync");
 
+  private final int mostStateBytes;
+
   /** Creates the threads, which begin with the first task. */
-  public SlotDisk() {}
+  public SlotDisk() {
+    this(Recorder.MOST_STATE_BYTES);
+  }
+
+  /**
+   * Creates the threads as above.
+   *
+   * @param mostStateBytes largest state of a room that is kept, bytes
+   */
+  public SlotDisk(int mostStateBytes) {
+    this.mostStateBytes = mostStateBytes;
+  }
+
+  /** Returns how logs behind checkpoints are written. */
+  Recorder.Pace pace() {
+    Recorder.Pace log = Recorder.Pace.LOG;
+    return new Recorder.Pace(
+        log.blocksPerSecond(), log.keyframeSeconds(), log.stateSeconds(), mostStateBytes);
+  }
 
   private static ExecutorService thread(String name) {
     AtomicInteger number = new AtomicInteger();

@@ -25,7 +25,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>When the queue is full, the disk fails or the file is too large, the recording is cut: it ends
  * there. Its last block then says so, if the disk still accepts it. The file closes after its last
- * block, or by {@link #close}.
+ * block, or by {@link #close}. Unless the disk has failed, another file can go on with the game.
  *
  * <p>The room's thread calls {@link #take}; any thread may call {@link #close}.
  */
@@ -57,6 +57,7 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
   private final Thread thread;
   private final long limit;
   private volatile String cut;
+  private volatile boolean failed;
   private volatile long writtenBytes;
 
   /** Where each written block ends in the file, bytes. Guarded by itself. */
@@ -158,9 +159,11 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
         writer.write(Block.END, end, end.length);
       }
     } catch (IOException e) {
+      failed = true;
       cut = "can't write " + path + ": " + e;
       LOG.error("recording {} is cut: {}", path, e.toString());
     } catch (RuntimeException | Error e) {
+      failed = true;
       cut = "can't write " + path + ": " + e;
       LOG.error("recording {} is cut", path, e);
     } catch (InterruptedException e) {
@@ -181,6 +184,11 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
   /** Returns why the recording ended early, or null when it didn't. Any thread. */
   public String cutReason() {
     return cut;
+  }
+
+  /** Returns whether the disk refused a block. Any thread. */
+  public boolean hasFailed() {
+    return failed;
   }
 
   /** Returns the number of bytes written to the disk. Any thread. */

@@ -20,8 +20,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * The recording of a room, of which there is one at a time. It begins with the server, or when an
- * operator asks for it while the game goes on. It ends when an operator says so, when the sink
- * can't keep up, or with the room.
+ * operator asks for it while the game goes on. It ends when an operator says so, or with the room.
+ * When the disk is too slow, it goes on in another file as soon as the disk has written the last.
  *
  * <p>On the room's thread, between two ticks; {@link #awaitEnd} from any.
  */
@@ -36,6 +36,9 @@ final class RoomRecording {
   /** {@link #files} if they end by length or size, too; else null. */
   private RotatingRecording rotation;
 
+  /** The file after which the recording goes on in another one; null if none is due. */
+  private RecordingFile awaited;
+
   private int begunAt;
   private boolean toldLeftOut;
 
@@ -47,9 +50,9 @@ final class RoomRecording {
     this.room = room;
   }
 
-  /** Returns whether the room is recorded. */
+  /** Returns whether the room is recorded, or will be when the disk has written the last file. */
   boolean isOn() {
-    return recorder != null;
+    return recorder != null || awaited != null;
   }
 
   /** Begins to record to a sink; see {@link Room#record(BlockSink)}. */
@@ -62,6 +65,7 @@ final class RoomRecording {
             simulation, RecordingHeader.of(simulation, seed, Protocol.physicsDigest()), newSink);
     simulation.removeJournal(before);
     sink = newSink;
+    awaited = null;
     begunAt = simulation.tick();
     toldLeftOut = false;
     simulation.addJournal(recorder);
@@ -122,6 +126,7 @@ final class RoomRecording {
     } catch (IOException e) {
       return "file=" + path + " can't be created: " + e;
     }
+    forget();
     try {
       begin(created);
       files = () -> new RecordingFile(RecordingFile.free(path));
@@ -144,6 +149,10 @@ final class RoomRecording {
 
   /** Ends for an operator and returns a line that says what happened. */
   String stop() {
+    if (awaited != null) {
+      forget();
+      return "the disk was too slow, and no other file begins";
+    }
     if (recorder == null) {
       return "not recorded";
     }
@@ -158,16 +167,18 @@ final class RoomRecording {
 
   /** Ends the recording if its sink is cut, and begins another file if one is due; per tick. */
   void tickEnds() {
+    if (awaited != null && awaited.isDone()) {
+      awaited = null;
+      beginNextFile();
+      if (recorder != null) {
+        LOG.info("{}recorded to {} from tick {} on", room.label(), sink, room.simulation().tick());
+      }
+    }
     if (recorder == null) {
       return;
     }
     if (recorder.isCut()) {
-      forget();
-      room.counters().add(Counter.RECORDINGS_CUT, 1);
-      LOG.error(
-          "{}the recording ends at tick {}; the game goes on",
-          room.label(),
-          room.simulation().tick());
+      cut();
       return;
     }
     if (recorder.leftOut() != null && !toldLeftOut) {
@@ -179,6 +190,26 @@ final class RoomRecording {
     if (rotation != null && rotation.isFull(seconds)) {
       recorder.end("ROTATED");
       beginNextFile();
+    }
+  }
+
+  /** Ends a recording that its sink doesn't take, and lets another file go on if one can. */
+  private void cut() {
+    room.counters().add(Counter.RECORDINGS_CUT, 1);
+    RecordingFile file = fileOf(sink);
+    boolean goesOn =
+        files != null && file != null && !file.hasFailed() && !room.simulation().game().keepsMore();
+    LOG.error(
+        "{}the recording ends at tick {}: {}; the game goes on{}",
+        room.label(),
+        room.simulation().tick(),
+        sink,
+        goesOn ? ", and another file begins when the disk has written this one" : "");
+    if (goesOn) {
+      endFile();
+      awaited = file;
+    } else {
+      forget();
     }
   }
 
@@ -204,6 +235,8 @@ final class RoomRecording {
   void end(String why) {
     if (recorder != null) {
       recorder.end(why);
+    }
+    if (isOn()) {
       forget();
     }
   }
@@ -212,6 +245,7 @@ final class RoomRecording {
     endFile();
     files = null;
     rotation = null;
+    awaited = null;
   }
 
   private void endFile() {

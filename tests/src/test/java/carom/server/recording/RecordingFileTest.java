@@ -14,17 +14,24 @@ import carom.replay.RecordingException;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.CaromMain;
+import carom.server.metrics.Counter;
 import carom.testkit.Stepper;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.slf4j.LoggerFactory;
 
 /** Goal: {@code --record} writes what {@code carom replay} plays. Method: both, with bots. */
 final class RecordingFileTest {
@@ -123,6 +130,54 @@ final class RecordingFileTest {
     recording.close();
     recording.close();
     assertTrue(Files.size(file) > taken * (1L << 20));
+  }
+
+  /** Hands blocks to a file, faster than any disk takes them, until it is cut. */
+  private static void fill(RecordingFile file) {
+    byte[] block = new byte[1 << 20];
+    new Random(1).nextBytes(block);
+    int taken = 0;
+    while (taken < 1_000 && file.take(Block.TICKS, block, block.length)) {
+      taken++;
+    }
+    assertTrue(file.cutReason().contains("blocks wait"), "taken=" + taken);
+  }
+
+  @Test
+  void aDiskThatWasTooSlowForAMomentLeavesAGapBetweenTwoFiles() throws Exception {
+    List<RecordingFile> made = new ArrayList<>();
+    Logger log = (Logger) LoggerFactory.getLogger("carom.server.room.RoomRecording");
+    ListAppender<ILoggingEvent> lines = new ListAppender<>();
+    lines.start();
+    log.addAppender(lines);
+    try (Stepper stepper = Stepper.of("arena")) {
+      stepper
+          .room()
+          .record(
+              () -> {
+                made.add(new RecordingFile(folder.resolve("part" + made.size() + ".carom")));
+                return made.get(made.size() - 1);
+              });
+      stepper.join("bot", Impairment.NONE, new Bot(1));
+      stepper.run(2);
+      fill(made.get(0));
+      stepper.run(2);
+      assertEquals(1, stepper.count(Counter.RECORDINGS_CUT));
+      made.get(0).close(); // waits for the disk
+      stepper.run(2);
+      assertEquals(2, made.size(), "the game goes on in another file");
+    } finally {
+      log.detachAppender(lines);
+    }
+    made.get(1).close();
+    assertEquals(0, replay(made.get(1).path()), err::toString);
+    List<String> texts = lines.list.stream().map(ILoggingEvent::getFormattedMessage).toList();
+    assertTrue(
+        texts
+            .get(0)
+            .contains("the disk is too slow: 16 blocks wait; the game goes on, and another"),
+        () -> texts.toString());
+    assertTrue(texts.get(1).contains("recorded to " + made.get(1).path() + " from tick"));
   }
 
   @Test
