@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.game.GuardedGame;
 import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.ServerMessage;
 import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
@@ -286,6 +287,14 @@ public final class Server implements AutoCloseable {
     }
     recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
     lobby.allowSpectators(List.copyOf(recordings), delaySeconds);
+  }
+
+  /**
+   * Sends all who wait for a place or watch to another server, soon; rooms send their players
+   * themselves. Any thread.
+   */
+  public void redirectVisitors(ServerMessage.Redirect to) {
+    lobby.redirect(to);
   }
 
   /** Sets who takes commands that players write into the chat; without it nobody does. */

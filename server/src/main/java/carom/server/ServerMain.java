@@ -322,7 +322,7 @@ public final class ServerMain implements Callable<Integer> {
     AccessCommands.add(commands, access, server.rooms());
     server.chatCommands(new AdminChat(commands, access, server.rooms()));
     ServerCommands.add(commands, server::status, settings(), ServerMain::replay);
-    RedirectCommands.add(commands, server.rooms(), ServerMain::stopSoon);
+    RedirectCommands.add(commands, server.rooms(), server::redirectVisitors, ServerMain::stopSoon);
     return commands;
   }
 

@@ -1,6 +1,7 @@
 package carom.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -9,10 +10,12 @@ import carom.client.GameClient;
 import carom.client.bots.Bot;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.Spectator;
+import carom.client.replay.SpectatorThread;
 import carom.game.arena.ArenaGame;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;
+import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.InProcessNetwork;
 import carom.net.transport.ServerTransport;
@@ -20,6 +23,7 @@ import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
 import carom.sim.level.Level;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -135,6 +139,50 @@ class SpectatorScenarioTest {
       players.forEach(GameClient::close);
     }
     assertTrue(spectators.get(0).ended());
+  }
+
+  @Test
+  void aSpectatorThatIsSentAwayWatchesTheOtherServer() throws Exception {
+    ServerConfig config = ServerConfig.defaults().withStatusIntervalS(0);
+    Level level = Level.builtIn("arena");
+    try (Server first =
+            new Server(
+                config, ArenaGame::new, level, new KryoServerTransport(0, 0), System::nanoTime);
+        Server second =
+            new Server(
+                config, ArenaGame::new, level, new KryoServerTransport(0, 0), System::nanoTime);
+        KryoClientTransport transport = new KryoClientTransport()) {
+      for (Server server : List.of(first, second)) {
+        server.allowSpectators(1);
+        server.start();
+      }
+      ClientConfig address =
+          ClientConfig.of("s").withServer("localhost", first.tcpPort(), first.udpPort());
+      try (SpectatorThread watched = new SpectatorThread(address, 1, transport)) {
+        assertNotNull(watched.await(), watched::message);
+        assertNull(watched.follow(), "nothing to follow yet");
+        String to = "localhost:" + second.tcpPort();
+        first.redirectVisitors(new ServerMessage.Redirect(to, "", "", ""));
+        SpectatorThread next = null;
+        for (int i = 0; i < 2_000 && next == null; i++) {
+          Thread.sleep(5);
+          next = watched.follow();
+        }
+        assertNotNull(next, watched::message);
+        assertTrue(watched.end().endsWith(" sends you to " + to + "."), watched.end());
+        try (SpectatorThread there = next) {
+          assertNotNull(there.await(), there::message);
+          assertEquals(1, second.rooms().get(0).counters().get(Counter.SPECTATORS));
+          second.redirectVisitors(new ServerMessage.Redirect(to, "", "", ""));
+          for (int i = 0; i < 2_000 && there.end().isEmpty(); i++) {
+            Thread.sleep(5);
+          }
+          assertNull(there.follow(), "not in circles");
+          assertTrue(there.message().endsWith("sent you to itself."), there.message());
+        }
+      }
+      assertEquals(0, first.rooms().get(0).counters().get(Counter.SPECTATORS));
+    }
   }
 
   @Test

@@ -12,8 +12,10 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -252,6 +254,39 @@ class LobbyTest {
     assertEquals(RefusalReason.BAD_REQUEST, twice.refused.reason());
     assertEquals(RefusalReason.BAD_REQUEST, outside.refused.reason());
     assertEquals(0, rig.room.seats().takenCount());
+  }
+
+  @Test
+  void aRedirectAlsoSendsThoseWhoWaitOrLoadAndTheirPlacesAreFree() {
+    ServerMessage.Redirect to = new ServerMessage.Redirect("b.example.org:1", "", "", "");
+    FakeClient loading = rig.connect().hello("Ann");
+    loading.loads = false;
+    FakeClient silent = rig.connect();
+    rig.steps(2);
+    assertEquals(1, rig.room.seats().takenCount());
+    rig.server.redirectVisitors(to);
+    rig.steps(2);
+    assertEquals(to, loading.messages.get(loading.messages.size() - 1));
+    assertEquals(List.of(), silent.messages, "it may be a list of servers that asks for rooms");
+    assertEquals(0, rig.room.seats().takenCount());
+    FakeClient later = rig.join("Ben");
+    assertTrue(later.ready, "a redirect is done once");
+    rig.seconds(1.5);
+    assertTrue(loading.closed);
+  }
+
+  @Test
+  void aServerThatStopsWithARedirectSendsThoseWhoLoad() {
+    ServerMessage.Redirect to = new ServerMessage.Redirect("b.example.org:1", "", "", "");
+    FakeClient loading = rig.connect().hello("Ann");
+    loading.loads = false;
+    rig.steps(2);
+    rig.server.redirectVisitors(to);
+    rig.server.close();
+    loading.step(0);
+    assertEquals(to, loading.messages.get(loading.messages.size() - 1));
+    assertNull(loading.goodbye);
+    assertNull(loading.refused);
   }
 
   @Test

@@ -255,14 +255,23 @@ public final class ClientMain implements Callable<Integer> {
 
   private int watch(ClientConfig config) {
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(new KryoClientTransport(trust()));
-        SpectatorThread spectator = new SpectatorThread(config, watch, transport)) {
-      Path file = spectator.await();
-      if (file == null) {
-        System.err.println("carom-client: " + spectator.message());
-        return 1;
+        ClientTransport transport = network.impair(new KryoClientTransport(trust()))) {
+      int exit = 1;
+      SpectatorThread spectator = new SpectatorThread(config, watch, transport);
+      while (spectator != null) {
+        try (SpectatorThread watched = spectator) {
+          Path file = watched.await();
+          if (file != null) {
+            exit =
+                headless ? watchHeadless(file, watched, stop) : openWindow(config, file, watched);
+          }
+          spectator = stop.asked() ? null : watched.follow();
+          if (file == null || spectator != null) {
+            System.err.println("carom-client: " + watched.message());
+          }
+        }
       }
-      return headless ? watchHeadless(file, spectator, stop) : openWindow(config, file, spectator);
+      return exit;
     } catch (IOException e) {
       System.err.println("carom-client: can't watch: " + e);
       return 1;

@@ -53,6 +53,13 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private Screen screen;
   private LocalGames.LocalGame local;
   private SpectatorThread spectator;
+
+  /** Downloads from the server to which the one that is watched has sent us; null without. */
+  private SpectatorThread next;
+
+  /** What leaving the film does that is shown. */
+  private Runnable leaveFilm = () -> {};
+
   private float untilLook;
   private double seconds;
 
@@ -159,6 +166,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
 
   /** Shows a recording. Returns why it can't, or an empty text. */
   private String show(Path file, SpectatorThread download, Runnable exit) {
+    leaveFilm = exit;
     ReplayClient recording;
     try {
       recording = new ReplayClient(file);
@@ -238,10 +246,14 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   /** Shows what is watched as soon as enough of it is here. */
   private void lookAtDownload(float delta) {
     untilLook -= delta;
-    if (spectator == null || !(screen instanceof StartScreen start) || untilLook > 0) {
+    if (untilLook > 0) {
       return;
     }
     untilLook = LOOK_SECONDS;
+    followRedirect();
+    if (spectator == null || !(screen instanceof StartScreen start)) {
+      return;
+    }
     if (spectator.isReady()) {
       String problem = show(spectator.file(), spectator, () -> later(() -> start("")));
       if (!problem.isEmpty()) {
@@ -250,6 +262,38 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     } else if (spectator.isOver()) {
       start.message(spectator.message());
       endWatching();
+    }
+  }
+
+  /**
+   * Goes to the server to which the watched one has sent us. The film goes on until enough of the
+   * other server's game is here.
+   */
+  private void followRedirect() {
+    SpectatorThread watched = spectator == null ? options.spectator() : spectator;
+    boolean waits = screen instanceof StartScreen;
+    if (watched == null || !(waits || screen instanceof ReplayScreen)) {
+      return;
+    }
+    if (next == null) {
+      try {
+        next = watched.follow();
+      } catch (IOException e) {
+        System.err.println("carom-client: can't watch: " + e);
+      }
+    }
+    if (next != null && (waits || next.isReady())) {
+      SpectatorThread arrived = next;
+      next = null;
+      endWatching();
+      spectator = arrived;
+      String problem = waits ? "" : show(arrived.file(), arrived, leaveFilm);
+      if (!problem.isEmpty()) {
+        start(problem);
+      }
+    } else if (next != null && next.isOver()) {
+      next.close();
+      next = null;
     }
   }
 
@@ -296,6 +340,10 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     if (spectator != null) {
       spectator.close();
       spectator = null;
+    }
+    if (next != null) {
+      next.close();
+      next = null;
     }
   }
 

@@ -6,10 +6,10 @@ import java.util.regex.Pattern;
 
 /**
  * Decides whether a client follows a server that sends it to another one: not in circles, not from
- * the internet into the player's own network, and nothing of the session goes along. One
- * connection's; one thread.
+ * the internet into the player's own network, and nothing of the session goes along. One thread at
+ * a time.
  */
-final class Redirects {
+public final class Redirects {
   /** Most redirects that a client follows within {@link #PERIOD_NS}. */
   static final int MOST = 3;
 
@@ -24,13 +24,18 @@ final class Redirects {
 
   private final ArrayDeque<Long> followedNs = new ArrayDeque<>();
 
+  /** Creates an object that has followed none. */
+  public Redirects() {}
+
   /**
    * Returns where a redirect leads, if the client should follow.
    *
    * @param from the server that sent it
+   * @param nowNs monotonic time
+   * @return address of the other server
    * @throws IllegalArgumentException in words for the player, when it should not
    */
-  ServerAddress follow(ServerMessage.Redirect redirect, ServerAddress from, long nowNs) {
+  public ServerAddress follow(ServerMessage.Redirect redirect, ServerAddress from, long nowNs) {
     ServerAddress to;
     try {
       to = ServerAddress.parse(redirect.server());

@@ -43,6 +43,7 @@ public final class Spectator implements LinkHandler, AutoCloseable {
   private long askedNs;
   private boolean ended;
   private String message = "";
+  private ServerMessage.Redirect redirect;
 
   /**
    * Creates a spectator that connects at the first {@link #update}.
@@ -116,6 +117,9 @@ public final class Spectator implements LinkHandler, AutoCloseable {
       end(refused.playerText());
     } else if (what instanceof ServerMessage.Goodbye goodbye) {
       end(goodbye.playerText());
+    } else if (what instanceof ServerMessage.Redirect to) {
+      redirect = to;
+      end("The server at " + config.host() + " sends you to " + to.server() + ".");
     } else {
       end("The server at " + config.host() + " sent something unexpected. Is it a Carom server?");
     }
@@ -164,6 +168,11 @@ public final class Spectator implements LinkHandler, AutoCloseable {
   /** Returns why the download has ended, in words for the player, or an empty string. */
   public String message() {
     return message;
+  }
+
+  /** Returns where the server has sent this spectator; null if it has not. */
+  public ServerMessage.Redirect redirect() {
+    return redirect;
   }
 
   /** Returns how far behind the present the server keeps spectators, seconds; 0 before it tells. */

@@ -1,6 +1,9 @@
 package carom.client.replay;
 
 import carom.client.ClientConfig;
+import carom.client.link.Redirects;
+import carom.client.link.ServerAddress;
+import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.replay.RecordingReader;
 import java.io.IOException;
@@ -16,6 +19,10 @@ public final class SpectatorThread implements AutoCloseable {
   private static final long LEAVE_MS = 200;
   private static final long EXTRA_S = 10;
 
+  private final ClientConfig config;
+  private final int room;
+  private final ClientTransport transport;
+  private final Redirects redirects;
   private final Path file;
   private final Spectator spectator;
   private final Thread thread;
@@ -23,7 +30,11 @@ public final class SpectatorThread implements AutoCloseable {
   private volatile boolean stop;
   private volatile int delaySeconds;
   private volatile String message = "";
+  private volatile ServerMessage.Redirect redirect;
   private volatile boolean ended;
+
+  /** Why the redirect isn't followed; empty without such a reason. */
+  private String refusal = "";
 
   /**
    * Starts the thread.
@@ -35,6 +46,16 @@ public final class SpectatorThread implements AutoCloseable {
    */
   public SpectatorThread(ClientConfig config, int room, ClientTransport transport)
       throws IOException {
+    this(config, room, transport, new Redirects());
+  }
+
+  private SpectatorThread(
+      ClientConfig config, int room, ClientTransport transport, Redirects redirects)
+      throws IOException {
+    this.config = config;
+    this.room = room;
+    this.transport = transport;
+    this.redirects = redirects;
     file = Files.createTempFile("carom-watched", ".carom");
     file.toFile().deleteOnExit();
     spectator = new Spectator(config, room, transport, file);
@@ -48,6 +69,7 @@ public final class SpectatorThread implements AutoCloseable {
       spectator.update(System.nanoTime());
       delaySeconds = spectator.delaySeconds();
       message = spectator.message();
+      redirect = spectator.redirect();
       ended = spectator.ended();
       if (!nap(ended ? LEAVE_MS : NAP_MS)) {
         break;
@@ -84,6 +106,34 @@ public final class SpectatorThread implements AutoCloseable {
     return null;
   }
 
+  /**
+   * Watches the room of the same number on the server to which this one has sent the spectator.
+   * This object and its file stay as they are: what has arrived can be watched to its end.
+   *
+   * @return a new thread, or null if there is nothing to follow; {@link #message} says why
+   * @throws IOException if the temporary file can't be written
+   */
+  public SpectatorThread follow() throws IOException {
+    ServerMessage.Redirect to = redirect;
+    if (!ended || to == null) {
+      return null;
+    }
+    redirect = null;
+    ServerAddress next;
+    try {
+      ServerAddress from = new ServerAddress(config.host(), config.tcpPort(), config.udpPort());
+      next = redirects.follow(to, from, System.nanoTime());
+    } catch (IllegalArgumentException e) {
+      refusal = e.getMessage();
+      return null;
+    }
+    if (!to.fingerprint().isEmpty()) {
+      transport.expect(next.toString(), to.fingerprint());
+    }
+    ClientConfig there = config.withServer(next.host(), next.tcpPort(), next.udpPort());
+    return new SpectatorThread(there, room, transport, redirects);
+  }
+
   /** Returns the recording's file. */
   public Path file() {
     return file;
@@ -106,12 +156,15 @@ public final class SpectatorThread implements AutoCloseable {
 
   /** Returns why there is nothing to watch, in words for the player. */
   public String message() {
+    if (!refusal.isEmpty()) {
+      return refusal;
+    }
     return message.isEmpty() ? "There is nothing to watch yet; try again later." : message;
   }
 
   /** Returns why nothing more arrives, in words for the player; empty while more may arrive. */
   public String end() {
-    return ended ? message : "";
+    return ended ? message() : "";
   }
 
   @Override

@@ -5,6 +5,7 @@ import carom.net.protocol.ServerMessage;
 import carom.server.room.Room;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -18,10 +19,13 @@ public final class RedirectCommands {
 
   private final List<Room> rooms;
   private final RoomFinder finder;
+  private final Consumer<ServerMessage.Redirect> lobby;
   private final Runnable stop;
 
-  private RedirectCommands(List<Room> rooms, Runnable stop) {
+  private RedirectCommands(
+      List<Room> rooms, Consumer<ServerMessage.Redirect> lobby, Runnable stop) {
     this.rooms = rooms;
+    this.lobby = lobby;
     finder = new RoomFinder(rooms);
     this.stop = stop;
   }
@@ -30,22 +34,27 @@ public final class RedirectCommands {
    * Adds the commands to a registry.
    *
    * @param rooms all rooms of the server
+   * @param lobby sends away all who wait for a place or watch
    * @param stop begins to stop the server, and returns at once
    */
-  public static void add(CommandRegistry registry, List<Room> rooms, Runnable stop) {
-    RedirectCommands all = new RedirectCommands(rooms, stop);
+  public static void add(
+      CommandRegistry registry,
+      List<Room> rooms,
+      Consumer<ServerMessage.Redirect> lobby,
+      Runnable stop) {
+    RedirectCommands all = new RedirectCommands(rooms, lobby, stop);
     registry.add(
         new Command(
             "redirect",
             "[@ROOM] HOST:PORT[#FINGERPRINT] [PLAYER [TOKEN]]",
-            "Sends the players to another server, or one of them.",
+            "Sends everybody to another server, or a room's players, or one player.",
             all::redirect,
             place -> place == 1 ? all.finder.playerNames() : List.of()));
     registry.add(
         new Command(
             "stop",
             "[--redirect HOST:PORT[#FINGERPRINT]]",
-            "Tells the players and stops the server; may send them to another one before.",
+            "Tells the players and stops the server; may send everybody to another one before.",
             all::stop,
             place -> place == 0 ? List.of(FLAG) : List.of()));
   }
@@ -58,12 +67,20 @@ public final class RedirectCommands {
           "TOKEN has characters=%d, limit=%d".formatted(token.length(), Limits.MAX_TOKEN_BYTES));
     }
     ServerMessage.Redirect redirect = parse(words.word(0, SERVER), token);
+    if (!words.has(1) && words.room() == null) {
+      return sentEverybody(redirect);
+    }
     if (!words.has(1)) {
       return sentAll(finder.all(words), redirect);
     }
     RoomFinder.Found found = finder.player(new CommandWords(words.all(), words.room()), 1);
     int sent = found.room().operator().redirect(found.player().id(), redirect);
     return "sent players=%d to %s".formatted(sent, redirect.server());
+  }
+
+  private String sentEverybody(ServerMessage.Redirect redirect) {
+    lobby.accept(redirect);
+    return sentAll(new ArrayList<>(rooms), redirect);
   }
 
   private static String sentAll(List<Room> rooms, ServerMessage.Redirect redirect) {
@@ -83,7 +100,7 @@ public final class RedirectCommands {
       throw new CommandException("\"" + words.word(0, FLAG) + "\" isn't " + FLAG);
     }
     words.requireAtMost(2);
-    String sent = sentAll(new ArrayList<>(rooms), parse(words.word(1, SERVER), ""));
+    String sent = sentEverybody(parse(words.word(1, SERVER), ""));
     stop.run();
     return sent + ", stopping";
   }

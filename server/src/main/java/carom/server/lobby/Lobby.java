@@ -28,6 +28,7 @@ import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -81,6 +82,10 @@ public final class Lobby {
   private final AdmissionRate rate;
   private final Spectators spectators;
   private volatile EntryRule entryRule = EntryRule.OPEN;
+
+  /** Where the next turn sends those who wait or watch; null for nowhere. */
+  private final AtomicReference<ServerMessage.Redirect> redirect = new AtomicReference<>();
+
   private long nowNs;
 
   /**
@@ -123,6 +128,7 @@ public final class Lobby {
    */
   public int doWork(long timeNs) {
     nowNs = timeNs;
+    sendAway();
     int work = partings.doWork(timeNs) + spectators.doWork(timeNs);
     for (int i = 0; i < MAX_ACCEPT; i++) {
       Link link = transport.accept();
@@ -164,8 +170,12 @@ public final class Lobby {
    */
   public void close(long timeNs) {
     nowNs = timeNs;
+    sendAway();
     spectators.close(timeNs);
     for (Visitor visitor : visitors) {
+      if (visitor.done) {
+        continue; // sent to another server
+      }
       if (visitor.state == SessionState.LOADING) {
         // After Welcome a client expects a Goodbye, not a Refused. The player sees the same.
         visitor.link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""));
@@ -178,6 +188,27 @@ public final class Lobby {
     visitors.clear();
     for (Link link; (link = transport.accept()) != null; ) {
       sendRefusal(link, RefusalReason.SHUTTING_DOWN, "");
+    }
+  }
+
+  /**
+   * Sends all who wait for a place, load the level or watch to another server, in the lobby's next
+   * turn or when it closes. Those who haven't said yet what they want stay. Any thread.
+   */
+  public void redirect(ServerMessage.Redirect to) {
+    redirect.set(to);
+  }
+
+  private void sendAway() {
+    ServerMessage.Redirect to = redirect.getAndSet(null);
+    if (to == null) {
+      return;
+    }
+    spectators.redirect(to, nowNs);
+    for (Visitor visitor : visitors) {
+      if (!visitor.done && (visitor.waiting != null || visitor.state == SessionState.LOADING)) {
+        visitor.redirect(to);
+      }
     }
   }
 
@@ -590,6 +621,14 @@ public final class Lobby {
     private void refuse(RefusalReason reason, String text) {
       done = true;
       sendRefusal(link, reason, text);
+      giveUpSeat();
+    }
+
+    private void redirect(ServerMessage.Redirect to) {
+      done = true;
+      LOG.info("visitor {} goes to {}", link.remote(), to.server());
+      link.send(to);
+      closeLater(link, "sent to " + to.server());
       giveUpSeat();
     }
 

@@ -208,6 +208,16 @@ final class Spectators implements LinkHandler {
     end = reason;
   }
 
+  /** Sends all spectators to another server. */
+  void redirect(ServerMessage.Redirect to, long timeNs) {
+    for (Spectator s : spectators) {
+      s.link.send(to);
+      partings.add(s.link, "sent to " + to.server(), timeNs + PARTING_MS * NS_PER_MS);
+    }
+    spectators.clear();
+    rooms.forEach(this::count);
+  }
+
   /** Says goodbye to all spectators. */
   void close(long timeNs) {
     for (Spectator s : spectators) {

@@ -55,6 +55,11 @@ public final class AttackMain implements Callable<Integer> {
   private boolean registers;
 
   @Option(
+      names = "--work",
+      description = "they do the work that the server demands, on two threads, and offer keys")
+  private boolean works;
+
+  @Option(
       names = "--joins",
       paramLabel = "N",
       description = "honest joins, default ${DEFAULT-VALUE}")
@@ -103,11 +108,14 @@ public final class AttackMain implements Callable<Integer> {
       }
       floodBegan = System.nanoTime();
       InetSocketAddress target = new InetSocketAddress(InetAddress.getLoopbackAddress(), tcp);
-      int threads = rate > 5_000 ? 2 : 1;
+      int threads = rate > 5_000 || works ? 2 : 1;
+      Connectors.Effort effort =
+          works
+              ? Connectors.Effort.WORK
+              : registers ? Connectors.Effort.REGISTER : Connectors.Effort.SILENT;
       for (int i = 0; i < threads && rate > 0; i++) {
         int hosts = addresses / threads;
-        Connectors some =
-            new Connectors(target, i * hosts, hosts, (double) rate / threads, registers);
+        Connectors some = new Connectors(target, i * hosts, hosts, (double) rate / threads, effort);
         attackers.add(some);
         Thread thread = new Thread(some, "attacker-" + i);
         thread.setDaemon(true);
@@ -256,6 +264,13 @@ public final class AttackMain implements Callable<Integer> {
     System.out.printf(
         "hostile: %d connects of %d addresses (%.0f/s), %d greeted (%.0f/s)%n",
         tried, addresses, tried / seconds, greeted, greeted / seconds);
+    if (works) {
+      long solved = attackers.stream().mapToLong(a -> a.solved.get()).sum();
+      long bits = attackers.stream().mapToLong(a -> a.mostBits.get()).max().orElse(0);
+      System.out.printf(
+          "work: %d solved (%.0f/s), at most %d bits; %d offered keys%n",
+          solved, solved / seconds, bits, attackers.stream().mapToLong(a -> a.offered.get()).sum());
+    }
     reasons.forEach((reason, count) -> System.out.println("  " + count + " x " + reason));
     System.out.println("server wrote " + LOG.size() + " lines; the last:");
     LOG.stream().skip(Math.max(0, LOG.size() - 5)).forEach(l -> System.out.println("  " + l));

@@ -53,7 +53,11 @@ final class OperatorCommandsTest {
         stepper.server()::status,
         new EffectiveSettings(List.of(seed)),
         file -> "replayed " + file);
-    RedirectCommands.add(registry, stepper.server().rooms(), () -> stopped.set(true));
+    RedirectCommands.add(
+        registry,
+        stepper.server().rooms(),
+        stepper.server()::redirectVisitors,
+        () -> stopped.set(true));
   }
 
   @AfterEach
