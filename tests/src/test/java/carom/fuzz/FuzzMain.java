@@ -29,7 +29,7 @@ import picocli.CommandLine.Option;
     description = "Looks for inputs that break what reads bytes of others.")
 public final class FuzzMain implements Callable<Integer> {
   /** Largest corpus that is kept, in bytes before compression. */
-  private static final int MOST_KEPT = 70_000;
+  private static final int MOST_KEPT = 700_000;
 
   private static final int FINDING = 77; // the exit code of Jazzer
   private static final Pattern PROGRESS =
@@ -165,7 +165,7 @@ public final class FuzzMain implements Callable<Integer> {
             .redirectErrorStream(true)
             .redirectOutput(folder.resolve(log).toFile())
             .start();
-    if (!process.waitFor(seconds + 300L, TimeUnit.SECONDS)) {
+    if (!process.waitFor(seconds + 1_800L, TimeUnit.SECONDS)) {
       process.destroyForcibly();
       return -1;
     }
