@@ -267,6 +267,8 @@ public final class RoomCheckpoints {
       room.counters().add(Counter.CHECKPOINTS_FAILED, 1);
       endMatch("NO CHECKPOINT");
       next.close();
+      int refused = next.number();
+      disk.write(() -> disk.sync(() -> delete(refused)));
       return;
     }
     closeSlot();
@@ -309,6 +311,15 @@ public final class RoomCheckpoints {
       }
     } catch (IOException e) {
       LOG.warn("{}old checkpoints can't be deleted: {}", room.label(), e.toString());
+    }
+  }
+
+  /** Deletes one slot. On the disk's thread. */
+  private void delete(int number) {
+    try {
+      folder.delete(number);
+    } catch (IOException e) {
+      LOG.warn("{}checkpoint {} can't be deleted: {}", room.label(), number, e.toString());
     }
   }
 

@@ -149,11 +149,8 @@ final class RoomRecording {
 
   /** Ends for an operator and returns a line that says what happened. */
   String stop() {
-    if (awaited != null) {
-      forget();
-      return "the disk was too slow, and no other file begins";
-    }
     if (recorder == null) {
+      forget();
       return "not recorded";
     }
     if (sink instanceof DelayedRecording delayed && delayed.isShown()) {
@@ -197,8 +194,7 @@ final class RoomRecording {
   private void cut() {
     room.counters().add(Counter.RECORDINGS_CUT, 1);
     RecordingFile file = fileOf(sink);
-    boolean goesOn =
-        files != null && file != null && !file.hasFailed() && !room.simulation().game().keepsMore();
+    boolean goesOn = files != null && file != null && !file.hasFailed();
     LOG.error(
         "{}the recording ends at tick {}: {}; the game goes on{}",
         room.label(),
