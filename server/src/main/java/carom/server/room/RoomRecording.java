@@ -167,9 +167,6 @@ final class RoomRecording {
     if (awaited != null && awaited.isDone()) {
       awaited = null;
       beginNextFile();
-      if (recorder != null) {
-        LOG.info("{}recorded to {} from tick {} on", room.label(), sink, room.simulation().tick());
-      }
     }
     if (recorder == null) {
       return;
@@ -212,6 +209,7 @@ final class RoomRecording {
   private void beginNextFile() {
     try {
       begin(files.next());
+      LOG.info("{}recorded to {} from tick {} on", room.label(), sink, begunAt);
     } catch (IOException | IllegalArgumentException e) {
       LOG.error(
           "{}no recording from tick {} on: {}",
