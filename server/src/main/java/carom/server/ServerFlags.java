@@ -9,6 +9,7 @@ import carom.options.NetworkConditions;
 import carom.options.Sockets;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
+import carom.server.config.SettingUnits;
 import carom.server.lobby.Lobby;
 import carom.server.query.ProtocolFlags;
 import carom.server.recording.RotationLimit;
@@ -24,6 +25,7 @@ import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
@@ -406,19 +408,22 @@ final class ServerFlags {
    * @throws BadFlag for the first flag that can't be used
    */
   void check() {
-    requireRange("--tcp-port", tcpPort, Sockets.MAX_PORT);
-    requireRange("--udp-port", udpPort, Sockets.MAX_PORT);
+    requireRange("--tcp-port", tcpPort, 0, Sockets.MAX_PORT);
+    requireRange("--udp-port", udpPort, 0, Sockets.MAX_PORT);
     String problem = Sockets.first(web.problem(), protocols.problem());
     if (problem != null) {
       throw bad(problem);
     }
-    requireRange("--grace", graceS, MAX_GRACE_S);
-    requireRange("--checkpoint", checkpointS, Server.MAX_CHECKPOINT_S);
-    requireRange("--log-keep", logKeep, MAX_LOGS);
+    requireRange("--grace", graceS, 0, MAX_GRACE_S);
+    requireRange("--checkpoint", checkpointS, 0, Server.MAX_CHECKPOINT_S);
+    requireRange("--max-load", maxLoad, 0, ServerConfig.MAX_LOAD_PERCENT / 100);
+    requireRange(
+        "--budget", budget, ServerConfig.MIN_BUDGET / 1_000, ServerConfig.MAX_BUDGET / 1_000);
+    requireRange("--log-keep", logKeep, 0, MAX_LOGS);
     if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
       throw bad("--record=" + record + " is no folder; rooms=" + roomCount() + " need one");
     }
-    requireRange("--spectator-delay", spectatorDelayS, MAX_SPECTATOR_DELAY_S);
+    requireRange("--spectator-delay", spectatorDelayS, 0, MAX_SPECTATOR_DELAY_S);
     checkRotation();
     if (network.problem() != null) {
       throw bad(network.problem());
@@ -464,7 +469,7 @@ final class ServerFlags {
 
   private void checkRotation() {
     boolean rotates = rotation().rotates();
-    requireRange("--record-keep", recordKeep, MAX_KEPT);
+    requireRange("--record-keep", recordKeep, 0, MAX_KEPT);
     if (rotates && (record == null || !Files.isDirectory(record))) {
       throw bad("--record-rotate=" + recordRotate + " needs a folder; give one by --record");
     }
@@ -481,14 +486,24 @@ final class ServerFlags {
     }
   }
 
-  private void requireRange(String flag, int value, int max) {
-    if (value < 0 || value > max) {
-      throw bad(flag + "=" + value + " is outside 0.." + max);
+  /** Refuses a value in the flag's unit, and shows it as the operator wrote it. */
+  private void requireRange(String flag, double value, int min, int max) {
+    if (!(value >= min && value <= max)) { // NaN is in no range
+      OptionSpec written = program.commandLine().getParseResult().matchedOption(flag);
+      String unit = SettingUnits.plain(written.paramLabel());
+      throw bad(
+          "%s=%s is outside %d..%d%s"
+              .formatted(
+                  flag,
+                  written.originalStringValues().get(0),
+                  min,
+                  max,
+                  unit.isEmpty() ? "" : " " + unit));
     }
   }
 
   /**
-   * Returns the settings of a server that runs this game.
+   * Returns the settings of a server that runs this game; call {@link #check} before.
    *
    * @throws BadFlag when a setting is out of range
    */
@@ -500,13 +515,13 @@ final class ServerFlags {
           .withTickRateHz(tickRate)
           .withSeed(seed == null ? new SecureRandom().nextLong() : seed)
           .withMaxPlayers(maxPlayers)
-          .withSnapshotBitsPerSecond(1_000 * Math.max(0, Math.min(1_000_000, budget)))
+          .withSnapshotBitsPerSecond(1_000 * budget)
           .withViewMetres(view)
           .withRooms(roomCount())
           .withThreads(threads)
           .withGraceMs(graceS * 1_000)
           .withIdleKickS(idleKickS)
-          .withMaxLoadPercent((int) Math.round(100 * Math.max(-1, Math.min(100, maxLoad))))
+          .withMaxLoadPercent((int) Math.round(100 * maxLoad))
           .withInputHoldTicks(tickRate / 2)
           .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)
           .withStatusIntervalS(statusIntervalS)

@@ -1,7 +1,9 @@
 package carom.options;
 
 import java.io.PrintWriter;
+import java.util.List;
 import picocli.CommandLine;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
@@ -32,12 +34,39 @@ public final class BadFlag extends ParameterException {
     CommandLine program = e.getCommandLine();
     String name = program.getCommandSpec().qualifiedName();
     PrintWriter err = program.getErr();
-    err.println(name + ": " + e.getMessage());
+    String flag = unknownFlag(e);
+    err.println(name + ": " + (flag == null ? e.getMessage() : "unknown flag '" + flag + "'"));
     if (!(e instanceof BadFlag)) {
-      UnmatchedArgumentException.printSuggestions(e, err);
+      if (flag == null) {
+        UnmatchedArgumentException.printSuggestions(e, err);
+      } else {
+        printSuggestions(program, flag, err);
+      }
       err.println("Try '" + name + " --help'.");
     }
     err.flush();
     return program.getCommandSpec().exitCodeOnInvalidInput();
+  }
+
+  /** Returns the first flag that the program doesn't have, or null if that isn't what is wrong. */
+  private static String unknownFlag(ParameterException e) {
+    return e instanceof UnmatchedArgumentException unmatched
+        ? unmatched.getUnmatched().stream()
+            .filter(word -> word.startsWith("-"))
+            .findFirst()
+            .orElse(null)
+        : null;
+  }
+
+  private static void printSuggestions(CommandLine program, String flag, PrintWriter err) {
+    List<String> known =
+        program.getCommandSpec().options().stream()
+            .filter(option -> !option.hidden())
+            .map(OptionSpec::longestName)
+            .toList();
+    List<String> meant = FlagSuggestion.of(flag, known);
+    if (!meant.isEmpty()) {
+      err.println("Possible solutions: " + String.join(", ", meant));
+    }
   }
 }

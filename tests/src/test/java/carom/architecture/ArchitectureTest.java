@@ -167,8 +167,10 @@ final class ArchitectureTest {
     allow("carom.sim.event");
     allow("carom.sim.pool", "carom.physics..");
     allow("carom.sim.message", "carom.text");
+    allow("carom.sim.level.shape", "carom.physics..", "carom.json");
     allow(
         "carom.sim.level",
+        "carom.sim.level.shape",
         "carom.physics..",
         "carom.sim.field",
         "carom.sim.event",

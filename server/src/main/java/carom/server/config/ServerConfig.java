@@ -81,6 +81,15 @@ public record ServerConfig(
 
   private static final int MAX_SERVER_NAME = 40;
 
+  /** Largest load up to which rooms can let newcomers in, percent. */
+  public static final int MAX_LOAD_PERCENT = 300;
+
+  /** Smallest snapshot budget of a player, bits of payload per second. */
+  public static final int MIN_BUDGET = 16_000;
+
+  /** Largest snapshot budget of a player, bits of payload per second. */
+  public static final int MAX_BUDGET = 80_000_000;
+
   /** Largest number of rooms. */
   public static final int MAX_ROOMS = 64;
 
@@ -122,13 +131,13 @@ public record ServerConfig(
     check("silenceTimeoutMs", silenceTimeoutMs, 500, 60_000, "withSilenceTimeoutMs");
     check("graceMs", graceMs, 0, 600_000, "--grace");
     check("idleKickS", idleKickS, 0, 86_400, "--idle-kick");
-    check("maxLoadPercent", maxLoadPercent, 0, 300, "--max-load");
+    check("maxLoadPercent", maxLoadPercent, 0, MAX_LOAD_PERCENT, "--max-load");
     check("catchUpTicks", catchUpTicks, 1, 60, "withCatchUpTicks");
     check("inputWindowTicks", inputWindowTicks, 4, 64, "withInputWindowTicks");
     check("inputHoldTicks", inputHoldTicks, 0, 240, "withInputHoldTicks");
     check("snapshotRateHz", snapshotRateHz, 1, 240, "--snapshot-rate");
     check("keepAliveRateHz", keepAliveRateHz, 1, 60, "withKeepAliveRateHz");
-    check("snapshotBitsPerSecond", snapshotBitsPerSecond, 16_000, 80_000_000, "--budget");
+    check("snapshotBitsPerSecond", snapshotBitsPerSecond, MIN_BUDGET, MAX_BUDGET, "--budget");
     check("viewMetres", viewMetres, 0, 4_096, "--view");
     check("rosterIntervalMs", rosterIntervalMs, 0, 10_000, "withRosterIntervalMs");
     check("statusIntervalS", statusIntervalS, 0, 86_400, "--status-interval");

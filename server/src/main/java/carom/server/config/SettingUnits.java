@@ -16,7 +16,7 @@ import picocli.CommandLine.TypeConversionException;
  * Units behind the numbers of settings: {@code 30}, {@code 30 s} and {@code 0.5 min} are the same
  * time. The label of an option tells the unit of a plain number.
  */
-final class SettingUnits {
+public final class SettingUnits {
   private static final Pattern NUMBER = Pattern.compile("([-+]?[0-9.]+)\\s*([a-zA-Z%]*)");
 
   /** Units by label; the first of each is that of plain numbers. */
@@ -39,8 +39,12 @@ final class SettingUnits {
     return units;
   }
 
-  /** Returns the unit of plain numbers, or empty for none. */
-  static String plain(String label) {
+  /**
+   * Returns the unit of plain numbers, or empty for none.
+   *
+   * @param label of the option's value, such as {@code KBIT}
+   */
+  public static String plain(String label) {
     Map<String, BigDecimal> units = UNITS.get(label);
     return units == null ? "" : units.keySet().iterator().next();
   }

@@ -9,18 +9,19 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.function.LongSupplier;
 import org.slf4j.Marker;
+import org.slf4j.helpers.MessageFormatter;
 
 /**
  * Bounds the lines that one cause writes to the log, no matter which client triggers it: {@value
  * #BURST} at once, then {@value #PER_SECOND} a second. A cause is the text of a log call before its
- * values are put in. What is held back is counted, and the count is logged with a later line. Any
- * thread.
+ * values are put in. What is held back is counted, and the count is logged with a later line that
+ * shows the first of them. Any thread.
  */
 public final class LogLimit extends TurboFilter {
   static final int BURST = 100;
   static final int PER_SECOND = 2;
 
-  private static final String HELD_BACK = "held back: {} lines like the last one of: {}";
+  private static final String HELD_BACK = "held back: {} more of: {}";
   private static final int MAX_CAUSES = 1_024;
   private static final long NS_PER_S = 1_000_000_000L;
 
@@ -32,6 +33,10 @@ public final class LogLimit extends TurboFilter {
     private double left = BURST;
     private long sinceNs;
     private long held;
+
+    /** Text of the first line that is held back and not yet counted in the log. */
+    private String example;
+
     private long lastReportNs;
   }
 
@@ -64,14 +69,14 @@ public final class LogLimit extends TurboFilter {
     boolean passes;
     synchronized (causes) {
       long now = clock.getAsLong();
-      passes = take(format, now);
+      passes = take(format, values, now);
       reports = holds ? takeReports(now) : Map.of();
     }
-    reports.forEach((cause, held) -> logger.warn(HELD_BACK, held, cause));
+    reports.forEach((example, held) -> logger.warn(HELD_BACK, held, example));
     return passes ? FilterReply.NEUTRAL : FilterReply.DENY;
   }
 
-  private boolean take(String format, long now) {
+  private boolean take(String format, Object[] values, long now) {
     if (causes.size() >= MAX_CAUSES && !causes.containsKey(format)) {
       causes.values().removeIf(cause -> cause.held == 0);
       if (causes.size() >= MAX_CAUSES) {
@@ -88,6 +93,7 @@ public final class LogLimit extends TurboFilter {
     }
     if (cause.held == 0) {
       cause.lastReportNs = now;
+      cause.example = MessageFormatter.arrayFormat(format, values).getMessage();
     }
     cause.held++;
     holds = true;
@@ -97,11 +103,11 @@ public final class LogLimit extends TurboFilter {
   private Map<String, Long> takeReports(long now) {
     Map<String, Long> reports = new HashMap<>();
     holds = false;
-    for (Map.Entry<String, Cause> entry : causes.entrySet()) {
-      Cause cause = entry.getValue();
+    for (Cause cause : causes.values()) {
       if (cause.held > 0 && now - cause.lastReportNs >= REPORT_NS) {
-        reports.put(entry.getKey(), cause.held);
+        reports.merge(cause.example, cause.held, Long::sum);
         cause.held = 0;
+        cause.example = null;
       }
       holds |= cause.held > 0;
     }

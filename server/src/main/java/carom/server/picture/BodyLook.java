@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What doesn't change about a body. Pictures of the same body hold the same object. Immutable.
+ * What seldom changes about a body. Pictures hold the same object until it does. Immutable.
  *
  * @param slot the body's slot in the world; another body gets it when this one is gone
  * @param entity id of its entity, {@link Entity#LEVEL} for what the level placed for good
@@ -46,5 +46,20 @@ public record BodyLook(
         e == null ? 0 : e.archetype().appearance().rgb(),
         sensor,
         List.copyOf(shapes));
+  }
+
+  /** Returns whether the body still moves in the same way and has the same shapes. */
+  boolean isOf(Body<Entity> body) {
+    if (type != body.type() || shapes.size() != body.shapeCount()) {
+      return false;
+    }
+    boolean sensors = !shapes.isEmpty();
+    for (int i = 0; i < shapes.size(); i++) {
+      if (shapes.get(i) != body.shape(i)) {
+        return false;
+      }
+      sensors &= body.sensor(i);
+    }
+    return sensor == sensors;
   }
 }

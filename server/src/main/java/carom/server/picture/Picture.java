@@ -18,6 +18,7 @@ import java.util.Map;
  * @param contacts place (m), normal and impulse (N s) of contact points, {@value #CONTACT} values
  *     each; empty if nobody asked
  * @param priorities by player, the priority that each body's entity has collected since it was sent
+ * @param particles the water and sand, a pool each, without empty ones
  * @param playerBodies ids of the players that have a body, and its slot, in pairs
  * @param players the players, or null if nobody asked
  */
@@ -32,6 +33,7 @@ public record Picture(
     float[] cells,
     float[] contacts,
     Map<Integer, float[]> priorities,
+    List<PoolPicture> particles,
     int[] playerBodies,
     List<PlayerPicture> players) {
   /** Values of a pose. */

@@ -3,11 +3,14 @@ package carom.server.picture;
 import carom.physics.Body;
 import carom.physics.Joint;
 import carom.physics.World;
+import carom.physics.particles.Particles;
 import carom.server.match.MatchInfo;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
+import carom.sim.pool.Pool;
+import carom.sim.pool.Pools;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -109,6 +112,7 @@ public final class RoomPictures {
         request.cells() ? cells() : new float[0],
         request.contacts() ? contacts() : new float[0],
         priorities(request, bodies, bySeat),
+        particles(simulation.pools()),
         playerBodies(bySeat),
         request.players() ? players(bySeat) : null);
   }
@@ -116,7 +120,7 @@ public final class RoomPictures {
   private BodyLook look(Body<Entity> body) {
     int slot = body.index();
     BodyLook look = looks[slot];
-    if (look == null || generations[slot] != body.generation() || look.type() != body.type()) {
+    if (look == null || generations[slot] != body.generation() || !look.isOf(body)) {
       look = BodyLook.of(body);
       looks[slot] = look;
       generations[slot] = body.generation();
@@ -140,6 +144,20 @@ public final class RoomPictures {
       }
     }
     return Arrays.copyOf(values, at);
+  }
+
+  private static List<PoolPicture> particles(Pools pools) {
+    List<PoolPicture> all = new ArrayList<>(pools.count());
+    for (int i = 0; i < pools.count(); i++) {
+      Pool pool = pools.get(i);
+      Particles particles = pool.particles();
+      if (particles.count() > 0) {
+        float[] xy = new float[2 * particles.count()];
+        particles.copyPositions(xy);
+        all.add(new PoolPicture(pool.def().rgb(), particles.spacing(), xy));
+      }
+    }
+    return List.copyOf(all);
   }
 
   private float[] cells() {

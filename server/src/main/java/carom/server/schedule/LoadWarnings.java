@@ -7,8 +7,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Counts what a room can't do in time, and warns the operator: at once, and then in one line every
- * ten seconds, because a log must last for weeks.
+ * Counts what a room can't do in time, and warns the operator at once, and then as often as {@link
+ * LogInterval} allows.
  */
 public final class LoadWarnings {
   private static final Logger LOG = LoggerFactory.getLogger(LoadWarnings.class);
@@ -17,6 +17,7 @@ public final class LoadWarnings {
   private final Counters counters;
   private final int tickRateHz;
   private final LogInterval dropped = new LogInterval();
+  private final LogInterval stoodStill = new LogInterval();
   private final LogInterval postponed = new LogInterval();
   private final LogInterval slowed = new LogInterval();
 
@@ -43,17 +44,29 @@ public final class LoadWarnings {
    */
   public void ticksDropped(int ticks, int tick, long nowNs) {
     counters.add(Counter.TICKS_DROPPED, ticks);
-    untold += ticks;
+    if (ticks >= tickRateHz && stoodStill.tryBegin(nowNs)) {
+      LOG.warn(
+          "{}stood still: {} dropped up to tick {}; {}",
+          label,
+          ticksWithTime(ticks),
+          tick,
+          "the process was stopped, the machine suspended, or one tick took that long");
+    } else {
+      untold += ticks;
+    }
     if (untold > 0 && dropped.tryBegin(nowNs)) {
       LOG.warn(
-          "{}can't keep up: {} ticks ({} ms) dropped up to tick {}; {}",
+          "{}can't keep up: {} dropped up to tick {}; {}",
           label,
-          untold,
-          untold * 1_000 / tickRateHz,
+          ticksWithTime(untold),
           tick,
           "if this repeats, lower --tick-rate or --max-players, or find a faster machine");
       untold = 0;
     }
+  }
+
+  private String ticksWithTime(long ticks) {
+    return ticks + (ticks == 1 ? " tick (" : " ticks (") + ticks * 1_000 / tickRateHz + " ms)";
   }
 
   /**

@@ -30,6 +30,7 @@ public final class EntityHistory {
   private int[] data = new int[FIRST_ROOM * FIELDS];
   private int mask = FIRST_ROOM - 1;
   private int newest;
+  private int newestTick = -1;
   private int size;
 
   EntityHistory() {}
@@ -100,6 +101,15 @@ public final class EntityHistory {
     return data[at(index) + KIND] >>> TELEPORT_SHIFT;
   }
 
+  /** Returns generation, archetype and teleports as {@link #kindOf} packs them. */
+  int kind(int index) {
+    return data[at(index) + KIND];
+  }
+
+  static int kindOf(int generation, int archetype, int teleports) {
+    return teleports << TELEPORT_SHIFT | archetype << 8 | generation;
+  }
+
   /** Returns whose the entity is, see {@code Ownership}. */
   public int ownership(int index) {
     return data[at(index) + OWNER];
@@ -144,15 +154,15 @@ public final class EntityHistory {
   void hold(int index, int tick, QuantizedPose scratch) {
     if (tick(index) != tick) {
       pose(index, scratch);
-      add(tick, generation(index), archetype(index), ownership(index), teleports(index), scratch);
+      add(tick, kind(index), ownership(index), scratch);
     }
   }
 
   /** Adds a state of a living entity. */
-  void add(int tick, int generation, int archetype, int owner, int teleports, QuantizedPose pose) {
+  void add(int tick, int kind, int owner, QuantizedPose pose) {
     int at = open(tick);
     if (at >= 0) {
-      data[at + KIND] = teleports << TELEPORT_SHIFT | archetype << 8 | generation;
+      data[at + KIND] = kind;
       data[at + OWNER] = owner;
       data[at + X] = pose.x;
       data[at + Y] = pose.y;
@@ -183,11 +193,15 @@ public final class EntityHistory {
    */
   private int open(int tick) {
     int newer = 0;
-    while (newer < size && tick(newer) > tick) {
-      newer++;
-    }
-    if (newer == SIZE || (newer < size && tick(newer) == tick)) {
-      return -1;
+    if (tick > newestTick) { // mostly: looks at no entry, which may be far from any cache
+      newestTick = tick;
+    } else {
+      while (newer < size && tick(newer) > tick) {
+        newer++;
+      }
+      if (newer == SIZE || (newer < size && tick(newer) == tick)) {
+        return -1;
+      }
     }
     if (size > mask && size < SIZE) {
       grow();

@@ -12,6 +12,7 @@ import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.QuantizedPose;
+import carom.net.snapshot.frame.ReceivedPoses;
 import carom.net.snapshot.frame.SlotSet;
 import carom.net.snapshot.record.Baseline;
 import carom.net.snapshot.record.DeltaCodec;
@@ -28,12 +29,15 @@ import java.util.Arrays;
  * back.
  *
  * <p>Any bytes give a {@link DecodeStatus}, never an exception, and a datagram counts as a whole or
- * not at all. Memory is bounded: at most 1.8 KiB for each slot ever seen. One thread; allocates
+ * not at all. Memory is bounded: at most 2.4 KiB for each slot ever seen. One thread; allocates
  * only while a slot's history grows to that, or when a datagram has more records than any before.
  */
 public final class SnapshotDecoder {
 
   private static final int MIN_RECORDS = 64;
+
+  /** Age of a record whose baseline the history has at that very tick. */
+  private static final int NOTHING_TO_HOLD = 0;
 
   /** Bytes of mark, sequence number, tick and five flags: no datagram is shorter. */
   private static final int MIN_BYTES = 6;
@@ -47,6 +51,7 @@ public final class SnapshotDecoder {
   private final DatagramHead head = new DatagramHead();
   private final DeltaCodec deltas;
   private EntityHistory[] histories = {};
+  private final ReceivedPoses received = new ReceivedPoses();
   private int slotLimit;
 
   private final Receipts receipts = new Receipts();
@@ -66,10 +71,8 @@ public final class SnapshotDecoder {
   private byte[] kinds = {};
   private int[] ages = {};
   private int[] indices = {};
-  private int[] generations = {};
-  private int[] archetypes = {};
+  private int[] identities = {};
   private int[] owners = {};
-  private int[] teleports = {};
   private QuantizedPose[] poses = {};
   private final QuantizedPose scratch = new QuantizedPose();
   private final Track track = new Track();
@@ -117,14 +120,8 @@ public final class SnapshotDecoder {
     for (int slot = 0; slot < state.slotLimit(); slot++) {
       if (state.alive(slot)) {
         state.pose(slot, scratch);
-        historyFor(slot)
-            .add(
-                0,
-                state.generation(slot),
-                state.archetype(slot),
-                state.ownership(slot),
-                0,
-                scratch);
+        int kind = EntityHistory.kindOf(state.generation(slot), state.archetype(slot), 0);
+        historyFor(slot).add(0, kind, state.ownership(slot), scratch);
       }
     }
   }
@@ -214,10 +211,10 @@ public final class SnapshotDecoder {
       return false;
     }
     if (kind == RecordCodec.ABSOLUTE) {
-      generations[count] = records.generation(range, 0);
-      archetypes[count] = records.archetype(range, 0);
+      int generation = records.generation(range, 0);
+      int archetype = records.archetype(range, 0);
       owners[count] = records.owner(range, 0);
-      teleports[count] = records.teleports(range, 0);
+      identities[count] = EntityHistory.kindOf(generation, archetype, records.teleports(range, 0));
       records.absolute(range, poses[count]);
       if (!poses[count].inRange()) {
         return false;
@@ -237,12 +234,16 @@ public final class SnapshotDecoder {
     if (!Baseline.isValid(baseline) || which == 0) {
       return DAMAGED;
     }
+    long quick = received(which, datagramTick, baseline);
     for (long rest = which; rest != 0; rest &= rest - 1) {
       int slot = (records.word() << 6) + Long.numberOfTrailingZeros(rest);
       if (!open(RecordCodec.RUN, slot) || r.exhausted()) {
         return DAMAGED;
       }
-      if (!baseline(slot, datagramTick, baseline)) {
+      boolean isQuick = (quick >>> slot & 1) != 0;
+      if (isQuick) {
+        receivedBaseline(slot, datagramTick, baseline);
+      } else if (!baseline(slot, datagramTick, baseline)) {
         return DecodeStatus.NO_BASELINE;
       }
       int profile = (slot & 32) == 0 ? records.lowProfile() : records.highProfile();
@@ -255,6 +256,7 @@ public final class SnapshotDecoder {
       if (ages[count] <= 0) {
         return DAMAGED;
       }
+      ages[count] = isQuick && rested == 0 ? NOTHING_TO_HOLD : ages[count];
       poses[count].addResidual(scratch);
       if (!poses[count].inRange()) {
         return DAMAGED;
@@ -275,7 +277,29 @@ public final class SnapshotDecoder {
     }
     slots[count] = slot;
     kinds[count] = (byte) kind;
+    ages[count] = NOTHING_TO_HOLD;
     return true;
+  }
+
+  /** Returns those of a run's slots whose poses of a baseline are all among those received. */
+  private long received(long which, int datagramTick, int baseline) {
+    long result = which;
+    for (int i = 0; i < Baseline.poses(baseline); i++) {
+      int back = Baseline.age(baseline) + i * Baseline.stride(baseline);
+      result &= received.held(records.word(), datagramTick - back);
+    }
+    return result;
+  }
+
+  /** Loads what {@link #baseline} does, of a slot whose poses are among those received. */
+  private void receivedBaseline(int slot, int datagramTick, int baseline) {
+    for (int i = 0; i < Baseline.poses(baseline); i++) {
+      int back = Baseline.age(baseline) + i * Baseline.stride(baseline);
+      received.read(slot, datagramTick - back, track.pose(i));
+    }
+    indices[count] = 0;
+    identities[count] = received.kind(slot);
+    owners[count] = received.owner(slot);
   }
 
   /**
@@ -294,11 +318,9 @@ public final class SnapshotDecoder {
       history.pose(index, track.pose(i));
       if (i == 0) {
         indices[count] = index;
-        generations[count] = history.generation(index);
-        archetypes[count] = history.archetype(index);
-        teleports[count] = history.teleports(index);
+        identities[count] = history.kind(index);
         owners[count] = history.ownership(index);
-      } else if (history.generation(index) != generations[count]) {
+      } else if (history.generation(index) != history.generation(indices[count])) {
         return false;
       }
       tick -= Baseline.stride(baseline);
@@ -312,10 +334,8 @@ public final class SnapshotDecoder {
     kinds = Arrays.copyOf(kinds, length);
     ages = Arrays.copyOf(ages, length);
     indices = Arrays.copyOf(indices, length);
-    generations = Arrays.copyOf(generations, length);
-    archetypes = Arrays.copyOf(archetypes, length);
+    identities = Arrays.copyOf(identities, length);
     owners = Arrays.copyOf(owners, length);
-    teleports = Arrays.copyOf(teleports, length);
     touchedSlots = Arrays.copyOf(touchedSlots, length);
     poses = Arrays.copyOf(poses, length);
     for (int i = old; i < length; i++) {
@@ -345,11 +365,12 @@ public final class SnapshotDecoder {
         history.addOutOfSight(datagramTick);
         continue;
       }
-      if (kinds[i] == RecordCodec.RUN) {
+      if (ages[i] != NOTHING_TO_HOLD) {
         int held = datagramTick - ages[i];
         history.hold(history.indexAt(held, indices[i]), held, scratch);
       }
-      history.add(datagramTick, generations[i], archetypes[i], owners[i], teleports[i], poses[i]);
+      history.add(datagramTick, identities[i], owners[i], poses[i]);
+      received.add(slots[i], datagramTick, identities[i], owners[i], poses[i]);
     }
     System.arraycopy(slots, 0, touchedSlots, 0, count);
     touched = count;

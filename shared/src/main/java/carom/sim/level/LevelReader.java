@@ -10,7 +10,6 @@ import static carom.json.JsonFields.number;
 import static carom.json.JsonFields.require;
 import static carom.json.JsonFields.required;
 import static carom.json.JsonFields.text;
-import static carom.json.JsonFields.unknownWord;
 import static carom.json.JsonFields.vector;
 import static carom.json.JsonFields.word;
 import static carom.json.JsonFields.wrong;
@@ -21,11 +20,11 @@ import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.MotionLocks;
 import carom.physics.geometry.Shape;
-import carom.physics.settings.MixingRule;
+import carom.sim.level.shape.MaterialReader;
+import carom.sim.level.shape.ShapeReader;
 import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -33,8 +32,8 @@ import java.util.Map;
 /**
  * Turns a JSON tree into the contents of a {@link Level}, and refuses everything else with a
  * sentence that names the place, the value and the limit. {@code levels/level.schema.json} gives
- * editors the same rules; a test compares the two. Shapes, areas, pools and joints have readers of
- * their own.
+ * editors the same rules; a test compares the two. Shapes, materials, areas, pools and joints have
+ * readers of their own.
  */
 final class LevelReader {
   static final int MAX_STATIC_ITEMS = 2048;
@@ -51,8 +50,6 @@ final class LevelReader {
   static final int MAX_ZONES = 256;
   static final int MAX_AREAS = 256;
   static final float MAX_COORDINATE = 10_000;
-  static final float MIN_SIZE = 0.05f;
-  static final float MAX_SIZE = 2_000;
 
   static final List<String> ROOT =
       List.of(
@@ -72,16 +69,6 @@ final class LevelReader {
           "joints");
   static final List<String> BOUNDS = List.of("min", "max");
   static final List<String> THEME = List.of("background", "sky", "grid", "accent");
-  static final List<String> MATERIAL =
-      List.of(
-          "density",
-          "friction",
-          "restitution",
-          "surfaceSpeed",
-          "frictionMixing",
-          "restitutionMixing");
-  private static final List<String> MIXING =
-      List.of("average", "geometricMean", "min", "multiply", "max");
   static final List<String> SPAWN = List.of("name", "at", "team");
   static final List<String> ZONE = List.of("name", "min", "max", "team", "color");
   static final List<String> STATIC =
@@ -117,7 +104,6 @@ final class LevelReader {
   static final List<String> TYPES = List.of("dynamic", "kinematic");
   static final List<String> LOOKS = looks();
 
-  private static final Material DEFAULT_MATERIAL = new Material(1, 0.5f, 0);
   private static final float RAD_PER_DEGREE = (float) (Math.PI / 180);
 
   String name;
@@ -137,7 +123,7 @@ final class LevelReader {
 
   private final String file;
   private final LevelJointReader jointReader = new LevelJointReader(this);
-  private final Map<String, Material> materials = new LinkedHashMap<>();
+  private final MaterialReader materials = new MaterialReader();
   private int placedParts;
 
   LevelReader(String file, byte[] bytes) throws LevelException {
@@ -162,7 +148,7 @@ final class LevelReader {
     gravityY = gravity[1];
     readBounds(required(root, "bounds"));
     readTheme(root.fields.get("theme"));
-    readMaterials(root.fields.get("materials"));
+    materials.readNamed(root.fields.get("materials"));
     for (Json spawn : list(root, "spawns", MAX_SPAWNS)) {
       readSpawn(spawn);
     }
@@ -208,49 +194,6 @@ final class LevelReader {
             color(node, "accent", 0xffd166));
   }
 
-  private void readMaterials(Json node) throws JsonException {
-    if (node == null) {
-      return;
-    }
-    require(node, Json.Kind.OBJECT);
-    for (Map.Entry<String, Json> entry : node.fields.entrySet()) {
-      materials.put(entry.getKey(), newMaterial(entry.getValue()));
-    }
-  }
-
-  private Material newMaterial(Json node) throws JsonException {
-    knownFields(node, MATERIAL);
-    return new Material(
-        number(node, "density", DEFAULT_MATERIAL.density(), 0.001f, 1000),
-        number(node, "friction", DEFAULT_MATERIAL.friction(), 0, 10),
-        number(node, "restitution", DEFAULT_MATERIAL.restitution(), 0, 2),
-        0,
-        number(node, "surfaceSpeed", 0, -1000, 1000),
-        0,
-        mixing(node, "frictionMixing"),
-        mixing(node, "restitutionMixing"));
-  }
-
-  private static MixingRule mixing(Json node, String field) throws JsonException {
-    return node.fields.containsKey(field)
-        ? MixingRule.values()[MIXING.indexOf(word(node, field, MIXING, ""))]
-        : null;
-  }
-
-  private Material material(Json node) throws JsonException {
-    if (node == null) {
-      return DEFAULT_MATERIAL;
-    }
-    if (node.kind != Json.Kind.STRING) {
-      return newMaterial(node);
-    }
-    Material material = materials.get(node.text);
-    if (material == null) {
-      throw unknownWord(node, materials.keySet(), "a name under \"materials\"");
-    }
-    return material;
-  }
-
   private void readSpawn(Json node) throws JsonException {
     knownFields(node, SPAWN);
     Json spawnName = node.fields.get("name");
@@ -291,8 +234,8 @@ final class LevelReader {
     ArchetypeDef def = new ArchetypeDef(bodyName == null ? node.path() : text(bodyName));
     float[] at = vector(required(node, "at"), MAX_COORDINATE);
     float angle = number(node, "angle", 0, -360, 360) * RAD_PER_DEGREE;
-    Material material = material(node.fields.get("material"));
-    Shape shape = ShapeReader.shape(required(node, "shape"), true);
+    Material material = materials.material(node.fields.get("material"));
+    Shape shape = ShapeReader.shape(required(node, "shape"));
     def.shape(shape, material);
     def.oneWay(bool(node, "oneWay", false));
     def.sensor(bool(node, "sensor", false));

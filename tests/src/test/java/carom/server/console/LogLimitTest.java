@@ -56,6 +56,17 @@ final class LogLimitTest {
   }
 
   @Test
+  void aCountShowsALineThatWasHeldBackWithItsValues() {
+    for (int i = 0; i < LogLimit.BURST + 15; i++) {
+      log.info("join: {} as player {}", "bot" + i, i);
+    }
+    nowNs += 2 * SECOND;
+    log.info("status: fine");
+    String expected = "held back: 15 more of: join: bot100 as player 100";
+    assertTrue(texts().contains(expected), () -> texts().toString());
+  }
+
+  @Test
   void otherCausesAreHeardDuringAFlood() {
     for (int i = 0; i < 1_000; i++) {
       log.info("refused: {}", i);

@@ -1,6 +1,7 @@
 package carom.server.picture;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -9,10 +10,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
+import carom.physics.BodyDef;
+import carom.physics.BodyType;
+import carom.physics.ShapeDef;
+import carom.physics.World;
+import carom.physics.WorldDef;
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
+import carom.physics.particles.Particles;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.TurnStage;
 import carom.sim.entity.Entity;
+import carom.sim.level.Level;
+import carom.sim.pool.Pools;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
@@ -73,6 +86,50 @@ final class RoomPicturesTest {
       assertTrue(player.link().acked() <= player.link().settled());
       assertEquals(0, picture.playerBodies()[0]);
       assertEquals(stepper.body(ann).body().index(), picture.playerBodies()[1]);
+    }
+  }
+
+  @Test
+  void aBodyThatChangesItsShapeHasAnotherLook() {
+    World<Entity> world = new World<>(new WorldDef());
+    Body<Entity> body =
+        world.createBody(new BodyDef(BodyType.DYNAMIC).shape(new Circle(0.5f)), null);
+    BodyLook before = BodyLook.of(body);
+    assertTrue(before.isOf(body));
+    body.replaceShape(0, new ShapeDef(new Box(0.3f, 0.3f)));
+    assertFalse(before.isOf(body));
+    BodyLook after = BodyLook.of(body);
+    assertTrue(after.isOf(body));
+    body.addShape(new ShapeDef(new Circle(1)));
+    assertFalse(after.isOf(body));
+  }
+
+  @Test
+  void waterIsInThePictureWhereItIs() throws Exception {
+    try (Stepper stepper = Stepper.of(Level.builtIn("sluice"), ServerConfig.defaults())) {
+      stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
+      stepper.run(1);
+      stepper.room().pictures().ask(BODIES);
+      int tick = stepper.room().tick();
+      while (stepper.room().tick() == tick) {
+        stepper.step();
+      }
+      List<PoolPicture> pictures = stepper.room().pictures().poll().particles();
+      Pools pools = stepper.room().simulation().pools();
+      assertEquals(2, pools.count());
+      assertEquals(2, pictures.size());
+      for (int pool = 0; pool < 2; pool++) {
+        Particles particles = pools.get(pool).particles();
+        PoolPicture picture = pictures.get(pool);
+        assertTrue(particles.count() > 50, "pool=" + pool + " particles=" + particles.count());
+        assertEquals(2 * particles.count(), picture.xy().length);
+        for (int i = 0; i < particles.count(); i++) {
+          assertEquals(particles.x(i), picture.xy()[2 * i]);
+          assertEquals(particles.y(i), picture.xy()[2 * i + 1]);
+        }
+        assertEquals(pools.get(pool).def().rgb(), picture.rgb());
+        assertEquals(particles.spacing(), picture.spacing());
+      }
     }
   }
 

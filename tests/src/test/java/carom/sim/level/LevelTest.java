@@ -16,6 +16,8 @@ import carom.physics.effects.Wind;
 import carom.physics.geometry.Shape;
 import carom.physics.settings.MixingRule;
 import carom.sim.SchemaChecker;
+import carom.sim.level.shape.MaterialReader;
+import carom.sim.level.shape.ShapeReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -405,7 +407,7 @@ class LevelTest {
     assertEquals(LevelReader.ROOT, schema.fields(null));
     assertEquals(LevelReader.BOUNDS, schema.fields("bounds"));
     assertEquals(LevelReader.THEME, schema.fields("theme"));
-    assertEquals(LevelReader.MATERIAL, schema.fields("material"));
+    assertEquals(MaterialReader.FIELDS, schema.fields("material"));
     assertEquals(LevelReader.SPAWN, schema.fields("spawn"));
     assertEquals(LevelReader.ZONE, schema.fields("zone"));
     assertEquals(LevelReader.STATIC, schema.fields("static"));
@@ -415,13 +417,9 @@ class LevelTest {
     assertEquals(AreaReader.GRAVITY, schema.fields("gravity"));
     assertEquals(AreaReader.DRAG, schema.fields("drag"));
     assertEquals(AreaReader.ATTRACTOR, schema.fields("attractor"));
-    assertEquals(ShapeReader.CIRCLE, schema.fields("circle"));
-    assertEquals(ShapeReader.BOX, schema.fields("box"));
-    assertEquals(ShapeReader.POLYGON, schema.fields("polygon"));
-    assertEquals(ShapeReader.CAPSULE, schema.fields("capsule"));
-    assertEquals(ShapeReader.SEGMENT, schema.fields("segment"));
-    assertEquals(ShapeReader.CHAIN, schema.fields("chain"));
-    assertEquals(ShapeReader.COMPOUND, schema.fields("compound"));
+    for (String type : ShapeReader.TYPES) {
+      assertEquals(ShapeReader.fields(type), schema.fields(type));
+    }
     assertEquals(LevelReader.MOTION, schema.fields("motion"));
     assertEquals(LevelReader.REPEAT, schema.fields("repeat"));
     assertEquals(LevelJointReader.REVOLUTE, schema.fields("revolute"));

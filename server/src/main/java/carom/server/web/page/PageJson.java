@@ -108,6 +108,7 @@ final class PageJson {
     g.writeNumberField("taken", room.seats().takenCount());
     g.writeNumberField("places", room.seats().count());
     g.writeBooleanField("failed", room.hasFailed());
+    g.writeBooleanField("paused", room.isPaused());
   }
 
   private static void writeRow(JsonGenerator g, float[] row) throws IOException {

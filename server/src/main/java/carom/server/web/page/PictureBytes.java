@@ -1,6 +1,7 @@
 package carom.server.web.page;
 
 import carom.server.picture.Picture;
+import carom.server.picture.PoolPicture;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -8,16 +9,17 @@ import java.nio.ByteOrder;
  * A picture's numbers as the page reads them: 32-bit integers and floats, little endian.
  *
  * <pre>
- *   8 integers   tick, counts of bodies, joints, cells, contacts, priorities, player bodies, 0
+ *   8 integers   tick, counts of bodies, joints, cells, contacts, priorities, player bodies, pools
  *   bodies       slot (bit 31: awake), x, y, angle
  *   joints       type, slots, anchors      cells     edges, depth
  *   contacts     place, normal, impulse    priorities one of each body, or none
- *   player bodies  player, slot
+ *   player bodies  player, slot        pools     colour, spacing, count, places
  * </pre>
  */
 final class PictureBytes {
   private static final int HEAD = 8;
   private static final int BODY = 4;
+  private static final int POOL = 3;
   private static final int AWAKE = 1 << 31;
   private static final float[] NOTHING = {};
 
@@ -35,6 +37,7 @@ final class PictureBytes {
     int bodies = picture.bodies().size();
     int words =
         HEAD
+            + picture.particles().stream().mapToInt(pool -> POOL + pool.xy().length).sum()
             + BODY * bodies
             + picture.joints().length
             + trees.length
@@ -49,7 +52,7 @@ final class PictureBytes {
         .putInt(points.length / Picture.CONTACT)
         .putInt(priorities.length)
         .putInt(picture.playerBodies().length / 2)
-        .putInt(0);
+        .putInt(picture.particles().size());
     for (int i = 0; i < bodies; i++) {
       out.putInt(picture.bodies().get(i).slot() | (picture.awake()[i] ? AWAKE : 0));
       for (int k = 0; k < Picture.POSE; k++) {
@@ -62,6 +65,10 @@ final class PictureBytes {
     put(out, priorities);
     for (int value : picture.playerBodies()) {
       out.putInt(value);
+    }
+    for (PoolPicture pool : picture.particles()) {
+      out.putInt(pool.rgb()).putFloat(pool.spacing()).putInt(pool.xy().length / 2);
+      put(out, pool.xy());
     }
     return out.flip();
   }

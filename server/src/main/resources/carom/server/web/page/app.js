@@ -41,7 +41,7 @@ const charts = [
   {title: 'Trouble', unit: 'per s', series: [
     {name: 'ticks_late', label: 'ticks late', colour: 2}, {name: 'ticks_dropped', label: 'dropped', colour: 6},
     {name: 'snapshots_postponed', label: 'snapshots late', colour: 4}, {name: 'inputs_missing', label: 'inputs missing', colour: 5}]},
-  {title: 'Page', unit: 'ms', series: [{name: 'picture', label: 'pictures, per tick', colour: 5}]},
+  {title: 'Page', unit: 'ms', series: [{name: 'picture', label: 'pictures, of each tick', colour: 5}]},
   {title: 'Memory', unit: 'MB', series: [{name: 'heapMb', label: 'heap', colour: 1}]},
 ].map(each => new Chart($('charts'), each));
 
@@ -82,7 +82,23 @@ function note(text) {
   $('note').hidden = !text;
 }
 
+const KEYS = {
+  sleeping: 'dashed: asleep', contacts: 'dots: contacts, a line as long as the impulse (log)', cells: 'frames: nodes of the KD-tree, red ones at the root',
+};
+
+/** Says what the overlays mean that are on. */
+function showKey() {
+  const texts = Object.keys(KEYS).filter(name => scene.show[name]).map(name => KEYS[name]);
+  if (scene.show.priority) {
+    texts.push($('follow').value === '' ? 'priority: follow a player to see it'
+      : 'blue to red: priority that waits for ' + $('follow').selectedOptions[0].text);
+  }
+  $('key').textContent = texts.join(' · ');
+  $('key').hidden = !texts.length;
+}
+
 function sendGaze() {
+  showKey();
   const follow = $('follow').value;
   say({do: 'look', room: document.hidden ? '' : $('room').value, cells: scene.show.cells, contacts: scene.show.contacts,
     priority: scene.show.priority && follow !== '' ? Number(follow) : -1});
@@ -99,6 +115,7 @@ const handlers = {
     note(message.watches ? '' : 'Log in to watch this server.');
     if (!message.watches) return;
     columns = message.columns;
+    for (const [name, help] of Object.entries(message.stages)) charts[0].explain(name, help);
     rooms.clear();
     const chosen = $('room').value;
     $('room').replaceChildren();
@@ -169,7 +186,7 @@ function showRoom() {
   const room = rooms.get($('room').value);
   if (!room) return;
   $('facts').textContent = room.failed ? 'This room has closed itself because of an error.'
-    : `${room.game} · ${room.level} · ${room.taken} of ${room.places} places · tick ${room.tick}`;
+    : `${room.game} · ${room.level} · ${room.taken} of ${room.places} places · tick ${room.tick}${room.paused ? ' · paused, as nobody plays' : ''}`;
   for (const chart of charts) chart.show(room.rows, columns);
 }
 
@@ -230,7 +247,7 @@ function showPlayers(players) {
 function newRow(player, key) {
   const row = document.createElement('tr');
   row.dataset.key = key;
-  for (const kind of ['', 'wide', 'wide num', 'num', 'num', 'num', 'num', 'num', 'wide admin']) cell(row, '', kind);
+  for (const kind of ['', 'wide', 'wide num', 'num', 'num', 'num', 'wide num', 'num', 'wide admin']) cell(row, '', kind);
   const actions = cell(row, '', 'actions');
   const follow = () => followPlayer(String(player.id) === $('follow').value ? '' : String(player.id));
   row.cells[0].addEventListener('click', follow);

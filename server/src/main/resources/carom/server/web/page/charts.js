@@ -15,7 +15,7 @@ function short(value) {
   const size = Math.abs(value);
   if (size >= 1e6) return (value / 1e6).toFixed(1) + 'M';
   if (size >= 1e4) return (value / 1e3).toFixed(0) + 'k';
-  return size === 0 ? '0' : size >= 100 ? value.toFixed(0) : size >= 10 ? value.toFixed(1) : value.toFixed(2);
+  return Number.isInteger(value) || size >= 100 ? value.toFixed(0) : size >= 10 ? value.toFixed(1) : value.toFixed(2);
 }
 
 export class Chart {
@@ -25,22 +25,23 @@ export class Chart {
   constructor(parent, {title, unit, series, stacked}) {
     this.series = series;
     this.stacked = stacked;
-    this.unit = unit;
     const box = document.createElement('div');
     box.className = 'chart';
     const head = document.createElement('h3');
     head.append(title);
-    this.value = head.appendChild(document.createElement('span'));
+    head.appendChild(document.createElement('span')).textContent = unit;
     this.canvas = document.createElement('canvas');
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', title);
     const legend = document.createElement('div');
     legend.className = 'legend';
-    for (const each of series) {
+    this.values = series.map(each => {
       const entry = legend.appendChild(document.createElement('span'));
       entry.appendChild(document.createElement('i')).className = 'k' + each.colour;
-      entry.append(each.label);
-    }
+      entry.append(each.label + ' ');
+      each.entry = entry;
+      return entry.appendChild(document.createElement('b'));
+    });
     box.append(head, this.canvas, legend);
     parent.append(box);
     this.hover = -1;
@@ -96,7 +97,12 @@ export class Chart {
     this.tell(rows, g, x, height, colour);
   }
 
-  /** Writes the newest value, or those under the pointer. */
+  /** Explains the series of a name when the pointer rests on it. */
+  explain(name, text) {
+    for (const each of this.series) if (each.name === name) each.entry.title = text;
+  }
+
+  /** Writes the newest value of each series, or those under the pointer. */
   tell(rows, g, x, height, colour) {
     let i = rows.length - 1;
     if (this.hover >= LEFT && rows.length) {
@@ -105,6 +111,6 @@ export class Chart {
       g.beginPath(); g.moveTo(x(i), PAD); g.lineTo(x(i), height - PAD); g.stroke();
     }
     const row = rows[i];
-    this.value.textContent = row ? this.at.map(k => short(row[k] || 0)).join(' / ') + ' ' + this.unit : '';
+    this.values.forEach((value, s) => { value.textContent = row ? short(row[this.at[s]] || 0) : ''; });
   }
 }

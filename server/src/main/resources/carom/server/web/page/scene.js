@@ -1,12 +1,12 @@
 // The room on a canvas: pictures come in, the newest two are blended, and a camera looks at them.
 
-const BODY = 4, JOINT = 7, CELL = 5, CONTACT = 5, HEAD = 8, AWAKE = 0x80000000;
+const BODY = 4, JOINT = 7, CELL = 5, CONTACT = 5, POOL = 3, HEAD = 8, AWAKE = 0x80000000;
 
 /** Reads the numbers of a picture; see PictureBytes. */
 function read(buffer) {
   const ints = new Int32Array(buffer), floats = new Float32Array(buffer);
-  const [tick, bodies, joints, cells, contacts, priorities, players] = ints;
-  const picture = {tick, index: new Map(), slot: [], awake: [], pose: new Float32Array(3 * bodies), bodyOf: new Map()};
+  const [tick, bodies, joints, cells, contacts, priorities, players, pools] = ints;
+  const picture = {tick, index: new Map(), pools: [], slot: [], awake: [], pose: new Float32Array(3 * bodies), bodyOf: new Map()};
   let at = HEAD;
   for (let i = 0; i < bodies; i++, at += BODY) {
     const slot = ints[at] & 0x7fffffff;
@@ -21,6 +21,11 @@ function read(buffer) {
   picture.contacts = take(contacts, CONTACT);
   picture.priorities = take(priorities, 1);
   for (let i = 0; i < players; i++, at += 2) picture.bodyOf.set(ints[at], ints[at + 1]);
+  for (let i = 0; i < pools; i++) {
+    const [rgb, count] = [ints[at], ints[at + 2]], spacing = floats[at + 1];
+    at += POOL;
+    picture.pools.push({rgb, spacing, xy: take(count, 2)});
+  }
   return picture;
 }
 
@@ -86,7 +91,9 @@ export class Scene {
     this.fit();
   }
 
+  /** Shows the whole level, also when the window's size changes, until the camera is moved. */
   fit() {
+    this.fitted = true;
     if (!this.bounds) return;
     const [minX, minY, maxX, maxY] = this.bounds;
     this.camera.x = (minX + maxX) / 2;
@@ -130,6 +137,7 @@ export class Scene {
   }
 
   zoom(factor, px, py) {
+    this.fitted = false;
     const [x, y] = this.toWorld(px, py);
     this.camera.scale = Math.max(0.5, Math.min(400, this.camera.scale * factor));
     const [nx, ny] = this.toWorld(px, py);
@@ -153,6 +161,7 @@ export class Scene {
         this.zoom(distance(e) / Math.max(1, distance(last)), other.offsetX, other.offsetY);
       } else if (moved > 4) {
         this.follow = null;
+        this.fitted = false;
         this.camera.x -= dx / this.camera.scale;
         this.camera.y += dy / this.camera.scale;
         this.onPick(undefined);
@@ -165,7 +174,7 @@ export class Scene {
     c.addEventListener('keydown', e => {
       const step = 40 / this.camera.scale;
       const moves = {ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step]};
-      if (moves[e.key]) { this.camera.x += moves[e.key][0]; this.camera.y += moves[e.key][1]; e.preventDefault(); }
+      if (moves[e.key]) { this.fitted = false; this.camera.x += moves[e.key][0]; this.camera.y += moves[e.key][1]; e.preventDefault(); }
       if (e.key === '+' || e.key === '-') this.zoom(e.key === '+' ? 1.25 : 0.8, c.clientWidth / 2, c.clientHeight / 2);
     });
   }
@@ -200,14 +209,18 @@ export class Scene {
   draw() {
     const c = this.canvas, g = c.getContext('2d'), ratio = window.devicePixelRatio || 1;
     const width = Math.round(c.clientWidth * ratio), height = Math.round(c.clientHeight * ratio);
-    if (c.width !== width || c.height !== height) { c.width = width; c.height = height; }
+    if (c.width !== width || c.height !== height) {
+      c.width = width;
+      c.height = height;
+      if (this.fitted) this.fit();
+    }
     g.setTransform(1, 0, 0, 1, 0, 0);
     g.clearRect(0, 0, width, height);
     const colours = this.palette();
     if (!this.now) return;
     const followed = this.follow === null ? undefined : this.now.bodyOf.get(this.follow);
     const place = followed === undefined ? null : this.pose(followed);
-    if (place) { this.camera.x = place[0]; this.camera.y = place[1]; }
+    if (place) { this.fitted = false; this.camera.x = place[0]; this.camera.y = place[1]; }
     const s = this.camera.scale * ratio;
     this.view = [s, 0, 0, -s, width / 2 - s * this.camera.x, height / 2 + s * this.camera.y];
     g.setTransform(...this.view);
@@ -217,6 +230,7 @@ export class Scene {
       g.strokeStyle = colours.line;
       g.strokeRect(minX, minY, maxX - minX, maxY - minY);
     }
+    for (const pool of this.now.pools) this.particles(g, pool);
     const most = this.now.priorities.reduce((a, b) => Math.max(a, b), 0);
     for (const pass of [0, 1, 2]) {
       for (let i = 0; i < this.now.slot.length; i++) {
@@ -256,6 +270,14 @@ export class Scene {
     g.globalAlpha = 1;
   }
 
+  particles(g, {rgb, spacing, xy}) {
+    const size = 1.1 * spacing;
+    g.fillStyle = '#' + rgb.toString(16).padStart(6, '0');
+    g.globalAlpha = 0.75;
+    for (let i = 0; i < xy.length; i += 2) g.fillRect(xy[i] - size / 2, xy[i + 1] - size / 2, size, size);
+    g.globalAlpha = 1;
+  }
+
   cells(g) {
     for (let i = 0; i < this.now.cells.length; i += CELL) {
       const [minX, minY, maxX, maxY, depth] = this.now.cells.subarray(i, i + CELL);
@@ -266,9 +288,9 @@ export class Scene {
   }
 
   joints(g, colours) {
-    g.lineWidth = 2 / this.camera.scale;
+    g.lineWidth = Math.min(2 / this.camera.scale, 0.05);
     g.strokeStyle = g.fillStyle = colours.c4;
-    const dot = 3 / this.camera.scale;
+    const dot = Math.min(3 / this.camera.scale, 0.08);
     for (let i = 0; i < this.now.joints.length; i += JOINT) {
       const [, a, b, ax, ay, bx, by] = this.now.joints.subarray(i, i + JOINT);
       g.globalAlpha = 0.5;
@@ -289,22 +311,28 @@ export class Scene {
     for (let i = 0; i < this.now.contacts.length; i += CONTACT) {
       const [x, y, nx, ny, impulse] = this.now.contacts.subarray(i, i + CONTACT);
       const length = 0.1 + 0.15 * Math.log1p(impulse);
-      g.beginPath(); g.arc(x, y, 3 / this.camera.scale, 0, 7); g.fill();
+      g.beginPath(); g.arc(x, y, Math.min(3 / this.camera.scale, 0.1), 0, 7); g.fill();
       g.beginPath(); g.moveTo(x, y); g.lineTo(x + nx * length, y + ny * length); g.stroke();
     }
   }
 
+  /** Writes the players' names, the followed one's first; a name that another covers is left out. */
   labels(g, colours) {
+    const taken = [];
     g.font = '600 12px system-ui, sans-serif';
     g.textAlign = 'center';
     g.textBaseline = 'bottom';
     g.lineWidth = 3;
     g.lineJoin = 'round';
-    for (const [id, slot] of this.now.bodyOf) {
+    const order = [...this.now.bodyOf].sort(([a], [b]) => (b === this.follow) - (a === this.follow) || a - b);
+    for (const [id, slot] of order) {
       const pose = this.pose(slot), name = this.names.get(id);
       if (!pose || !name) continue;
       const [x, y] = this.toScreen(pose[0], pose[1]);
       const above = Math.max(10, 0.8 * this.camera.scale);
+      const half = g.measureText(name).width / 2;
+      if (taken.some(at => Math.abs(at.x - x) < at.half + half && Math.abs(at.y - y + above) < 13)) continue;
+      taken.push({x, y: y - above, half});
       g.strokeStyle = colours.panel;
       g.fillStyle = id === this.follow ? colours.accent : colours.text;
       g.strokeText(name, x, y - above);

@@ -73,7 +73,8 @@ final class PoseTable {
     return result;
   }
 
-  private static long packed(int x, int y, int angle, int still) {
+  /** Returns a pose as one long. */
+  static long packed(int x, int y, int angle, int still) {
     return (long) x << X_SHIFT | (y & Y_MASK) << Y_SHIFT | (long) angle << ANGLE_SHIFT | still;
   }
 
@@ -82,15 +83,15 @@ final class PoseTable {
   }
 
   int x(int slot) {
-    return (int) (poses[slot] >> X_SHIFT);
+    return x(poses[slot]);
   }
 
   int y(int slot) {
-    return (int) (poses[slot] << Long.SIZE - X_SHIFT >> Long.SIZE - X_SHIFT + Y_SHIFT);
+    return y(poses[slot]);
   }
 
   int angle(int slot) {
-    return (int) poses[slot] >> ANGLE_SHIFT & Quantizer.ANGLE_STEPS - 1;
+    return angle(poses[slot]);
   }
 
   boolean still(int slot) {
@@ -98,6 +99,23 @@ final class PoseTable {
   }
 
   void read(int slot, QuantizedPose out) {
-    out.set(x(slot), y(slot), angle(slot), still(slot));
+    unpack(poses[slot], out);
+  }
+
+  /** Undoes {@link #packed}. */
+  static void unpack(long pose, QuantizedPose out) {
+    out.set(x(pose), y(pose), angle(pose), (pose & 1) != 0);
+  }
+
+  private static int x(long pose) {
+    return (int) (pose >> X_SHIFT);
+  }
+
+  private static int y(long pose) {
+    return (int) (pose << Long.SIZE - X_SHIFT >> Long.SIZE - X_SHIFT + Y_SHIFT);
+  }
+
+  private static int angle(long pose) {
+    return (int) pose >> ANGLE_SHIFT & Quantizer.ANGLE_STEPS - 1;
   }
 }

@@ -151,8 +151,8 @@ final class JointScenes {
     s.eachTick(
         tick -> {
           float speed = tick % 720 < 360 ? -14 : 14;
-          for (Joint<T> axle : axles) {
-            axle.setMotor(speed, 12);
+          for (int i = 0; i < axles.size(); i++) {
+            axles.get(i).setMotor(speed, 12);
           }
         });
   }

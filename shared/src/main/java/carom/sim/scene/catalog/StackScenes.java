@@ -228,10 +228,11 @@ final class StackScenes {
       fixed(s, new Box(0.5f, 0.4f), side * 3, 0.4f, 0, SceneBodies.STONE);
     }
     free(s, new Box(3.8f, 0.1f), 0, 0.9f, SceneColors.STEEL);
+    Explosion bang = new Explosion(0, 0.4f, 7).impulse(9);
     s.eachTick(
         tick -> {
           if (tick % 300 == 180) {
-            new Explosion(0, 0.4f, 7).impulse(9).explode(s.world());
+            bang.explode(s.world());
           }
         });
   }

@@ -2,6 +2,7 @@ package carom.lab.figures.wire;
 
 import carom.lab.measure.Figure;
 import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.record.Deltas;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.sim.scene.Scene;
@@ -45,7 +46,8 @@ public final class BroadcastFigures {
             });
     NaiveWorldBroadcast naive = new NaiveWorldBroadcast();
     FrameRing ring = new FrameRing(count);
-    Client client = new Client(ring, scene.tickRate(), true, LAG, BUDGET_BYTES);
+    Client client =
+        new Client(new Deltas(ring, scene.tickRate()), scene.tickRate(), true, LAG, BUDGET_BYTES);
     long naiveBytes = 0;
     long bytes = 0;
     for (int tick = 1; tick <= WARM_UP + ticks; tick++) {

@@ -2,10 +2,12 @@ package carom.lab.figures.wire;
 
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.InputFeedback;
+import carom.net.snapshot.Interest;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.exact.OwnState;
-import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.table.Tables;
 
 /**
  * The snapshots of one client without a network. Each snapshot arrives, and its ack is back after a
@@ -27,13 +29,15 @@ final class Client {
   /**
    * Creates a client that knows nothing.
    *
+   * @param deltas those of the room, which all its clients share
    * @param decodes whether the client decodes; if not, it acks all the same
    * @param lag number of sends until an ack is back, at least 1
    * @param budgetBytes budget of each send, bytes
    */
-  Client(FrameRing ring, int tickRate, boolean decodes, int lag, int budgetBytes) {
-    encoder = new SnapshotEncoder(ring, EPOCH, tickRate);
-    decoder = decodes ? new SnapshotDecoder(ring.capacity(), EPOCH, 0, tickRate) : null;
+  Client(Deltas deltas, int tickRate, boolean decodes, int lag, int budgetBytes) {
+    encoder = new SnapshotEncoder(deltas, EPOCH, Interest.EVERYTHING, Tables.NONE, null);
+    int capacity = deltas.ring().capacity();
+    decoder = decodes ? new SnapshotDecoder(capacity, EPOCH, 0, tickRate) : null;
     ackSequence = new int[lag];
     ackBits = new long[lag];
     budget = budgetBytes;

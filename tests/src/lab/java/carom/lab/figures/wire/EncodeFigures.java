@@ -3,6 +3,7 @@ package carom.lab.figures.wire;
 import carom.lab.measure.Figure;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.record.Deltas;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.sim.scene.SceneRun;
@@ -49,9 +50,10 @@ public final class EncodeFigures {
     add(churn, CHURNING, bodies);
     add(gas, BODIES, bodies);
     FrameRing ring = new FrameRing(BODIES);
+    Deltas deltas = new Deltas(ring, TICK_RATE);
     Client[] clients = new Client[CLIENTS];
     for (int i = 0; i < CLIENTS; i++) {
-      clients[i] = new Client(ring, TICK_RATE, false, 2 + i % 7, Integer.MAX_VALUE);
+      clients[i] = new Client(deltas, TICK_RATE, false, 2 + i % 7, Integer.MAX_VALUE);
     }
     churn.steps(RUN_IN);
     gas.steps(RUN_IN);

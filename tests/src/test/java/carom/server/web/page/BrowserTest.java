@@ -209,7 +209,7 @@ final class BrowserTest {
       browser.look(400, 800, false);
       assertNotEquals(dark, rgb(browser, "back"));
       assertEquals("true", browser.evaluate("document.querySelectorAll('.chart').length >= 6"));
-      browser.await("[...document.querySelectorAll('.chart h3 span')].every(e => e.textContent)");
+      browser.await("[...document.querySelectorAll('.legend b')].every(e => e.textContent)");
       assertEquals(List.of(), browser.errors());
     }
   }

@@ -1,4 +1,4 @@
-package carom.sim.level;
+package carom.sim.level.shape;
 
 import static carom.json.JsonFields.bool;
 import static carom.json.JsonFields.knownFields;
@@ -9,8 +9,6 @@ import static carom.json.JsonFields.required;
 import static carom.json.JsonFields.vector;
 import static carom.json.JsonFields.word;
 import static carom.json.JsonFields.wrong;
-import static carom.sim.level.LevelReader.MAX_SIZE;
-import static carom.sim.level.LevelReader.MIN_SIZE;
 
 import carom.json.Json;
 import carom.json.JsonException;
@@ -26,28 +24,58 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Reads the shapes of a level file. */
-final class ShapeReader {
-  static final int MAX_PARTS = 32;
-  static final int MAX_POINTS = 64;
-  static final int MAX_CHAIN_POINTS = 256;
-  static final List<String> CIRCLE = List.of("type", "radius", "at");
-  static final List<String> BOX = List.of("type", "width", "height", "at");
-  static final List<String> POLYGON = List.of("type", "points");
-  static final List<String> CAPSULE = List.of("type", "from", "to", "radius");
-  static final List<String> SEGMENT = List.of("type", "from", "to");
-  static final List<String> CHAIN = List.of("type", "points", "loop");
-  static final List<String> COMPOUND = List.of("type", "parts");
-  static final List<String> SHAPES =
+public final class ShapeReader {
+  /** Smallest length of a part of a level, metres. */
+  public static final float MIN_SIZE = 0.05f;
+
+  /** Largest length of a part of a level, and its farthest point in a body's frame, metres. */
+  public static final float MAX_SIZE = 2_000;
+
+  /** The types of shapes that have no mass. */
+  public static final List<String> LINES = List.of("segment", "chain");
+
+  /** The types of shapes. */
+  public static final List<String> TYPES =
       List.of("circle", "box", "polygon", "capsule", "segment", "chain", "compound");
-  static final List<String> LINES = List.of("segment", "chain");
+
+  private static final int MAX_PARTS = 32;
+  private static final int MAX_POINTS = 64;
+  private static final int MAX_CHAIN_POINTS = 256;
 
   private ShapeReader() {}
 
-  /** Returns a shape, which may be a line or a compound unless it is a part of one. */
-  static Shape shape(Json node, boolean compoundAllowed) throws JsonException {
+  /**
+   * Returns the fields that a shape may have.
+   *
+   * @param type one of {@link #TYPES}
+   * @return in the order of {@code level.schema.json}
+   */
+  public static List<String> fields(String type) {
+    return switch (type) {
+      case "circle" -> List.of("type", "radius", "at");
+      case "box" -> List.of("type", "width", "height", "at");
+      case "polygon" -> List.of("type", "points");
+      case "capsule" -> List.of("type", "from", "to", "radius");
+      case "segment" -> List.of("type", "from", "to");
+      case "chain" -> List.of("type", "points", "loop");
+      default -> List.of("type", "parts");
+    };
+  }
+
+  /**
+   * Reads the shape of a body.
+   *
+   * @return in the body's frame; may be a line or a compound
+   * @throws JsonException naming the place, the value and the limit
+   */
+  public static Shape shape(Json node) throws JsonException {
+    return shape(node, true);
+  }
+
+  private static Shape shape(Json node, boolean compoundAllowed) throws JsonException {
     require(node, Json.Kind.OBJECT);
     required(node, "type");
-    String type = word(node, "type", SHAPES, "");
+    String type = word(node, "type", TYPES, "");
     if (type.equals("compound") && !compoundAllowed) {
       throw wrong(node.fields.get("type"), "=\"compound\" can't be part of a compound");
     }
@@ -56,6 +84,7 @@ final class ShapeReader {
           node.fields.get("type"),
           "=\"" + type + "\" is a line and can't be part of a compound; give it a body of its own");
     }
+    knownFields(node, fields(type));
     try {
       return switch (type) {
         case "circle" -> circle(node);
@@ -72,20 +101,17 @@ final class ShapeReader {
   }
 
   private static Circle circle(Json node) throws JsonException {
-    knownFields(node, CIRCLE);
     float[] at = offset(node);
     return new Circle(size(node, "radius"), at[0], at[1]);
   }
 
   private static Box boxShape(Json node) throws JsonException {
-    knownFields(node, BOX);
     float[] at = offset(node);
     return new Box(size(node, "width") / 2, size(node, "height") / 2, at[0], at[1]);
   }
 
   /** Returns a polygon, or the convex parts of a concave one. */
   private static Shape polygon(Json node) throws JsonException {
-    knownFields(node, POLYGON);
     required(node, "points");
     List<Json> points = list(node, "points", MAX_POINTS);
     if (points.size() < 3) {
@@ -106,28 +132,24 @@ final class ShapeReader {
   }
 
   private static Capsule capsule(Json node) throws JsonException {
-    knownFields(node, CAPSULE);
     float[] from = vector(required(node, "from"), MAX_SIZE);
     float[] to = vector(required(node, "to"), MAX_SIZE);
     return new Capsule(from[0], from[1], to[0], to[1], size(node, "radius"));
   }
 
   private static Segment segment(Json node) throws JsonException {
-    knownFields(node, SEGMENT);
     float[] from = vector(required(node, "from"), MAX_SIZE);
     float[] to = vector(required(node, "to"), MAX_SIZE);
     return new Segment(from[0], from[1], to[0], to[1]);
   }
 
   private static Chain chain(Json node) throws JsonException {
-    knownFields(node, CHAIN);
     required(node, "points");
     float[] xy = coordinates(list(node, "points", MAX_CHAIN_POINTS));
     return bool(node, "loop", false) ? Chain.loop(xy) : Chain.open(xy);
   }
 
   private static Compound compound(Json node) throws JsonException {
-    knownFields(node, COMPOUND);
     required(node, "parts");
     List<Json> parts = list(node, "parts", MAX_PARTS);
     if (parts.isEmpty()) {

@@ -1,0 +1,74 @@
+package carom.server.schedule;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.slf4j.LoggerFactory;
+
+/** Goal: the log says why ticks are missing. Method: a clock of numbers, and the lines. */
+final class LoadWarningsTest {
+  private static final long SECOND = 1_000_000_000L;
+
+  private final Logger log = (Logger) LoggerFactory.getLogger(LoadWarnings.class);
+  private final ListAppender<ILoggingEvent> lines = new ListAppender<>();
+  private final Counters counters = new Counters();
+  private final LoadWarnings warnings = new LoadWarnings("room 1: ", counters, 60);
+
+  @BeforeEach
+  void listen() {
+    lines.start();
+    log.addAppender(lines);
+  }
+
+  @AfterEach
+  void stopListening() {
+    log.detachAppender(lines);
+  }
+
+  private List<String> texts() {
+    return lines.list.stream().map(ILoggingEvent::getFormattedMessage).toList();
+  }
+
+  @Test
+  void oneDroppedTickIsNoPlural() {
+    warnings.ticksDropped(1, 7, 0);
+    assertTrue(
+        texts().get(0).startsWith("room 1: can't keep up: 1 tick (16 ms) dropped up to tick 7;"),
+        () -> texts().toString());
+  }
+
+  @Test
+  void aProcessThatWasStoppedIsNotToldToFindAFasterMachine() {
+    warnings.ticksDropped(585, 900, 0);
+    assertEquals(1, texts().size());
+    String line = texts().get(0);
+    assertTrue(line.startsWith("room 1: stood still: 585 ticks (9750 ms) dropped up"), line);
+    assertTrue(!line.contains("faster machine"), line);
+    warnings.ticksDropped(0, 901, 0);
+    assertEquals(1, texts().size(), "what was told isn't told again");
+  }
+
+  @Test
+  void everyDroppedTickIsToldOnceAndCounted() {
+    int told = 0;
+    for (int second = 0; second < 600; second++) {
+      warnings.ticksDropped(second % 5 == 0 ? 70 : 3, second, second * SECOND);
+    }
+    warnings.ticksDropped(0, 600, 700 * SECOND);
+    for (String line : texts()) {
+      told += Integer.parseInt(line.replaceAll(".*: (\\d+) ticks? .*", "$1"));
+    }
+    assertEquals(120 * 70 + 480 * 3, told);
+    assertEquals(told, counters.get(Counter.TICKS_DROPPED));
+    assertTrue(texts().size() < 30, () -> "lines=" + texts().size());
+  }
+}
