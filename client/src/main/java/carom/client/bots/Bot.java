@@ -146,10 +146,11 @@ public final class Bot implements InputSource {
     return best;
   }
 
+  /** Returns how many bots of the side are closer to a ball, up to {@link #CHASERS}. */
   private static int closerMates(
       ClientView view, ClientView.Drawn own, ClientView.Drawn ball, float distance) {
     int count = 0;
-    for (int i = 0; i < view.entityCount(); i++) {
+    for (int i = 0; i < view.entityCount() && count < CHASERS; i++) {
       ClientView.Drawn mate = view.entity(i);
       if (mate != own
           && mate.archetype() == own.archetype()

@@ -16,10 +16,14 @@ final class LossWindow {
   private int settled;
   private int count;
 
+  /** Number of lost ones among those that count. */
+  private int lost;
+
   /** Forgets everything: another link numbers its datagrams anew. */
   void reset() {
     started = false;
     count = 0;
+    lost = 0;
   }
 
   /**
@@ -38,7 +42,10 @@ final class LossWindow {
     for (int i = 0; i < ahead; i++) {
       settled++;
       int age = (short) (sequence - settled) - 1;
-      received[count & (SIZE - 1)] = age < 64 && (bits >>> age & 1) != 0;
+      boolean arrived = age < 64 && (bits >>> age & 1) != 0;
+      int at = count & (SIZE - 1);
+      lost += (arrived ? 0 : 1) - (count < SIZE || received[at] ? 0 : 1);
+      received[at] = arrived;
       count++;
     }
   }
@@ -46,15 +53,6 @@ final class LossWindow {
   /** Returns the share of lost datagrams, percent; 0 before the first. */
   double percent() {
     int considered = Math.min(count, SIZE);
-    if (considered == 0) {
-      return 0;
-    }
-    int lost = 0;
-    for (int i = 0; i < considered; i++) {
-      if (!received[i]) {
-        lost++;
-      }
-    }
-    return 100.0 * lost / considered;
+    return considered == 0 ? 0 : 100.0 * lost / considered;
   }
 }

@@ -111,6 +111,10 @@ public final class ClientView {
   private final NetStats stats;
   private final List<Drawn> pool = new ArrayList<>();
   private final List<RosterEntry> players = new ArrayList<>();
+
+  /** Entry of the own player, which is asked for in each frame; null before the roster has it. */
+  private RosterEntry self;
+
   private final List<Notice> notices = new ArrayList<>();
   private Runnable composer = () -> {};
   private boolean stale;
@@ -205,11 +209,13 @@ public final class ClientView {
 
   void roster(Roster changes) {
     changes.applyTo(players);
+    self = listed(playerId);
   }
 
   void roster(List<RosterEntry> entries) {
     players.clear();
     players.addAll(entries);
+    self = listed(playerId);
   }
 
   void notice(String text, long nowNs) {
@@ -376,12 +382,13 @@ public final class ClientView {
 
   /** Returns what the roster says of a player or spectator, or null if nobody has this id. */
   public RosterEntry participant(int id) {
-    for (int i = 0; i < players.size(); i++) {
-      if (players.get(i).playerId() == id) {
-        return players.get(i);
-      }
-    }
-    return null;
+    return self != null && self.playerId() == id ? self : listed(id);
+  }
+
+  private RosterEntry listed(int id) {
+    int at = Roster.placeOf(id, players);
+    boolean there = at < players.size() && players.get(at).playerId() == id;
+    return there ? players.get(at) : null;
   }
 
   /** Returns a player's name, or an empty string if no player has this id. */

@@ -72,7 +72,7 @@ public final class SettingsLayers {
     Path usual = path(data, DATA).resolve(DataFolder.CONFIG);
     file = named != null ? path(named, CONFIG) : Files.exists(usual) ? usual : null;
     if (file != null) {
-      readFile(named == null);
+      readFile(named == null ? path(data, DATA) : null);
     }
     below.putAll(fromEnvironment);
     below.keySet().removeIf(name -> commandLineValue(name) != null);
@@ -169,7 +169,12 @@ public final class SettingsLayers {
     return values;
   }
 
-  private void readFile(boolean foundInData) throws BadSettingException {
+  /**
+   * Reads the file.
+   *
+   * @param foundIn the data folder in which it was found, or null if it was named
+   */
+  private void readFile(Path foundIn) throws BadSettingException {
     Set<String> known = settingNames();
     for (Map.Entry<String, SettingsFile.Value> entry : SettingsFile.read(file).entrySet()) {
       String name = entry.getKey();
@@ -179,10 +184,10 @@ public final class SettingsLayers {
             "%s: unknown setting=%s%s; carom-server --print-config shows all"
                 .formatted(value.origin(), name, Suggestion.didYouMean(name, known)));
       }
-      if (name.equals(DATA) && foundInData) {
+      if (name.equals(DATA) && foundIn != null && !isSame(path(textOf(value), DATA), foundIn)) {
         throw new BadSettingException(
             value.origin()
-                + ": data can't be set in the file that is found in the data folder;"
+                + ": data can't be another folder in the file that is found in the data folder;"
                 + " set it with --data or CAROM_DATA, or name the file with --config");
       }
       if (value.texts().size() > 1 && !option(name).isMultiValue()) {
@@ -190,6 +195,10 @@ public final class SettingsLayers {
       }
       below.put(name, value);
     }
+  }
+
+  private static boolean isSame(Path a, Path b) {
+    return a.toAbsolutePath().normalize().equals(b.toAbsolutePath().normalize());
   }
 
   private static Path path(String text, String name) throws BadSettingException {

@@ -32,23 +32,30 @@ public final class ReadyLine {
   public static void printHints(PrintStream out, int tcp, String page) {
     if (isOnTerminal()) {
       out.println();
-      hints(tcp, page).forEach(out::println);
+      hints(tcp, page, Boolean.getBoolean(TERMINAL_PROPERTY)).forEach(out::println);
       out.println();
       out.flush();
     }
   }
 
-  /** Returns the hints, a line each. */
-  static List<String> hints(int tcp, String page) {
+  /**
+   * Returns the hints, a line each.
+   *
+   * @param sources whether gradlew runs the server, so that it can run the other programs, too
+   */
+  static List<String> hints(int tcp, String page, boolean sources) {
     boolean usual = tcp == DEFAULT_TCP_PORT;
     String port = usual ? "" : ":" + tcp;
-    String args = usual ? "" : " -Pargs='--host localhost" + port + "'";
+    String here = "--host localhost" + port;
+    String args = usual ? "" : " -Pargs='" + here + "'";
     List<String> lines = new ArrayList<>();
     lines.add("  The server is ready. Players can join.");
     lines.add("");
-    lines.add("  join      ./gradlew play" + args);
+    lines.add("  join      " + (sources ? "./gradlew play" + args : "carom-client " + here));
     lines.add("            carom-client --host " + hostName() + port + "   (another machine)");
-    lines.add("  add bots  ./gradlew bots -Pn=20" + args);
+    lines.add(
+        "  add bots  "
+            + (sources ? "./gradlew bots -Pn=20" + args : "carom-bots --count 20 " + here));
     if (page != null) {
       lines.add("  page      " + page);
     }

@@ -104,7 +104,7 @@ final class RoomRecording {
    */
   String begin(Path path) {
     if (recorder != null) {
-      return "recorded already to " + sink + "; end that first: stopRecording";
+      return "recorded already to " + sink + "; end that first: record stop";
     }
     if (room.simulation().game().keepsMore()) {
       return "game="

@@ -398,7 +398,7 @@ public abstract class ClientEnd extends FramedLink {
 
   /** Returns the reason for a missing answer. */
   protected final String noAnswer() {
-    return "no server answers at " + remote() + ": is it running, and are address and port right?";
+    return "no server answers at " + remote() + "; check that it runs, and its address and port";
   }
 
   /** Returns the reason for a host name without an address. */

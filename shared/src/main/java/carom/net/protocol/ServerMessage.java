@@ -117,16 +117,7 @@ public sealed interface ServerMessage {
      */
     public void applyTo(List<RosterEntry> players) {
       for (RosterEntry entry : entries) {
-        int at = 0;
-        int end = players.size();
-        while (at < end) {
-          int middle = (at + end) >>> 1;
-          if (players.get(middle).playerId() < entry.playerId()) {
-            at = middle + 1;
-          } else {
-            end = middle;
-          }
-        }
+        int at = placeOf(entry.playerId(), players);
         boolean known = at < players.size() && players.get(at).playerId() == entry.playerId();
         if (entry.hasGone()) {
           players.subList(at, known ? at + 1 : at).clear();
@@ -136,6 +127,25 @@ public sealed interface ServerMessage {
           players.add(at, entry);
         }
       }
+    }
+
+    /**
+     * Returns the index of the first player whose id isn't below an id, or the list's size.
+     *
+     * @param players ordered by id
+     */
+    public static int placeOf(int id, List<RosterEntry> players) {
+      int at = 0;
+      int end = players.size();
+      while (at < end) {
+        int middle = (at + end) >>> 1;
+        if (players.get(middle).playerId() < id) {
+          at = middle + 1;
+        } else {
+          end = middle;
+        }
+      }
+      return at;
     }
   }
 

@@ -17,9 +17,8 @@ import static carom.json.JsonFields.wrong;
 import carom.json.Json;
 import carom.json.JsonException;
 import carom.physics.BodyType;
-import carom.physics.Material;
 import carom.physics.MotionLocks;
-import carom.physics.geometry.Shape;
+import carom.physics.ShapeDef;
 import carom.sim.level.shape.MaterialReader;
 import carom.sim.level.shape.ShapeReader;
 import carom.sim.pool.PoolDef;
@@ -234,9 +233,12 @@ final class LevelReader {
     ArchetypeDef def = new ArchetypeDef(bodyName == null ? node.path() : text(bodyName));
     float[] at = vector(required(node, "at"), MAX_COORDINATE);
     float angle = number(node, "angle", 0, -360, 360) * RAD_PER_DEGREE;
-    Material material = materials.material(node.fields.get("material"));
-    Shape shape = ShapeReader.shape(required(node, "shape"));
-    def.shape(shape, material);
+    int parts = 0;
+    Json material = node.fields.get("material");
+    for (ShapeDef shape : ShapeReader.shapes(required(node, "shape"), material, materials)) {
+      def.shape(shape.shape(), shape.material());
+      parts += shape.shape().parts().size();
+    }
     def.oneWay(bool(node, "oneWay", false));
     def.sensor(bool(node, "sensor", false));
     def.tag(integer(node, "tag", 0, 0, 65535));
@@ -247,7 +249,7 @@ final class LevelReader {
       readMoving(node, def, at);
     }
     int first = out.size();
-    place(node, at, angle, shape.parts().size(), out);
+    place(node, at, angle, parts, out);
     jointReader.item(def.name, isStatic, first, out.size() - first);
     archetypes.add(def);
   }

@@ -203,8 +203,9 @@ final class SettingsLayersTest {
     String printed = settings.file();
     assertTrue(printed.contains("# Steps.\ntick-rate = 30 Hz\n"), printed);
     assertTrue(printed.contains("# Waits.\n#grace = 30 s\n"), printed);
-    // The data folder is named by the environment, in which the file is looked for.
-    write(printed.replaceAll("(?m)^data = .*$", ""));
+    // It names its own data folder, in which it was found.
+    assertTrue(printed.contains("\ndata = "), printed);
+    write(printed);
     read();
     assertEquals(30, program.tickRate);
     assertEquals("it's \"quoted\" = #1", program.name);

@@ -9,10 +9,14 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.json.Json;
+import carom.physics.Body;
+import carom.physics.BodyDef;
+import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.effects.Wind;
+import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;
 import carom.physics.settings.MixingRule;
 import carom.sim.SchemaChecker;
@@ -238,6 +242,35 @@ class LevelTest {
                 + " 65536; repeat it less often, or give its shape fewer points or parts (it has"
                 + " 255)"));
     c.add(
+        meaning(
+            "too few materials of a chain",
+            "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"chain\", \"points\": [[0, 0],"
+                + " [1, 0], [2, 1]], \"materials\": [{}]}}]",
+            "4:104: statics[0].shape.materials has 1 entries, must have 2: one material for each"
+                + " line"));
+    c.add(
+        meaning(
+            "too few materials of a closed chain",
+            "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"chain\", \"points\": [[0, 0],"
+                + " [1, 0], [1, 1]], \"loop\": true, \"materials\": [{}, {}]}}]",
+            "4:118: statics[0].shape.materials has 2 entries, must have 3: one material for each"
+                + " line"));
+    c.add(
+        meaning(
+            "a chain's material unknown",
+            "\"materials\": {\"grass\": {}}, \"statics\": [{\"at\": [0, 0], \"shape\": {\"type\":"
+                + " \"chain\", \"points\": [[0, 0], [1, 0], [2, 1]], \"materials\": [\"grass\","
+                + " \"gras\"]}}]",
+            "4:142: statics[0].shape.materials[1]=\"gras\" must be a name under \"materials\"; did"
+                + " you mean \"grass\"?"));
+    c.add(
+        meaning(
+            "a material beside those of a chain",
+            "\"statics\": [{\"at\": [0, 0], \"material\": {}, \"shape\": {\"type\": \"chain\","
+                + " \"points\": [[0, 0], [1, 0]], \"materials\": [{}]}}]",
+            "4:40: statics[0].material has no effect beside \"materials\" of the chain; remove"
+                + " one"));
+    c.add(
         field(
             "long name",
             "\"zones\": [{\"name\": \"" + "x".repeat(65) + "\"}]",
@@ -360,6 +393,50 @@ class LevelTest {
     assertEquals(MixingRule.MIN, material.frictionMixing());
     assertEquals(MixingRule.GEOMETRIC_MEAN, material.restitutionMixing());
     assertEquals("", SchemaChecker.levels().check(Json.parse(good)));
+  }
+
+  @Test
+  void theLinesOfAChainHaveMaterialsOfTheirOwn() throws Exception {
+    byte[] good =
+        (HEAD
+                + "\"materials\": {\"ice\": {\"friction\": 0}}, \"statics\": [{\"at\": [0, 0],"
+                + " \"shape\": {\"type\": \"chain\", \"points\": [[-20, 0], [0, 0], [10, 0],"
+                + " [20, 0], [30, 0]], \"materials\": [{\"friction\": 1}, \"ice\", \"ice\","
+                + " {\"friction\": 1}]}}]}")
+            .getBytes(UTF_8);
+    assertEquals("", SchemaChecker.levels().check(Json.parse(good)));
+    Archetype ground = new Archetype(0, Level.parse("t.json", good).archetypes().get(0));
+    assertEquals(List.of(1f, 0f, 1f), ground.materials().stream().map(Material::friction).toList());
+    assertEquals(
+        List.of(1, 2, 1), ground.shapes().stream().map(piece -> piece.parts().size()).toList());
+
+    World<Object> world = new World<>(new WorldDef());
+    world.createBody(ground.body(0, 0, 0), null);
+    Body<Object> box =
+        world.createBody(
+            new BodyDef(BodyType.DYNAMIC)
+                .shape(new Box(0.5f, 0.5f), new Material(1, 1, 0))
+                .position(-8, 0.5f)
+                .velocity(14, 0),
+            null);
+    float before = slide(world, box, 0);
+    assertTrue(before < 12, "it slows down on the first line, speed=" + before);
+    float onIce = slide(world, box, 18);
+    assertEquals(before, onIce, 0.5f, "it keeps its speed on ice, over the joint of two lines");
+    for (int tick = 0; tick < 120; tick++) {
+      world.step(1 / 60f);
+    }
+    assertEquals(0, box.velocityX(), 0.01f);
+    assertTrue(box.x() < 30, "it stops on the last line, x=" + box.x());
+  }
+
+  /** Lets a body slide until it passes x; returns its speed there. */
+  private static float slide(World<Object> world, Body<Object> body, float x) {
+    for (int tick = 0; body.x() < x; tick++) {
+      assertTrue(tick < 300, "x=" + body.x());
+      world.step(1 / 60f);
+    }
+    return body.velocityX();
   }
 
   @Test

@@ -12,6 +12,8 @@ import static carom.json.JsonFields.wrong;
 
 import carom.json.Json;
 import carom.json.JsonException;
+import carom.physics.ChainDef;
+import carom.physics.ShapeDef;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Chain;
@@ -57,19 +59,51 @@ public final class ShapeReader {
       case "polygon" -> List.of("type", "points");
       case "capsule" -> List.of("type", "from", "to", "radius");
       case "segment" -> List.of("type", "from", "to");
-      case "chain" -> List.of("type", "points", "loop");
+      case "chain" -> List.of("type", "points", "loop", "materials");
       default -> List.of("type", "parts");
     };
   }
 
   /**
-   * Reads the shape of a body.
+   * Reads the shape of a body with its material, or the pieces of a chain with several.
    *
-   * @return in the body's frame; may be a line or a compound
+   * @param node the shape; may be a line or a compound
+   * @param material the body's, or null if it has none
+   * @param materials finds materials by name
+   * @return in the body's frame; the pieces of a chain in the order of its points
    * @throws JsonException naming the place, the value and the limit
    */
-  public static Shape shape(Json node) throws JsonException {
-    return shape(node, true);
+  public static List<ShapeDef> shapes(Json node, Json material, MaterialReader materials)
+      throws JsonException {
+    Shape shape = shape(node, true);
+    if (!node.fields.containsKey("materials")) {
+      return List.of(new ShapeDef(shape, materials.material(material)));
+    }
+    if (material != null) {
+      throw wrong(material, " has no effect beside \"materials\" of the chain; remove one of them");
+    }
+    return pieces(node, shape.parts().size(), materials);
+  }
+
+  /** Returns the pieces of a chain with a material for each line. */
+  private static List<ShapeDef> pieces(Json node, int lines, MaterialReader materials)
+      throws JsonException {
+    List<Json> names = list(node, "materials", MAX_CHAIN_POINTS);
+    if (names.size() != lines) {
+      throw wrong(
+          node.fields.get("materials"),
+          " has "
+              + names.size()
+              + " entries, must have "
+              + lines
+              + ": one material for each line from a point to the next");
+    }
+    float[] xy = coordinates(node.fields.get("points").items);
+    ChainDef chain = bool(node, "loop", false) ? ChainDef.loop(xy) : ChainDef.open(xy);
+    for (int i = 0; i < lines; i++) {
+      chain.material(i, materials.material(names.get(i)));
+    }
+    return chain.shapes();
   }
 
   private static Shape shape(Json node, boolean compoundAllowed) throws JsonException {
