@@ -1086,6 +1086,40 @@ public final class Body<T> {
   }
 
   /**
+   * Makes the body what a definition says: type, shapes, mass, locks, damping, gravity scale, sleep
+   * speed and bullet. Origin, velocity, joints, user, and whether it may sleep or is enabled, stay;
+   * what the definition says of these doesn't count. Contacts and overlaps of all shapes end now,
+   * and {@link CollisionListener#end} is called; new ones begin in the next step, which pushes out
+   * what overlaps. A static body is at rest. Wakes the body and what it touches.
+   *
+   * <p>In a callback, type, shapes, mass and locks change at the end of the step. Allocates.
+   *
+   * @param def what it becomes; copied
+   * @throws IllegalArgumentException if it would be dynamic and the shapes have no mass, or have
+   *     more than 1,024 convex parts; the body is unchanged
+   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   */
+  public void become(BodyDef def) {
+    check();
+    world.edits().become(this, def);
+    float sleepsBelow =
+        def.sleepSpeed == BodyStore.WORLDS ? world.def().sleepSpeed() : def.sleepSpeed;
+    Seal<T> seal = world.seal;
+    world.seal = null; // it has let all of this pass
+    try {
+      setLinearDamping(def.linearDamping);
+      setAngularDamping(def.angularDamping);
+      setGravityScale(def.gravityScale);
+      setBullet(def.bullet);
+      if (sleepSpeed() != sleepsBelow) {
+        setSleepSpeed(sleepsBelow);
+      }
+    } finally {
+      world.seal = seal;
+    }
+  }
+
+  /**
    * Returns the object that a shape stands for.
    *
    * @param i number of the shape, below {@link #shapeCount}

@@ -119,6 +119,31 @@ public final class EditQueue<T> {
     request(body, spliced(before, shape, 1, by));
   }
 
+  /** Gives a body the type, shapes, mass and locks of a definition. */
+  void become(Body<T> body, BodyDef def) {
+    world.refuseShared("become", body);
+    ShapeDef[] all = def.shapes.toArray(new ShapeDef[0]);
+    BodyEditor.checkShapes(World.code(def.type), World.specs(all), def.mass);
+    int slot = body.index();
+    int generation = body.generation();
+    byte type = (byte) (CHANGE_TYPE + World.code(def.type));
+    if (def.type != BodyType.DYNAMIC) {
+      request(type, slot, generation, null); // before shapes that have no mass
+    }
+    int before = shapesToBe(body).length;
+    ShapesChange change = new ShapesChange(all, 0, before, all.length);
+    request(CHANGE_SHAPES, slot, generation, change);
+    if (def.mass != null || body.hasOwnMass()) {
+      request(CHANGE_MASS, slot, generation, def.mass);
+    }
+    if (def.type == BodyType.DYNAMIC) {
+      request(type, slot, generation, null);
+    }
+    if (!body.motionLocks().equals(def.locks)) {
+      request(LOCK_MOTION, slot, generation, def.locks);
+    }
+  }
+
   private static ShapesChange spliced(ShapeDef[] before, int at, int removed, ShapeDef... added) {
     int rest = before.length - at - removed;
     ShapeDef[] after = Arrays.copyOf(before, at + added.length + rest);

@@ -90,7 +90,7 @@ public final class World<T> {
   private boolean querying;
 
   /** Decides which calls may still change this world; null if all may. */
-  private Seal<T> seal;
+  Seal<T> seal;
 
   private final Aabb box = new Aabb();
   private final Aabb queryBox = new Aabb();

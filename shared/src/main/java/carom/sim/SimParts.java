@@ -124,8 +124,9 @@ final class SimParts {
             joints,
             tickRate,
             schema,
-            () -> tick,
-            calls::requireAuthority);
+            archetypes,
+            calls,
+            () -> tick);
     players = entities.players();
     fields = entities.fields();
     match = fields.create(Scope.MATCH);

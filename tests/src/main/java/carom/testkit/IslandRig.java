@@ -202,6 +202,7 @@ public final class IslandRig {
         b.velocityX(),
         b.velocityY(),
         b.angularVelocity());
+    own.setArchetype(serverPlayer.body().archetype().index());
     for (int i = 0; i < own.words(); i++) {
       own.setWord(i, serverPlayer.fieldValues().word(i));
     }

@@ -310,6 +310,7 @@ class ProtocolDocTest {
     ring.end();
     OwnState own = new OwnState(4);
     own.setBody(5, 255, 1.5f, -2, 1, 0, 0, -0f, 0);
+    own.setArchetype(300);
     own.setWord(1, 1);
     own.setWord(2, -1);
     golden.put("snapshot-own", send(encoder, decoder, feedback, own));

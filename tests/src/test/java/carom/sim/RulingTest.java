@@ -61,7 +61,7 @@ final class RulingTest {
     Ruling ruling = new Ruling();
     ruling.setDifference(before, after);
     assertTrue(ruling.isSane());
-    ruling.apply(client.entity(3).body(), row);
+    ruling.apply(client.entity(3), client.archetypes(), row);
     for (int i = 0; i < 120; i++) {
       server.step();
       client.step();
@@ -132,7 +132,7 @@ final class RulingTest {
       Ruling ruling = server.interference().rulings().get(told);
       assertEquals(server.tick(), ruling.tick);
       assertFalse(ruling.afterStep);
-      ruling.apply(client.entity(3).body(), row);
+      ruling.apply(client.entity(3), client.archetypes(), row);
       client.step();
       int[] expected = new int[BodyRow.INTS];
       client.entity(3).body().readRow(expected, 0);

@@ -185,6 +185,7 @@ class SealedWorldTest {
     calls.put("Body.addShape", () -> b.addShape(shape));
     calls.put("Body.removeShape", () -> b.removeShape(0));
     calls.put("Body.replaceShape", () -> b.replaceShape(0, shape));
+    calls.put("Body.become", () -> b.become(new BodyDef(BodyType.STATIC)));
     calls.put("Body.setMotionLocks", () -> b.setMotionLocks(MotionLocks.NONE));
     calls.put("Body.setFixedRotation", () -> b.setFixedRotation(true));
     calls.put("Body.setType", () -> b.setType(BodyType.STATIC));
@@ -262,8 +263,8 @@ class SealedWorldTest {
     Map<String, Executable> calls = refused(s, spawn(s, game));
     Map<String, String> advice =
         Map.of(
-            "Body.setBullet",
-                "spawn an entity of another archetype in its place, see" + " ArchetypeDef.bullet",
+            "Body.setBullet", "let the entity become another archetype, see ArchetypeDef.bullet",
+            "Body.become", "call Entity.become",
             "Body.setFilter", "let Game.collision return false",
             "Body.setGravityScale", "use an area of another gravity",
             "World.createBody", "call Simulation.spawn",

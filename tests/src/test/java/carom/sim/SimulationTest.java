@@ -282,7 +282,7 @@ class SimulationTest {
     for (Executable edit : edits) {
       String why = assertThrows(IllegalStateException.class, edit).getMessage();
       assertTrue(why.contains(" is not possible in this world: clients compute it, too"), why);
-      assertTrue(why.contains("spawn an entity of another archetype"), why);
+      assertTrue(why.contains("let the entity become another archetype"), why);
     }
     assertEquals(before, s.world().stateHash());
   }

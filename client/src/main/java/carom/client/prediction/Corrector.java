@@ -389,6 +389,10 @@ final class Corrector {
   /** Reads the own body, awake and without loads, into {@link #bodyRow}. */
   private void readOwn(OwnState own, int ownKey) {
     bodyRow[BodyRow.KEY] = ownKey;
+    bodyRow[BodyRow.ARCHETYPE] =
+        isArchetype(own.archetype())
+            ? own.archetype()
+            : records.archetype(Neighbourhood.id(ownKey)).index();
     for (int i = 0; i < BodyRow.MOTION_INTS; i++) {
       bodyRow[BodyRow.MOTION + i] = own.bits(i);
     }
@@ -408,14 +412,19 @@ final class Corrector {
   }
 
   /** Returns whether a row is a valid body: a bad number would poison the simulation. */
-  private static boolean isBody(Rows rows, int row) {
+  private boolean isBody(Rows rows, int row) {
     float cos = Float.intBitsToFloat(rows.get(row, BodyRow.COS));
     float sin = Float.intBitsToFloat(rows.get(row, BodyRow.SIN));
     int motion = rows.at(row) + BodyRow.MOTION;
     int loads = rows.at(row) + BodyRow.LOADS;
-    return isFinite(rows.ints(), motion, motion + BodyRow.MOTION_INTS)
+    return isArchetype(rows.get(row, BodyRow.ARCHETYPE))
+        && isFinite(rows.ints(), motion, motion + BodyRow.MOTION_INTS)
         && isFinite(rows.ints(), loads, loads + BodyRow.LOAD_INTS)
         && Math.abs(cos * cos + sin * sin - 1) < 1e-3f;
+  }
+
+  private boolean isArchetype(int index) {
+    return simulation.archetypes().get(index) != null;
   }
 
   private static boolean isFinite(int[] rows, int from, int to) {

@@ -17,7 +17,7 @@ final class PredictedBody {
 
   int id;
   int generation;
-  final Archetype archetype;
+  Archetype archetype;
   final VisualError error = new VisualError();
 
   /** Pose before the correction that is under way. */

@@ -5,6 +5,7 @@ import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.exact.NearState;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
+import carom.sim.level.Archetype;
 import carom.sim.near.Neighbourhood;
 import carom.sim.spawn.Origin;
 import java.util.ArrayList;
@@ -77,6 +78,7 @@ final class PredictedPoses {
   private void bind(boolean corrected) {
     version = simulation.rosterVersion();
     own.entity = simulation.entity(own.id);
+    own.archetype = own.entity == null ? own.archetype : own.entity.archetype();
     for (int i = others.size() - 1; i >= 0; i--) {
       PredictedBody body = others.get(i);
       Entity e = simulation.entity(body.id);
@@ -84,6 +86,7 @@ final class PredictedPoses {
         body.detach(corrected ? body.before : body.previous);
       } else {
         body.entity = e;
+        body.archetype = e.archetype();
       }
     }
     for (int id = 0; id < simulation.entityCapacity(); id++) {
@@ -255,6 +258,13 @@ final class PredictedPoses {
   /** Returns a body besides the own one. */
   PredictedBody get(int index) {
     return others.get(index);
+  }
+
+  /** Returns the archetype that an entity has in the prediction, or null if it isn't predicted. */
+  Archetype archetype(int id, int generation) {
+    boolean isOwn = own.id == id && own.generation == generation;
+    PredictedBody body = isOwn ? own : find(id, generation);
+    return body == null ? null : body.archetype;
   }
 
   /** Reads a pose to draw; see {@link Prediction#readPose}. */

@@ -334,6 +334,14 @@ public final class Prediction {
     return poses.get(index).generation;
   }
 
+  /**
+   * Returns the archetype that an entity has in the prediction, where the own input and others may
+   * have changed it already; null if it isn't predicted.
+   */
+  public Archetype archetype(int id, int generation) {
+    return active ? poses.archetype(id, generation) : null;
+  }
+
   /** Returns the archetype of the entity of a picture. */
   public Archetype pictureArchetype(int index) {
     return poses.get(index).archetype;

@@ -136,6 +136,7 @@ final class Timeline {
         body.velocityX(),
         body.velocityY(),
         body.angularVelocity());
+    out.setArchetype(own.entity.archetype().index());
     words.read(out);
   }
 

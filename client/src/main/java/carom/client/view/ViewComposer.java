@@ -191,6 +191,9 @@ public final class ViewComposer {
     }
     int identity = weight > 0 || index < 0 ? 0 : index;
     Archetype archetype = visible ? simulation.archetypes().get(history.archetype(identity)) : null;
+    if (archetype != null && weight > 0) {
+      archetype = prediction.archetype(slot, generation);
+    }
     if (archetype == null) {
       fadeOut(slot, track, drawn);
       return;

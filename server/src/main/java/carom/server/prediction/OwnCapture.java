@@ -74,6 +74,7 @@ public final class OwnCapture {
         body.velocityX(),
         body.velocityY(),
         body.angularVelocity());
+    out.setArchetype(entity.archetype().index());
   }
 
   /** Returns whether an entity carries an area that may act on a player's body. */

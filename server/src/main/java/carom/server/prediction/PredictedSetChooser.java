@@ -32,9 +32,9 @@ import java.util.function.Predicate;
  *       may.
  * </ol>
  *
- * <p>An entity that was chosen before stays until it is {@value #LEAVE} times as far away. Sensors
- * without an area and statics of the level are never chosen, nor is what the game hides from the
- * player.
+ * <p>An entity that was chosen before stays until it is {@value #LEAVE} times as far away. But for
+ * the own body, sensors without an area are never chosen, nor are statics of the level, nor is what
+ * the game hides from the player.
  *
  * <p>The room's thread; allocates only to grow.
  */
@@ -213,7 +213,10 @@ final class PredictedSetChooser {
   }
 
   private void addIfFit(Entity e) {
-    if (!affectsOthers(e) || chosen.count() >= limit || !mayKnow.test(e) || !marks.list(e.id())) {
+    if (!(choosesOwn || affectsOthers(e))
+        || chosen.count() >= limit
+        || !mayKnow.test(e)
+        || !marks.list(e.id())) {
       return;
     }
     int first = chosen.count();

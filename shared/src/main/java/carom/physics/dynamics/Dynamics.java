@@ -437,6 +437,11 @@ public final class Dynamics {
   public void write(ExactRows rows) {
     sleeping.mergeWoken();
     transfer.writeBodies(rows);
+    for (int i = 0; i < rows.bodies().count(); i++) {
+      if (bodies.type[rows.slot(i)] == BodyStore.STATIC) {
+        editor.moved(rows.slot(i)); // no step measures its box anew
+      }
+    }
     pairs.posesChanged();
     transfer.writeContacts(rows);
     jointTransfer.write(rows);

@@ -5,8 +5,8 @@ package carom.physics.rows;
  * drawing.
  *
  * <p>Floats are stored by their raw bits. Positions are metres, velocities m/s and rad/s, all of
- * the centre of mass. The physics reads and writes {@link #MOTION} to {@link #LOADS}. The key
- * belongs to the program that uses the world; the physics leaves it as it is.
+ * the centre of mass. The physics reads and writes {@link #MOTION} to {@link #LOADS}. The key and
+ * the archetype belong to the program that uses the world; the physics leaves them as they are.
  */
 public final class BodyRow {
   /** Key by which the using program knows the body in every world; an int of its choice. */
@@ -75,8 +75,17 @@ public final class BodyRow {
   /** Number of the ints from {@link #MOTION} to the last load: all that the physics keeps. */
   public static final int STATE_INTS = LOADS + LOAD_INTS - MOTION;
 
+  /**
+   * What the body was made after in the using program, such as the index of a blueprint; an int of
+   * its choice, as {@link #KEY} is.
+   */
+  public static final int ARCHETYPE = LOADS + LOAD_INTS;
+
+  /** Number of the ints from {@link #MOTION} to {@link #ARCHETYPE}: all that can change. */
+  public static final int CHANGING_INTS = ARCHETYPE + 1 - MOTION;
+
   /** Number of ints of a row. */
-  public static final int INTS = LOADS + LOAD_INTS;
+  public static final int INTS = ARCHETYPE + 1;
 
   private BodyRow() {}
 }

@@ -34,7 +34,7 @@ public final class Entity extends FieldHolder<Entity, Player> {
 
   private final int id;
   private final int generation;
-  private final Archetype archetype;
+  private Archetype archetype;
   private final int ownerId;
   private final EntityTable table;
   private final FieldValues fields;
@@ -70,9 +70,36 @@ public final class Entity extends FieldHolder<Entity, Player> {
     return generation;
   }
 
-  /** Returns its archetype. */
+  /** Returns its archetype, which is another one after {@link #become}. */
   public Archetype archetype() {
     return archetype;
+  }
+
+  /** Takes over an archetype, without its tag. The body must be as it says. */
+  void archetype(Archetype value) {
+    archetype = value;
+    table.begunAs(this);
+  }
+
+  /**
+   * Makes this an entity of another archetype in its place: a player who crouches, a crate that
+   * turns to ice, a ghost. Shapes, mass, type, damping, gravity scale, filter, sensor, materials,
+   * locks, area, look and {@link #tag} are those of the new archetype. The same stay: id, owner,
+   * fields, joints, the pose of the body's origin and the velocity there; but a static body is at
+   * rest, a kinematic one turns as its archetype spins, and one with a path follows it. Contacts
+   * end and begin anew in the next step; what then overlaps is pushed apart, so ask {@code
+   * World.overlap...} first whether there is room to stand up.
+   *
+   * <p>{@code Game.input} may call it on both roles: then clients predict it, for every entity they
+   * have. Where only the server calls it, clients are told at which tick it happened. Allocates.
+   *
+   * @param other of the same simulation; if it is the present one, nothing happens
+   * @throws IllegalArgumentException if the simulation doesn't have the archetype
+   * @throws IllegalStateException if the entity was despawned, is static geometry of the level, or
+   *     the root of an assembly; during the physics, and in {@code Game.forces}
+   */
+  public void become(Archetype other) {
+    table.changes().change(this, other);
   }
 
   /** Returns the id of the player it belongs to, or {@link #NO_OWNER}. */

@@ -29,6 +29,11 @@ final class EntityFields {
     return ofLevel ? fields.createOfLevel(begins) : fields.create(Scope.ENTITY, begins);
   }
 
+  /** Lets values count as begun as an archetype says; they stay as they are. */
+  void begunAs(Archetype archetype, FieldValues values) {
+    values.begunAs(starts(archetype));
+  }
+
   private int[] starts(Archetype archetype) {
     int index = archetype.index();
     if (index >= starts.length) {

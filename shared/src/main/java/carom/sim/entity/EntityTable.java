@@ -21,12 +21,14 @@ import carom.sim.level.ScriptedMotion;
 import carom.sim.random.SimRandom;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
-import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 
 /**
  * The entities of a simulation by id, their bodies, and their part of its state. A free id keeps
  * its generation, so that its next entity gets another one.
+ *
+ * <p><b>Length.</b> All that brings entities into the table, takes them out and saves them is here,
+ * because it keeps the same few arrays in step.
  */
 public final class EntityTable
     implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
@@ -42,6 +44,7 @@ public final class EntityTable
   private final FieldStore fields;
   private final EntityFields entityFields;
   private final PlayerTable players;
+  private final ArchetypeChange changes;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
   private final ProvisionalEntities provisional = new ProvisionalEntities();
@@ -60,7 +63,6 @@ public final class EntityTable
    * Creates the table of a simulation's entities and players, which is empty.
    *
    * @param clock returns the tick
-   * @param authority refuses a call, by its name, that only a server may make
    */
   public EntityTable(
       World<Entity> world,
@@ -70,8 +72,9 @@ public final class EntityTable
       JointTable<Entity> joints,
       int tickRate,
       Schema schema,
-      IntSupplier clock,
-      Consumer<String> authority) {
+      Archetypes archetypes,
+      CallRules calls,
+      IntSupplier clock) {
     this.areas = areas;
     this.assemblies = assemblies;
     this.joints = joints;
@@ -80,7 +83,8 @@ public final class EntityTable
     this.tickRate = tickRate;
     fields = new FieldStore(schema, clock, this);
     entityFields = new EntityFields(fields);
-    players = new PlayerTable(fields, authority);
+    players = new PlayerTable(fields, calls::requireAuthority);
+    changes = new ArchetypeChange(this, seal, areas, calls, archetypes);
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
@@ -104,6 +108,16 @@ public final class EntityTable
   /** Returns the declared fields and the rules of writing them. */
   public FieldStore fields() {
     return fields;
+  }
+
+  /** Returns what lets entities become other archetypes. */
+  ArchetypeChange changes() {
+    return changes;
+  }
+
+  /** Lets the fields of an entity count as begun as its archetype says; their values stay. */
+  void begunAs(Entity entity) {
+    entityFields.begunAs(entity.archetype(), entity.fieldValues());
   }
 
   /** Creates the fields of an entity, which begin as its archetype says. */

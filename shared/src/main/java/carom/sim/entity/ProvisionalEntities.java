@@ -53,6 +53,7 @@ public final class ProvisionalEntities {
     for (int i = 0; i < count; i++) {
       Entity e = entities[i];
       h = SimRandom.mix(e.fieldValues().hash(h), (long) e.id() << 32 | e.bodySlot());
+      h = SimRandom.mix(h, e.archetype().index());
     }
     return h;
   }

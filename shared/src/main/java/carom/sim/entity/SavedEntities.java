@@ -20,6 +20,7 @@ public final class SavedEntities {
   int count;
   int capacity;
   Entity[] entities = {};
+  private Archetype[] archetypes = {};
   int[] tags = {};
   int[] teleports = {};
   int[] roots = {};
@@ -48,6 +49,7 @@ public final class SavedEntities {
   void ensureRoom(int room) {
     if (entities.length < room) {
       entities = new Entity[room];
+      archetypes = new Archetype[room];
       tags = new int[room];
       roots = new int[room];
       origins = new int[room];
@@ -60,6 +62,7 @@ public final class SavedEntities {
   void save(int at, Entity entity) {
     entities[at] = entity;
     if (entity != null) {
+      archetypes[at] = entity.archetype();
       tags[at] = entity.tag();
       teleports[at] = entity.teleports();
       roots[at] = entity.rootId();
@@ -75,6 +78,7 @@ public final class SavedEntities {
 
   /** Gives an entity what was saved at a place. */
   void restore(int at, Entity entity) {
+    entity.archetype(archetypes[at]);
     entity.tag(tags[at]);
     entity.teleports(teleports[at]);
     entity.rootId(roots[at]);
@@ -87,7 +91,7 @@ public final class SavedEntities {
    *
    * @param table those of its entities that are the same are taken over
    */
-  public void pass(Archive a, EntityTable table, Archetypes archetypes) {
+  public void pass(Archive a, EntityTable table, Archetypes registered) {
     int n = a.count("entities", capacity, EntityTable.MAX_ENTITIES, ENTITY_BYTES);
     int[] kinds = new int[n];
     int[] owners = new int[n];
@@ -98,12 +102,12 @@ public final class SavedEntities {
     slots = new int[n];
     for (int id = 0; !a.reads() && id < n; id++) {
       Entity e = entities[id];
-      kinds[id] = e == null ? -1 : e.archetype().index();
+      kinds[id] = e == null ? -1 : archetypes[id].index();
       owners[id] = e == null ? Entity.NO_OWNER : e.ownerId();
       slots[id] = e == null ? -1 : e.bodySlot();
     }
     a.bytes("generation of entity", generations, n, Byte.MIN_VALUE, Byte.MAX_VALUE);
-    a.integers("archetype of entity", kinds, n, -1, archetypes.size() - 1);
+    a.integers("archetype of entity", kinds, n, -1, registered.size() - 1);
     a.integers("owner of entity", owners, n, Entity.NO_OWNER, PlayerTable.MAX_PLAYERS - 1);
     a.integers("tag of entity", tags, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("teleports of entity", teleports, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
@@ -116,7 +120,8 @@ public final class SavedEntities {
       }
       if (a.reads() && kinds[id] >= 0) {
         a.require(slots[id] >= 0, "entity=" + id + " has no body");
-        entities[id] = entity(table, id, archetypes.get(kinds[id]), owners[id]);
+        archetypes[id] = registered.get(kinds[id]);
+        entities[id] = entity(table, id, archetypes[id], owners[id]);
         count++;
       }
     }
@@ -132,7 +137,6 @@ public final class SavedEntities {
     boolean same =
         known != null
             && known.generation() == generation
-            && known.archetype() == kind
             && known.ownerId() == ownerId
             && known.bodySlot() == slots[id];
     return same ? known : new Entity(table, id, generation, kind, ownerId);

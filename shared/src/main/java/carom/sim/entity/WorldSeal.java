@@ -20,15 +20,15 @@ import java.util.Set;
 public final class WorldSeal implements Seal<Entity> {
   private static final String CLIENTS = "clients compute it, too, and know ";
   private static final String BODY = CLIENTS + "bodies by archetypes alone; ";
-  private static final String ANOTHER = BODY + "spawn an entity of another archetype in its place";
+  private static final String ANOTHER = BODY + "let the entity become another archetype";
   private static final String STATIC =
       CLIENTS + "static geometry by the level alone; move an entity of a static archetype";
   private static final String LISTENER = "the simulation listens; override ";
 
   private static final String CONSTANTS =
       CLIENTS
-          + "constants by Game.world alone; spawn an entity of another archetype in its place, or"
-          + " use an area of another gravity";
+          + "constants by Game.world alone; let the entity become another archetype, or use an area"
+          + " of another gravity";
 
   /** Why calls are refused, and what to do instead. */
   private static final Map<String, String> REASONS =
@@ -39,6 +39,7 @@ public final class WorldSeal implements Seal<Entity> {
           Map.entry("addShape", ANOTHER),
           Map.entry("removeShape", ANOTHER),
           Map.entry("replaceShape", ANOTHER),
+          Map.entry("become", BODY + "call Entity.become"),
           Map.entry("setMotionLocks", ANOTHER + ", see ArchetypeDef.motionLocks"),
           Map.entry("setFixedRotation", ANOTHER + ", see ArchetypeDef.fixedRotation"),
           Map.entry("setBullet", ANOTHER + ", see ArchetypeDef.bullet"),

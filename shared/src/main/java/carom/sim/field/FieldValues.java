@@ -2,6 +2,7 @@ package carom.sim.field;
 
 import carom.physics.math.StateHash;
 import carom.sim.finding.Habit;
+import java.util.Arrays;
 
 /**
  * The words of one player, one entity or the match, by the layout of the {@link Schema}. Games use
@@ -11,7 +12,7 @@ public final class FieldValues {
   private final FieldStore store;
   private final Scope scope;
   private final boolean writable;
-  private final int[] starts;
+  private int[] starts;
   private final int[] words;
   private long stamp;
   private long ruled;
@@ -62,7 +63,20 @@ public final class FieldValues {
     return words[index];
   }
 
-  /** Returns what a word was when the values were created. */
+  /**
+   * Lets the values count as begun otherwise. They stay as they are, so they may differ from the
+   * start from now on.
+   *
+   * @param otherStarts what each word would have begun with; shared, never changed
+   */
+  public void begunAs(int[] otherStarts) {
+    if (words.length > 0 && !Arrays.equals(starts, otherStarts)) { // else many share one object
+      starts = otherStarts;
+      stamp = store.noteChange(scope);
+    }
+  }
+
+  /** Returns what a word was when the values were created, or as {@link #begunAs} says. */
   public int start(int index) {
     return starts[index];
   }

@@ -29,6 +29,7 @@ public final class Neighbourhood {
 
   private final ExactRows rows = new ExactRows();
   private final FieldRows fields;
+  private final int viewer;
 
   /** Entities to read, or scratch of {@link #despawnAll}. */
   private Entity[] listed = new Entity[8];
@@ -49,6 +50,7 @@ public final class Neighbourhood {
    * @param viewer the player's id
    */
   public Neighbourhood(int viewer) {
+    this.viewer = viewer;
     fields = new FieldRows(viewer);
   }
 
@@ -103,21 +105,26 @@ public final class Neighbourhood {
     for (int i = 0; i < listedCount; i++) {
       Entity e = listed[i];
       bodies.set(i, BodyRow.KEY, key(e.id(), e.generation()));
+      bodies.set(i, BodyRow.ARCHETYPE, e.archetype().index());
       Player owner = s.owner(e);
       fields.read(s.schema(), i, e, owner, rows.of(RowKind.FIELDS));
     }
   }
 
-  /** Lists and reads all entities that affect the motion of others. */
+  /** Lists and reads the viewer's own body, and all entities that affect the motion of others. */
   public void readAll(Simulation s) {
     clear();
     for (int id = 0; id < s.entityCapacity(); id++) {
       Entity e = s.entity(id);
-      if (e != null && affectsOthers(e.archetype())) {
+      if (e != null && (affectsOthers(e.archetype()) || isOwnBody(s, e))) {
         add(e);
       }
     }
     read(s);
+  }
+
+  private boolean isOwnBody(Simulation s, Entity e) {
+    return e.ownerId() == viewer && s.owner(e) != null && s.owner(e).body() == e;
   }
 
   /**
@@ -135,15 +142,12 @@ public final class Neighbourhood {
     }
   }
 
-  /** Gives the archetype and owner of entities, and what joints are, for {@link #write}. */
+  /** Gives the owner of entities, and what joints are, for {@link #write}. */
   public interface Identity {
     /** Returns what knows the definitions of joints. */
     default JointDefinitions joints() {
       return (key, to) -> false;
     }
-
-    /** Returns the archetype of an entity. */
-    Archetype archetype(int id);
 
     /** Returns the player that an entity belongs to, or {@link Entity#NO_OWNER}. */
     int owner(int id);
@@ -165,7 +169,7 @@ public final class Neighbourhood {
    * long as the inputs are the same and nothing else comes near.
    *
    * @param s of role {@link Role#PREDICTION}, of the same level and game
-   * @param who gives archetypes, owners and definitions of joints
+   * @param who gives owners and definitions of joints
    */
   public void write(Simulation s, Identity who) {
     despawnAll(s, who);
@@ -177,8 +181,8 @@ public final class Neighbourhood {
       if (owner != Entity.NO_OWNER && s.player(owner) == null) {
         s.mirror().join(owner, "");
       }
-      Entity e =
-          s.mirror().spawn(id, generation(key), who.archetype(id), 0, 0, 0, owner, who.isBody(id));
+      Archetype archetype = s.archetypes().get(bodies.get(i, BodyRow.ARCHETYPE));
+      Entity e = s.mirror().spawn(id, generation(key), archetype, 0, 0, 0, owner, who.isBody(id));
       s.mirror().identify(e, who.origin(key));
       rows.setSlot(i, e.body().index());
       Player player = s.player(owner);

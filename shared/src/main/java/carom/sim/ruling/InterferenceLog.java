@@ -186,7 +186,7 @@ public final class InterferenceLog {
   private static void noteBefore(Entity entity, Mark mark) {
     mark.stamp = stamp(entity);
     mark.row = mark.row == null ? new int[BodyRow.INTS] : mark.row;
-    entity.body().readRow(mark.row, 0);
+    Ruling.readRow(entity, mark.row);
   }
 
   /** Notes what {@code Game.beforeStep} changed in the tick that is being computed. */
@@ -241,7 +241,7 @@ public final class InterferenceLog {
    * @return false if they did something that a ruling can't say
    */
   private boolean noteRuling(Entity entity, Mark mark, int tick, boolean beforeStep) {
-    entity.body().readRow(row, 0);
+    Ruling.readRow(entity, row);
     ruling.setDifference(mark.row, row);
     if (ruling.mask == 0) {
       return true;
@@ -271,8 +271,10 @@ public final class InterferenceLog {
   private void find(Entity entity, int firstTick, String callback) {
     String deed = deed(ruling.mask);
     String advice;
-    if (entity.archetype().type() != BodyType.DYNAMIC) {
+    if (entity.archetype().type() != BodyType.DYNAMIC && (ruling.mask & Ruling.ARCHETYPE) == 0) {
       advice = "give its archetype a motion, which clients know";
+    } else if ((ruling.mask & Ruling.ARCHETYPE) != 0) {
+      advice = "let Game.input call become, or call it once";
     } else if ((ruling.mask & POSE) != 0) {
       advice = "let Game.input or Game.forces set its velocity";
     } else {
@@ -295,6 +297,9 @@ public final class InterferenceLog {
   }
 
   private static String deed(int mask) {
+    if ((mask & Ruling.ARCHETYPE) != 0) {
+      return "changes the archetype of";
+    }
     if ((mask & POSE) != 0) {
       return "moves";
     }

@@ -2,6 +2,9 @@ package carom.sim.ruling;
 
 import carom.physics.Body;
 import carom.physics.rows.BodyRow;
+import carom.sim.entity.Entity;
+import carom.sim.level.Archetype;
+import carom.sim.level.Archetypes;
 
 /**
  * A change that a game's rules made to the state of one body, in {@code Game.beforeStep} or {@code
@@ -12,7 +15,10 @@ import carom.physics.rows.BodyRow;
  */
 public final class Ruling {
   /** Number of bits of {@link #mask}: the ints of a body's row from {@link BodyRow#MOTION} on. */
-  public static final int WORDS = BodyRow.STATE_INTS;
+  public static final int WORDS = BodyRow.CHANGING_INTS;
+
+  /** Bit of {@link #mask} that says that the entity became another archetype. */
+  static final int ARCHETYPE = 1 << BodyRow.ARCHETYPE - BodyRow.MOTION;
 
   /** The tick in which the rules changed the body. */
   public int tick;
@@ -46,6 +52,12 @@ public final class Ruling {
     return tick == other.tick && afterStep == other.afterStep && key == other.key;
   }
 
+  /** Reads the row of an entity, which rulings compare. */
+  static void readRow(Entity entity, int[] row) {
+    entity.body().readRow(row, 0);
+    row[BodyRow.ARCHETYPE] = entity.archetype().index();
+  }
+
   /**
    * Compares two states of a body and makes this the difference.
    *
@@ -64,16 +76,22 @@ public final class Ruling {
   }
 
   /**
-   * Applies the change to a body.
+   * Applies the change to an entity.
    *
+   * @param archetypes those of its simulation
    * @param scratch room for a row
    */
-  public void apply(Body<?> body, int[] scratch) {
+  public void apply(Entity entity, Archetypes archetypes, int[] scratch) {
+    Body<Entity> body = entity.body();
+    if ((mask & ARCHETYPE) != 0 && !entity.isRoot()) {
+      Archetype other = archetypes.get(row[BodyRow.ARCHETYPE]);
+      entity.become(other == null ? entity.archetype() : other);
+    }
     body.readRow(scratch, 0);
     if (scratch[BodyRow.SLEEP_TIME] == BodyRow.ASLEEP) {
       scratch[BodyRow.SLEEP_TIME] = 0; // it wakes
     }
-    for (int i = 0; i < WORDS; i++) {
+    for (int i = 0; i < BodyRow.STATE_INTS; i++) {
       if ((mask & 1 << i) != 0) {
         scratch[BodyRow.MOTION + i] = row[BodyRow.MOTION + i];
       }
@@ -86,7 +104,7 @@ public final class Ruling {
    * A ruling from a datagram may fail this.
    */
   public boolean isSane() {
-    for (int i = 0; i < WORDS; i++) {
+    for (int i = 0; i < BodyRow.STATE_INTS; i++) {
       float value = Float.intBitsToFloat(row[BodyRow.MOTION + i]);
       if ((mask & 1 << i) != 0 && !(Math.abs(value) < 1e9f)) {
         return false;

@@ -180,6 +180,7 @@ class BaselineTest {
     OwnState own = new OwnState(4);
     int[] row = new int[BodyRow.INTS];
     Arrays.fill(row, 0x3f9d_70a4);
+    row[BodyRow.ARCHETYPE] = 7;
     own.near().begin(1);
     for (int i = 0; i < 12; i++) {
       own.near().add(i | 1 << 16);

@@ -18,7 +18,6 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
-import carom.sim.level.Archetype;
 import carom.sim.near.JointDefinitions;
 import carom.sim.near.Neighbourhood;
 import carom.sim.random.SimRandom;
@@ -199,11 +198,6 @@ final class JointSimulationTest {
       @Override
       public JointDefinitions joints() {
         return JointDefinitions.of(server.joints());
-      }
-
-      @Override
-      public Archetype archetype(int id) {
-        return server.archetypes().get(server.entity(id).archetype().index());
       }
 
       @Override

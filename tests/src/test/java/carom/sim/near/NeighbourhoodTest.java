@@ -8,7 +8,6 @@ import carom.physics.rows.BodyRow;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Input;
-import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.random.SimRandom;
 import java.util.Arrays;
@@ -78,11 +77,6 @@ final class NeighbourhoodTest {
         there.write(
             client,
             new Neighbourhood.Identity() {
-              @Override
-              public Archetype archetype(int id) {
-                return client.archetypes().get(server.entity(id).archetype().index());
-              }
-
               @Override
               public int owner(int id) {
                 return server.entity(id).ownerId();

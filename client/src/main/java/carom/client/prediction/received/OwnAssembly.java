@@ -46,6 +46,7 @@ public final class OwnAssembly {
         rows.add(RowKind.BODY, own, 0);
       } else {
         row[BodyRow.KEY] = keys[i];
+        row[BodyRow.ARCHETYPE] = records.archetype(Neighbourhood.id(keys[i])).index();
         row[BodyRow.COS] = Float.floatToRawIntBits(1);
         rows.add(RowKind.BODY, row, 0);
       }

@@ -101,7 +101,7 @@ public final class ReceivedRulings implements Rulings {
       }
       Entity e = s.entity(Neighbourhood.id(ruling.key));
       if (e != null && e.generation() == Neighbourhood.generation(ruling.key)) {
-        ruling.apply(e.body(), row);
+        ruling.apply(e, s.archetypes(), row);
       }
     }
   }

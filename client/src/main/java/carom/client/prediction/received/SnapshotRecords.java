@@ -135,7 +135,7 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
         && tables.identity(JointWords.TABLE, row) == JointTable.generation(key);
   }
 
-  @Override
+  /** Returns the archetype of an entity by its newest record; null if there is no such one. */
   public Archetype archetype(int id) {
     return simulation.archetypes().get(decoder.history(id).archetype(0));
   }

@@ -67,7 +67,7 @@ public final class NearCodec {
         afterStep = c.flag(writes && near.isRulingAfterStep(i));
       }
       boolean otherMask = c.flag(writes && near.rulingMask(i) != mask);
-      mask = otherMask ? c.plain(writes ? near.rulingMask(i) : 0, BodyRow.STATE_INTS) : mask;
+      mask = otherMask ? c.plain(writes ? near.rulingMask(i) : 0, BodyRow.CHANGING_INTS) : mask;
       boolean same = i > 0 && !otherMask && !c.flag(writes && !near.hasSameWords(i));
       if (!c.require(place < near.count)) {
         return;
@@ -75,7 +75,7 @@ public final class NearCodec {
       if (c.isReading()) {
         near.addRuling(place, age, afterStep, mask);
       }
-      for (int word = 0; word < BodyRow.STATE_INTS; word++) {
+      for (int word = 0; word < BodyRow.CHANGING_INTS; word++) {
         if ((mask & 1 << word) != 0) {
           int bits = same ? near.rulingWord(i - 1, word) : word(c, near, i, word);
           if (c.isReading()) {
@@ -95,7 +95,7 @@ public final class NearCodec {
     return PLACE_BITS
         + FrameRing.AGE_BITS
         + 4
-        + BodyRow.STATE_INTS
+        + BodyRow.CHANGING_INTS
         + Integer.SIZE * Integer.bitCount(mask);
   }
 

@@ -1,5 +1,6 @@
 package carom.net.snapshot.exact;
 
+import static carom.physics.rows.BodyRow.ARCHETYPE;
 import static carom.physics.rows.BodyRow.ASLEEP;
 import static carom.physics.rows.BodyRow.COS;
 import static carom.physics.rows.BodyRow.LOADS;
@@ -111,6 +112,7 @@ public class NearRowCodec {
   private int lastJoint;
   private int lastJointA;
   private int lastPlace;
+  private int lastArchetype;
 
   /** Creates a codec; call {@link #begin} before use. */
   public NearRowCodec() {}
@@ -128,6 +130,7 @@ public class NearRowCodec {
     lastJoint = 0;
     lastJointA = 0;
     lastPlace = 0;
+    lastArchetype = 0;
   }
 
   /** Codes a symbol. */
@@ -174,6 +177,9 @@ public class NearRowCodec {
       int to = at + LOADS + i;
       r[to] = (which >>> i & 1) == 0 ? 0 : real(c, Row.PUSH, 0, r[to]);
     }
+    boolean same = c.plain(r[at + ARCHETYPE] == lastArchetype ? 1 : 0, 1) != 0;
+    lastArchetype = same ? lastArchetype : c.plain(r[at + ARCHETYPE], OwnCodec.ARCHETYPE_BITS);
+    r[at + ARCHETYPE] = lastArchetype;
   }
 
   private void fields(BitCoder c, int[] r, int at) {

@@ -40,7 +40,7 @@ public final class NearState {
   /** Ints of a ruling that say what it is about, before those that changed. */
   private static final int RULING_HEAD = 3;
 
-  private static final int RULING_INTS = RULING_HEAD + BodyRow.STATE_INTS;
+  private static final int RULING_INTS = RULING_HEAD + BodyRow.CHANGING_INTS;
   private static final int FIRST_ROOM = 16;
   private static final int[] NONE = {};
 
@@ -213,7 +213,7 @@ public final class NearState {
   /** Returns whether a ruling changed the same numbers to the same as the one before it did. */
   boolean hasSameWords(int index) {
     int mask = rulingMask(index);
-    for (int word = 0; word < BodyRow.STATE_INTS; word++) {
+    for (int word = 0; word < BodyRow.CHANGING_INTS; word++) {
       if ((mask & 1 << word) != 0 && rulingWord(index, word) != rulingWord(index - 1, word)) {
         return false;
       }

@@ -13,6 +13,7 @@ import java.util.Arrays;
 public final class OwnCodec {
   private static final int SLOT_BITS = 16;
   private static final int GENERATION_BITS = 8;
+  static final int ARCHETYPE_BITS = 12;
 
   /** Words that share a bit which says whether any of them differs. */
   private static final int GROUP = 8;
@@ -34,10 +35,11 @@ public final class OwnCodec {
     if (!changed) {
       return;
     }
-    if (c.flag(own.slot != baseline.slot || own.generation != baseline.generation)) {
+    if (c.flag(!own.sameIdentity(baseline))) {
       boolean hasBody = c.flag(own.slot >= 0);
       own.slot = hasBody ? c.plain(own.slot, SLOT_BITS) : -1;
       own.generation = hasBody ? c.plain(own.generation, GENERATION_BITS) : 0;
+      own.archetype = hasBody ? c.plain(own.archetype, ARCHETYPE_BITS) : 0;
     }
     for (int i = 0; i < OwnState.FLOATS; i++) {
       int from = Bits.orderedBits(baseline.values[i]);

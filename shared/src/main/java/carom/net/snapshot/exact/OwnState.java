@@ -26,6 +26,7 @@ public final class OwnState {
 
   public int slot = -1;
   public int generation;
+  int archetype;
   public int[] values = new int[FLOATS];
   public final PlayerSet relayed = new PlayerSet();
   public final NearState near = new NearState();
@@ -80,6 +81,16 @@ public final class OwnState {
     setMotion(BodyRow.OMEGA, omega);
   }
 
+  /** Sets the index of the archetype of the body's entity, 0..4,095. */
+  public void setArchetype(int index) {
+    archetype = index;
+  }
+
+  /** Returns the index of the archetype of the body's entity. */
+  public int archetype() {
+    return archetype;
+  }
+
   private void setMotion(int field, float value) {
     values[field - BodyRow.MOTION] = Float.floatToRawIntBits(value);
   }
@@ -97,6 +108,7 @@ public final class OwnState {
   public void clearBody() {
     slot = -1;
     generation = 0;
+    archetype = 0;
     for (int i = 0; i < FLOATS; i++) {
       values[i] = 0;
     }
@@ -177,6 +189,7 @@ public final class OwnState {
   public void setBody(OwnState other) {
     slot = other.slot;
     generation = other.generation;
+    archetype = other.archetype;
     setWords(other.words());
     System.arraycopy(other.values, 0, values, 0, values.length);
   }
@@ -225,18 +238,19 @@ public final class OwnState {
     return near;
   }
 
+  /** Returns whether the body is the same entity, of the same archetype. */
+  boolean sameIdentity(OwnState other) {
+    return slot == other.slot && generation == other.generation && archetype == other.archetype;
+  }
+
   /** Returns whether all bits of body and words are the same. */
   public boolean sameAs(OwnState other) {
-    return slot == other.slot
-        && generation == other.generation
-        && Arrays.equals(values, other.values);
+    return sameIdentity(other) && Arrays.equals(values, other.values);
   }
 
   /** Returns whether the body is the same, bit for bit. */
   public boolean sameBody(OwnState other) {
-    return slot == other.slot
-        && generation == other.generation
-        && Arrays.equals(values, 0, FLOATS, other.values, 0, FLOATS);
+    return sameIdentity(other) && Arrays.equals(values, 0, FLOATS, other.values, 0, FLOATS);
   }
 
   private int checked(int index) {

@@ -52,11 +52,12 @@ final class NearRowCodecTest {
       row[i] = number(i < BodyRow.LOADS ? 5 : 0.01f);
     }
     row[BodyRow.KEY] = random.nextInt();
+    row[BodyRow.ARCHETYPE] = random.nextInt(4) == 0 ? random.nextInt(4_096) : 7;
     row[BodyRow.X] = own.motion(BodyRow.X) + (random.nextInt() >> random.nextInt(32));
     unit(row, BodyRow.COS);
     row[BodyRow.SLEEP_TIME] = random.nextBoolean() ? BodyRow.ASLEEP : row[BodyRow.SLEEP_TIME];
     if (random.nextBoolean()) {
-      Arrays.fill(row, BodyRow.LOADS, row.length, 0);
+      Arrays.fill(row, BodyRow.LOADS, BodyRow.LOADS + BodyRow.LOAD_INTS, 0);
     }
     return row;
   }

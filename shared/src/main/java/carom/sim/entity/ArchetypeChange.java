@@ -1,0 +1,77 @@
+package carom.sim.entity;
+
+import carom.physics.Body;
+import carom.physics.BodyType;
+import carom.sim.area.AreaForces;
+import carom.sim.level.Archetype;
+import carom.sim.level.Archetypes;
+import java.util.Objects;
+
+/** Lets entities become other archetypes, see {@link Entity#become}. One simulation's. */
+final class ArchetypeChange {
+  private final EntityTable table;
+  private final WorldSeal seal;
+  private final AreaForces<Entity> areas;
+  private final CallRules calls;
+  private final Archetypes archetypes;
+
+  ArchetypeChange(
+      EntityTable table,
+      WorldSeal seal,
+      AreaForces<Entity> areas,
+      CallRules calls,
+      Archetypes archetypes) {
+    this.table = table;
+    this.seal = seal;
+    this.areas = areas;
+    this.calls = calls;
+    this.archetypes = archetypes;
+  }
+
+  /** Makes an entity one of another archetype. */
+  void change(Entity entity, Archetype other) {
+    Objects.requireNonNull(other, "archetype");
+    calls.requireOutsidePhysics("become");
+    check(entity, other);
+    if (other == entity.archetype()) {
+      return;
+    }
+    Body<Entity> body = entity.body();
+    areas.go(entity.id());
+    seal.permit("become");
+    body.become(other.body(0, 0, 0));
+    if (other.type() == BodyType.KINEMATIC) {
+      body.setAngularVelocity(other.spin());
+    }
+    entity.archetype(other);
+    entity.tag(other.tag());
+    areas.come(entity.id(), body, other);
+    table.noteChange();
+  }
+
+  private void check(Entity entity, Archetype other) {
+    if (archetypes.get(other.index()) != other) {
+      throw new IllegalArgumentException(
+          "archetype="
+              + other
+              + " isn't one of this simulation; register it by archetypes().add in Game.setUp");
+    }
+    if (entity.isLevel()) {
+      throw new IllegalStateException(
+          "entity="
+              + entity
+              + " is static geometry of the level, which stays as it is; place it in the level's"
+              + " \"bodies\", or spawn it");
+    }
+    if (!table.holds(entity)) {
+      throw new IllegalStateException("entity=" + entity + " was despawned; ask Simulation.entity");
+    }
+    if (entity.isRoot()) {
+      throw new IllegalStateException(
+          "entity="
+              + entity
+              + " is the root of an assembly, which is known by its archetype; change one of its"
+              + " other parts");
+    }
+  }
+}
