@@ -154,7 +154,9 @@ final class Connectors implements Runnable {
     int length = channel.read(in.clear());
     if (length < 0) {
       channel.close();
-    } else if (length > Frame.GREETING_BYTES && in.get(4) == Frame.REGISTER_TCP) {
+    } else if (key.attachment() == null
+        && length > Frame.GREETING_BYTES
+        && in.get(Frame.LENGTH_BYTES) == Frame.REGISTER_TCP) {
       greeted.incrementAndGet();
       byte[] greeting = new byte[Frame.GREETING_BYTES];
       in.flip().position(Frame.LENGTH_BYTES + 1).get(greeting);
@@ -162,7 +164,7 @@ final class Connectors implements Runnable {
       if (effort == Effort.REGISTER) {
         register(udp, greeting, 0);
       } else if (effort == Effort.WORK) {
-        key.attach(greeting);
+        key.attach(greeting); // what comes later may look like another one
         while (!waiting.offerFirst(greeting)) {
           waiting.pollLast();
         }
