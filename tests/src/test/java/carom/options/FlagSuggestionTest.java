@@ -22,10 +22,10 @@ final class FlagSuggestionTest {
   @Command(name = "program")
   private static final class Program {
     @Option(names = "--tcp-port")
-    private int port;
+    int port;
 
     @Option(names = "--port-of-tests", hidden = true)
-    private int hidden;
+    int hidden;
   }
 
   @Test
