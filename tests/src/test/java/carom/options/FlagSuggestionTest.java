@@ -20,7 +20,7 @@ final class FlagSuggestionTest {
 
   /** A program with a flag for all to see and one that is hidden. */
   @Command(name = "program")
-  private static final class Program {
+  static final class Program {
     @Option(names = "--tcp-port")
     int port;
 

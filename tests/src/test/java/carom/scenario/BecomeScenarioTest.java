@@ -111,7 +111,8 @@ class BecomeScenarioTest {
       earth = weather(s, "earth", -10);
       moon = weather(s, "moon", -2);
       for (int i = 0; s.role() == Role.AUTHORITY && i < 10 && rule != Rule.NOTHING; i++) {
-        s.spawn(crate, i % 5 * 1.5f - 3, 1 + i / 5 * 1.5f, 0, null);
+        int row = i / 5;
+        s.spawn(crate, i % 5 * 1.5f - 3, 1 + row * 1.5f, 0, null);
       }
       if (s.role() == Role.AUTHORITY && rule == Rule.GRAVITY_CHANGES) {
         s.spawn(earth, 0, 15, 0, null);

@@ -266,7 +266,8 @@ class BecomeTest {
     Neighbourhood there = new Neighbourhood();
     List<Entity> heap = new ArrayList<>();
     for (int i = 0; i < 12; i++) {
-      heap.add(s.spawn(game.crate, i % 4 * 1.02f, 0.5f + i / 4 * 1.01f, 0, null));
+      int row = i / 4;
+      heap.add(s.spawn(game.crate, i % 4 * 1.02f, 0.5f + row * 1.01f, 0, null));
     }
     List<Archetype> kinds = List.of(game.crate, game.ice, game.rock, game.wheel, game.crate);
     long seed = Long.getLong("carom.seed", System.nanoTime());
