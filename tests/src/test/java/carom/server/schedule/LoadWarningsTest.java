@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
@@ -26,12 +27,14 @@ final class LoadWarningsTest {
   @BeforeEach
   void listen() {
     lines.start();
+    log.setLevel(Level.WARN); // other tests of this process make the log quieter
     log.addAppender(lines);
   }
 
   @AfterEach
   void stopListening() {
     log.detachAppender(lines);
+    log.setLevel(null);
   }
 
   private List<String> texts() {
