@@ -2,8 +2,8 @@ package carom.physics;
 
 import carom.physics.archive.Archive;
 import carom.physics.math.Limits;
-import carom.physics.settings.MixingRule;
 import carom.physics.math.StateHash;
+import carom.physics.settings.MixingRule;
 import carom.physics.settings.Settings;
 import java.util.function.Consumer;
 
