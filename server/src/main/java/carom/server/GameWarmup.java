@@ -28,8 +28,8 @@ import java.util.function.Supplier;
  * Without it, the first player of a fresh server on a busy machine waits up to several hundred
  * milliseconds.
  *
- * <p>This covers the whole server, and reaches vector kernels only through the worlds that it
- * steps. {@code carom.physics.simd.KernelWarmup} covers these kernels, at any time, in any program.
+ * <p>It covers the whole server but vector kernels, which take seconds: {@link
+ * carom.warmup.KernelWarmupThread} warms those up while the rooms run.
  */
 final class GameWarmup {
   private static final int CLIENTS = 4;

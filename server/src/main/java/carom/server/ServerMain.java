@@ -28,6 +28,7 @@ import carom.server.query.StatusFacts;
 import carom.server.web.WebServer;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
+import carom.warmup.KernelWarmupThread;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -86,6 +87,7 @@ public final class ServerMain implements Callable<Integer> {
   private SettingsLayers layers;
   private AccessLists access;
   private LogTail logTail;
+  private KernelWarmupThread kernels;
 
   /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -196,6 +198,7 @@ public final class ServerMain implements Callable<Integer> {
   }
 
   private Server open(LoggerContext logging) throws StartFailure {
+    kernels = KernelWarmupThread.prepare();
     GameChoice choice = new GameChoice(flags);
     flags.check();
     ServerConfig config = flags.config(choice.gameName());
@@ -302,6 +305,7 @@ public final class ServerMain implements Callable<Integer> {
     }
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
+    kernels.begin(); // not before: it would take the processor from the start
     // Players needn't wait for it: its libraries load for as long as all the rest.
     web.set(openPorts(server, commands));
     String page = web.get() == null ? null : web.get().url();

@@ -338,6 +338,12 @@ final class ArchitectureTest {
         "carom.values");
     allow("carom.options", "carom.net.transport", "carom.text");
     allow(
+        "carom.warmup",
+        "carom.physics",
+        "carom.physics.geometry",
+        "carom.physics.simd",
+        "carom.net.codec");
+    allow(
         "carom.replay",
         "carom.sim",
         "carom.sim.entity",
@@ -352,6 +358,7 @@ final class ArchitectureTest {
         "carom.server..",
         "carom.net..",
         "carom.options",
+        "carom.warmup",
         "carom.values",
         "carom.text",
         "carom.json", // what pages in browsers send

@@ -1,6 +1,7 @@
 package carom.physics.simd;
 
 import java.util.Arrays;
+import java.util.function.BooleanSupplier;
 
 /**
  * Warms up one set of vector kernels: calls them on made-up numbers until the JIT compiler is done
@@ -13,9 +14,9 @@ import java.util.Arrays;
  * callers of the kernels compiled, too.
  *
  * <pre>
- *   warm-up calls   0       1,000                      40,000                   200,000
+ *   warm-up calls   0        500                       20,000                   100,000
  *                   |         |                           |                        |
- *   per grant       |    8    |            64, or one per 64 rows                  |  none
+ *   per grant       |    4    |            32, or one per 128 rows                 |  none
  *   granted blocks  |       6, or a 32nd of them          |          all of them
  * </pre>
  *
@@ -23,30 +24,33 @@ import java.util.Arrays;
  * while it waits for the compiler loses its place in the queue. By then they are quick. {@code
  * docs/lab/kernels.md} has the measurements.
  *
+ * <p>A program may {@linkplain VectorModule#leaveWarmUpTo take the warm-up over}. Then grants warm
+ * nothing up, and only its own thread is granted work until it trusts the kernels.
+ *
  * <p>How much the kernels do shows in no result. One object serves all worlds and threads of the
  * JVM. It allocates its numbers once.
  */
 final class KernelWarmup {
   /** Warm-up calls after which the kernels are granted all of the work. */
-  private static final int TRUSTED_AFTER = 40_000;
+  private static final int TRUSTED_AFTER = 20_000;
 
   /** Warm-up calls that are made in all. */
-  private static final int ALL_CALLS = 200_000;
+  private static final int ALL_CALLS = 100_000;
 
   /**
    * Number of warm-up calls during which little of the Vector API is compiled. Each takes about ten
    * times as long as a later one.
    */
-  private static final int FIRST_CALLS = 1_000;
+  private static final int FIRST_CALLS = 500;
 
   /** Warm-up calls per grant among the first ones. */
-  private static final int CALLS_AT_FIRST = 8;
+  private static final int CALLS_AT_FIRST = 4;
 
   /** Warm-up calls per grant later on, at least. */
-  private static final int CALLS_LATER = 64;
+  private static final int CALLS_LATER = 32;
 
   /** Rows of work that add one warm-up call to a grant: large steps take longer anyway. */
-  private static final int ROWS_PER_CALL = 64;
+  private static final int ROWS_PER_CALL = 128;
 
   /** Blocks that are granted before the kernels are trusted, at least. */
   private static final int FEW_BLOCKS = 6;
@@ -55,13 +59,23 @@ final class KernelWarmup {
   private static final int BLOCK_SHARE = 32;
 
   /** Warm-up calls so far. */
-  private int calls;
+  private volatile int calls;
+
+  /**
+   * Tells whether the calling thread warms the kernels up, while a program does so on a thread of
+   * its own; else null.
+   */
+  private volatile BooleanSupplier rehearsing;
 
   /** What the kernels are called on; null until the first grant. */
   private float[] numbers;
 
   /** Grants kernels some of the work; see {@link VectorKernels#grant}. */
   int grant(VectorKernels kernels, int blocks, int rows) {
+    BooleanSupplier isRehearsal = rehearsing;
+    if (isRehearsal != null) {
+      return isRehearsal.getAsBoolean() ? blocks : 0;
+    }
     if (calls < ALL_CALLS) {
       warmUp(kernels, rows);
     }
@@ -71,18 +85,34 @@ final class KernelWarmup {
   }
 
   /** Makes the warm-up calls of one grant. Threads of several worlds may ask at once. */
-  private synchronized void warmUp(VectorKernels kernels, int rows) {
-    if (numbers == null) {
-      numbers = new float[kernels.warmUpSize()];
-    }
+  private void warmUp(VectorKernels kernels, int rows) {
     int times = Math.max(CALLS_LATER, rows / ROWS_PER_CALL);
     if (calls < FIRST_CALLS) {
       times = times * CALLS_AT_FIRST / CALLS_LATER;
+    }
+    rehearse(kernels, times);
+  }
+
+  /** Makes warm-up calls. */
+  synchronized void rehearse(VectorKernels kernels, int times) {
+    if (numbers == null) {
+      numbers = new float[kernels.warmUpSize()];
     }
     for (int i = 0; i < times; i++) {
       Arrays.fill(numbers, 1);
       kernels.warmUp(numbers);
     }
     calls += times;
+  }
+
+  /** Grants work to rehearsals alone until {@link #trust}, unless the kernels are trusted. */
+  void waitForTrust(BooleanSupplier isRehearsal) {
+    rehearsing = calls < ALL_CALLS ? isRehearsal : null;
+  }
+
+  /** Grants all of the work from now on. */
+  synchronized void trust() {
+    calls = ALL_CALLS;
+    rehearsing = null;
   }
 }

@@ -1,5 +1,7 @@
 package carom.physics.simd;
 
+import java.util.function.BooleanSupplier;
+
 /**
  * A set of kernels that do by vectors what scalar code does one by one, with the same bits. One
  * object per set serves all worlds and threads of the JVM; it is found by {@link VectorModule}.
@@ -28,7 +30,9 @@ public abstract class VectorKernels {
   protected abstract int warmUpSize();
 
   /**
-   * Calls each kernel of the set once, on numbers of no world.
+   * Calls each kernel of the set twice in a row, on numbers of no world. A kernel that is called
+   * more often than this method is compiled before it. Otherwise the compiler would take kernels in
+   * here, and those that worlds call would stay interpreted.
    *
    * @param numbers all 1; may be overwritten
    */
@@ -44,5 +48,25 @@ public abstract class VectorKernels {
    */
   public final int grant(int blocks, int rows) {
     return warmup.grant(this, blocks, rows);
+  }
+
+  /** Grants work to rehearsals alone until {@link #trust}. */
+  final void waitForTrust(BooleanSupplier isRehearsal) {
+    warmup.waitForTrust(isRehearsal);
+  }
+
+  /**
+   * Makes warm-up calls of all kernels of the set. For programs that {@linkplain
+   * VectorModule#leaveWarmUpTo warm up} kernels on a thread of their own.
+   *
+   * @param times how often
+   */
+  public final void rehearse(int times) {
+    warmup.rehearse(this, times);
+  }
+
+  /** Grants the kernels all of the work from now on. */
+  public final void trust() {
+    warmup.trust();
   }
 }

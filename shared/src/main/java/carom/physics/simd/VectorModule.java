@@ -1,5 +1,10 @@
 package carom.physics.simd;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
 /**
  * Finds the classes that use the Vector API. That module incubates: a JVM has it only if it was
  * started with {@code --add-modules jdk.incubator.vector}.
@@ -19,7 +24,45 @@ public final class VectorModule {
     int floats();
   }
 
+  /** The sets of kernels found so far. */
+  private static final List<VectorKernels> SETS = new ArrayList<>();
+
+  /** Is told the sets that it shall warm up; null if the steps that use them do. */
+  private static Consumer<VectorKernels> warmer;
+
+  /** Tells whether the calling thread is the one that warms up. */
+  private static BooleanSupplier rehearsing;
+
   private VectorModule() {}
+
+  /**
+   * Leaves the warm-up of kernels to a program that has a thread for it. All sets, those found so
+   * far and those found later, are granted no work of any world until the program {@linkplain
+   * VectorKernels#trust trusts} them, except of the worlds that its thread steps.
+   *
+   * @param by told each set once, on the thread that calls this or that makes a world; must only
+   *     note it
+   * @param isRehearsal returns whether the thread that calls it is the program's; called from many
+   *     threads, several times a step
+   */
+  public static synchronized void leaveWarmUpTo(
+      Consumer<VectorKernels> by, BooleanSupplier isRehearsal) {
+    warmer = by;
+    rehearsing = isRehearsal;
+    SETS.forEach(VectorModule::leave);
+  }
+
+  private static synchronized void add(VectorKernels set) {
+    SETS.add(set);
+    if (warmer != null) {
+      leave(set);
+    }
+  }
+
+  private static void leave(VectorKernels set) {
+    set.waitForTrust(rehearsing);
+    warmer.accept(set);
+  }
 
   private static int lanes() {
     Width width = find("carom.physics.simd.VectorWidth", Width.class);
@@ -35,7 +78,11 @@ public final class VectorModule {
    */
   public static <T> T find(String name, Class<T> type) {
     try {
-      return Class.forName(name).asSubclass(type).getDeclaredConstructor().newInstance();
+      T found = Class.forName(name).asSubclass(type).getDeclaredConstructor().newInstance();
+      if (found instanceof VectorKernels set) {
+        add(set);
+      }
+      return found;
     } catch (ReflectiveOperationException | LinkageError e) {
       return null;
     }

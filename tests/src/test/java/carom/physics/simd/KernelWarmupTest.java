@@ -71,4 +71,28 @@ class KernelWarmupTest {
     }
     assertEquals(40, kernels.grant(40, 600));
   }
+
+  @Test
+  void untilAProgramTrustsThemOnlyItsOwnThreadIsGrantedWork() {
+    boolean[] own = {false};
+    kernels.waitForTrust(() -> own[0]);
+    assertEquals(0, kernels.grant(500, 9_000));
+    own[0] = true;
+    assertEquals(500, kernels.grant(500, 9_000));
+    assertEquals(0, kernels.calls, "grants warm nothing up any more");
+    kernels.rehearse(3);
+    assertEquals(3, kernels.calls);
+    own[0] = false;
+    assertEquals(0, kernels.grant(500, 9_000), "calls alone earn no trust");
+    kernels.trust();
+    assertEquals(500, kernels.grant(500, 9_000));
+    assertEquals(3, kernels.calls);
+  }
+
+  @Test
+  void trustedKernelsDoNotWaitAgain() {
+    kernels.trust();
+    kernels.waitForTrust(() -> false);
+    assertEquals(500, kernels.grant(500, 9_000));
+  }
 }

@@ -34,6 +34,7 @@ public final class VectorColumnHash extends ColumnHashLanes {
   @Override
   protected void warmUp(float[] numbers) {
     column(numbers, warmUpFactors, 0, BLOCK, warmUpSums);
+    column(numbers, warmUpFactors, 0, BLOCK, warmUpSums);
   }
 
   @Override
