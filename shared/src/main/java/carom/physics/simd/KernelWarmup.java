@@ -14,9 +14,9 @@ import java.util.function.BooleanSupplier;
  * callers of the kernels compiled, too.
  *
  * <pre>
- *   warm-up calls   0        500                       20,000                   100,000
+ *   warm-up calls   0       1,000                      40,000                   200,000
  *                   |         |                           |                        |
- *   per grant       |    4    |            32, or one per 128 rows                 |  none
+ *   per grant       |    8    |            64, or one per 64 rows                  |  none
  *   granted blocks  |       6, or a 32nd of them          |          all of them
  * </pre>
  *
@@ -24,33 +24,34 @@ import java.util.function.BooleanSupplier;
  * while it waits for the compiler loses its place in the queue. By then they are quick. {@code
  * docs/lab/kernels.md} has the measurements.
  *
- * <p>A program may {@linkplain VectorModule#leaveWarmUpTo take the warm-up over}. Then grants warm
- * nothing up, and only its own thread is granted work until it trusts the kernels.
+ * <p>A program may {@linkplain VectorModule#leaveWarmUpTo warm kernels up on a thread of its own}.
+ * Then only the worlds that this thread steps are granted work, as above, until the program trusts
+ * the kernels.
  *
  * <p>How much the kernels do shows in no result. One object serves all worlds and threads of the
  * JVM. It allocates its numbers once.
  */
 final class KernelWarmup {
   /** Warm-up calls after which the kernels are granted all of the work. */
-  private static final int TRUSTED_AFTER = 20_000;
+  private static final int TRUSTED_AFTER = 40_000;
 
   /** Warm-up calls that are made in all. */
-  private static final int ALL_CALLS = 100_000;
+  private static final int ALL_CALLS = 200_000;
 
   /**
    * Number of warm-up calls during which little of the Vector API is compiled. Each takes about ten
    * times as long as a later one.
    */
-  private static final int FIRST_CALLS = 500;
+  private static final int FIRST_CALLS = 1_000;
 
   /** Warm-up calls per grant among the first ones. */
-  private static final int CALLS_AT_FIRST = 4;
+  private static final int CALLS_AT_FIRST = 8;
 
   /** Warm-up calls per grant later on, at least. */
-  private static final int CALLS_LATER = 32;
+  private static final int CALLS_LATER = 64;
 
   /** Rows of work that add one warm-up call to a grant: large steps take longer anyway. */
-  private static final int ROWS_PER_CALL = 128;
+  private static final int ROWS_PER_CALL = 64;
 
   /** Blocks that are granted before the kernels are trusted, at least. */
   private static final int FEW_BLOCKS = 6;
@@ -62,41 +63,34 @@ final class KernelWarmup {
   private volatile int calls;
 
   /**
-   * Tells whether the calling thread warms the kernels up, while a program does so on a thread of
-   * its own; else null.
+   * Returns whether the calling thread is the one that warms the kernels up, while a program does
+   * so on a thread of its own; else null.
    */
-  private volatile BooleanSupplier rehearsing;
+  private volatile BooleanSupplier rehearsal;
 
   /** What the kernels are called on; null until the first grant. */
   private float[] numbers;
 
   /** Grants kernels some of the work; see {@link VectorKernels#grant}. */
   int grant(VectorKernels kernels, int blocks, int rows) {
-    BooleanSupplier isRehearsal = rehearsing;
-    if (isRehearsal != null) {
-      return isRehearsal.getAsBoolean() ? blocks : 0;
+    BooleanSupplier isRehearsal = rehearsal;
+    if (isRehearsal != null && !isRehearsal.getAsBoolean()) {
+      return 0;
     }
     if (calls < ALL_CALLS) {
       warmUp(kernels, rows);
     }
-    return calls >= TRUSTED_AFTER
-        ? blocks
-        : Math.min(blocks, Math.max(FEW_BLOCKS, blocks / BLOCK_SHARE));
+    return isTrusted() ? blocks : Math.min(blocks, Math.max(FEW_BLOCKS, blocks / BLOCK_SHARE));
   }
 
   /** Makes the warm-up calls of one grant. Threads of several worlds may ask at once. */
-  private void warmUp(VectorKernels kernels, int rows) {
+  private synchronized void warmUp(VectorKernels kernels, int rows) {
+    if (numbers == null) {
+      numbers = new float[kernels.warmUpSize()];
+    }
     int times = Math.max(CALLS_LATER, rows / ROWS_PER_CALL);
     if (calls < FIRST_CALLS) {
       times = times * CALLS_AT_FIRST / CALLS_LATER;
-    }
-    rehearse(kernels, times);
-  }
-
-  /** Makes warm-up calls. */
-  synchronized void rehearse(VectorKernels kernels, int times) {
-    if (numbers == null) {
-      numbers = new float[kernels.warmUpSize()];
     }
     for (int i = 0; i < times; i++) {
       Arrays.fill(numbers, 1);
@@ -105,14 +99,19 @@ final class KernelWarmup {
     calls += times;
   }
 
-  /** Grants work to rehearsals alone until {@link #trust}, unless the kernels are trusted. */
-  void waitForTrust(BooleanSupplier isRehearsal) {
-    rehearsing = calls < ALL_CALLS ? isRehearsal : null;
+  /** Returns whether the kernels are granted all of the work. */
+  boolean isTrusted() {
+    return calls >= TRUSTED_AFTER;
   }
 
-  /** Grants all of the work from now on. */
+  /** Grants work to rehearsals alone until {@link #trust}, unless the warm-up is over. */
+  void waitForTrust(BooleanSupplier isRehearsal) {
+    rehearsal = calls < ALL_CALLS ? isRehearsal : null;
+  }
+
+  /** Ends the warm-up. */
   synchronized void trust() {
     calls = ALL_CALLS;
-    rehearsing = null;
+    rehearsal = null;
   }
 }

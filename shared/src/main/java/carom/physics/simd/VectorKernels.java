@@ -30,9 +30,7 @@ public abstract class VectorKernels {
   protected abstract int warmUpSize();
 
   /**
-   * Calls each kernel of the set twice in a row, on numbers of no world. A kernel that is called
-   * more often than this method is compiled before it. Otherwise the compiler would take kernels in
-   * here, and those that worlds call would stay interpreted.
+   * Calls each kernel of the set once, on numbers of no world.
    *
    * @param numbers all 1; may be overwritten
    */
@@ -56,16 +54,16 @@ public abstract class VectorKernels {
   }
 
   /**
-   * Makes warm-up calls of all kernels of the set. For programs that {@linkplain
-   * VectorModule#leaveWarmUpTo warm up} kernels on a thread of their own.
+   * Returns whether the kernels have been called often enough to be granted all of the work of a
+   * world that warms them up.
    *
-   * @param times how often
+   * @return whether the JIT compiler should know them by now
    */
-  public final void rehearse(int times) {
-    warmup.rehearse(this, times);
+  public final boolean isTrusted() {
+    return warmup.isTrusted();
   }
 
-  /** Grants the kernels all of the work from now on. */
+  /** Ends the warm-up: grants the kernels all of the work of all worlds from now on. */
   public final void trust() {
     warmup.trust();
   }

@@ -63,8 +63,6 @@ public final class VectorColumns extends ColumnLanes {
   @Override
   protected void warmUp(float[] numbers) {
     round(numbers, 0, 1, 1, warmUpSteps);
-    round(numbers, 0, 1, 1, warmUpSteps);
-    turn(numbers, numbers, 0, 0, warmUpSteps);
     turn(numbers, numbers, 0, 0, warmUpSteps);
   }
 

@@ -150,32 +150,18 @@ public final class VectorBoxes extends BoxLanes {
   @Override
   protected void warmUp(float[] s) {
     place(s);
-    place(s);
-    gaps(s);
     gaps(s);
     choose(s);
-    choose(s);
-    frame(s);
     frame(s);
     face(s);
-    face(s);
-    clip(s);
     clip(s);
     keep(s, 1);
-    keep(s, 1);
-    corners(s);
     corners(s);
     points(s);
-    points(s);
-    ids(s);
     ids(s);
     order(s, 1);
-    order(s, 1);
-    turn(s);
     turn(s);
     follow(s, PX0, GAP0, X0);
-    follow(s, PX0, GAP0, X0);
-    limit(s, 1);
     limit(s, 1);
   }
 

@@ -34,7 +34,6 @@ public final class VectorColumnHash extends ColumnHashLanes {
   @Override
   protected void warmUp(float[] numbers) {
     column(numbers, warmUpFactors, 0, BLOCK, warmUpSums);
-    column(numbers, warmUpFactors, 0, BLOCK, warmUpSums);
   }
 
   @Override

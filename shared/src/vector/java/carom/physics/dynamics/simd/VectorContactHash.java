@@ -69,12 +69,8 @@ public final class VectorContactHash extends ContactHashLanes {
   @Override
   protected void warmUp(float[] numbers) {
     findFactors(warmUpKeys, warmUpBytes, 0, WARM_UP_ROWS, warmUpFactors);
-    findFactors(warmUpKeys, warmUpBytes, 0, WARM_UP_ROWS, warmUpFactors);
-    states(warmUpBytes, warmUpBytes, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
     states(warmUpBytes, warmUpBytes, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
     ids(warmUpIds, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
-    ids(warmUpIds, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
-    impulses(numbers, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
     impulses(numbers, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
   }
 

@@ -129,38 +129,21 @@ public final class VectorContacts extends ContactLanes {
     int first = at + FIRST;
     int more = at + RECORD;
     leverArms(n, at, true);
-    leverArms(n, at, true);
-    warmStartPoint(n, n, at);
     warmStartPoint(n, n, at);
     warmStartPair(n, n, at);
-    warmStartPair(n, n, at);
-    relativeVelocity(n, n, at);
     relativeVelocity(n, n, at);
     surface(n, n, more);
-    surface(n, n, more);
-    softness(n, n, at, 1);
     softness(n, n, at, 1);
     bias(n, n, first, 0, 1, 1, 1, 1);
-    bias(n, n, first, 0, 1, 1, 1, 1);
-    solveFriction(n, n, at, first);
     solveFriction(n, n, at, first);
     solveNormal(n, n, first);
-    solveNormal(n, n, first);
-    applyAngularImpulse(n, n, at);
     applyAngularImpulse(n, n, at);
     solveNormalPair(n, n, at);
-    solveNormalPair(n, n, at);
-    applyAngularImpulsePair(n, n, at);
     applyAngularImpulsePair(n, n, at);
     applyImpulse(n, n, at);
-    applyImpulse(n, n, at);
-    normalMotion(n, n, at);
     normalMotion(n, n, at);
     addRounding(n, n, more);
-    addRounding(n, n, more);
     rigidBias(n, n, first, 0, 1);
-    rigidBias(n, n, first, 0, 1);
-    addToTotals(n, first);
     addToTotals(n, first);
   }
 

@@ -89,18 +89,11 @@ public final class VectorRevolutes extends RevoluteLanes {
   @Override
   protected void warmUp(float[] n) {
     rotateArms(n, n, SCRATCH);
-    rotateArms(n, n, SCRATCH);
-    bias(n, n, SCRATCH, 1);
     bias(n, n, SCRATCH, 1);
     effectiveMass(n, SCRATCH);
-    effectiveMass(n, SCRATCH);
-    loadImpulses(n, n, SCRATCH);
     loadImpulses(n, n, SCRATCH);
     applyImpulse(n, n, SCRATCH);
-    applyImpulse(n, n, SCRATCH);
     solveWithBias(n, n, SCRATCH, 1, 1);
-    solveWithBias(n, n, SCRATCH, 1, 1);
-    solveRigid(n, n, SCRATCH);
     solveRigid(n, n, SCRATCH);
   }
 
