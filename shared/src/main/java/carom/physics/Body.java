@@ -1352,6 +1352,16 @@ public final class Body<T> {
     world.forEachJoint(index, visitor);
   }
 
+  /**
+   * Returns whether a joint holds this body, to another one or to the world.
+   *
+   * @return false for a body without joints
+   */
+  public boolean hasJoints() {
+    check();
+    return world.hasJoints(index);
+  }
+
   @Override
   public String toString() {
     return "Body(" + type() + " " + index + ":" + generation + " " + user + ")";

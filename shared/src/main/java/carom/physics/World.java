@@ -547,6 +547,11 @@ public final class World<T> {
     }
   }
 
+  /** Returns whether a body has joints. */
+  boolean hasJoints(int body) {
+    return joints.firstEnd(body) >= 0;
+  }
+
   /** Visits the joints of a body. */
   void forEachJoint(int body, Consumer<Joint<T>> visitor) {
     int end = joints.firstEnd(body);

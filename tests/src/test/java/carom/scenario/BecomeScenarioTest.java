@@ -2,43 +2,34 @@ package carom.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
+import carom.client.replay.ReplayClient;
 import carom.client.view.ClientView;
-import carom.game.Games;
 import carom.net.transport.Impairment;
-import carom.physics.Body;
-import carom.physics.BodyType;
-import carom.physics.Filter;
-import carom.physics.Material;
-import carom.physics.geometry.Box;
-import carom.physics.geometry.Circle;
 import carom.server.CaromMain;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Game;
-import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
-import carom.sim.level.Archetype;
-import carom.sim.level.ArchetypeDef;
-import carom.sim.level.Area;
-import carom.sim.level.Level;
+import carom.testkit.CrouchGame;
+import carom.testkit.CrouchGame.Rule;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -54,138 +45,8 @@ class BecomeScenarioTest {
   /** A client may show what was true this long ago, seconds. */
   private static final double LATE = 0.4;
 
-  private static final String JSON =
-      """
-      {"name": "become", "game": "become", "gravity": [0, -10],
-       "bounds": {"min": [-20, -8], "max": [20, 20]},
-       "spawns": [{"at": [-6, 3]}, {"at": [6, 3]}],
-       "statics": [
-         {"at": [0, -6], "shape": {"type": "box", "width": 40, "height": 2}},
-         {"at": [-13, 5], "shape": {"type": "box", "width": 2, "height": 20}},
-         {"at": [13, 5], "shape": {"type": "box", "width": 2, "height": 20}}]}
-      """;
-
-  /** What the rules do besides the players' crouching. */
-  private enum Rule {
-    NOTHING,
-    CRATES_CHANGE,
-    GRAVITY_CHANGES
-  }
-
-  /** Players crouch while they hold a key. Crates turn to ice, ghosts and rock, one by one. */
-  private static final class Crouching implements Game {
-    private final Rule rule;
-    private Archetype standing;
-    private Archetype crouched;
-    private Archetype crate;
-    private Archetype ice;
-    private Archetype ghost;
-    private Archetype rock;
-    private Archetype earth;
-    private Archetype moon;
-
-    Crouching(Rule rule) {
-      this.rule = rule;
-    }
-
-    @Override
-    public String name() {
-      return "become";
-    }
-
-    @Override
-    public String defaultLevel() {
-      return "become";
-    }
-
-    @Override
-    public void setUp(Simulation s) {
-      Material skin = new Material(1, 0.4f, 0);
-      standing = add(s, new ArchetypeDef("standing").fixedRotation(true), 0.4f, 0.9f, 0.9f, skin);
-      crouched = add(s, new ArchetypeDef("crouched").fixedRotation(true), 0.4f, 0.5f, 0.5f, skin);
-      crate = add(s, new ArchetypeDef("crate"), 0.5f, 0.5f, 0, new Material(0.5f, 0.5f, 0.1f));
-      ice = add(s, new ArchetypeDef("ice"), 0.6f, 0.4f, 0.1f, new Material(0.3f, 0.01f, 0));
-      Filter floorOnly = new Filter(2, ~2, 0);
-      ghost = add(s, new ArchetypeDef("ghost").filter(floorOnly), 0.5f, 0.5f, 0, skin);
-      rock = add(s, new ArchetypeDef("rock").type(BodyType.STATIC), 0.5f, 0.5f, 0, skin);
-      earth = weather(s, "earth", -10);
-      moon = weather(s, "moon", -2);
-      for (int i = 0; s.role() == Role.AUTHORITY && i < 10 && rule != Rule.NOTHING; i++) {
-        int row = i / 5;
-        s.spawn(crate, i % 5 * 1.5f - 3, 1 + row * 1.5f, 0, null);
-      }
-      if (s.role() == Role.AUTHORITY && rule == Rule.GRAVITY_CHANGES) {
-        s.spawn(earth, 0, 15, 0, null);
-      }
-    }
-
-    private static Archetype add(
-        Simulation s, ArchetypeDef def, float halfWidth, float halfHeight, float up, Material m) {
-      return s.archetypes().add(def.shape(new Box(halfWidth, halfHeight, 0, up), m));
-    }
-
-    private static Archetype weather(Simulation s, String name, float gravity) {
-      return s.archetypes()
-          .add(
-              new ArchetypeDef(name)
-                  .type(BodyType.STATIC)
-                  .sensor(true)
-                  .shape(new Circle(0.1f), new Material(1, 0, 0))
-                  .area(Area.gravity(-60, -60, 60, 60, 0, gravity)));
-    }
-
-    @Override
-    public void join(Simulation s, Player p) {
-      s.spawn(standing, p.id() % 2 == 0 ? -6 : 6, 0, 0, p);
-    }
-
-    @Override
-    public void input(Simulation s, Player p, Input in) {
-      p.body().become(in.held(Input.ACTION) ? crouched : standing);
-      Body<Entity> body = p.body().body();
-      body.seekVelocity(in.moveX() * 5, body.velocityY(), 6 * body.mass());
-      if (in.held(Input.JUMP) && Math.abs(body.velocityY()) < 0.1f) {
-        body.setVelocity(body.velocityX(), 5);
-      }
-    }
-
-    @Override
-    public void beforeStep(Simulation s) {
-      for (int id = 0; rule == Rule.CRATES_CHANGE && id < s.entityCapacity(); id++) {
-        Entity e = s.entity(id);
-        if (e != null && e.ownerId() == Entity.NO_OWNER && (s.tick() + 31 * id) % 310 == 0) {
-          e.become(e.archetype() == crate ? ice : crate);
-        }
-      }
-    }
-
-    @Override
-    public void afterStep(Simulation s) {
-      for (int id = 0; rule != Rule.NOTHING && id < s.entityCapacity(); id++) {
-        Entity e = s.entity(id);
-        if (e == null || e.ownerId() != Entity.NO_OWNER) {
-          continue;
-        }
-        int phase = (s.tick() + 31 * id) % 310;
-        if (rule == Rule.GRAVITY_CHANGES) {
-          if (e.archetype().area() != null && s.tick() % 150 == 0) {
-            e.become(e.archetype() == earth ? moon : earth);
-          }
-        } else if (phase == 80) {
-          e.become(ghost);
-        } else if (phase == 160) {
-          e.become(rock);
-        } else if (phase == 240) {
-          e.become(crate);
-        }
-      }
-    }
-  }
-
-  private static Stepper start(Rule rule) throws Exception {
-    Games.add(() -> new Crouching(rule));
-    Level level = Level.parse("become.json", JSON.getBytes(StandardCharsets.UTF_8));
-    return Stepper.of(level, ServerConfig.defaults());
+  private static Stepper start(Rule rule) {
+    return Stepper.of(CrouchGame.level(rule), ServerConfig.defaults());
   }
 
   private static SimulatedClient add(Stepper stepper, String name, long seed, InputSource script) {
@@ -249,6 +110,58 @@ class BecomeScenarioTest {
         CaromMain.run(new PrintWriter(out), new PrintWriter(err), "replay", file.toString());
     assertEquals(0, status, err::toString);
     assertTrue(out.toString().contains("OK: "), out::toString);
+  }
+
+  @Test
+  void aFilmThatJumpsShowsEachBodyAsItWasThen(@TempDir Path folder) throws Exception {
+    // Goal: who watches a recording, or the game itself from a distance, sees what the server had
+    // at
+    // that tick, whether the film came there by playing or by a jump back. Method: a recording that
+    // begins in the middle, when some crates are something else already; jumps to and fro.
+    Map<Integer, String> had = new HashMap<>();
+    Path file;
+    try (Stepper stepper = start(Rule.CRATES_CHANGE)) {
+      add(stepper, "Ann", 1, Scripts.wander(1));
+      stepper.run(4);
+      file = stepper.server().record(folder.resolve("middle.carom")).get(0);
+      for (int i = 0; i < 60 * 8; i++) {
+        stepper.run(1 / 60.0);
+        Simulation s = stepper.room().simulation();
+        had.put(s.tick(), kinds(s));
+      }
+    }
+    assertTrue(had.values().stream().distinct().count() > 20, "changes");
+    Random random = new Random(Stepper.SEED);
+    List<Integer> ticks = had.keySet().stream().sorted().toList();
+    try (ReplayClient film = new ReplayClient(file)) {
+      film.pause(true);
+      long nowNs = 1;
+      for (int jump = 0; jump < 40; jump++) {
+        int tick = ticks.get(random.nextInt(ticks.size() - 60));
+        film.seek(tick);
+        do {
+          film.update(nowNs += 16_666_667);
+        } while (film.seeking());
+        assertEquals(tick, film.tick());
+        assertEquals(had.get(tick), kinds(film.simulation()), "tick=" + tick);
+        StringBuilder drawn = new StringBuilder();
+        for (int i = 0; i < film.view().entityCount(); i++) {
+          drawn.append(film.view().entity(i).archetype().name()).append(' ');
+        }
+        assertEquals(had.get(tick), drawn.toString(), "tick=" + tick);
+        assertNull(film.divergence());
+      }
+    }
+  }
+
+  private static String kinds(Simulation s) {
+    StringBuilder kinds = new StringBuilder();
+    for (int id = 0; id < s.entityCapacity(); id++) {
+      if (s.entity(id) != null) {
+        kinds.append(s.entity(id).archetype().name()).append(' ');
+      }
+    }
+    return kinds.toString();
   }
 
   @Test

@@ -2,6 +2,7 @@ package carom.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.view.ClientView;
@@ -197,6 +198,49 @@ final class MachineScenarioTest {
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
       assertTrue(
           server.joint("winch").toothAngle() > 1, "teeth=" + server.joint("winch").toothAngle());
+    }
+  }
+
+  @Test
+  void sensorsThatJointsTieToOthersArePredictedWithThem() {
+    // Goal: a body that touches nothing has a mass all the same, so it is part of the set as long
+    // as a joint holds it. Method: a lamp that swings from a post in a driver's way, a scanner
+    // ahead of a crate, both sensors; then the lamp's joint goes.
+    String fields =
+        """
+        , "bodies": [
+            {"name": "post", "at": [-18, 0.5], "shape": {"type": "box", "width": 1, "height": 1}},
+            {"name": "lamp", "at": [-17, 2], "sensor": true, "shape": {"type": "circle", "radius": 0.5}},
+            {"name": "crate", "at": [-14, 0.5], "shape": {"type": "box", "width": 1, "height": 1}},
+            {"name": "scanner", "at": [-14, 1.5], "sensor": true,
+             "shape": {"type": "box", "width": 2, "height": 0.5}}],
+          "joints": [
+            {"type": "revolute", "name": "hook", "a": "post", "b": "lamp", "at": [-18, 2]},
+            {"type": "weld", "a": "crate", "b": "scanner", "at": [-14, 1]}]
+        """;
+    Level level = MachineGame.level("", fields);
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
+      stepper.run(3);
+      final long full = stepper.count(Counter.NEAR_DISAGREEMENTS);
+      final long corrections = client.stats().corrections();
+      stepper.run(22);
+      Simulation server = stepper.room().simulation();
+      Entity lamp = named(server, "lamp").get(0);
+      double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
+      String about = "right=" + right + " " + stepper.describe();
+      assertTrue(client.stats().awakeBodies() > 1_000, about);
+      assertTrue(right >= 99, about);
+      assertEquals(corrections, client.stats().corrections(), about);
+      assertEquals(full, stepper.count(Counter.NEAR_DISAGREEMENTS), about);
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
+      assertNotNull(client.view().predictedWorld().entity(lamp.id()), about);
+      assertEquals(4, client.view().jointCount(), "the car's two, the hook, the weld");
+      server.disconnect(server.joint("hook"));
+      stepper.run(1);
+      assertNull(client.view().predictedWorld().entity(lamp.id()), "it concerns nobody any more");
+      assertNotNull(client.view().find(lamp.id()), "it is drawn");
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), stepper.describe());
     }
   }
 

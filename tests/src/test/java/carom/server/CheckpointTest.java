@@ -9,15 +9,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.protocol.SessionState;
 import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.checkpoint.SlotDisk;
+import carom.server.match.HandedInMatch;
 import carom.server.match.LoadedLevel;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.session.Session;
 import carom.sim.Game;
+import carom.sim.Simulation;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.LevelException;
 import carom.sim.match.NextMatch;
+import carom.testkit.CrouchGame;
+import carom.testkit.CrouchGame.Rule;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
@@ -27,7 +31,9 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -106,6 +112,69 @@ class CheckpointTest {
     } finally {
       kept.close();
     }
+  }
+
+  @Test
+  void whatBecameAnotherIsThatAfterTheCrash() throws Exception {
+    // Goal: crates that are ice, ghosts or rock, and players who crouch, are so in the resumed
+    // room,
+    // which goes on as if nothing had happened. Method: as above, and the names of all archetypes.
+    MatchLibrary library =
+        new HandedInMatch(
+            () -> new CrouchGame(Rule.CRATES_CHANGE), CrouchGame.level(Rule.CRATES_CHANGE));
+    List<String> levels = List.of("become");
+    Map<Integer, String> had = new HashMap<>();
+    long expected;
+    try (KeptServer without = new KeptServer(library, levels, null, START_NS)) {
+      crouch(without, had, 90);
+      crouch(without, had, 600);
+      expected = without.hash();
+    }
+    assertTrue(had.values().stream().distinct().count() > 20, "changes");
+    KeptServer kept = new KeptServer(library, levels, folder.resolve("kept0"), START_NS);
+    try {
+      crouch(kept, new HashMap<>(), 90);
+      for (int crash = 1; crash <= 3; crash++) {
+        kept.runTo(90 + 130 * crash);
+        Path crashed = crash();
+        kept.close();
+        kept = new KeptServer(library, levels, crashed, START_NS + kept.nowNs);
+        assertEquals(1, kept.server.count(Counter.ROOMS_RESUMED));
+        assertEquals(had.get(kept.resumedTick), kinds(kept), "tick=" + kept.resumedTick);
+      }
+      kept.runTo(600);
+      assertEquals(had.get(600), kinds(kept));
+      assertEquals(expected, kept.hash());
+    } finally {
+      kept.close();
+    }
+  }
+
+  /** Plays up to a tick and notes the archetypes; until tick 90 with a player who crouches. */
+  private static void crouch(KeptServer kept, Map<Integer, String> had, int tick) {
+    FakeClient ann = kept.tick() < 90 ? kept.join("Ann", 0) : null;
+    while (kept.tick() < tick) {
+      if (ann != null) {
+        ann.input.hold(Input.ACTION, kept.tick() / 20 % 2 == 0).move(kept.tick() % 3 - 1, 0);
+      }
+      kept.step();
+      had.put(kept.tick(), kinds(kept));
+    }
+    if (ann != null) {
+      ann.link.close("cut");
+      kept.clients.clear();
+    }
+  }
+
+  private static String kinds(KeptServer kept) {
+    Simulation s = kept.room().simulation();
+    StringBuilder kinds = new StringBuilder();
+    for (int id = 0; id < s.entityCapacity(); id++) {
+      if (s.entity(id) != null) {
+        kinds.append(id).append(s.entity(id).archetype().name()).append(' ');
+      }
+    }
+    return kinds.toString();
   }
 
   @Test

@@ -41,16 +41,27 @@ public record BodyLook(
         body.index(),
         e == null ? Entity.LEVEL : e.id(),
         e == null ? Entity.NO_OWNER : e.ownerId(),
-        e == null ? "" : e.archetype().name(),
+        kindOf(e),
         body.type(),
-        e == null ? 0 : e.archetype().appearance().rgb(),
+        rgbOf(e),
         sensor,
         List.copyOf(shapes));
   }
 
-  /** Returns whether the body still moves in the same way and has the same shapes. */
+  private static String kindOf(Entity e) {
+    return e == null ? "" : e.archetype().name();
+  }
+
+  private static int rgbOf(Entity e) {
+    return e == null ? 0 : e.archetype().appearance().rgb();
+  }
+
+  /** Returns whether the body is still of this kind and colour, and moves and is shaped alike. */
   boolean isOf(Body<Entity> body) {
-    if (type != body.type() || shapes.size() != body.shapeCount()) {
+    if (type != body.type()
+        || shapes.size() != body.shapeCount()
+        || rgb != rgbOf(body.user())
+        || !kind.equals(kindOf(body.user()))) {
       return false;
     }
     boolean sensors = !shapes.isEmpty();

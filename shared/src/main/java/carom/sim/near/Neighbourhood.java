@@ -111,12 +111,15 @@ public final class Neighbourhood {
     }
   }
 
-  /** Lists and reads the viewer's own body, and all entities that affect the motion of others. */
+  /**
+   * Lists and reads the viewer's own body, and all entities that affect the motion of others: by
+   * what they are, or by a joint. A sensor that hangs on a car has a mass, too.
+   */
   public void readAll(Simulation s) {
     clear();
     for (int id = 0; id < s.entityCapacity(); id++) {
       Entity e = s.entity(id);
-      if (e != null && (affectsOthers(e.archetype()) || isOwnBody(s, e))) {
+      if (e != null && (affectsOthers(e.archetype()) || e.body().hasJoints() || isOwnBody(s, e))) {
         add(e);
       }
     }

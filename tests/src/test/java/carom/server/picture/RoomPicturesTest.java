@@ -12,17 +12,25 @@ import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
+import carom.physics.Material;
 import carom.physics.ShapeDef;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
+import carom.physics.geometry.Shape;
 import carom.physics.particles.Particles;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.TurnStage;
+import carom.sim.Role;
+import carom.sim.Simulation;
 import carom.sim.entity.Entity;
+import carom.sim.level.Appearance;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.pool.Pools;
+import carom.testkit.PlainGame;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.List;
@@ -102,6 +110,37 @@ final class RoomPicturesTest {
     assertTrue(after.isOf(body));
     body.addShape(new ShapeDef(new Circle(1)));
     assertFalse(after.isOf(body));
+  }
+
+  @Test
+  void anEntityThatBecomesAnotherOfTheSameShapeHasAnotherLook() throws Exception {
+    // Goal: colour and kind follow the archetype, though shape and type are the same objects.
+    Shape disc = new Circle(0.5f);
+    Archetype[] kinds = new Archetype[2];
+    PlainGame game =
+        new PlainGame("looks", "arena") {
+          @Override
+          public void setUp(Simulation s) {
+            kinds[0] = s.archetypes().add(plain("snow", disc, 0xffffff));
+            kinds[1] = s.archetypes().add(plain("mud", disc, 0x554433));
+          }
+        };
+    Simulation s = new Simulation(game, Level.builtIn("arena"), 1, 60, Role.AUTHORITY);
+    Entity e = s.spawn(kinds[0], 0, 0, 0, null);
+    BodyLook before = BodyLook.of(e.body());
+    assertTrue(before.isOf(e.body()));
+    e.become(kinds[1]);
+    assertFalse(before.isOf(e.body()));
+    BodyLook after = BodyLook.of(e.body());
+    assertTrue(after.isOf(e.body()));
+    assertEquals("mud", after.kind());
+    assertEquals(0x554433, after.rgb());
+  }
+
+  private static ArchetypeDef plain(String name, Shape shape, int rgb) {
+    return new ArchetypeDef(name)
+        .shape(shape, Material.DEFAULT)
+        .appearance(Appearance.of(rgb, Appearance.Look.PLAIN));
   }
 
   @Test
