@@ -22,8 +22,14 @@ final class BoxRefresh {
   /** Number of parts from which on boxes are renewed in turns; fewer are cheap in one step. */
   private static final int LONG_STEP = 4_096;
 
-  /** When more than this fraction (1 / n) of the parts left their fat boxes, all get new ones. */
-  private static final int RENEW_SHARE = 4;
+  /**
+   * When more than this fraction (1 / n) of the parts left their fat boxes, all get new ones. The
+   * search then costs hardly more than for those that left, and the next steps need none.
+   */
+  private static final int RENEW_SHARE = 10;
+
+  /** The same in a crowd, where new boxes soon are left again. */
+  private static final int CROWD_SHARE = 4;
 
   /** Number of bodies in a piece of a worker's work. */
   private static final int GRAIN = 64;
@@ -82,7 +88,8 @@ final class BoxRefresh {
     ensureCapacity();
     parallel.run(0, active.count, GRAIN, measuring);
     listStrayed();
-    boolean many = list.count > moving.size() / RENEW_SHARE;
+    int share = boxes.isCrowd(active.count) ? CROWD_SHARE : RENEW_SHARE;
+    boolean many = list.count > moving.size() / share;
     if (many) {
       bodies.listParts(active.list, active.count, list);
     }

@@ -31,6 +31,15 @@ final class FatBoxes {
   /** Number of ticks that a fat box is meant to last where pairs are few. */
   private static final int SPARSE_TICKS = 12;
 
+  /**
+   * Number of ticks that the box of a slow part is meant to last where pairs are neither few nor
+   * many.
+   */
+  private static final int BUSY_TICKS = 4;
+
+  /** A part is slow if it moves less than this fraction (1 / n) of its width and height a tick. */
+  private static final int SLOW = 8;
+
   /** Relative rounding error of a box's edges, as a fraction of the distance from the origin. */
   private static final float ROUNDING = 0x1p-22f;
 
@@ -89,7 +98,8 @@ final class FatBoxes {
   /**
    * Gives a part a new fat box around its tight one, for some ticks of motion. Where pairs are few,
    * a roomy box saves searches. In a crowd a needless pair costs more than a search, so the box of
-   * a fast part is hardly larger than the part.
+   * a fast part is hardly larger than the part. In between, slow parts get some room, and fast ones
+   * that of one tick.
    *
    * @param dt length of a tick, s
    * @param activeCount number of awake bodies
@@ -98,16 +108,51 @@ final class FatBoxes {
     int body = parts.body[part];
     float wayX = dt * bodies.vx[body];
     float wayY = dt * bodies.vy[body];
-    int pairs = contacts.count();
     float margin = settings.aabbMargin();
+    if (isCrowd(activeCount)) {
+      fatten(part, Math.abs(wayX) + Math.abs(wayY) > margin ? 0 : margin, 0, 0);
+      return;
+    }
+    float turn = dt * Math.abs(bodies.w[body]) * bodies.reach[body];
     float ticks = SPARSE_TICKS;
-    if (pairs > CROWDED * activeCount) {
-      margin = Math.abs(wayX) + Math.abs(wayY) > margin ? 0 : margin;
-      ticks = 0;
-    } else if (!isSparse(activeCount)) {
-      ticks = 1;
+    if (!isSparse(activeCount)) {
+      AabbArray t = parts.tight;
+      float size = t.maxX(part) - t.minX(part) + (t.maxY(part) - t.minY(part));
+      if (SLOW * (Math.abs(wayX) + Math.abs(wayY) + turn) > size) {
+        fatten(part, margin, wayX, wayY);
+        return;
+      }
+      ticks = BUSY_TICKS;
     }
     fatten(part, margin, ticks * wayX, ticks * wayY);
+    letTurn(part, ticks * turn, margin, ticks * wayX, ticks * wayY);
+  }
+
+  /**
+   * Widens a fat box by how far a part's points may get by turning, but not beyond the circle that
+   * its body never leaves. A disc gets no wider.
+   */
+  private void letTurn(int part, float turn, float margin, float wayX, float wayY) {
+    AabbArray fat = parts.fat;
+    int body = parts.body[part];
+    float x = bodies.x[body];
+    float y = bodies.y[body];
+    float reach = bodies.reach[body] + 0.5f * settings.speculativeDistance() + margin;
+    float minX = fat.minX(part);
+    float minY = fat.minY(part);
+    float maxX = fat.maxX(part);
+    float maxY = fat.maxY(part);
+    fat.set(
+        part,
+        Math.min(minX, Math.max(minX - turn, x - reach + Math.min(wayX, 0))),
+        Math.min(minY, Math.max(minY - turn, y - reach + Math.min(wayY, 0))),
+        Math.max(maxX, Math.min(maxX + turn, x + reach + Math.max(wayX, 0))),
+        Math.max(maxY, Math.min(maxY + turn, y + reach + Math.max(wayY, 0))));
+  }
+
+  /** Returns whether there are so many pairs that needless ones cost more than searches. */
+  boolean isCrowd(int activeCount) {
+    return contacts.count() > CROWDED * activeCount;
   }
 
   /** Returns whether there are so few pairs that roomy boxes save more than they cost. */
