@@ -324,9 +324,11 @@ final class ArchitectureTest {
         "carom.net.seal",
         "carom.net.admission",
         "carom.text");
+    allow("carom.net.kryo.listen");
     allow("carom.net.kryo.message", "carom.net.protocol", "carom.text");
     allow(
         "carom.net.kryo",
+        "carom.net.kryo.listen",
         "carom.net.kryo.message",
         "carom.net.protocol",
         "carom.net.transport",

@@ -24,6 +24,7 @@ import carom.server.recording.ShownRecordings;
 import carom.server.room.Admission;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
+import carom.server.schedule.TickLoad;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import java.util.ArrayList;
@@ -101,7 +102,9 @@ public final class Lobby {
     this.directory = directory;
     this.config = config;
     this.transport = transport;
-    this.chooser = new RoomChooser(rooms, config.maxLoadPercent());
+    this.chooser =
+        new RoomChooser(
+            rooms, config.maxLoadPercent(), TickLoad.ticksUntilKnown(config.tickRateHz()));
     this.spectators = new Spectators(rooms);
     this.places = rooms.stream().mapToInt(room -> room.seats().count()).sum();
     this.entrance = new Entrance<>(placesToWait(places), placesToWait(places), Visitor::giveWay);

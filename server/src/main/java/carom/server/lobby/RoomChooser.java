@@ -8,10 +8,12 @@ import java.util.List;
 final class RoomChooser {
   private final List<Room> rooms;
   private final int maxLoadPercent;
+  private final int ticksUntilLoadIsKnown;
 
-  RoomChooser(List<Room> rooms, int maxLoadPercent) {
+  RoomChooser(List<Room> rooms, int maxLoadPercent, int ticksUntilLoadIsKnown) {
     this.rooms = rooms;
     this.maxLoadPercent = maxLoadPercent;
+    this.ticksUntilLoadIsKnown = ticksUntilLoadIsKnown;
   }
 
   /** Returns the room that holds a seat for a session's secret, or null. */
@@ -70,7 +72,9 @@ final class RoomChooser {
   }
 
   private boolean isOverloaded(Room room) {
-    return maxLoadPercent > 0 && load(room) > maxLoadPercent;
+    return maxLoadPercent > 0
+        && room.counters().get(Counter.TICKS) >= ticksUntilLoadIsKnown
+        && load(room) > maxLoadPercent;
   }
 
   private static int load(Room room) {

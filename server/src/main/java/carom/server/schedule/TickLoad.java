@@ -14,7 +14,7 @@ public final class TickLoad {
   public static final int SLOWEST_PERCENT = 5;
 
   private static final int SECONDS = 10;
-  private static final double PERCENTILE = 0.95;
+  private static final int PERCENTILE = 95;
 
   /** Parts in which a period is counted; a tick of three periods or more counts as three. */
   private static final int PARTS = 50;
@@ -51,7 +51,7 @@ public final class TickLoad {
    */
   public TickLoad(int rateHz) {
     periodNs = 1_000_000_000L / rateHz;
-    parts = new byte[SECONDS * rateHz];
+    parts = new byte[ticksUntilKnown(rateHz)];
     window = Math.max(1, rateHz / CHOICES_PER_SECOND);
   }
 
@@ -95,14 +95,21 @@ public final class TickLoad {
   }
 
   /**
+   * Returns after how many ticks the load decides about newcomers: the first ones run cold code.
+   *
+   * @param rateHz ticks per second
+   */
+  public static int ticksUntilKnown(int rateHz) {
+    return SECONDS * rateHz;
+  }
+
+  /**
    * Returns the time that 95 of 100 ticks of the last {@value #SECONDS} s took at most, percent of
-   * their period at full pace, 0..300; 0 before the first {@value #SECONDS} s are over.
+   * their period at full pace, 0..300; of the ticks since the start while they are fewer, and 0
+   * before the first.
    */
   public int percent() {
-    if (ticks < parts.length) {
-      return 0;
-    }
-    int left = (int) (parts.length * PERCENTILE);
+    int left = (int) (Math.min(ticks, parts.length) * PERCENTILE + 99) / 100;
     int part = 0;
     while (left > counts[part]) {
       left -= counts[part];

@@ -8,7 +8,7 @@ import carom.values.Records;
  *
  * @param maxConnections largest number of open links at once, 1..10,000; for a moment it may be
  *     exceeded by links that opened together. Keep the sum of this and the next well below the
- *     process's limit of open files, because KryoNet spins when it can't accept
+ *     process's limit of open files
  * @param maxPending largest number of connections at once that have proven nothing, 1..4,096; a
  *     quarter as many again may exchange keys. One more makes the oldest give way, see {@link
  *     carom.net.admission.Entrance}. Each takes about 70 kB

@@ -6,10 +6,8 @@ import carom.net.transport.NetworkCounter;
 import carom.net.transport.PortUnavailableException;
 import carom.net.transport.ServerTransport;
 import java.io.IOException;
-import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.util.List;
 
 /**
@@ -18,7 +16,6 @@ import java.util.List;
  * opens when datagrams have passed in both directions.
  */
 public final class KryoServerTransport implements ServerTransport {
-  private static final int EPHEMERAL_ATTEMPTS = 20;
   private static final int MAX_PORT = 65_535;
 
   private final ServerNetwork network;
@@ -59,25 +56,14 @@ public final class KryoServerTransport implements ServerTransport {
     checkPort("tcpPort", tcpPort);
     checkPort("udpPort", udpPort);
     network = new ServerNetwork(limits, identity);
-    int tcp = tcpPort;
-    for (int attempt = 1; ; attempt++) {
-      try {
-        // KryoNet doesn't report the port that the system gave it. So this looks up a free one and
-        // requests it by number. If another process takes it in between, the next attempt requests
-        // another one.
-        tcp = tcpPort != 0 ? tcpPort : freeTcpPort(address);
-        network.bind(new InetSocketAddress(address, tcp), new InetSocketAddress(address, udpPort));
-        break;
-      } catch (IOException x) {
-        PortUnavailableException explained = PortUnavailableException.of(x, address, tcp, udpPort);
-        boolean chosenHere = explained.port() != tcpPort && explained.port() != udpPort;
-        if (!chosenHere || attempt == EPHEMERAL_ATTEMPTS || !(x instanceof BindException)) {
-          network.dispose();
-          throw explained;
-        }
-      }
+    try {
+      network.bind(
+          new InetSocketAddress(address, tcpPort), new InetSocketAddress(address, udpPort));
+    } catch (IOException x) {
+      network.dispose();
+      throw PortUnavailableException.of(x, address, tcpPort, udpPort);
     }
-    this.tcpPort = tcp;
+    this.tcpPort = network.tcpPort();
     this.udpPort = network.udpPort();
     network.start();
   }
@@ -86,12 +72,6 @@ public final class KryoServerTransport implements ServerTransport {
     if (port < 0 || port > MAX_PORT) {
       throw new IllegalArgumentException(
           name + "=" + port + " must be from 0 (any free one) to " + MAX_PORT);
-    }
-  }
-
-  private static int freeTcpPort(InetAddress address) throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, address)) {
-      return probe.getLocalPort();
     }
   }
 

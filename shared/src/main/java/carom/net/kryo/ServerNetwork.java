@@ -7,6 +7,7 @@ import carom.net.admission.WorkProof;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.LinkTable;
 import carom.net.frame.Frame;
+import carom.net.kryo.listen.Acceptor;
 import carom.net.seal.DatagramOpener;
 import carom.net.seal.StreamSeal;
 import carom.net.transport.Link;
@@ -53,6 +54,7 @@ final class ServerNetwork implements Runnable {
   final KryoMessageCodec codec = new KryoMessageCodec();
   final KryoServerCounters counters = new KryoServerCounters();
   private final Server server;
+  private Acceptor acceptor;
   private DatagramPort datagrams;
   final SecureRandom random = new SecureRandom();
   private final SpscAtomicArrayQueue<Link> opened;
@@ -112,13 +114,18 @@ final class ServerNetwork implements Runnable {
 
   /** Opens both ports or none. Call it before {@link #start}. */
   void bind(InetSocketAddress tcp, InetSocketAddress udp) throws IOException {
-    server.bind(tcp, null);
+    acceptor = new Acceptor(server, tcp);
     try {
       datagrams = new DatagramPort(udp, Frame.SERVER_BUFFER_BYTES, this::datagram, counters::error);
     } catch (IOException x) {
-      server.close();
+      acceptor.close();
       throw x;
     }
+  }
+
+  /** Returns the number of the TCP port. Call it after {@link #bind}. */
+  int tcpPort() {
+    return acceptor.port();
   }
 
   /** Returns the number of the UDP port. Call it after {@link #bind}. */
@@ -151,6 +158,9 @@ final class ServerNetwork implements Runnable {
       datagrams.close();
     }
     try {
+      if (acceptor != null) {
+        acceptor.close();
+      }
       server.dispose();
     } catch (IOException x) {
       counters.error(x);
@@ -221,6 +231,7 @@ final class ServerNetwork implements Runnable {
   private long step(int selectMillis, long nextSweep) {
     try {
       server.update(selectMillis);
+      acceptWaiting();
       drainCloseRequests();
       long now = System.nanoTime();
       if (now - nextSweep < 0) {
@@ -235,6 +246,15 @@ final class ServerNetwork implements Runnable {
       return nextSweep;
     } finally {
       Thread.interrupted(); // an interrupted thread would never wait in select again
+    }
+  }
+
+  private void acceptWaiting() {
+    try {
+      acceptor.acceptWaiting();
+    } catch (IOException x) { // too many open files: connections must close before the next comes
+      counters.error(x);
+      LockSupport.parkNanos(1_000_000L);
     }
   }
 

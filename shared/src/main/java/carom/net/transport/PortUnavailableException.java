@@ -27,7 +27,7 @@ public final class PortUnavailableException extends UncheckedIOException {
    *
    * @param failure what the system said, which needn't name the port
    * @param address an address of this machine, or null for all of them
-   * @param tcp the TCP port, 1..65,535
+   * @param tcp the TCP port, 0..65,535
    * @param udp the UDP port, 0..65,535
    */
   public static PortUnavailableException of(

@@ -20,9 +20,15 @@ class TickLoadTest {
 
   @Test
   void theLoadIsThe95thPercentileOfTenSeconds() {
-    ticks(499, 10 * MS);
-    assertEquals(0, load.percent(), "not before ten seconds are over");
+    assertEquals(500, TickLoad.ticksUntilKnown(50));
+    assertEquals(0, load.percent(), "no tick yet");
+    ticks(1, 20 * MS);
+    assertEquals(100, load.percent(), "of the ticks that there are");
+    ticks(18, 10 * MS);
+    assertEquals(100, load.percent(), "1 of 19 is more than 5 of 100");
     ticks(1, 10 * MS);
+    assertEquals(50, load.percent(), "1 of 20 isn't");
+    ticks(480, 10 * MS);
     assertEquals(50, load.percent());
     ticks(24, 40 * MS);
     assertEquals(50, load.percent(), "24 of 500 ticks");
