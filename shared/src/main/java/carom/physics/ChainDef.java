@@ -30,7 +30,7 @@ public final class ChainDef {
   public static final int MAX_SEGMENTS = 200_000;
 
   /** Largest number of segments that one body takes. */
-  static final int MAX_BODY_PARTS = 1024;
+  public static final int MAX_BODY_PARTS = 1024;
 
   private final float[] xy;
   private final boolean loop;

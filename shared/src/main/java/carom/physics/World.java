@@ -57,6 +57,10 @@ public final class World<T> {
 
   private static final JointType[] JOINT_TYPES = JointType.values();
 
+  /** Why a recorder and a collision filter exclude each other, and what to do. */
+  private static final String INSTEAD =
+      "its answers are no calls; set a Filter on shapes, or return false from preSolve";
+
   /** The constants that the world was made with. */
   private final WorldDef firstDef;
 
@@ -668,7 +672,7 @@ public final class World<T> {
     refuseShared("collisionFilter", null);
     if (recorder != null && newFilter != null) {
       throw new IllegalStateException(
-          "collisionFilter is not possible while calls are recorded: its answers are none");
+          "collisionFilter is not possible while calls are recorded, because " + INSTEAD);
     }
     filtered = newFilter != null;
     dynamics.customRule(
@@ -1203,7 +1207,7 @@ public final class World<T> {
     refuseDuringStep("recording");
     if (filtered && newRecorder != null) {
       throw new IllegalStateException(
-          "a world with a collisionFilter can't be recorded: what it answers is no call");
+          "a world with a collisionFilter can't be recorded, because " + INSTEAD);
     }
     recorder = newRecorder;
   }

@@ -13,6 +13,7 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
+import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Area;
@@ -29,8 +30,11 @@ public final class CrouchGame implements Game {
       """
       {"name": "become", "game": "become", "gravity": [0, -10],
        "bounds": {"min": [-20, -8], "max": [20, 20]},
+       "materials": {"grass": {"color": "#2fbf4f"}, "lava": {"color": "#ff4020"}},
        "spawns": [{"at": [-6, 3]}, {"at": [6, 3]}],
        "statics": [
+         {"at": [0, 17], "shape": {"type": "chain", "points": [[-9, 0], [-3, 0], [3, 0]],
+          "materials": ["grass", "lava"]}},
          {"at": [0, -6], "shape": {"type": "box", "width": 40, "height": 2}},
          {"at": [-13, 5], "shape": {"type": "box", "width": 2, "height": 20}},
          {"at": [13, 5], "shape": {"type": "box", "width": 2, "height": 20}}]}
@@ -76,10 +80,10 @@ public final class CrouchGame implements Game {
     Material skin = new Material(1, 0.4f, 0);
     standing = add(s, new ArchetypeDef("standing").fixedRotation(true), 0.4f, 0.9f, 0.9f, skin);
     crouched = add(s, new ArchetypeDef("crouched").fixedRotation(true), 0.4f, 0.5f, 0.5f, skin);
-    crate = add(s, new ArchetypeDef("crate"), 0.5f, 0.5f, 0, new Material(0.5f, 0.5f, 0.1f));
-    ice = add(s, new ArchetypeDef("ice"), 0.6f, 0.4f, 0.1f, new Material(0.3f, 0.01f, 0));
+    crate = add(s, painted("crate", 0xb08968), 0.5f, 0.5f, 0, new Material(0.5f, 0.5f, 0.1f));
+    ice = add(s, painted("ice", 0x66ddff), 0.6f, 0.4f, 0.1f, new Material(0.3f, 0.01f, 0));
     Filter floorOnly = new Filter(2, ~2, 0);
-    ghost = add(s, new ArchetypeDef("ghost").filter(floorOnly), 0.5f, 0.5f, 0, skin);
+    ghost = add(s, painted("ghost", 0xcc88ee).filter(floorOnly), 0.5f, 0.5f, 0, skin);
     rock = add(s, new ArchetypeDef("rock").type(BodyType.STATIC), 0.5f, 0.5f, 0, skin);
     earth = weather(s, "earth", -10);
     moon = weather(s, "moon", -2);
@@ -90,6 +94,10 @@ public final class CrouchGame implements Game {
     if (s.role() == Role.AUTHORITY && rule == Rule.GRAVITY_CHANGES) {
       s.spawn(earth, 0, 15, 0, null);
     }
+  }
+
+  private static ArchetypeDef painted(String name, int rgb) {
+    return new ArchetypeDef(name).appearance(Appearance.of(rgb, Appearance.Look.CRATE));
   }
 
   private static Archetype add(

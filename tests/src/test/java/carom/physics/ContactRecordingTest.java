@@ -48,6 +48,7 @@ final class ContactRecordingTest {
         assertThrows(IllegalStateException.class, () -> new WorldRecorder(w, 1 << 20, 1))
             .getMessage();
     assertTrue(cannot.startsWith("a world with a collisionFilter can't be recorded"), cannot);
+    assertTrue(cannot.endsWith("set a Filter on shapes, or return false from preSolve"), cannot);
     w.collisionFilter(null);
     new WorldRecorder(w, 1 << 20, 1);
     String late =
@@ -55,5 +56,6 @@ final class ContactRecordingTest {
                 IllegalStateException.class, () -> w.collisionFilter((self, i, other, j) -> true))
             .getMessage();
     assertTrue(late.startsWith("collisionFilter is not possible while calls are recorded"), late);
+    assertTrue(late.endsWith("set a Filter on shapes, or return false from preSolve"), late);
   }
 }

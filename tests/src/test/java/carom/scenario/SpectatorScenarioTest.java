@@ -24,13 +24,18 @@ import carom.replay.Replay;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.sim.Simulation;
 import carom.sim.level.Level;
+import carom.testkit.CrouchGame;
+import carom.testkit.CrouchGame.Rule;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -139,6 +144,71 @@ class SpectatorScenarioTest {
       players.forEach(GameClient::close);
     }
     assertTrue(spectators.get(0).ended());
+  }
+
+  @Test
+  void whatBecameAnotherIsSoForSpectatorsWhenItWas() throws Exception {
+    // Goal: crates are ice, ghosts and rock in a spectator's picture at the ticks at which the
+    // server had them so. Method: what the server had, tick by tick; jumps in the spectator's film.
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    ClientTransport transport = network.client();
+    Level level = CrouchGame.level(Rule.CRATES_CHANGE);
+    ServerConfig config = ServerConfig.defaults().withStatusIntervalS(0).withGameName("become");
+    Map<Integer, String> had = new HashMap<>();
+    List<GameClient> players = new ArrayList<>();
+    Path seen = folder.resolve("become");
+    try (Server server =
+            new Server(
+                config,
+                () -> new CrouchGame(Rule.CRATES_CHANGE),
+                level,
+                network.server(),
+                () -> nowNs);
+        Spectator spectator = new Spectator(ClientConfig.of("s"), 1, transport, seen)) {
+      server.allowSpectators(DELAY_S);
+      players.add(new GameClient(ClientConfig.of("bot"), transport, new Bot(1), () -> 0));
+      Simulation s = server.rooms().get(0).simulation();
+      for (int wait = 0; wait < 2_000 && (s.tick() < 600 || ticks(seen) < 400); wait++) {
+        for (int i = 0; i < 20; i++) {
+          run(server, players, List.of(spectator), 0.005);
+          had.put(s.tick(), kinds(s));
+        }
+        Thread.sleep(2);
+      }
+      assertTrue(ticks(seen) >= 400, spectator.message());
+      try (ReplayClient film = new ReplayClient(seen)) {
+        film.pause(true);
+        int compared = 0;
+        for (int tick : new int[] {90, 170, 250, 390, 330, 10, 389, 240}) {
+          film.seek(tick);
+          do {
+            film.update(nowNs += SLICE_NS);
+          } while (film.seeking());
+          StringBuilder drawn = new StringBuilder();
+          for (int i = 0; i < film.view().entityCount(); i++) {
+            drawn.append(film.view().entity(i).archetype().name()).append(' ');
+          }
+          if (had.containsKey(tick)) {
+            assertEquals(had.get(tick), drawn.toString(), "tick=" + tick);
+            compared++;
+          }
+        }
+        assertTrue(compared >= 4, "compared=" + compared);
+        assertNull(film.divergence());
+      }
+    } finally {
+      players.forEach(GameClient::close);
+    }
+  }
+
+  private static String kinds(Simulation s) {
+    StringBuilder kinds = new StringBuilder();
+    for (int id = 0; id < s.entityCapacity(); id++) {
+      if (s.entity(id) != null) {
+        kinds.append(s.entity(id).archetype().name()).append(' ');
+      }
+    }
+    return kinds.toString();
   }
 
   @Test

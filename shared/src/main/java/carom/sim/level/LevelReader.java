@@ -17,10 +17,12 @@ import static carom.json.JsonFields.wrong;
 import carom.json.Json;
 import carom.json.JsonException;
 import carom.physics.BodyType;
+import carom.physics.ChainDef;
 import carom.physics.MotionLocks;
 import carom.physics.ShapeDef;
 import carom.sim.level.shape.MaterialReader;
 import carom.sim.level.shape.ShapeReader;
+import carom.sim.level.shape.ShapeReader.BodyShapes;
 import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
 import java.util.ArrayList;
@@ -38,6 +40,9 @@ final class LevelReader {
   static final int MAX_STATIC_ITEMS = 2048;
   static final int MAX_BODY_ITEMS = 1024;
   static final int MAX_PLACEMENTS = 16_384;
+
+  /** Most kinds of bodies. The other quarter of all archetypes is the game's. */
+  static final int MAX_ARCHETYPES = Archetypes.MAX * 3 / 4;
 
   /**
    * Most convex parts of all placed statics and bodies together: what a level costs in memory and
@@ -229,28 +234,60 @@ final class LevelReader {
       throws JsonException {
     knownFields(node, known);
     boolean isStatic = known == STATIC;
+    Json shape = required(node, "shape");
+    List<BodyShapes> made = ShapeReader.bodies(shape, node.fields.get("material"), materials);
+    if (!isStatic && made.size() > 1) {
+      throw wrong(
+          shape,
+          " needs "
+              + made.size()
+              + " bodies, because a body takes "
+              + ChainDef.MAX_BODY_PARTS
+              + " lines of one color; move the item to \"statics\", or make it several items");
+    }
+    if (archetypes.size() + made.size() > MAX_ARCHETYPES) {
+      throw wrong(
+          shape,
+          " brings the number of kinds of bodies to "
+              + (archetypes.size() + made.size())
+              + ", beyond the limit of "
+              + MAX_ARCHETYPES
+              + "; use fewer colors along the chain");
+    }
+    for (int i = 0; i < made.size(); i++) {
+      readBody(node, isStatic, made.get(i), i == 0, out);
+    }
+  }
+
+  /**
+   * Reads one of the bodies that an item needs.
+   *
+   * @param isNamed whether joints find it by the item's name
+   */
+  private void readBody(
+      Json node, boolean isStatic, BodyShapes made, boolean isNamed, List<Level.Placement> out)
+      throws JsonException {
     Json bodyName = node.fields.get("name");
     ArchetypeDef def = new ArchetypeDef(bodyName == null ? node.path() : text(bodyName));
     float[] at = vector(required(node, "at"), MAX_COORDINATE);
     float angle = number(node, "angle", 0, -360, 360) * RAD_PER_DEGREE;
-    int parts = 0;
-    Json material = node.fields.get("material");
-    for (ShapeDef shape : ShapeReader.shapes(required(node, "shape"), material, materials)) {
+    for (ShapeDef shape : made.shapes()) {
       def.shape(shape.shape(), shape.material());
-      parts += shape.shape().parts().size();
     }
     def.oneWay(bool(node, "oneWay", false));
     def.sensor(bool(node, "sensor", false));
     def.tag(integer(node, "tag", 0, 0, 65535));
-    def.appearance(appearance(node, isStatic));
+    def.appearance(appearance(node, isStatic, made.rgb()));
     if (isStatic) {
       def.type(BodyType.STATIC);
     } else {
       readMoving(node, def, at);
     }
     int first = out.size();
-    place(node, at, angle, parts, out);
-    jointReader.item(def.name, isStatic, first, out.size() - first);
+    place(node, at, angle, made.parts(), out);
+    if (isNamed) {
+      jointReader.item(def.name, isStatic, first, out.size() - first);
+    }
     archetypes.add(def);
   }
 
@@ -362,9 +399,10 @@ final class LevelReader {
     }
   }
 
-  private Appearance appearance(Json node, boolean isStatic) throws JsonException {
+  private Appearance appearance(Json node, boolean isStatic, int materialRgb) throws JsonException {
     String look = word(node, "look", LOOKS, isStatic ? "wall" : "plain");
-    int rgb = color(node, "color", isStatic ? 0x3d5a80 : 0xb08968);
+    int usual = isStatic ? 0x3d5a80 : 0xb08968;
+    int rgb = color(node, "color", materialRgb < 0 ? usual : materialRgb);
     Appearance plain = Appearance.of(rgb, Appearance.Look.valueOf(look.toUpperCase(Locale.ROOT)));
     return new Appearance(rgb, color(node, "outline", plain.outlineRgb()), plain.look());
   }

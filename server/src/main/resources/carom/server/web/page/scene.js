@@ -1,6 +1,9 @@
 // The room on a canvas: pictures come in, the newest two are blended, and a camera looks at them.
 
 const BODY = 4, JOINT = 7, CELL = 5, CONTACT = 5, POOL = 3, HEAD = 8, AWAKE = 0x80000000;
+const PLAIN_GROUND = 0x3d5a80; // of statics whose level gives them no colour
+
+const hex = rgb => '#' + rgb.toString(16).padStart(6, '0');
 
 /** Reads the numbers of a picture; see PictureBytes. */
 function read(buffer) {
@@ -254,7 +257,7 @@ export class Scene {
     const asleep = this.show.sleeping && look.type !== 'static' && !this.now.awake[i];
     const owned = look.owner >= 0;
     g.fillStyle = look.type === 'static' ? colours.ground
-      : owned ? playerColour(look.owner) : '#' + look.rgb.toString(16).padStart(6, '0');
+      : owned ? playerColour(look.owner) : hex(look.rgb);
     if (this.show.priority && this.now.priorities.length && look.type !== 'static') {
       const part = most > 0 ? Math.sqrt(this.now.priorities[i] / most) : 0;
       g.fillStyle = `hsl(${220 - 220 * part} 80% ${70 - 20 * part}%)`;
@@ -262,7 +265,9 @@ export class Scene {
     g.globalAlpha = look.sensor ? 0.12 : asleep ? 0.3 : 1;
     if (!look.thin) g.fill(look.path);
     g.globalAlpha = look.sensor ? 0.4 : 1;
-    g.strokeStyle = look.slot === this.picked ? colours.accent : asleep ? colours.quiet : colours.edge;
+    const painted = look.thin && look.type === 'static' && look.rgb !== PLAIN_GROUND;
+    g.strokeStyle = look.slot === this.picked ? colours.accent : painted ? hex(look.rgb)
+      : asleep ? colours.quiet : colours.edge;
     g.lineWidth = (look.slot === this.picked ? 3 : look.thin ? 2 : 1) / this.camera.scale;
     if (asleep) g.setLineDash([4 / this.camera.scale, 3 / this.camera.scale]);
     g.stroke(look.path);
@@ -272,7 +277,7 @@ export class Scene {
 
   particles(g, {rgb, spacing, xy}) {
     const size = 1.1 * spacing;
-    g.fillStyle = '#' + rgb.toString(16).padStart(6, '0');
+    g.fillStyle = hex(rgb);
     g.globalAlpha = 0.75;
     for (let i = 0; i < xy.length; i += 2) g.fillRect(xy[i] - size / 2, xy[i + 1] - size / 2, size, size);
     g.globalAlpha = 1;

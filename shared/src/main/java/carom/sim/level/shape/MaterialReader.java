@@ -1,5 +1,6 @@
 package carom.sim.level.shape;
 
+import static carom.json.JsonFields.color;
 import static carom.json.JsonFields.knownFields;
 import static carom.json.JsonFields.number;
 import static carom.json.JsonFields.require;
@@ -24,13 +25,23 @@ public final class MaterialReader {
           "restitution",
           "surfaceSpeed",
           "frictionMixing",
-          "restitutionMixing");
+          "restitutionMixing",
+          "color");
 
   private static final List<String> MIXING =
       List.of("average", "geometricMean", "min", "multiply", "max");
   private static final Material DEFAULT = new Material(1, 0.5f, 0);
+  private static final Surface PLAIN = new Surface(DEFAULT, -1);
 
-  private final Map<String, Material> named = new LinkedHashMap<>();
+  private final Map<String, Surface> named = new LinkedHashMap<>();
+
+  /**
+   * A material with the colour of what is made of it.
+   *
+   * @param material of the physics
+   * @param rgb 0xRRGGBB, or -1 for none
+   */
+  record Surface(Material material, int rgb) {}
 
   /**
    * Reads the materials that have names.
@@ -49,36 +60,38 @@ public final class MaterialReader {
   }
 
   /**
-   * Returns the material that a node names or describes.
+   * Returns the material that a node names or describes, with its colour.
    *
    * @param node a name, an object with a material's fields, or null for the default
    * @throws JsonException naming the place, the value and the limit
    */
-  public Material material(Json node) throws JsonException {
+  Surface surface(Json node) throws JsonException {
     if (node == null) {
-      return DEFAULT;
+      return PLAIN;
     }
     if (node.kind != Json.Kind.STRING) {
       return read(node);
     }
-    Material material = named.get(node.text);
-    if (material == null) {
+    Surface surface = named.get(node.text);
+    if (surface == null) {
       throw unknownWord(node, named.keySet(), "a name under \"materials\"");
     }
-    return material;
+    return surface;
   }
 
-  private static Material read(Json node) throws JsonException {
+  private static Surface read(Json node) throws JsonException {
     knownFields(node, FIELDS);
-    return new Material(
-        number(node, "density", DEFAULT.density(), 0.001f, 1000),
-        number(node, "friction", DEFAULT.friction(), 0, 10),
-        number(node, "restitution", DEFAULT.restitution(), 0, 2),
-        0,
-        number(node, "surfaceSpeed", 0, -1000, 1000),
-        0,
-        mixing(node, "frictionMixing"),
-        mixing(node, "restitutionMixing"));
+    Material material =
+        new Material(
+            number(node, "density", DEFAULT.density(), 0.001f, 1000),
+            number(node, "friction", DEFAULT.friction(), 0, 10),
+            number(node, "restitution", DEFAULT.restitution(), 0, 2),
+            0,
+            number(node, "surfaceSpeed", 0, -1000, 1000),
+            0,
+            mixing(node, "frictionMixing"),
+            mixing(node, "restitutionMixing"));
+    return new Surface(material, color(node, "color", -1));
   }
 
   private static MixingRule mixing(Json node, String field) throws JsonException {

@@ -23,7 +23,10 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 
 /** Reads the shapes of a level file. */
 public final class ShapeReader {
@@ -42,7 +45,7 @@ public final class ShapeReader {
 
   private static final int MAX_PARTS = 32;
   private static final int MAX_POINTS = 64;
-  private static final int MAX_CHAIN_POINTS = 256;
+  private static final int MAX_CHAIN_POINTS = 65_536;
 
   private ShapeReader() {}
 
@@ -65,29 +68,86 @@ public final class ShapeReader {
   }
 
   /**
-   * Reads the shape of a body with its material, or the pieces of a chain with several.
+   * What one body of an item is made of.
+   *
+   * @param shapes in the body's frame
+   * @param rgb the colour of their material, 0xRRGGBB, or -1 for none
+   */
+  public record BodyShapes(List<ShapeDef> shapes, int rgb) {
+    /** Returns the number of convex parts. */
+    public int parts() {
+      int parts = 0;
+      for (ShapeDef shape : shapes) {
+        parts += shape.shape().parts().size();
+      }
+      return parts;
+    }
+  }
+
+  /**
+   * Reads the shape of an item with its material. It needs one body; a chain needs one for each
+   * colour of its materials, and for every {@value ChainDef#MAX_BODY_PARTS} lines.
    *
    * @param node the shape; may be a line or a compound
-   * @param material the body's, or null if it has none
+   * @param material the item's, or null if it has none
    * @param materials finds materials by name
-   * @return in the body's frame; the pieces of a chain in the order of its points
+   * @return one or more bodies at the same place
    * @throws JsonException naming the place, the value and the limit
    */
-  public static List<ShapeDef> shapes(Json node, Json material, MaterialReader materials)
+  public static List<BodyShapes> bodies(Json node, Json material, MaterialReader materials)
       throws JsonException {
+    if (node.kind == Json.Kind.OBJECT && isChain(node.fields.get("type"))) {
+      return chain(node, material, materials);
+    }
     Shape shape = shape(node, true);
+    MaterialReader.Surface surface = materials.surface(material);
+    return List.of(new BodyShapes(List.of(new ShapeDef(shape, surface.material())), surface.rgb()));
+  }
+
+  private static boolean isChain(Json type) {
+    return type != null && "chain".equals(type.text);
+  }
+
+  private static List<BodyShapes> chain(Json node, Json material, MaterialReader materials)
+      throws JsonException {
+    knownFields(node, fields("chain"));
+    required(node, "points");
+    float[] xy = coordinates(list(node, "points", MAX_CHAIN_POINTS));
+    boolean loop = bool(node, "loop", false);
+    MaterialReader.Surface[] surfaces = surfaces(node, xy.length / 2, loop, material, materials);
+    int[] cuts = new int[surfaces.length];
+    int count = 0;
+    int from = 0;
+    for (int i = 1; i < surfaces.length; i++) {
+      if (!surfaces[i].equals(surfaces[i - 1]) || i - from == Chain.MAX_SEGMENTS) {
+        cuts[count++] = i;
+        from = i;
+      }
+    }
+    try {
+      if (count == 0) {
+        Chain chain = loop ? Chain.loop(xy) : Chain.open(xy);
+        return grouped(List.of(chain), surfaces);
+      }
+      return grouped(Chain.pieces(xy, loop, Arrays.copyOf(cuts, count)), surfaces);
+    } catch (IllegalArgumentException e) {
+      throw wrong(node, ": " + e.getMessage());
+    }
+  }
+
+  /** Returns the material of each line of a chain. */
+  private static MaterialReader.Surface[] surfaces(
+      Json node, int points, boolean loop, Json material, MaterialReader materials)
+      throws JsonException {
+    int lines = Math.max(1, loop ? points : points - 1);
+    MaterialReader.Surface[] surfaces = new MaterialReader.Surface[lines];
     if (!node.fields.containsKey("materials")) {
-      return List.of(new ShapeDef(shape, materials.material(material)));
+      Arrays.fill(surfaces, materials.surface(material));
+      return surfaces;
     }
     if (material != null) {
       throw wrong(material, " has no effect beside \"materials\" of the chain; remove one of them");
     }
-    return pieces(node, shape.parts().size(), materials);
-  }
-
-  /** Returns the pieces of a chain with a material for each line. */
-  private static List<ShapeDef> pieces(Json node, int lines, MaterialReader materials)
-      throws JsonException {
     List<Json> names = list(node, "materials", MAX_CHAIN_POINTS);
     if (names.size() != lines) {
       throw wrong(
@@ -98,12 +158,34 @@ public final class ShapeReader {
               + lines
               + ": one material for each line from a point to the next");
     }
-    float[] xy = coordinates(node.fields.get("points").items);
-    ChainDef chain = bool(node, "loop", false) ? ChainDef.loop(xy) : ChainDef.open(xy);
     for (int i = 0; i < lines; i++) {
-      chain.material(i, materials.material(names.get(i)));
+      surfaces[i] = materials.surface(names.get(i));
     }
-    return chain.shapes();
+    return surfaces;
+  }
+
+  /**
+   * Returns bodies of the pieces of a chain: pieces of one colour share them while there is room.
+   */
+  private static List<BodyShapes> grouped(List<Chain> pieces, MaterialReader.Surface[] surfaces) {
+    List<BodyShapes> bodies = new ArrayList<>();
+    Map<Integer, BodyShapes> open = new TreeMap<>();
+    Map<Integer, Integer> parts = new TreeMap<>();
+    int line = 0;
+    for (Chain piece : pieces) {
+      MaterialReader.Surface surface = surfaces[line];
+      int more = piece.parts().size();
+      line += more;
+      int sum = parts.merge(surface.rgb(), more, Integer::sum);
+      if (sum == more || sum > ChainDef.MAX_BODY_PARTS) {
+        BodyShapes body = new BodyShapes(new ArrayList<>(), surface.rgb());
+        bodies.add(body);
+        open.put(surface.rgb(), body);
+        parts.put(surface.rgb(), more);
+      }
+      open.get(surface.rgb()).shapes().add(new ShapeDef(piece, surface.material()));
+    }
+    return bodies;
   }
 
   private static Shape shape(Json node, boolean compoundAllowed) throws JsonException {
@@ -126,7 +208,6 @@ public final class ShapeReader {
         case "polygon" -> polygon(node);
         case "capsule" -> capsule(node);
         case "segment" -> segment(node);
-        case "chain" -> chain(node);
         default -> compound(node);
       };
     } catch (IllegalArgumentException e) {
@@ -175,12 +256,6 @@ public final class ShapeReader {
     float[] from = vector(required(node, "from"), MAX_SIZE);
     float[] to = vector(required(node, "to"), MAX_SIZE);
     return new Segment(from[0], from[1], to[0], to[1]);
-  }
-
-  private static Chain chain(Json node) throws JsonException {
-    required(node, "points");
-    float[] xy = coordinates(list(node, "points", MAX_CHAIN_POINTS));
-    return bool(node, "loop", false) ? Chain.loop(xy) : Chain.open(xy);
   }
 
   private static Compound compound(Json node) throws JsonException {

@@ -6,6 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import carom.server.config.ServerConfig;
+import carom.testkit.CrouchGame;
+import carom.testkit.CrouchGame.Rule;
+import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.nio.file.Files;
@@ -132,6 +136,35 @@ final class BrowserTest {
                   + " caromScene.toScreen(p[0], p[1]); return (r.x + x) + ' ' + (r.y + y); })()");
       browser.clickAt(Double.parseDouble(at.split(" ")[0]), Double.parseDouble(at.split(" ")[1]));
       browser.await("document.getElementById('body').innerText.includes('entity')");
+      assertEquals(List.of(), browser.errors());
+    }
+  }
+
+  @Test
+  void bodiesThatBecomeOthersAndLinesOfAColourAreDrawnAsWhatTheyAre() throws Exception {
+    // Goal: the page follows a body from archetype to archetype, and draws the colours of a chain.
+    Stepper stepper = Stepper.of(CrouchGame.level(Rule.CRATES_CHANGE), ServerConfig.defaults());
+    try (PageRig rig = new PageRig(stepper, folder, true);
+        Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
+      browser.look(1200, 900, false);
+      browser.open(rig.web.url());
+      browser.await("window.caromScene && caromScene.now && caromScene.names.size === 2");
+      browser.evaluate(
+          "(() => { window.kinds = new Map(); setInterval(() => caromScene.looks.forEach((look,"
+              + " slot) => { if (!kinds.has(slot)) kinds.set(slot, new Set());"
+              + " kinds.get(slot).add(look.kind); }), 20); return ''; })()");
+      Set<Integer> wanted =
+          Set.of(
+              0xffb08968, 0xff66ddff, 0xffcc88ee, 0xff2fbf4f, 0xffff4020); // three kinds, two lines
+      Set<Integer> seen = new HashSet<>();
+      for (int i = 0; i < 200 && !seen.containsAll(wanted); i++) {
+        seen.addAll(colours(canvas(browser)));
+      }
+      Set<Integer> missing = new HashSet<>(wanted);
+      missing.removeAll(seen);
+      assertEquals(Set.of(), missing, "colours that are never drawn");
+      browser.await(
+          "[...kinds.values()].some(k => ['crate', 'ice', 'ghost', 'rock'].every(x => k.has(x)))");
       assertEquals(List.of(), browser.errors());
     }
   }

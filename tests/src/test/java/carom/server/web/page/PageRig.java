@@ -27,7 +27,7 @@ final class PageRig implements AutoCloseable {
 
   static final String TOKEN = "a token of the test";
 
-  final Stepper stepper = Stepper.of("arena");
+  final Stepper stepper;
   final LoggerContext logging = new LoggerContext();
   final WebServer web;
   private final Thread watch;
@@ -40,6 +40,12 @@ final class PageRig implements AutoCloseable {
    * @param strangersWatch whether the page shows rooms without the token
    */
   PageRig(Path folder, boolean strangersWatch) throws IOException {
+    this(Stepper.of("arena"), folder, strangersWatch);
+  }
+
+  /** Starts everything with a game of its own; closes the stepper in the end. */
+  PageRig(Stepper stepper, Path folder, boolean strangersWatch) throws IOException {
+    this.stepper = stepper;
     DataFolder data = new DataFolder(folder);
     Files.writeString(data.adminToken(), TOKEN + "\n");
     stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
