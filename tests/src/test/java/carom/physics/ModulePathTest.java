@@ -1,5 +1,6 @@
 package carom.physics;
 
+import static java.util.stream.Collectors.toSet;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -8,11 +9,15 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.lang.module.ModuleDescriptor;
+import java.lang.module.ModuleFinder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.spi.ToolProvider;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -32,6 +37,8 @@ class ModulePathTest {
       import carom.physics.World;
       import carom.physics.WorldDef;
       import carom.physics.geometry.Box;
+      import carom.physics.mover.Mover;
+      import carom.physics.mover.MoverDef;
 
       public final class Main {
         public static void main(String[] args) {
@@ -47,6 +54,12 @@ class ModulePathTest {
           }
           for (int tick = 0; tick < 60; tick++) {
             world.step(1 / 60f);
+          }
+          Mover<String> mover = new Mover<>(world, new MoverDef<String>(1.8f, .3f));
+          mover.setPosition(-30, 1);
+          mover.move(3, -10, 1 / 60f);
+          if (!mover.isOnGround()) {
+            throw new AssertionError(mover.y());
           }
           System.out.println(World.class.getModule().getName());
           System.out.println(kernels());
@@ -135,6 +148,19 @@ class ModulePathTest {
     } catch (ClassNotFoundException | LinkageError e) {
       return "scalar";
     }
+  }
+
+  /** All packages are for users, but those of the step and of its kernels. */
+  @Test
+  void modulesSeeEveryPackageThatIsForUsers() {
+    ModuleDescriptor module =
+        ModuleFinder.of(Path.of(jar)).find("carom.physics").orElseThrow().descriptor();
+    Set<String> exported =
+        module.exports().stream().map(ModuleDescriptor.Exports::source).collect(toSet());
+    Set<String> forUsers = new TreeSet<>(module.packages());
+    forUsers.removeIf(name -> name.matches("carom\\.physics\\.(dynamics|simd)(\\..*)?"));
+    assertEquals(forUsers, new TreeSet<>(exported));
+    assertTrue(exported.contains("carom.physics.mover"), exported.toString());
   }
 
   @Test
