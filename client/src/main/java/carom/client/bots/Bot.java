@@ -17,6 +17,7 @@ import java.util.List;
  */
 public final class Bot implements InputSource {
   private static final int THINK_TICKS = 7;
+  private static final int LONGEST_MOOD_TICKS = 160;
 
   /** Most bots of a side that chase the same ball; more would stand in each other's way. */
   private static final int CHASERS = 3;
@@ -59,11 +60,11 @@ public final class Bot implements InputSource {
 
   @Override
   public void sample(ClientView view, int tick, Input out) {
-    if (tick >= thinkAt) {
+    if (isDue(thinkAt, tick, THINK_TICKS)) {
       thinkAt = tick + THINK_TICKS;
       held.clear();
-      if (tick >= changeMindAt) {
-        changeMindAt = tick + 40 + random.nextInt(120);
+      if (isDue(changeMindAt, tick, LONGEST_MOOD_TICKS)) {
+        changeMindAt = tick + 40 + random.nextInt(LONGEST_MOOD_TICKS - 40);
         wanderX = 2 * random.nextFloat() - 1;
         wanderY = 2 * random.nextFloat() - 1;
         bold = random.nextInt(3) > 0;
@@ -75,6 +76,11 @@ public final class Bot implements InputSource {
       }
     }
     out.set(held);
+  }
+
+  /** Returns whether a moment has come, or is of another match, whose ticks ran further. */
+  private static boolean isDue(int at, int tick, int longestWait) {
+    return tick >= at || at - tick > longestWait;
   }
 
   private void play(ClientView view) {

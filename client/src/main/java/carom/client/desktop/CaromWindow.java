@@ -186,7 +186,11 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     if (download != null) {
       recording.seek(Integer.MAX_VALUE);
     }
-    later(() -> show(player)); // not while the start screen handles a key
+    if (screen == null) {
+      show(player);
+    } else {
+      later(() -> show(player)); // not while the start screen handles a key
+    }
     return "";
   }
 

@@ -79,8 +79,8 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--external",
       paramLabel = "NAME=PROGRAM",
       description =
-          "A program that measures another engine, for instance a native one: it gets the name of"
-              + " the scene and takes its turns as docs/BENCHMARKS.md tells. Repeatable.")
+          "A program that measures another engine, for instance a native one: it gets the scene's"
+              + " name and files, and takes its turns as docs/BENCHMARKS.md tells. Repeatable.")
   private Map<String, Path> external = Map.of();
 
   @Option(
@@ -205,7 +205,7 @@ public final class BenchCommand implements Callable<Integer> {
       throws IOException, InterruptedException {
     try {
       for (Entrant entrant : job.entrants(wanted)) {
-        processes.add(new BenchProcess(job.name(), entrant, command(job, entrant)));
+        processes.add(process(job, entrant));
       }
       List<BenchProcess> busy = new ArrayList<>(processes);
       for (int round = 0; !busy.isEmpty(); round++) {
@@ -260,11 +260,22 @@ public final class BenchCommand implements Callable<Integer> {
     return ratios;
   }
 
-  private List<String> command(BenchJob job, Entrant entrant) {
+  private BenchProcess process(BenchJob job, Entrant entrant) throws IOException {
     Path program = external.get(entrant.engine());
-    if (program != null) {
-      return List.of(program.toString(), job.name());
+    if (program == null) {
+      return new BenchProcess(job.name(), entrant, command(job, entrant), null);
     }
+    List<String> command = new ArrayList<>(List.of(program.toString(), job.name()));
+    SceneFile file = null;
+    if (job instanceof SceneJob ofScene) {
+      BenchScene how = ofScene.scene();
+      file = SceneFile.of(quick ? how.quick() : how);
+      command.addAll(List.of(file.scene().toString(), file.poses().toString()));
+    }
+    return new BenchProcess(job.name(), entrant, command, file);
+  }
+
+  private List<String> command(BenchJob job, Entrant entrant) {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-Xms256m", "-Xmx3g", "-XX:+UseSerialGC"));

@@ -17,6 +17,7 @@ import java.util.List;
 final class BenchProcess implements AutoCloseable {
   private final String job;
   private final Entrant entrant;
+  private final SceneFile scene;
   private final File errors;
   private final Process process;
   private final OutputStream turns;
@@ -29,11 +30,14 @@ final class BenchProcess implements AutoCloseable {
    * @param job the job that it measures
    * @param entrant the entrant that it measures
    * @param command the command to run
+   * @param scene the scene as the program was given it, closed with this; or null
    * @throws IOException if there is no such program
    */
-  BenchProcess(String job, Entrant entrant, List<String> command) throws IOException {
+  BenchProcess(String job, Entrant entrant, List<String> command, SceneFile scene)
+      throws IOException {
     this.job = job;
     this.entrant = entrant;
+    this.scene = scene;
     errors = File.createTempFile("carom-bench", ".err");
     try {
       process = new ProcessBuilder(command).redirectError(errors).start();
@@ -76,7 +80,8 @@ final class BenchProcess implements AutoCloseable {
   /** Returns the row in a process's last line. A malformed line costs this row only. */
   private BenchRow rowOf(String json) {
     try {
-      return BenchRow.ofJson(json);
+      BenchRow read = BenchRow.ofJson(json);
+      return scene == null ? read : scene.judged(read);
     } catch (IOException e) {
       return BenchRow.failed(job, entrant, e.getMessage());
     }
@@ -101,5 +106,8 @@ final class BenchProcess implements AutoCloseable {
   public void close() {
     process.destroyForcibly();
     errors.delete();
+    if (scene != null) {
+      scene.close();
+    }
   }
 }

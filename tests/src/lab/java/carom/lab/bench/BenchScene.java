@@ -26,6 +26,9 @@ record BenchScene(
           of("tumbler", 300, 300, Gate.still(5000, 25)),
           of("pile_2k", 240, 240, Gate.still(20_000, 60)),
           of("pile_10k", 240, 240, Gate.still(200_000, 90)),
+          of("pile_polygons", 240, 240, Gate.still(20_000, 60)),
+          of("pile_compounds", 240, 240, Gate.still(20_000, 60).deep(0.25)),
+          of("pile_mixed", 240, 240, Gate.still(20_000, 60).deep(0.25)),
           of("joint_grid", 60, 240, Gate.FINITE.joined(1)),
           // The block has a mass of 512 kg and a speed of 40 m/s.
           of("smash", 60, 200, new Gate(415_000, 0, 0.2, 1, 1000, Integer.MAX_VALUE)),

@@ -139,7 +139,7 @@ final class BenchTable {
     return row.counts() ? "" : "!";
   }
 
-  /** Returns a line per scene: the first row's time, and the other rows and Box2D v3 beside it. */
+  /** Returns a line per scene: the first row's time, and the other rows beside it. */
   private static List<List<String>> ratios(List<BenchRow> rows) {
     Map<String, BenchRow> firsts = firsts(rows);
     Set<String> others = new LinkedHashSet<>();
@@ -151,7 +151,6 @@ final class BenchTable {
     firsts.values().stream().limit(1).forEach(first -> others.remove(first.entrant().toString()));
     List<String> header = new ArrayList<>(List.of("scene", "ms"));
     header.addAll(others);
-    header.add("of Box2D v3's time");
     List<List<String>> lines = new ArrayList<>(List.of(header));
     for (BenchRow first : firsts.values()) {
       if (Double.isNaN(first.kineticEnergy())) {
@@ -169,7 +168,6 @@ final class BenchTable {
         }
         line.add(cell);
       }
-      line.add(Box2dV3.multiple(first));
       lines.add(line);
     }
     return others.isEmpty() ? List.of(header) : lines;

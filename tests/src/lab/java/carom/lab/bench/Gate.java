@@ -35,6 +35,16 @@ record Gate(
     return new Gate(1.05 * energy, 0.95 * energy, 0.25, ANY, maxCoordinate, Integer.MAX_VALUE);
   }
 
+  /**
+   * Returns a copy for compounds, which interlock while they fall: two parts of a body then hold it
+   * from opposite sides, in every engine.
+   *
+   * @param maxDepth deepest overlap allowed, m
+   */
+  Gate deep(double maxDepth) {
+    return new Gate(maxEnergy, minEnergy, maxDepth, maxJointGap, maxCoordinate, maxAwake);
+  }
+
   /** Returns a copy that also requires the hinges to hold. */
   Gate joined(double gap) {
     return new Gate(maxEnergy, minEnergy, maxPenetration, gap, maxCoordinate, maxAwake);

@@ -2,11 +2,14 @@ package carom.lab.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Times;
+import carom.sim.scene.SceneReport;
+import carom.sim.scene.catalog.Scenes;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonToken;
@@ -158,7 +161,10 @@ class BenchCommandTest {
     assertTrue(err.toString().contains("kd_two_sorts"), "the tables: " + err);
   }
 
-  /** A program that takes two turns, and says so in a row of its own. */
+  /**
+   * A program that takes two turns, and says so in a row of its own. It reads the scene, and leaves
+   * it as it was.
+   */
   @Test
   @DisabledOnOs(OS.WINDOWS)
   void programOfAnotherEngineTakesItsTurns() throws Exception {
@@ -169,7 +175,10 @@ class BenchCommandTest {
         program,
         """
         #!/bin/sh
-        read turn && echo turn && read turn && test "$1" = gas_1k && echo '%s'
+        read turn && echo turn && read turn && test "$1" = gas_1k || exit 1
+        awk '$1 == "run" && ($2 != 60 || $3 != 60 || $4 != 60) {exit 1}' "$2" || exit 1
+        awk '$1 == "body" {print $3, $4, $5, $6, $7, $8, $9, $11}' "$2" > "$3"
+        echo '%s'
         """
             .formatted(row));
     assertTrue(program.toFile().setExecutable(true));
@@ -190,6 +199,33 @@ class BenchCommandTest {
         Double.parseDouble(carom.get("ratios.toy")),
         1e-6);
     assertEquals(2, out.toString().lines().count(), out.toString());
+    Map<String, String> toy = parse(out.toString().lines().skip(1).findFirst().orElseThrow());
+    assertEquals("1000", toy.get("awake"));
+    double begin = SceneReport.of(Scenes.get("gas_1k").start().world()).kineticEnergy();
+    assertEquals(begin, Double.parseDouble(toy.get("kineticEnergy")), 1e-6 * begin);
+    assertEquals("", toy.get("fault"));
+  }
+
+  @Test
+  void aSceneIsWrittenWithAllThatOtherEnginesNeed() throws Exception {
+    Path folder;
+    try (SceneFile file = SceneFile.of(BenchScene.of("joint_grid"))) {
+      folder = file.scene().getParent();
+      List<String> lines = Files.readAllLines(file.scene());
+      assertEquals("run 60 240 60", lines.get(0));
+      assertEquals("world 0.0 -10.0 0", lines.get(1));
+      assertEquals("body static 47.0 0.0 1.0 0.0 0.0 0.0 0.0 1.0 0", lines.get(2 + 2 * 4700));
+      assertEquals("shape 1.0 0.6 0.0 -1 0.4 1 0.0 0.0", lines.get(3 + 2 * 4700));
+      assertEquals(19_800, lines.stream().filter(line -> line.startsWith("revolute ")).count());
+      assertEquals("revolute 0 1 0.0 -0.5", lines.get(2 + 2 * 10_000));
+
+      Files.writeString(file.poses(), "1 2 3\n");
+      BenchRow row =
+          BenchRow.of("joint_grid", Entrant.of("toy"), 9993, new Times(1, 1, 1, 1, Double.NaN));
+      IOException e = assertThrows(IOException.class, () -> file.judged(row));
+      assertTrue(e.getMessage().contains("poses=1, bodies=10000"), e.getMessage());
+    }
+    assertFalse(Files.exists(folder), "temporary files are deleted");
   }
 
   @Test

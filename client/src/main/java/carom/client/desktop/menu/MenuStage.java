@@ -29,6 +29,7 @@ final class MenuStage implements Disposable {
   private final Runnable submit;
   private final Runnable back;
   private final List<Actor> parts = new ArrayList<>();
+  private ScrollPane pane;
   private int focus;
   private IntConsumer capture;
 
@@ -56,7 +57,7 @@ final class MenuStage implements Disposable {
 
   /**
    * Shows a menu that fills the window. The focus stays with the part of the same name, or without
-   * one at its place.
+   * one at its place, and what was scrolled stays so; see {@link #top}.
    */
   void show(Table content) {
     Actor before = stage.getKeyboardFocus();
@@ -72,9 +73,26 @@ final class MenuStage implements Disposable {
           }
         });
     parts.clear();
+    float scrolled = pane == null ? 0 : pane.getScrollY();
+    pane = null;
     collect(content);
+    if (pane != null) {
+      stage.setScrollFocus(pane); // the wheel scrolls it wherever the mouse is
+      pane.validate();
+      pane.setScrollY(scrolled);
+      pane.updateVisualScroll();
+    }
     int named = focused == null ? -1 : indexOf(focused);
-    focus(named >= 0 ? named : Math.min(focus, parts.size() - 1));
+    boolean stays = before != null;
+    focus(named >= 0 ? named : Math.min(focus, parts.size() - 1), !stays);
+  }
+
+  /** Scrolls up, because another page begins. */
+  void top() {
+    if (pane != null) {
+      pane.setScrollY(0);
+      pane.updateVisualScroll();
+    }
   }
 
   private int indexOf(String name) {
@@ -90,12 +108,17 @@ final class MenuStage implements Disposable {
     if (actor instanceof TextButton || actor instanceof TextField) {
       parts.add(actor);
     } else if (actor instanceof Group group) {
+      pane = actor instanceof ScrollPane found ? found : pane;
       group.getChildren().forEach(this::collect);
     }
   }
 
-  /** Moves the focus to a part, the first being 0. */
+  /** Moves the focus to a part, the first being 0, and scrolls so that it is seen. */
   void focus(int part) {
+    focus(part, true);
+  }
+
+  private void focus(int part, boolean scrolls) {
     focus = Math.max(0, part);
     if (focus < parts.size()) {
       Actor actor = parts.get(focus);
@@ -103,12 +126,10 @@ final class MenuStage implements Disposable {
       if (actor instanceof TextField field) {
         field.setCursorPosition(field.getText().length());
       }
-      for (Actor above = actor.getParent(); above != null; above = above.getParent()) {
-        if (above instanceof ScrollPane pane) {
-          pane.validate();
-          Vector2 at = actor.localToAscendantCoordinates(pane.getActor(), new Vector2());
-          pane.scrollTo(at.x, at.y, actor.getWidth(), actor.getHeight());
-        }
+      if (scrolls && pane != null && actor.isDescendantOf(pane)) {
+        pane.validate();
+        Vector2 at = actor.localToAscendantCoordinates(pane.getActor(), new Vector2());
+        pane.scrollTo(at.x, at.y, actor.getWidth(), actor.getHeight());
       }
     }
   }

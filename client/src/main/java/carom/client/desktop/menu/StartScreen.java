@@ -114,6 +114,7 @@ public final class StartScreen extends ScreenAdapter {
     stage.show(root);
     if (entering) {
       entering = false;
+      stage.top();
       stage.focus(pages.size() + 1); // the first part of the page
     }
   }

@@ -16,6 +16,7 @@ import com.badlogic.gdx.scenes.scene2d.ui.TextField;
 import com.badlogic.gdx.scenes.scene2d.utils.ChangeListener;
 import com.badlogic.gdx.scenes.scene2d.utils.Drawable;
 import com.badlogic.gdx.scenes.scene2d.utils.NinePatchDrawable;
+import com.badlogic.gdx.scenes.scene2d.utils.TextureRegionDrawable;
 import com.badlogic.gdx.utils.Align;
 import com.badlogic.gdx.utils.Array;
 import com.badlogic.gdx.utils.Disposable;
@@ -29,30 +30,38 @@ public final class Widgets implements Disposable {
   /** Height of a field or button. */
   static final float HEIGHT = 36;
 
+  private static final float BAR_GAP = 12;
+
   private final Fonts fonts;
   private final Array<Disposable> owned = new Array<>();
   private final Drawable panel;
   private final Drawable plain;
   private final Drawable over;
+  private final Drawable focused;
   private final Drawable accent;
   private final Drawable accentOver;
+  private final Drawable accentFocused;
   private final Drawable field;
   private final Drawable fieldFocused;
   private final Drawable selection;
   private final Drawable bar;
+  private final Drawable caret;
 
   /** Creates the drawables. The fonts stay the property of the caller. */
   public Widgets(Fonts fonts) {
     this.fonts = fonts;
     panel = box(Theme.DIALOG, Theme.PANEL_LINE);
     plain = box(Theme.rgb(0x1b2534), Theme.PANEL_LINE);
-    over = box(Theme.rgb(0x26354b), Theme.ACCENT);
+    over = box(Theme.rgb(0x223047), Theme.PANEL_LINE);
+    focused = box(Theme.rgb(0x26354b), Theme.ACCENT);
     accent = box(Theme.ACCENT, Theme.ACCENT);
-    accentOver = box(Theme.rgb(0xffd08a), Theme.TEXT);
+    accentOver = box(Theme.rgb(0xffc266), Theme.ACCENT);
+    accentFocused = box(Theme.rgb(0xffd08a), Theme.TEXT);
     field = box(Theme.rgb(0x141b27), Theme.PANEL_LINE);
     fieldFocused = box(Theme.rgb(0x182234), Theme.ACCENT);
     selection = box(Theme.rgb(0x2f4d78), Theme.rgb(0x2f4d78));
     bar = box(Theme.PANEL_LINE, Theme.PANEL_LINE);
+    caret = line(Theme.ACCENT);
   }
 
   /** Returns how many pixels a point has. */
@@ -98,12 +107,12 @@ public final class Widgets implements Disposable {
 
   /** Returns a button. */
   TextButton button(String text, Runnable action) {
-    return button(text, fonts.text(), Theme.TEXT, plain, over, action);
+    return button(text, fonts.text(), Theme.TEXT, plain, over, focused, action);
   }
 
   /** Returns the button that a page is there for. */
   TextButton primary(String text, Runnable action) {
-    return button(text, fonts.large(), Theme.BACKDROP, accent, accentOver, action);
+    return button(text, fonts.large(), Theme.BACKDROP, accent, accentOver, accentFocused, action);
   }
 
   /** Returns a button that is a line of a list. */
@@ -123,15 +132,28 @@ public final class Widgets implements Disposable {
   }
 
   private static TextButton button(
-      String text, BitmapFont font, Color color, Drawable up, Drawable over, Runnable action) {
+      String text,
+      BitmapFont font,
+      Color color,
+      Drawable up,
+      Drawable over,
+      Drawable focused,
+      Runnable action) {
     TextButton.TextButtonStyle style = new TextButton.TextButtonStyle();
     style.font = font;
     style.fontColor = color;
     style.up = up;
     style.over = over;
-    style.focused = over;
-    style.down = over;
-    TextButton button = new TextButton(text, style);
+    style.focused = focused;
+    style.down = focused;
+    TextButton button =
+        new TextButton(text, style) {
+          @Override
+          protected Drawable getBackgroundDrawable() {
+            // The focus shows under the mouse, too, so that exactly one button has its frame.
+            return hasKeyboardFocus() ? focused : super.getBackgroundDrawable();
+          }
+        };
     button.setUserObject(action);
     button.addListener(
         new ChangeListener() {
@@ -150,8 +172,7 @@ public final class Widgets implements Disposable {
     style.fontColor = Theme.TEXT;
     style.background = field;
     style.focusedBackground = fieldFocused;
-    style.cursor = box(Theme.ACCENT, Theme.ACCENT);
-    style.cursor.setMinWidth(2);
+    style.cursor = caret;
     style.selection = selection;
     TextField made = new TextField(text, style);
     made.setMaxLength(maxLength);
@@ -167,8 +188,9 @@ public final class Widgets implements Disposable {
     return table;
   }
 
-  /** Returns a frame that scrolls what is too high for it. */
-  ScrollPane scroll(Actor content) {
+  /** Returns a frame that scrolls what is too high for it; keeps its bar off the content. */
+  ScrollPane scroll(Table content) {
+    content.padRight(BAR_GAP);
     ScrollPane.ScrollPaneStyle style = new ScrollPane.ScrollPaneStyle();
     style.vScrollKnob = bar;
     ScrollPane pane = new ScrollPane(content, style);
@@ -176,6 +198,18 @@ public final class Widgets implements Disposable {
     pane.setScrollingDisabled(true, false);
     pane.setOverscroll(false, false);
     return pane;
+  }
+
+  /** Returns a line that stands beside a letter, not on it. */
+  private Drawable line(Color color) {
+    Pixmap pixels = new Pixmap(3, 1, Pixmap.Format.RGBA8888);
+    pixels.setBlending(Pixmap.Blending.None);
+    pixels.setColor(color);
+    pixels.fillRectangle(1, 0, 2, 1);
+    Texture texture = new Texture(pixels);
+    pixels.dispose();
+    owned.add(texture);
+    return new TextureRegionDrawable(texture);
   }
 
   private Drawable box(Color fill, Color line) {

@@ -9,6 +9,7 @@ import carom.physics.Material;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
+import carom.physics.geometry.Compound;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Transform;
@@ -35,6 +36,45 @@ public final class BenchmarkScenes {
   private static final int STACK = 5;
 
   private static final Material IDEAL = new Material(1, 0, 1);
+
+  /** Distance of the bodies of a pile at the start, m; no shape of a pile is wider. */
+  private static final double PITCH = 0.8;
+
+  private static final List<Shape> SIMPLE =
+      List.of(
+          new Circle(0.25f), new Box(0.25f, 0.25f), Polygon.regular(5, 0.3f), new Box(0.3f, 0.15f));
+
+  private static final List<Shape> POLYGONS =
+      List.of(
+          Polygon.regular(3, 0.3f),
+          Polygon.regular(6, 0.3f),
+          Polygon.of(-0.3f, -0.15f, 0.3f, -0.15f, 0.1f, 0.15f, -0.2f, 0.15f),
+          Polygon.regular(8, 0.3f),
+          Polygon.regular(5, 0.3f));
+
+  /** A bowl, a girder and a dumbbell, of three parts each. */
+  private static final List<Shape> COMPOUNDS =
+      List.of(
+          Compound.of(
+              new Box(0.25f, 0.08f, 0, -0.15f),
+              new Box(0.08f, 0.15f, -0.17f, 0.08f),
+              new Box(0.08f, 0.15f, 0.17f, 0.08f)),
+          Compound.of(
+              new Box(0.25f, 0.07f, 0, 0.18f),
+              new Box(0.07f, 0.11f),
+              new Box(0.25f, 0.07f, 0, -0.18f)),
+          Compound.of(
+              new Box(0.2f, 0.06f), new Circle(0.13f, -0.2f, 0), new Circle(0.13f, 0.2f, 0)));
+
+  private static final List<Shape> MIXED =
+      List.of(
+          new Circle(0.25f),
+          Polygon.regular(3, 0.3f),
+          COMPOUNDS.get(0),
+          POLYGONS.get(2),
+          new Box(0.3f, 0.15f),
+          COMPOUNDS.get(1),
+          Polygon.regular(6, 0.3f));
 
   private BenchmarkScenes() {}
 
@@ -150,13 +190,41 @@ public final class BenchmarkScenes {
    * @return a scene
    */
   public static Scene pile(int bodies, int columns, double width) {
+    return pile(
+        "pile", bodies + " bodies of four shapes fall into a bin", bodies, columns, width, SIMPLE);
+  }
+
+  /** Makes 2,000 polygons of three to eight corners that fall into a bin. */
+  static Scene pileOfPolygons() {
+    return pile(
+        "pile_polygons", "2000 polygons of five kinds fall into a bin", 2000, 50, 45, POLYGONS);
+  }
+
+  /** Makes 1,500 bodies of three parts each that fall into a bin. */
+  static Scene pileOfCompounds() {
+    return pile(
+        "pile_compounds",
+        "1500 bowls, girders and dumbbells fall into a bin",
+        1500,
+        40,
+        36,
+        COMPOUNDS);
+  }
+
+  /** Makes 2,000 bodies of every kind of shape that fall into a bin. */
+  static Scene pileOfAll() {
+    return pile("pile_mixed", "2000 bodies of seven shapes fall into a bin", 2000, 50, 45, MIXED);
+  }
+
+  private static Scene pile(
+      String name, String what, int bodies, int columns, double width, List<Shape> shapes) {
     return scene(
-        "pile",
-        bodies + " bodies of four shapes fall into a bin",
+        name,
+        what,
         new View(0, (float) width * 0.3f, (float) width + 6, (float) width * 0.7f),
         s -> {
           bin(s, width, 90);
-          pile(s, bodies, columns);
+          pile(s, bodies, columns, shapes);
         });
   }
 
@@ -169,20 +237,17 @@ public final class BenchmarkScenes {
     s.body(new BodyDef().shape(wall).position(half + 1, (float) (height / 2)));
   }
 
-  private static void pile(Stage<?> s, int bodies, int columns) {
-    Shape[] shapes = {
-      new Circle(0.25f), new Box(0.25f, 0.25f), Polygon.regular(5, 0.3f), new Box(0.3f, 0.15f)
-    };
+  private static void pile(Stage<?> s, int bodies, int columns, List<Shape> shapes) {
     SimRandom rng = new SimRandom(1);
     for (int k = 0; k < bodies; k++) {
       int column = k % columns;
       int row = k / columns;
-      double x = (column - (columns - 1) / 2.0) * 0.8 + in(rng, -0.1, 0.1);
-      double y = 1 + 0.8 * row + in(rng, -0.1, 0.1);
+      double x = (column - (columns - 1) / 2.0) * PITCH + in(rng, -0.1, 0.1);
+      double y = 1 + PITCH * row + in(rng, -0.1, 0.1);
       double angle = in(rng, -Math.PI, Math.PI);
       s.body(
           new BodyDef(BodyType.DYNAMIC)
-              .shape(shapes[k % 4])
+              .shape(shapes.get(k % shapes.size()))
               .position((float) x, (float) y)
               .angle((float) angle));
     }

@@ -34,6 +34,9 @@ public final class Scenes {
     add(pile.named("pile_2k", pile.description()));
     pile = BenchmarkScenes.pile(10_000, 125, 110);
     add(pile.named("pile_10k", pile.description()));
+    add(BenchmarkScenes.pileOfPolygons());
+    add(BenchmarkScenes.pileOfCompounds());
+    add(BenchmarkScenes.pileOfAll());
     add(BenchmarkScenes.jointGrid(100));
     add(BenchmarkScenes.smash(120, 80));
     for (int thousands : new int[] {1, 10, 50}) {

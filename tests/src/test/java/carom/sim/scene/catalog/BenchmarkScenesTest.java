@@ -24,6 +24,9 @@ final class BenchmarkScenesTest {
     SIZES.put("tumbler", new int[] {2025, 0});
     SIZES.put("pile_2k", new int[] {2000, 0});
     SIZES.put("pile_10k", new int[] {10_000, 0});
+    SIZES.put("pile_polygons", new int[] {2000, 0});
+    SIZES.put("pile_compounds", new int[] {1500, 0});
+    SIZES.put("pile_mixed", new int[] {2000, 0});
     SIZES.put("joint_grid", new int[] {9993, 19_800});
     SIZES.put("smash", new int[] {9601, 0});
     SIZES.put("gas_1k", new int[] {1000, 0});

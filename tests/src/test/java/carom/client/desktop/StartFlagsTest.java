@@ -1,0 +1,127 @@
+package carom.client.desktop;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import carom.client.app.ClientMain;
+import carom.client.bots.Bot;
+import carom.game.Games;
+import carom.net.kryo.KryoServerTransport;
+import carom.net.transport.Impairment;
+import carom.server.Server;
+import carom.server.config.ServerConfig;
+import carom.sim.level.Level;
+import carom.testkit.Stepper;
+import carom.testkit.VirtualDisplay;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: each way to start the window shows a picture. Method: a window on a virtual display for
+ * each flag, which ends by itself and says nothing on standard error.
+ */
+@Timeout(300)
+final class StartFlagsTest {
+  @TempDir private Path folder;
+
+  @BeforeEach
+  void needsXvfb() {
+    assumeTrue(VirtualDisplay.available(), "Xvfb is not installed (Debian: apt-get install xvfb)");
+  }
+
+  @Test
+  void withoutFlagsTheStartScreenShows() throws Exception {
+    assertShows();
+  }
+
+  @Test
+  void aSceneShows() throws Exception {
+    assertShows("--scene", "pyramid");
+  }
+
+  @Test
+  void aRecordingShows() throws Exception {
+    Path recorded = folder.resolve("match.carom");
+    try (Stepper stepper = Stepper.of("arena")) {
+      stepper.server().record(recorded);
+      stepper.join("Ann", Impairment.NONE, new Bot(1));
+      stepper.run(6);
+    }
+    assertShows("--replay", recorded.toString());
+  }
+
+  @Test
+  void aServersGameShowsPlayedAndWatched() throws Exception {
+    try (Server server =
+        new Server(
+            ServerConfig.defaults().withGameName("arena"),
+            () -> Games.create("arena"),
+            Level.builtIn("arena"),
+            new KryoServerTransport(0, 0),
+            System::nanoTime)) {
+      server.allowSpectators(1);
+      server.start();
+      String address = "localhost:" + server.tcpPort();
+      assertShows("--host", address);
+      assertShows("--watch", "--host", address);
+    }
+  }
+
+  /** Starts a window with flags, and asserts that it shows more than a bare ground. */
+  private void assertShows(String... flags) throws Exception {
+    Path picture = folder.resolve("window.png");
+    Path output = folder.resolve("window.txt");
+    List<String> command = new ArrayList<>();
+    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
+    command.addAll(List.of("-Dkryo.unsafe=false", "-cp", System.getProperty("java.class.path")));
+    command.add(ClientMain.class.getName());
+    command.addAll(List.of("--settings", folder.resolve("player.conf").toString()));
+    command.addAll(List.of("--volume", "0", "--seconds", "3", "--screenshot", picture.toString()));
+    command.addAll(List.of(flags));
+    try (VirtualDisplay display = VirtualDisplay.open()) {
+      ProcessBuilder builder =
+          new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
+      builder.environment().put("DISPLAY", display.name());
+      builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+      Process window = builder.start();
+      try {
+        assertTrue(window.waitFor(100, TimeUnit.SECONDS), () -> "never ends\n" + read(output));
+      } finally {
+        window.destroyForcibly();
+      }
+      assertEquals(0, window.exitValue(), () -> read(output));
+    }
+    assertTrue(!read(output).contains("Exception"), () -> read(output));
+    BufferedImage image = ImageIO.read(picture.toFile());
+    Set<Integer> colours = new HashSet<>();
+    for (int y = 0; y < image.getHeight(); y += 2) {
+      for (int x = 0; x < image.getWidth(); x += 2) {
+        colours.add(image.getRGB(x, y));
+      }
+    }
+    assertTrue(colours.size() > 60, List.of(flags) + " shows colours: " + colours.size());
+    Files.delete(picture);
+  }
+
+  private static String read(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      return "no output: " + e;
+    }
+  }
+}
