@@ -196,6 +196,7 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.finding",
         "carom.sim.spawn");
+    allow("carom.sim.gauge", "carom.sim.event", "carom.sim.field");
     allow(
         "carom.sim.entity",
         "carom.physics..",
@@ -229,6 +230,7 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
+        "carom.sim.gauge",
         "carom.sim.message",
         "carom.sim.history",
         "carom.sim.random",
@@ -414,6 +416,7 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
+        "carom.sim.gauge",
         "carom.sim.message",
         "carom.sim.pool",
         "carom.sim.random");
