@@ -1,7 +1,7 @@
 package carom.launcher;
 
 import carom.client.app.LocalGames;
-import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.server.KryoServerTransport;
 import carom.net.transport.PortUnavailableException;
 import carom.server.Server;
 import carom.server.config.RoomConfig;

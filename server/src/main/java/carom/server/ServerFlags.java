@@ -1,7 +1,7 @@
 package carom.server;
 
 import carom.game.Games;
-import carom.net.kryo.KryoLimits;
+import carom.net.kryo.server.KryoLimits;
 import carom.net.seal.Encryption;
 import carom.net.transport.Impairment;
 import carom.options.BadFlag;

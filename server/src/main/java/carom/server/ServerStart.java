@@ -1,9 +1,9 @@
 package carom.server;
 
-import carom.net.kryo.KryoLimits;
 import carom.net.kryo.KryoMessageCodec;
-import carom.net.kryo.KryoServerTransport;
-import carom.net.kryo.ServerIdentity;
+import carom.net.kryo.server.KryoLimits;
+import carom.net.kryo.server.KryoServerTransport;
+import carom.net.kryo.server.ServerIdentity;
 import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.PortUnavailableException;

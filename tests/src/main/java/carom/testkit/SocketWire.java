@@ -1,7 +1,7 @@
 package carom.testkit;
 
 import carom.net.kryo.KryoClientTransport;
-import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.server.KryoServerTransport;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ServerTransport;
 import java.util.concurrent.locks.LockSupport;

@@ -310,6 +310,12 @@ final class ArchitectureTest {
         "carom.net.codec",
         "carom.net.snapshot.frame",
         "carom.physics.rows"); // what a joint was made with
+    allow(
+        "carom.net.snapshot.selection",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame",
+        "carom.net.snapshot.record");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows", "carom.text");
     allow("carom.values");
@@ -326,11 +332,9 @@ final class ArchitectureTest {
         "carom.net.seal",
         "carom.net.admission",
         "carom.text");
-    allow("carom.net.kryo.listen");
     allow("carom.net.kryo.message", "carom.net.protocol", "carom.text");
     allow(
         "carom.net.kryo",
-        "carom.net.kryo.listen",
         "carom.net.kryo.message",
         "carom.net.protocol",
         "carom.net.transport",
@@ -339,6 +343,16 @@ final class ArchitectureTest {
         "carom.net.admission",
         "carom.net.frame",
         "carom.net.codec",
+        "carom.values");
+    allow(
+        "carom.net.kryo.server",
+        "carom.net.kryo",
+        "carom.net.protocol",
+        "carom.net.transport",
+        "carom.net.seal",
+        "carom.net.datagram",
+        "carom.net.admission",
+        "carom.net.frame",
         "carom.values");
     allow("carom.options", "carom.net.transport", "carom.text");
     allow(
@@ -390,6 +404,7 @@ final class ArchitectureTest {
         "carom.client.app",
         "carom.client.bots",
         "carom.net.kryo",
+        "carom.net.kryo.server",
         "carom.net.transport",
         "carom.sim.level",
         "carom.physics.threads");

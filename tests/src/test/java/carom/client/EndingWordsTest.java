@@ -11,7 +11,7 @@ import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.game.Games;
 import carom.net.kryo.KryoClientTransport;
-import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.server.KryoServerTransport;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Protocol;

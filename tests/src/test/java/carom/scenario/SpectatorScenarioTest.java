@@ -14,7 +14,7 @@ import carom.client.replay.SpectatorThread;
 import carom.game.arena.ArenaGame;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
-import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.server.KryoServerTransport;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.InProcessNetwork;

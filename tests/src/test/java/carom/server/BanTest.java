@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.kryo.KryoClientTransport;
-import carom.net.kryo.KryoLimits;
-import carom.net.kryo.KryoServerTransport;
-import carom.net.kryo.ServerIdentity;
+import carom.net.kryo.server.KryoLimits;
+import carom.net.kryo.server.KryoServerTransport;
+import carom.net.kryo.server.ServerIdentity;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.RefusalReason;

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.kryo.KryoClientTransport;
-import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.server.KryoServerTransport;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.transport.Link;

@@ -1,6 +1,6 @@
 package carom.server.config;
 
-import carom.net.kryo.ServerIdentity;
+import carom.net.kryo.server.ServerIdentity;
 import carom.net.seal.Encryption;
 import carom.net.seal.ServerKey;
 import java.io.IOException;

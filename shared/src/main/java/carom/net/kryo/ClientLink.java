@@ -295,12 +295,13 @@ final class ClientLink extends ClientEnd {
   private final class ClientFrames extends FrameCodec {
 
     @Override
-    void writeRegistration(Connection connection, ByteBuffer buffer, Object registration) {
+    protected void writeRegistration(
+        Connection connection, ByteBuffer buffer, Object registration) {
       throw new IllegalStateException("a client registers by a datagram");
     }
 
     @Override
-    StreamSeal streamSeal(Connection connection) {
+    protected StreamSeal streamSeal(Connection connection) {
       return ClientLink.this.streamSeal();
     }
 

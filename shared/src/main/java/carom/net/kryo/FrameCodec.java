@@ -10,15 +10,15 @@ import com.esotericsoftware.kryonet.Serialization;
 import java.nio.ByteBuffer;
 
 /** Codec between KryoNet's objects and frames. Writing is the same on both sides; reading isn't. */
-abstract class FrameCodec implements Serialization {
+public abstract class FrameCodec implements Serialization {
   /**
    * Result of reading a frame that KryoNet need not know about. It is not null, because KryoNet
    * takes null for "incomplete".
    */
-  static final Object HANDLED = new Object();
+  public static final Object HANDLED = new Object();
 
   /** Returns the bytes that a frame takes in a TCP write buffer at most. */
-  static int tcpBytes(Object frame) {
+  public static int tcpBytes(Object frame) {
     int plain =
         frame instanceof Frame.Payload payload
             ? payload.tcpBytes()
@@ -31,10 +31,11 @@ abstract class FrameCodec implements Serialization {
    *
    * @param buffer behind the tag
    */
-  abstract void writeRegistration(Connection connection, ByteBuffer buffer, Object registration);
+  protected abstract void writeRegistration(
+      Connection connection, ByteBuffer buffer, Object registration);
 
   /** Returns the seal of what leaves by a connection's TCP, or null while that is in the clear. */
-  abstract StreamSeal streamSeal(Connection connection);
+  protected abstract StreamSeal streamSeal(Connection connection);
 
   /**
    * {@inheritDoc}
@@ -58,7 +59,7 @@ abstract class FrameCodec implements Serialization {
   }
 
   /** Learns that a frame is in the stream's buffer, under the lock of the stream. */
-  void written(Connection connection, byte tag) {
+  protected void written(Connection connection, byte tag) {
     // a client needs nothing
   }
 

@@ -3,7 +3,7 @@ package carom.net.kryo;
 import com.esotericsoftware.minlog.Log;
 
 /** Process-wide settings of Kryo and KryoNet, made before their first class loads. */
-final class Setup {
+public final class Setup {
 
   static {
     // Kryo's use of sun.misc.Unsafe makes newer JDKs print warnings, and Carom doesn't need it.
@@ -21,7 +21,7 @@ final class Setup {
    * Runs the settings. The static initialiser of each class that touches Kryo or KryoNet first
    * calls it.
    */
-  static void ensure() {
+  public static void ensure() {
     // the static initialiser does it
   }
 }

@@ -1,18 +1,17 @@
 /**
- * Links over TCP and UDP, safe on open ports. This is the only package that uses KryoNet and Kryo.
+ * Links over TCP and UDP, safe on open ports. Only this package and {@code server} below it use
+ * KryoNet and Kryo.
  *
- * <p>It drives KryoNet through the public API only and uses none of its threads, serializers or
+ * <p>They drive KryoNet through its public API and use none of its threads, serializers or
  * defaults. On the server, KryoNet carries TCP. UDP has a socket of its own, because KryoNet reads
  * one datagram per {@code select} and searches all connections for its sender. The main classes:
- * {@code ServerNetwork} (update loop, admission, sweeps), {@code DatagramPort} (the UDP socket),
- * {@code ServerConnection} (what an unknown client may do), {@code FrameCodec} (KryoNet's objects
- * as frames).
+ * {@code FrameCodec} (KryoNet's objects as frames), {@code KryoMessageCodec} (messages as bytes)
+ * and {@code ClientLink} (the client's end).
  *
  * <p>Imports {@code carom.net.protocol}, {@code carom.net.transport}, {@code carom.net.frame},
- * {@code carom.net.datagram}, {@code carom.net.admission}, {@code carom.net.seal}, {@code
- * carom.text}, KryoNet, Kryo, JCTools and the JDK only.
+ * {@code carom.net.seal}, {@code carom.net.codec}, KryoNet, Kryo, JCTools and the JDK only.
  *
- * <p>Read first: {@link carom.net.kryo.KryoServerTransport}, {@link
- * carom.net.kryo.KryoClientTransport}, {@link carom.net.kryo.KryoLimits}.
+ * <p>Read first: {@link carom.net.kryo.KryoClientTransport}, {@link carom.net.kryo.FrameCodec},
+ * {@link carom.net.kryo.KryoMessageCodec}.
  */
 package carom.net.kryo;

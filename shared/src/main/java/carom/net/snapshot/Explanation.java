@@ -1,5 +1,6 @@
 package carom.net.snapshot;
 
+import carom.net.snapshot.selection.BaselineReason;
 import java.util.Locale;
 
 /**

@@ -2,8 +2,9 @@
  * Snapshots: the world as integers once per tick, and per session the difference to what that
  * client is known to have.
  *
- * <p>This package puts the sections of a datagram together, takes them apart, and chooses which
- * entities a client is sent. Each section is described by one method that writes and reads:
+ * <p>This package puts the sections of a datagram together, and takes them apart; {@code selection}
+ * chooses which entities a client is sent. Each section is described by one method that writes and
+ * reads:
  *
  * <pre>
  *           ┌──────────────── only if it has an own section ───────────────┐
@@ -24,6 +25,6 @@
  * <p>{@code docs/PROTOCOL.md} has the bytes and the rules. {@code frame} is what the sections
  * describe. All of it sees arrays and bytes, no worlds and no transport. Read first: {@link
  * carom.net.snapshot.SnapshotEncoder}, {@link carom.net.snapshot.SnapshotDecoder}, {@link
- * carom.net.snapshot.ClientKnowledge}, {@link carom.net.snapshot.Selection}.
+ * carom.net.snapshot.selection.ClientKnowledge}, {@link carom.net.snapshot.selection.Selection}.
  */
 package carom.net.snapshot;

@@ -5,7 +5,6 @@ import carom.physics.World;
 import carom.physics.WorldState;
 import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveReader;
-import carom.sim.field.SavedFields;
 import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;

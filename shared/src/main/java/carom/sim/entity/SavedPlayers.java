@@ -1,7 +1,6 @@
 package carom.sim.entity;
 
 import carom.physics.archive.Archive;
-import carom.sim.field.SavedFields;
 import carom.sim.field.Scope;
 import java.util.Arrays;
 

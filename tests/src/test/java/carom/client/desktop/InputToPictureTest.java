@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.game.Games;
-import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.server.KryoServerTransport;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import carom.client.app.ClientMain;
 import carom.client.bots.Bot;
 import carom.game.Games;
-import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.server.KryoServerTransport;
 import carom.net.transport.Impairment;
 import carom.server.Server;
 import carom.server.config.ServerConfig;

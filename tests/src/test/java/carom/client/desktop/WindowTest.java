@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import carom.client.app.ClientMain;
 import carom.client.desktop.paint.ViewCamera;
 import carom.game.Games;
-import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.server.KryoServerTransport;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.Simulation;

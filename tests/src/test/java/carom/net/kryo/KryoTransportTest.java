@@ -10,6 +10,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.frame.Frame;
 import carom.net.frame.Trust;
+import carom.net.kryo.server.KryoLimits;
+import carom.net.kryo.server.KryoServerTransport;
+import carom.net.kryo.server.ServerIdentity;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.Encryption;

@@ -1,4 +1,6 @@
-package carom.net.snapshot;
+package carom.net.snapshot.selection;
+
+import carom.net.snapshot.SnapshotEncoder;
 
 /** Says what an entity's record is coded against, and why. */
 public enum BaselineReason {

@@ -1,5 +1,6 @@
-package carom.net.snapshot;
+package carom.net.snapshot.selection;
 
+import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.frame.FrameState;
 
 /**

@@ -1,4 +1,4 @@
-package carom.net.kryo.listen;
+package carom.net.kryo.server;
 
 import com.esotericsoftware.kryonet.Server;
 import java.io.IOException;

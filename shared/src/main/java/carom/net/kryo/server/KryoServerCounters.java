@@ -1,4 +1,4 @@
-package carom.net.kryo;
+package carom.net.kryo.server;
 
 import carom.net.transport.NetworkCounter;
 import java.util.List;
@@ -106,7 +106,7 @@ public final class KryoServerCounters {
   }
 
   /** Returns the values that should be 0 and aren't, in words. */
-  String troubles() {
+  public String troubles() {
     StringBuilder text = new StringBuilder();
     append(text, refused, "refused");
     append(text, evicted, "gave way before they had opened");

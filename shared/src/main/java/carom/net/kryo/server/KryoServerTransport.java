@@ -1,4 +1,4 @@
-package carom.net.kryo;
+package carom.net.kryo.server;
 
 import carom.net.seal.Encryption;
 import carom.net.transport.Link;

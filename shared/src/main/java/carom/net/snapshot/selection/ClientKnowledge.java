@@ -1,4 +1,4 @@
-package carom.net.snapshot;
+package carom.net.snapshot.selection;
 
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
@@ -23,7 +23,7 @@ import java.util.Arrays;
  *
  * <p>One thread, no allocation in the steady state.
  */
-final class ClientKnowledge {
+public final class ClientKnowledge {
   private static final int MIN_LENGTH = 64;
   private static final int UNKNOWN = -1;
 
@@ -65,7 +65,7 @@ final class ClientKnowledge {
   /** The frame of the last {@link #baseline} that was {@link BaselineReason#ACKED}, else null. */
   private FrameState held;
 
-  ClientKnowledge(FrameRing ring, Interest interest, RecordSizes sizes, int bestStride) {
+  public ClientKnowledge(FrameRing ring, Interest interest, RecordSizes sizes, int bestStride) {
     this.ring = ring;
     this.interest = interest;
     this.sizes = sizes;
@@ -74,7 +74,7 @@ final class ClientKnowledge {
   }
 
   /** Forgets all: the client knows nothing but the level. */
-  void reset() {
+  public void reset() {
     acked.clear();
     heldTicks.clear();
     lastSent.clear();
@@ -134,7 +134,7 @@ final class ClientKnowledge {
   // ---- what was sent, and what has arrived
 
   /** Takes an ack: the client has received what was written of some slots of a word at a tick. */
-  void ack(int word, long slots, int tick) {
+  public void ack(int word, long slots, int tick) {
     long meant = slots;
     if (tick < newestSightTick[word]) {
       for (long rest = slots; rest != 0; rest &= rest - 1) {
@@ -181,7 +181,7 @@ final class ClientKnowledge {
   }
 
   /** Makes the slot's next record absolute, whatever was acked. */
-  void force(int slot) {
+  public void force(int slot) {
     ensure(slot + 1);
     forced.add(slot);
     candidates.add(slot);
@@ -189,7 +189,7 @@ final class ClientKnowledge {
   }
 
   /** Considers a slot that may have come into view. */
-  void notice(int slot) {
+  public void notice(int slot) {
     ensure(slot + 1);
     if (!inSight.has(slot)) {
       candidates.add(slot);
@@ -198,12 +198,12 @@ final class ClientKnowledge {
   }
 
   /** Returns whether a slot is in the client's sight. */
-  boolean isInSight(int slot) {
+  public boolean isInSight(int slot) {
     return inSight.has(slot);
   }
 
   /** Returns those of 64 neighbouring slots, from 64 {@code word} on, that are in sight. */
-  long inSight(int word) {
+  public long inSight(int word) {
     return inSight.word(word);
   }
 
@@ -218,12 +218,12 @@ final class ClientKnowledge {
   }
 
   /** Returns the newest tick of the slot that the client has acked, or -1. */
-  int ackedTick(int slot) {
+  public int ackedTick(int slot) {
     return acked.get(slot);
   }
 
   /** Returns the last tick at which a record of the slot was sent, or -1. */
-  int sentTick(int slot) {
+  public int sentTick(int slot) {
     return lastSent.get(slot);
   }
 
@@ -234,7 +234,7 @@ final class ClientKnowledge {
    *
    * @return how many entities there is something to say about
    */
-  int update(FrameState now) {
+  public int update(FrameState now) {
     collect(now);
     touched = false;
     count = 0;
@@ -252,7 +252,7 @@ final class ClientKnowledge {
   }
 
   /** Updates as {@link #update}, unless its last answer still holds. */
-  int updated(FrameState now) {
+  public int updated(FrameState now) {
     return touched || seenTick != now.tick() ? update(now) : count;
   }
 
@@ -400,7 +400,7 @@ final class ClientKnowledge {
    * BaselineReason#ACKED} the frame is left in {@link #held}: that of the acked tick, or if it has
    * left the ring, the newest one in which the slot still is as it was then.
    */
-  BaselineReason baseline(FrameState now, int slot) {
+  public BaselineReason baseline(FrameState now, int slot) {
     held = null;
     if (slot >= sightTick.length || isSettled(now, slot)) {
       return BaselineReason.QUIESCENT;

@@ -1,6 +1,10 @@
-package carom.sim.field;
+package carom.sim.entity;
 
 import carom.physics.archive.Archive;
+import carom.sim.field.Field;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

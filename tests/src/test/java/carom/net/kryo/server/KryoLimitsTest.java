@@ -1,4 +1,4 @@
-package carom.net.kryo;
+package carom.net.kryo.server;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

@@ -1,4 +1,4 @@
-package carom.net.kryo;
+package carom.net.kryo.server;
 
 import carom.net.admission.Entrance;
 import carom.net.admission.Hosts;
@@ -7,7 +7,9 @@ import carom.net.admission.WorkProof;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.LinkTable;
 import carom.net.frame.Frame;
-import carom.net.kryo.listen.Acceptor;
+import carom.net.kryo.FrameCodec;
+import carom.net.kryo.KryoMessageCodec;
+import carom.net.kryo.Setup;
 import carom.net.seal.DatagramOpener;
 import carom.net.seal.StreamSeal;
 import carom.net.transport.Link;
@@ -434,19 +436,20 @@ final class ServerNetwork implements Runnable {
   /** The codec through which the server reads TCP. */
   private final class ServerFrames extends FrameCodec {
     @Override
-    void writeRegistration(Connection connection, ByteBuffer buffer, Object registration) {
+    protected void writeRegistration(
+        Connection connection, ByteBuffer buffer, Object registration) {
       if (registration instanceof RegisterTCP) {
         buffer.put(((ServerConnection) connection).greeting());
       }
     }
 
     @Override
-    StreamSeal streamSeal(Connection connection) {
+    protected StreamSeal streamSeal(Connection connection) {
       return ((ServerConnection) connection).streamSeal();
     }
 
     @Override
-    void written(Connection connection, byte tag) {
+    protected void written(Connection connection, byte tag) {
       if (tag == Frame.KEY_ANSWER) {
         ((ServerConnection) connection).sealStream();
       }

@@ -1,4 +1,4 @@
-package carom.net.snapshot;
+package carom.net.snapshot.selection;
 
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
@@ -14,7 +14,7 @@ import java.util.Arrays;
  *
  * <p>One thread, no allocation in the steady state.
  */
-final class Selection {
+public final class Selection {
   /** Classes of weight for sorting: eight to an octave, from 2^-8 to 2^24. */
   private static final int CLASSES = 256;
 
@@ -69,7 +69,7 @@ final class Selection {
   private long runSlots;
   private int baseline;
 
-  Selection(FrameRing ring, Interest interest, RecordSizes sizes, ClientKnowledge client) {
+  public Selection(FrameRing ring, Interest interest, RecordSizes sizes, ClientKnowledge client) {
     this.ring = ring;
     this.interest = interest;
     this.sizes = sizes;
@@ -77,7 +77,7 @@ final class Selection {
   }
 
   /** Forgets what was chosen, and all priority that was collected. */
-  void reset() {
+  public void reset() {
     Arrays.fill(weight, 0);
     weighty.clear();
     chosen.clear();
@@ -104,7 +104,7 @@ final class Selection {
    *
    * @param count how many candidates there are
    */
-  void choose(FrameState now, int count, int budgetBytes) {
+  public void choose(FrameState now, int count, int budgetBytes) {
     ensure(client.slotLimit());
     waiting = count;
     boolean waited = chosen.next(0) >= 0 || leastChosen > 0;
@@ -131,7 +131,7 @@ final class Selection {
   }
 
   /** Returns what a slot collects per tick. */
-  float priority(FrameState now, int slot) {
+  public float priority(FrameState now, int slot) {
     if (!client.seesAlive(slot)) {
       return 1;
     }
@@ -179,24 +179,24 @@ final class Selection {
   // ---- giving
 
   /** Returns whether anything chosen isn't written yet. */
-  boolean hasChosen() {
+  public boolean hasChosen() {
     return chosen.next(0) >= 0 || spare.next(0) >= 0;
   }
 
   /** Begins a datagram: gives all that isn't written yet again, the chosen slots first. */
-  void rewind() {
+  public void rewind() {
     onSpare = false;
     cursor = 0;
   }
 
   /** Goes on to the slots that are given if room is left. */
-  void toSpare() {
+  public void toSpare() {
     onSpare = true;
     cursor = 0;
   }
 
   /** Goes on to runs, of the chosen slots or of the spare ones. */
-  void toRuns() {
+  public void toRuns() {
     cursor = 0;
     groups = 0;
   }
@@ -205,7 +205,7 @@ final class Selection {
    * Returns the next slot, ascending, that goes alone, as it has no frame to be coded against;
    * {@link SlotSet#NONE} at the end.
    */
-  int nextSingle(FrameState now) {
+  public int nextSingle(FrameState now) {
     SlotSet from = onSpare ? spare : chosen;
     for (int slot = from.next(cursor); slot >= 0; slot = from.next(slot + 1)) {
       int word = slot >> 6;
@@ -227,7 +227,7 @@ final class Selection {
    *
    * @return whether there is one
    */
-  boolean nextRun(FrameState now) {
+  public boolean nextRun(FrameState now) {
     SlotSet from = onSpare ? spare : chosen;
     while (groups == 0) {
       int word = from.nextWord(cursor);
@@ -260,17 +260,17 @@ final class Selection {
   }
 
   /** Returns the run's word: its slots are some from 64 times that on. */
-  int runWord() {
+  public int runWord() {
     return cursor - 1;
   }
 
   /** Returns the run's slots: the lowest bit is the first of the word. */
-  long runSlots() {
+  public long runSlots() {
     return runSlots;
   }
 
   /** Returns what the run is coded against. */
-  int baseline() {
+  public int baseline() {
     return baseline;
   }
 
@@ -306,7 +306,7 @@ final class Selection {
   // ---- what was written
 
   /** Notes that a record of the slot was written that isn't part of a run. */
-  void wroteSingle(int slot, int tick, int bits) {
+  public void wroteSingle(int slot, int tick, int bits) {
     if (client.seesAlive(slot)) {
       sizes.wroteAbsolute(bits);
     }
@@ -314,7 +314,7 @@ final class Selection {
   }
 
   /** Notes that some slots of a word were written as a run. */
-  void wroteRun(int word, long slots, int tick, int bits) {
+  public void wroteRun(int word, long slots, int tick, int bits) {
     sizes.wroteRun(Long.bitCount(slots), bits);
     wrote(word, slots, tick);
   }
@@ -330,17 +330,17 @@ final class Selection {
   }
 
   /** Returns how many entities there is something to say about that weren't written since. */
-  int waiting() {
+  public int waiting() {
     return waiting;
   }
 
   /** Returns the priority that a slot has collected since it was sent. */
-  float weight(int slot) {
+  public float weight(int slot) {
     return slot < weight.length ? weight[slot] : 0;
   }
 
   /** Returns the least priority that anything chosen had collected; 0 when everything fitted. */
-  float leastChosen() {
+  public float leastChosen() {
     return leastChosen;
   }
 }

@@ -1,4 +1,4 @@
-package carom.net.kryo;
+package carom.net.kryo.server;
 
 import carom.net.admission.Entrance;
 import carom.net.admission.Origin;
@@ -7,6 +7,7 @@ import carom.net.datagram.FloodMeter;
 import carom.net.datagram.TokenBucket;
 import carom.net.frame.Frame;
 import carom.net.frame.FramedLink;
+import carom.net.kryo.FrameCodec;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
 import carom.net.seal.DatagramOpener;

@@ -1,0 +1,16 @@
+/**
+ * The server's end of KryoNet: the TCP acceptor, the update loop, and what an unknown client may
+ * do.
+ *
+ * <pre>
+ *   Acceptor ──► ServerNetwork ──► ServerConnection ──► an inbox per link
+ *                (one thread)  ◄── DatagramPort, the UDP socket
+ * </pre>
+ *
+ * <p>Imports {@code carom.net.kryo} for frames and messages, the packages of {@code carom.net} that
+ * it imports, KryoNet, JCTools and the JDK only.
+ *
+ * <p>Read first: {@link carom.net.kryo.server.KryoServerTransport}, {@link
+ * carom.net.kryo.server.KryoLimits}, {@link carom.net.kryo.server.ServerConnection}.
+ */
+package carom.net.kryo.server;
