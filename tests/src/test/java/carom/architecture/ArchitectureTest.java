@@ -214,6 +214,7 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.finding",
         "carom.sim.spawn");
+    allow("carom.sim.gauge", "carom.sim.event", "carom.sim.field");
     allow(
         "carom.sim.entity",
         "carom.physics..",
@@ -247,6 +248,7 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
+        "carom.sim.gauge",
         "carom.sim.message",
         "carom.sim.history",
         "carom.sim.random",
@@ -447,6 +449,7 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
+        "carom.sim.gauge",
         "carom.sim.message",
         "carom.sim.pool",
         "carom.sim.random");

@@ -137,6 +137,11 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     game.client(new GameClient(visit, transport, game.devices()));
     game.netGraph(options.netGraph());
     game.debug(options.debug());
+    game.adviceAlone(
+        local != null
+            ? "You are alone here. For bots: Esc, Leave the game, Play here"
+            : "You are alone here. For bots: carom-bots --host "
+                + new ServerAddress(config.host(), config.tcpPort(), config.udpPort()).toText());
     show(game);
     if (local != null && !local.invitation().isEmpty()) {
       game.announce(local.invitation());

@@ -22,6 +22,7 @@ import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
+import carom.sim.gauge.Gauge;
 import carom.sim.level.Level;
 import carom.sim.match.MatchPhase;
 import java.util.List;
@@ -155,6 +156,16 @@ public final class ArenaGame implements Game {
   @Override
   public List<String> teams() {
     return List.of(Pitch.TEAM_NAMES[1], Pitch.TEAM_NAMES[2]);
+  }
+
+  @Override
+  public int teamRgb(int team) {
+    return Pitch.TEAM_COLORS[team];
+  }
+
+  @Override
+  public List<Gauge> gauges() {
+    return List.of(Gauge.teamScore(ArenaFields.GOALS));
   }
 
   @Override
