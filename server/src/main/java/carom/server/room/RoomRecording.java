@@ -130,7 +130,6 @@ final class RoomRecording {
           + room.simulation().game().name()
           + " keeps more than its state: it can be recorded from its start on only, by --record";
     }
-    Simulation simulation = room.simulation();
     RecordingFile created;
     try {
       created = RecordingFile.create(path);
@@ -145,8 +144,8 @@ final class RoomRecording {
       created.discard();
       return "not recorded: " + e.getMessage();
     }
-    LOG.info("{}recorded to {} from tick {} on", room.label(), path, simulation.tick());
-    return "recording to " + path + " from tick=" + simulation.tick() + " on";
+    LOG.info("{}recorded to {} from tick {} on", room.label(), path, begunAt);
+    return "recording to " + path + " from tick=" + begunAt + " on";
   }
 
   /** Ends for an operator and returns a line that says what happened. */
