@@ -64,6 +64,13 @@ final class ScreensTest {
   }
 
   @Test
+  void aLargeLevelAloneAndPlayersWithHealth() throws Exception {
+    for (Look look : LOOKS) {
+      assertInOrder("others", look, 2);
+    }
+  }
+
+  @Test
   void aReplayAndTheEndOfItsMatch() throws Exception {
     Path recorded = folder.resolve("match.carom");
     try (Stepper stepper = Stepper.of("arena")) {
