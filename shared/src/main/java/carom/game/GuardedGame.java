@@ -12,6 +12,7 @@ import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
+import carom.sim.gauge.Gauge;
 import carom.sim.level.Level;
 import carom.sim.match.MatchPhase;
 import carom.sim.message.Emote;
@@ -126,6 +127,16 @@ public final class GuardedGame implements Game {
   @Override
   public List<String> teams() {
     return game.teams();
+  }
+
+  @Override
+  public int teamRgb(int team) {
+    return game.teamRgb(team);
+  }
+
+  @Override
+  public List<Gauge> gauges() {
+    return game.gauges();
   }
 
   @Override

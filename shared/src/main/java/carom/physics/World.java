@@ -50,8 +50,8 @@ import java.util.function.IntFunction;
 public final class World<T> {
   /**
    * Version of the simulation's behaviour. It is raised whenever a change makes equal worlds behave
-   * differently. States as bytes, recordings and connections of another version are refused; {@code
-   * carom.net.protocol.Protocol} has the same number.
+   * differently. Recordings and connections of another version are refused, states as bytes tell it
+   * ({@link WorldState#physicsVersion}). {@code carom.net.protocol.Protocol} has the same number.
    */
   public static final int PHYSICS_VERSION = 6;
 
@@ -729,6 +729,7 @@ public final class World<T> {
     WorldState s = reuseOrNull == null ? new WorldState(this) : reuseOrNull;
     checkOwner(s);
     s.def = def;
+    s.physicsVersion = PHYSICS_VERSION;
     dynamics.save(s.dynamics, handles.sameBodies(s.handles));
     handles.copyTo(s.handles, store.slots(), joints.slots());
     return s;
@@ -760,9 +761,9 @@ public final class World<T> {
   /**
    * Reads a state that {@link WorldState#write} has written, in this or another program. {@link
    * #restore} then restores it: bodies keep their slots and generations, and this world continues
-   * like the one that was saved, to the bit. Bodies and joints that this world has under the same
-   * slot and generation keep their handles. A body that shall stand for another user gets a new
-   * handle.
+   * like the one that was saved, to the bit if {@link WorldState#physicsVersion} is this build's.
+   * Bodies and joints that this world has under the same slot and generation keep their handles. A
+   * body that shall stand for another user gets a new handle.
    *
    * <p>The bytes need not be trusted: they either make a state that can be stepped or are refused.
    * Memory stays in proportion to them, except for the parts of shapes, which are at most 2^20. The
@@ -772,8 +773,8 @@ public final class World<T> {
    * @param users returns the user of the body in a slot; a null user means the one that the body
    *     has here
    * @return the state, which belongs to this world
-   * @throws ArchiveException if the bytes are damaged, of another physics version, or of a world
-   *     with another definition
+   * @throws ArchiveException if the bytes are damaged, of another format, or of a world with
+   *     another definition
    */
   public WorldState read(ArchiveReader archive, IntFunction<T> users) {
     WorldState s = WorldState.read(archive, this, users);

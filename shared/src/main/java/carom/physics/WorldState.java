@@ -18,7 +18,7 @@ import java.util.function.IntFunction;
  * allocation unless the world grew.
  */
 public final class WorldState {
-  /** Version of the byte format. Raise it with every change of the format. */
+  /** Version of the byte format. Every change of the format raises it. */
   private static final int FORMAT = 2;
 
   private static final BodyType[] BODY_TYPES = BodyType.values();
@@ -28,6 +28,9 @@ public final class WorldState {
 
   /** The constants that the world has. */
   WorldDef def;
+
+  /** The version of the arithmetic that computed the state. */
+  int physicsVersion = World.PHYSICS_VERSION;
 
   final DynamicsState dynamics;
   final Handles<?> handles = new Handles<>();
@@ -47,6 +50,17 @@ public final class WorldState {
    */
   public long bytes() {
     return dynamics.bytes();
+  }
+
+  /**
+   * Returns the version of the arithmetic that computed the state, see {@link
+   * World#PHYSICS_VERSION}. A world that restores a state of another version goes on from it, but
+   * not to the bit as the one that was saved.
+   *
+   * @return 1 or more; this build's own unless the state was read from bytes of another build
+   */
+  public int physicsVersion() {
+    return physicsVersion;
   }
 
   /**
@@ -120,10 +134,7 @@ public final class WorldState {
   /** Passes all but handles through an archive. When reading, the state must be empty. */
   private void pass(Archive a) {
     a.integer("format of the state", FORMAT, FORMAT, FORMAT);
-    int version = a.integer("physics version", World.PHYSICS_VERSION, 0, Integer.MAX_VALUE);
-    a.require(
-        version == World.PHYSICS_VERSION,
-        "physics version=" + version + ", this build computes " + World.PHYSICS_VERSION);
+    physicsVersion = a.integer("physics version", physicsVersion, 1, Integer.MAX_VALUE);
     WorldDef first = owner.firstDef();
     long constants = a.bits("constants of the world", first.hash());
     a.require(constants == first.hash(), "the world was made with another WorldDef than this one");

@@ -10,6 +10,7 @@ import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
+import carom.sim.gauge.Gauge;
 import carom.sim.level.Level;
 import carom.sim.match.MatchPhase;
 import carom.sim.message.Emote;
@@ -111,6 +112,21 @@ public interface Game {
    * 1. Clients show them. Without names there is nothing to choose.
    */
   default List<String> teams() {
+    return List.of();
+  }
+
+  /**
+   * Returns the colour in which clients show a team, 0xRRGGBB. It should be that of its bodies.
+   *
+   * @param team one of {@link #teams}, 1 or more
+   */
+  default int teamRgb(int team) {
+    int[] usual = {0xff5d5d, 0x4da3ff, 0x5ad18a, 0xffd166, 0xc792ea, 0x4cc9f0};
+    return usual[(team - 1) % usual.length];
+  }
+
+  /** Returns the fields that clients show to players. The same at every call. */
+  default List<Gauge> gauges() {
     return List.of();
   }
 

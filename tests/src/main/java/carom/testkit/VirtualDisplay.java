@@ -34,9 +34,18 @@ public final class VirtualDisplay implements AutoCloseable {
    * @throws IOException when Xvfb can't be started or announces no display
    */
   public static VirtualDisplay open() throws IOException {
+    return open(1_280, 720);
+  }
+
+  /**
+   * Starts a display of another size, pixels.
+   *
+   * @throws IOException as {@link #open()}
+   */
+  public static VirtualDisplay open(int width, int height) throws IOException {
+    String screen = width + "x" + height + "x24";
     Process xvfb =
-        new ProcessBuilder(
-                "Xvfb", "-displayfd", "1", "-screen", "0", "1280x720x24", "-nolisten", "tcp")
+        new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", screen, "-nolisten", "tcp")
             .redirectError(ProcessBuilder.Redirect.DISCARD)
             .start();
     BufferedReader out =

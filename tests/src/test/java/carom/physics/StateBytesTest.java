@@ -213,18 +213,29 @@ class StateBytesTest {
   }
 
   @Test
-  void theWorldOfAnotherDefinitionOrVersionIsRefused() {
+  void theWorldOfAnotherDefinitionOrFormatIsRefused() {
     byte[] bytes = bytes(zoo());
     World<String> other = new World<>(new WorldDef().withGravity(0, -9));
     String message = assertThrows(ArchiveException.class, () -> restore(other, bytes)).getMessage();
     assertTrue(message.contains("WorldDef"), message);
     assertEquals(0, other.bodyCount());
-    bytes[7]++;
+    bytes[3]++;
     message = assertThrows(ArchiveException.class, () -> restore(zoo(), bytes)).getMessage();
-    String expected =
-        "physics version=%d, this build computes %d"
-            .formatted(World.PHYSICS_VERSION + 1, World.PHYSICS_VERSION);
-    assertTrue(message.contains(expected), message);
+    assertTrue(message.contains("format of the state"), message);
+  }
+
+  @Test
+  void theWorldOfAnotherPhysicsVersionIsReadAndSaysSo() {
+    World<String> saved = zoo();
+    byte[] bytes = bytes(saved);
+    bytes[7]++;
+    World<String> world = zoo();
+    WorldState state = world.read(new ArchiveReader(bytes), slot -> null);
+    assertEquals(World.PHYSICS_VERSION + 1, state.physicsVersion());
+    world.restore(state);
+    assertEquals(saved.stateHash(), world.stateHash());
+    assertEquals(World.PHYSICS_VERSION, world.save(null).physicsVersion());
+    assertEquals(World.PHYSICS_VERSION, world.save(state).physicsVersion());
     assertEquals(Protocol.PHYSICS_VERSION, "carom-physics-" + World.PHYSICS_VERSION);
   }
 

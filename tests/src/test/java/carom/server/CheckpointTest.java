@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.SessionState;
+import carom.replay.RecordingReader;
 import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.checkpoint.SlotDisk;
 import carom.server.match.HandedInMatch;
@@ -28,6 +29,7 @@ import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -38,6 +40,7 @@ import java.util.Random;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -407,6 +410,56 @@ class CheckpointTest {
     try (Stream<Path> files = Files.list(path.resolve("cup"))) {
       assertTrue(files.anyMatch(file -> file.toString().endsWith(".log.refused")));
     }
+  }
+
+  @Test
+  void anUpdateToOtherPhysicsGoesOnFromTheCheckpointWithoutItsLog() throws Exception {
+    List<String> levels = List.of("arena");
+    Path path = folder.resolve("kept0");
+    int checkpoint;
+    int secondsTick;
+    try (KeptServer kept = new KeptServer(KeptServer.library(), levels, path, START_NS)) {
+      play(kept, 3);
+      kept.runTo(150);
+      secondsTick = kept.tick();
+      Path crashed = crash();
+      checkpoint = otherPhysics(crashed.resolve("cup"));
+    }
+    Path crashed = folder.resolve("kept" + copies);
+    try (KeptServer kept = new KeptServer(KeptServer.library(), levels, crashed, START_NS)) {
+      assertEquals(1, kept.server.count(Counter.ROOMS_RESUMED));
+      assertTrue(kept.resumedTick > 0 && kept.resumedTick < secondsTick, "" + kept.resumedTick);
+      assertEquals(checkpoint, kept.resumedTick, "the checkpoint, not a tick of the log");
+      for (int id = 0; id < 2; id++) {
+        assertEquals(SessionState.GRACE, kept.room().session(id).state());
+      }
+      kept.runTo(kept.tick() + 60);
+    }
+  }
+
+  /**
+   * Makes slots look as if a build with other physics had kept them.
+   *
+   * @return the tick of the newest checkpoint
+   */
+  private static int otherPhysics(Path room) throws IOException {
+    int newest = -1;
+    try (Stream<Path> files = Files.list(room)) {
+      for (Path file : files.filter(f -> f.toString().endsWith(".seats")).toList()) {
+        byte[] bytes = Files.readAllBytes(file);
+        bytes[20]++; // the digest follows magic, format and checksum
+        CRC32 sum = new CRC32();
+        sum.update(bytes, 20, bytes.length - 20);
+        ByteBuffer.wrap(bytes).putLong(12, sum.getValue());
+        Files.write(file, bytes);
+        Path log = Path.of(file.toString().replace(".seats", ".log"));
+        try (RecordingReader reader = RecordingReader.open(log)) {
+          assertEquals(RecordingReader.Event.STATE, reader.next());
+          newest = Math.max(newest, reader.stateTick());
+        }
+      }
+    }
+    return newest;
   }
 
   @Test

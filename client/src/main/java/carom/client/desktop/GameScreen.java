@@ -7,6 +7,7 @@ import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.hud.Curtain;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.KeyHints;
+import carom.client.desktop.hud.KeyHints.Hint;
 import carom.client.desktop.hud.NetGraph;
 import carom.client.desktop.hud.RoomPanel;
 import carom.client.desktop.input.Controls;
@@ -16,6 +17,7 @@ import carom.client.desktop.menu.SettingsHost;
 import carom.client.desktop.menu.Widgets;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.ViewCamera;
 import carom.client.desktop.sound.EventSounds;
 import carom.client.link.ConnectionPhase;
 import carom.client.settings.KeyAction;
@@ -29,6 +31,7 @@ import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
 import com.badlogic.gdx.ScreenAdapter;
 import com.badlogic.gdx.graphics.OrthographicCamera;
+import java.util.List;
 
 /**
  * One visit to a server, from connecting to leaving: updates the client, draws its view and samples
@@ -82,7 +85,7 @@ final class GameScreen extends ScreenAdapter {
     pause = new PauseMenu(widgets, host, new PauseChoice());
     picture = new GamePicture(canvas, fonts, sounds);
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
-    hints = new KeyHints(picture.hud(), fonts);
+    hints = new KeyHints(picture.hud(), fonts, picture.game());
     curtain = new Curtain(picture.hud(), canvas);
     rooms =
         new RoomPanel(
@@ -99,11 +102,27 @@ final class GameScreen extends ScreenAdapter {
     this.client = client;
     client.events(picture.events(client.view()));
     conversation = new Conversation(client, keys, fonts);
+    picture.labels(conversation::drawEmotes);
   }
 
   /** Shows the net graph's few lines, or nothing of it. */
   void netGraph(boolean shown) {
     netGraph.size(shown ? NetGraph.Size.SMALL : NetGraph.Size.OFF);
+  }
+
+  /** Sets what a player is told who waits alone for others. */
+  void adviceAlone(String text) {
+    picture.adviceAlone(text);
+  }
+
+  /** Returns what the picture shows of the world. */
+  ViewCamera camera() {
+    return picture.camera();
+  }
+
+  /** Returns the texts and panels of the picture. */
+  Hud hud() {
+    return picture.hud();
   }
 
   /** Shows a line to the player for a while. */
@@ -160,33 +179,27 @@ final class GameScreen extends ScreenAdapter {
     }
   }
 
-  /** Returns the keys of the game, as one text with room to break it. */
-  private String keyHints() {
+  /** Returns the keys of the game, the ones a newcomer needs first. */
+  private List<Hint> keyHints() {
     String move =
         String.join(
-            ", ",
+            " ",
             keys.first(KeyAction.UP),
             keys.first(KeyAction.LEFT),
             keys.first(KeyAction.DOWN),
             keys.first(KeyAction.RIGHT));
-    return String.join(
-        "     ",
-        hint(move + ", pad", "move"),
-        hint(keys.first(KeyAction.MAIN) + ", click", KeyAction.MAIN.label()),
-        hint(keys.first(KeyAction.SECOND) + ", right click", KeyAction.SECOND.label()),
-        hint(keys.first(KeyAction.PLAYERS), "players"),
-        hint(keys.first(KeyAction.CHAT), "chat"),
-        hint("1-8", "emotes"),
-        hint(keys.first(KeyAction.MUTE), "sound"),
-        hint("F1", "these keys"),
-        hint("F2", "rooms"),
-        hint("F3", "net graph"),
-        hint("Esc", "menu"));
-  }
-
-  /** Returns a hint whose words stay together. */
-  private static String hint(String key, String what) {
-    return (key + ": " + what).replace(' ', '\u00a0');
+    return List.of(
+        new Hint(move + ", pad", "move"),
+        new Hint(keys.first(KeyAction.MAIN) + ", click", KeyAction.MAIN.label()),
+        new Hint(keys.first(KeyAction.SECOND) + ", right click", KeyAction.SECOND.label()),
+        new Hint(keys.first(KeyAction.PLAYERS), "players"),
+        new Hint(keys.first(KeyAction.CHAT), "chat"),
+        new Hint("1 to 8", "emotes"),
+        new Hint(keys.first(KeyAction.MUTE), "sound"),
+        new Hint("F1", "these keys"),
+        new Hint("F2", "rooms"),
+        new Hint("F3", "net graph"),
+        new Hint("Esc", "menu"));
   }
 
   @Override
@@ -248,7 +261,7 @@ final class GameScreen extends ScreenAdapter {
       client.ready(!own.ready());
     } else if (key == Keys.P) {
       client.role(own.spectator() ? PlayerRole.PLAYER : PlayerRole.SPECTATOR);
-    } else if (team >= 1 && team <= Math.min(9, picture.scores().teams(view).size())) {
+    } else if (team >= 1 && team <= Math.min(9, picture.game().teamCount())) {
       client.team(team);
     } else {
       return false;
@@ -297,15 +310,16 @@ final class GameScreen extends ScreenAdapter {
         hud.phase(view);
       }
     } else {
-      hints.draw(view, deltaSeconds);
       if (view.own() == null && secondsPlayed > 1) {
         hud.bodiless(view);
       }
-      conversation.draw(view, hud, picture.camera(), nowNs);
+      conversation.draw(hud, nowNs);
     }
+    if (view.phase() == ConnectionPhase.PLAYING) {
+      hints.draw(deltaSeconds);
+    }
+    netGraph.draw(view, nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
     rooms.draw(view, deltaSeconds);
-    float fps = Gdx.graphics.getFramesPerSecond();
-    netGraph.draw(view, picture.camera(), nowNs, fps, deltaSeconds, hints.height());
     if (pause.isOpen()) {
       hud.veil();
       pause.draw(deltaSeconds);

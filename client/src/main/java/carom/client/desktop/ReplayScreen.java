@@ -2,6 +2,8 @@ package carom.client.desktop;
 
 import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.hud.TimeBar;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
@@ -30,6 +32,7 @@ final class ReplayScreen extends ScreenAdapter {
   private final Fonts fonts;
   private final ReplayClient client;
   private final TimeBar bar;
+  private final Part title = new Part(Spot.TOP_LEFT, Spot.TOP_RIGHT, Spot.BOTTOM_LEFT);
   private final String heading;
   private final Supplier<String> end;
   private final Runnable exit;
@@ -56,12 +59,23 @@ final class ReplayScreen extends ScreenAdapter {
     this.exit = exit;
     picture = new GamePicture(canvas, fonts, sounds);
     bar = new TimeBar(picture.hud(), canvas);
+    picture.hud().layout().floor(TimeBar.ROOM);
     client.events(picture.events(client.view()));
   }
 
   /** Shows or hides the debug layers. */
   void debug(boolean shown) {
     picture.debug(shown);
+  }
+
+  /** Returns whether the recording's end is shown. */
+  boolean atEnd() {
+    return client.ended() && !client.seeking();
+  }
+
+  /** Returns the texts and panels of the picture. */
+  Hud hud() {
+    return picture.hud();
   }
 
   @Override
@@ -154,13 +168,22 @@ final class ReplayScreen extends ScreenAdapter {
     if (trouble.isEmpty()) {
       trouble = end.get();
     }
+    hud.panel(-2, -2, hud.windowWidth() + 4, TimeBar.ROOM, Theme.DIALOG);
     bar.draw(client.tick(), client.lastTick());
-    hud.begin();
-    hud.left(fonts.text(), text.toString(), PAD, hud.height() - PAD, Theme.TEXT);
-    if (!trouble.isEmpty()) {
-      hud.left(fonts.text(), trouble, PAD, hud.height() - PAD - 24, Theme.ACCENT);
+    float w = hud.width(fonts.text(), text.toString());
+    w = Math.max(w, hud.width(fonts.text(), trouble)) + 2 * PAD;
+    float h = trouble.isEmpty() ? 34 : 58;
+    if (hud.layout().placeAnyhow(title, Math.min(w, hud.windowWidth() - 2 * PAD), h)) {
+      hud.panel(title.x(), title.y(), w, h);
+      hud.begin();
+      float top = title.y() + h - 11;
+      hud.left(fonts.text(), text.toString(), title.x() + PAD, top, Theme.TEXT);
+      hud.left(fonts.text(), trouble, title.x() + PAD, top - 24, Theme.ACCENT);
+      hud.end();
     }
-    hud.left(fonts.small(), KEYS, PAD, PAD + 12, Theme.MUTED);
+    hud.begin();
+    float height = hud.wrap(fonts.small(), KEYS, hud.windowWidth() - 2 * PAD, Theme.MUTED);
+    hud.wrapped(PAD, Math.min(height + 8, TimeBar.ROOM - 28));
     hud.end();
   }
 

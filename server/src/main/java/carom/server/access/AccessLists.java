@@ -5,12 +5,18 @@ import carom.server.config.DataFolder;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.InstantSource;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.Locale;
 
 /**
  * The bans, the list of players who alone may play if the operator wants that, and the admins. They
  * are files in the data folder, see {@link AccessFile}. Any thread may use this.
  */
 public final class AccessLists implements EntryRule {
+  private static final DateTimeFormatter TIME =
+      DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm 'UTC'", Locale.ROOT).withZone(ZoneOffset.UTC);
+
   private final AccessFile bans;
   private final AccessFile allowed;
   private final AccessFile admins;
@@ -124,7 +130,8 @@ public final class AccessLists implements EntryRule {
 
   /** Returns reason and end of a ban, for the player. */
   private static String describe(AccessEntry ban) {
-    String reason = ban.reason().isEmpty() ? "" : ban.reason() + ". ";
-    return reason + (ban.until() == null ? "" : "Until " + ban.until() + ".");
+    String reason = ban.reason().isEmpty() ? "" : "Reason: " + ban.reason() + ". ";
+    return (reason + (ban.until() == null ? "" : "Until " + TIME.format(ban.until()) + "."))
+        .strip();
   }
 }

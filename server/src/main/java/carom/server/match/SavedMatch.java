@@ -1,10 +1,10 @@
 package carom.server.match;
 
-import carom.net.protocol.Protocol;
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.server.config.DataFolder;
+import carom.sim.SimState;
 import carom.sim.Simulation;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
@@ -21,7 +21,7 @@ import java.util.zip.CRC32;
 
 /**
  * A match between two ticks, as a file holds it: the game's name, the whole level, and the state of
- * the simulation. It can be loaded by a build with the same physics. Immutable.
+ * the simulation. A build whose states have the same layout can load it. Immutable.
  */
 public final class SavedMatch {
   private static final long MAGIC = 0x4341524f4d534156L; // "CAROMSAV"
@@ -83,7 +83,7 @@ public final class SavedMatch {
     try (DataOutputStream out = new DataOutputStream(bytes)) {
       out.writeLong(MAGIC);
       out.writeInt(FORMAT);
-      out.writeLong(Protocol.physicsDigest());
+      out.writeInt(SimState.LAYOUT);
       out.writeLong(checksum(body));
       out.write(body);
     }
@@ -125,8 +125,11 @@ public final class SavedMatch {
       if (in.readLong() != MAGIC || in.readInt() != FORMAT) {
         throw new IOException(file + " is no saved match of this version");
       }
-      if (in.readLong() != Protocol.physicsDigest()) {
-        throw new IOException(file + " was saved by a build with other physics");
+      int layout = in.readInt();
+      if (layout != SimState.LAYOUT) {
+        throw new IOException(
+            "%s has a state of layout=%d, this build reads %d"
+                .formatted(file, layout, SimState.LAYOUT));
       }
       long sum = in.readLong();
       byte[] body = in.readAllBytes();

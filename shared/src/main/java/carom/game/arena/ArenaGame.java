@@ -20,8 +20,10 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
+import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
+import carom.sim.gauge.Gauge;
 import carom.sim.level.Level;
 import carom.sim.match.MatchPhase;
 import java.util.List;
@@ -158,6 +160,16 @@ public final class ArenaGame implements Game {
   }
 
   @Override
+  public int teamRgb(int team) {
+    return Pitch.TEAM_COLORS[team];
+  }
+
+  @Override
+  public List<Gauge> gauges() {
+    return List.of(Gauge.teamScore(ArenaFields.GOALS));
+  }
+
+  @Override
   public void join(Simulation s, Player p) {
     p.team(s.teamSize(1) <= s.teamSize(2) ? 1 : 2);
     discs.give(s, p);
@@ -234,6 +246,11 @@ public final class ArenaGame implements Game {
    */
   private boolean isHeard(Entity e) {
     return e.archetype() == pitch.ball || e.ownerId() != Entity.NO_OWNER;
+  }
+
+  @Override
+  public Audience audience(Simulation s, Entity e) {
+    return e.archetype() == pitch.ball ? Audience.ALL : Audience.NEAR; // all know where to run
   }
 
   @Override

@@ -20,7 +20,7 @@ final class Pitch {
   /** Names of the teams, by team. */
   static final String[] TEAM_NAMES = {"", "Red", "Blue"};
 
-  private static final int[] TEAM_COLORS = {0, 0xff5d5d, 0x4da3ff};
+  static final int[] TEAM_COLORS = {0, 0xff5d5d, 0x4da3ff};
 
   /** Impulse of the loudest hit, a dash into a ball, N s. */
   private static final float LOUD_HIT = 12;

@@ -25,6 +25,7 @@ import carom.sim.field.Count;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
+import carom.sim.gauge.Gauge;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
@@ -129,6 +130,11 @@ public final class RocketGame implements Game {
   @Override
   public List<Cooldown> cooldowns() {
     return List.of(new Cooldown("rocket", RELOAD, reloadSeconds));
+  }
+
+  @Override
+  public List<Gauge> gauges() {
+    return List.of(Gauge.bar("health", HEALTH), Gauge.overHeads("health", HEALTH));
   }
 
   @Override

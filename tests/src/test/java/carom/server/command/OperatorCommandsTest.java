@@ -130,7 +130,12 @@ final class OperatorCommandsTest {
   void changesLevelAndGame() throws Exception {
     assertTrue(ok("level commons").contains("playing game=arena level=Commons"));
     assertTrue(ok("game platformer").contains("playing game=platformer"));
-    assertTrue(ok("level nowhere").startsWith("not changed: "));
+    String nowhere = ok("level nowhere");
+    assertTrue(nowhere.startsWith("not changed: "), nowhere);
+    assertTrue(nowhere.contains("levels here are arena, "), nowhere);
+    String near = ok("level comons");
+    assertTrue(near.endsWith("did you mean \"commons\"?"), near);
+    assertTrue(ok("game platfromer").endsWith("did you mean \"platformer\"?"));
     assertTrue(ok("rooms").contains("platformer"));
   }
 

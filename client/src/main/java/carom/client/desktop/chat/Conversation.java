@@ -2,6 +2,8 @@ package carom.client.desktop.chat;
 
 import carom.client.GameClient;
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.input.KeyMap;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
@@ -25,7 +27,7 @@ public final class Conversation implements MessageListener {
   private static final float PAD = 12;
   private static final float GAP = 5;
   private static final float LINE = 20;
-  private static final float BOTTOM = 64;
+  private static final float FIELD = 30;
   private static final float WIDTH = 460;
 
   private final GameClient client;
@@ -33,6 +35,7 @@ public final class Conversation implements MessageListener {
   private final Fonts fonts;
   private final ChatLog log = new ChatLog();
   private final EmoteBubbles bubbles = new EmoteBubbles();
+  private final Part part = new Part(Spot.BOTTOM_LEFT, Spot.BOTTOM_RIGHT, Spot.TOP_LEFT);
   private final Color color = new Color();
   private boolean swallowsTyped;
 
@@ -121,43 +124,68 @@ public final class Conversation implements MessageListener {
     }
   }
 
-  /** Draws emotes above bodies, and the lines at the left edge. */
-  public void draw(ClientView view, Hud hud, ViewCamera camera, long nowNs) {
+  /** Draws emotes above bodies. */
+  public void drawEmotes(ClientView view, Hud hud, ViewCamera camera, long nowNs) {
     bubbles.draw(view, hud, camera, nowNs);
-    float y = BOTTOM;
+  }
+
+  /** Draws the lines, the newest below, and under them the one that is written, in a corner. */
+  public void draw(Hud hud, long nowNs) {
+    float w = Math.min(WIDTH, hud.windowWidth() - 2 * PAD);
+    int shown = 0;
+    for (int i = log.lines().size() - 1; i >= 0 && alpha(i, nowNs) > 0; i--) {
+      shown++;
+    }
+    float field = log.isOpen() ? FIELD : 0;
+    if (shown + field == 0 || !place(hud, w, shown, field)) {
+      return;
+    }
     if (log.isOpen()) {
-      hud.panel(PAD, y - LINE + 2, WIDTH, LINE + 6);
-      hud.begin();
-      String to = log.isToTeam() ? "Team:" : "All:";
-      float x = 2 * PAD;
-      hud.left(fonts.small(), to, x, y, Theme.MUTED);
-      x += hud.width(fonts.small(), to) + GAP;
-      float room = WIDTH + PAD - x - PAD;
-      String cursor = nowNs / 500_000_000L % 2 == 0 ? "|" : "";
-      hud.left(
-          fonts.small(), hud.endOf(fonts.small(), log.draft(), room) + cursor, x, y, Theme.TEXT);
-      hud.end();
+      drawDraft(hud, w, nowNs);
     }
     hud.begin();
-    for (int i = log.lines().size() - 1; i >= 0; i--) {
+    float y = part.y() + field;
+    for (int row = 0; row < shown; row++) {
       y += LINE;
-      ChatLog.Line line = log.lines().get(i);
-      float left = (SHOWN_NS - (nowNs - line.arrivedNs())) / (float) FADES_NS;
-      float alpha = log.isOpen() ? 1 : Math.min(1, left);
-      if (alpha > 0) {
-        draw(hud, line, y, alpha);
-      }
+      int i = log.lines().size() - 1 - row;
+      draw(hud, log.lines().get(i), y - 3, w, alpha(i, nowNs));
     }
     hud.end();
   }
 
-  private void draw(Hud hud, ChatLog.Line line, float y, float alpha) {
+  private boolean place(Hud hud, float w, int lines, float field) {
+    float h = lines * LINE + field;
+    return log.isOpen() ? hud.layout().placeAnyhow(part, w, h) : hud.layout().place(part, w, h);
+  }
+
+  private float alpha(int line, long nowNs) {
+    float left = (SHOWN_NS - (nowNs - log.lines().get(line).arrivedNs())) / (float) FADES_NS;
+    return log.isOpen() ? 1 : Math.min(1, left);
+  }
+
+  private void drawDraft(Hud hud, float w, long nowNs) {
+    hud.panel(part.x(), part.y(), w, FIELD - 4, Theme.DIALOG);
+    hud.begin();
+    String to = log.isToTeam() ? "Team:" : "All:";
+    float x = part.x() + PAD;
+    float y = part.y() + FIELD - 11;
+    hud.left(fonts.small(), to, x, y, Theme.MUTED);
+    x += hud.width(fonts.small(), to) + GAP;
+    float room = part.x() + w - x - 2 * PAD;
+    String cursor = nowNs / 500_000_000L % 2 == 0 ? "|" : "";
+    hud.left(fonts.small(), hud.endOf(fonts.small(), log.draft(), room) + cursor, x, y, Theme.TEXT);
+    hud.end();
+  }
+
+  private void draw(Hud hud, ChatLog.Line line, float y, float w, float alpha) {
     String who = line.who().isEmpty() ? "" : line.who() + (line.team() ? " (team):" : ":");
     Color tint = line.who().isEmpty() ? Theme.ACCENT : line.team() ? Theme.GOOD : Theme.INFO;
     color.set(tint).a = alpha;
-    hud.shadowed(fonts.small(), who, 2 * PAD, y, color);
+    float x = part.x() + PAD;
+    hud.shadowed(fonts.small(), who, x, y, color);
     color.set(line.who().isEmpty() ? Theme.ACCENT : Theme.TEXT).a = alpha;
     float after = who.isEmpty() ? 0 : hud.width(fonts.small(), who) + GAP;
-    hud.shadowed(fonts.small(), line.text(), 2 * PAD + after, y, color);
+    String text = hud.cut(fonts.small(), line.text(), w - 2 * PAD - after);
+    hud.shadowed(fonts.small(), text, x + after, y, color);
   }
 }

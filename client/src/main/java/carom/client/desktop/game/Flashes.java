@@ -88,7 +88,7 @@ final class Flashes implements EventListener {
         Theme.shade(events[i].kind().rgb(), 1, 1 - age[i] / LABEL_SECONDS, color);
         float y = events[i].y() + RISE_M_S * age[i];
         float size = MathUtils.clamp(events[i].kind().radius(), 0.5f, 4);
-        hud.floating(events[i].kind().label(), hud.at(camera, events[i].x(), y), size >= 2, color);
+        hud.label(events[i].kind().label(), hud.at(camera, events[i].x(), y), size >= 2, color);
       }
     }
   }

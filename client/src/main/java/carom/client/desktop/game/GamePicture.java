@@ -1,8 +1,12 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.hud.ClockPanel;
+import carom.client.desktop.hud.GaugePanel;
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.Pointers;
 import carom.client.desktop.hud.ScoreBoard;
+import carom.client.desktop.hud.ScoreList;
+import carom.client.desktop.hud.ShownGame;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.DebugPainter;
 import carom.client.desktop.paint.Fonts;
@@ -24,6 +28,13 @@ import com.badlogic.gdx.utils.ScreenUtils;
  * {@link #hud}. Render thread only.
  */
 public final class GamePicture implements Disposable {
+  /** Words of others over bodies, such as emotes. They stand below all panels. */
+  @FunctionalInterface
+  public interface Labels {
+    /** Draws them. */
+    void draw(ClientView view, Hud hud, ViewCamera camera, long nowNs);
+  }
+
   /** Age beyond which an event isn't shown. Events from before a reconnect would puzzle players. */
   private static final float STALE_SECONDS = 1;
 
@@ -34,7 +45,12 @@ public final class GamePicture implements Disposable {
   private final DebugPainter debug;
   private final Hud hud;
   private final ClockPanel clock;
-  private final ScoreBoard scores;
+  private final ShownGame game = new ShownGame();
+  private final ScoreBoard scoreBoard;
+  private final ScoreList scores;
+  private final GaugePanel gauges;
+  private final Pointers pointers;
+  private Labels labels = (view, hud, camera, nowNs) -> {};
   private boolean showDebug;
   private double seconds;
 
@@ -44,8 +60,11 @@ public final class GamePicture implements Disposable {
     world = new WorldPainter(canvas);
     debug = new DebugPainter(canvas);
     hud = new Hud(canvas, fonts);
-    clock = new ClockPanel(hud, fonts);
-    scores = new ScoreBoard(hud, fonts);
+    clock = new ClockPanel(hud, canvas, fonts, game);
+    scoreBoard = new ScoreBoard(hud, canvas, fonts, game);
+    scores = new ScoreList(hud, canvas, fonts, game);
+    gauges = new GaugePanel(hud, canvas, fonts, game);
+    pointers = new Pointers(hud, canvas, fonts, game);
   }
 
   /** Returns the camera, which follows the own player. */
@@ -58,9 +77,19 @@ public final class GamePicture implements Disposable {
     return hud;
   }
 
-  /** Returns the table of players, which knows the teams' names. */
-  public ScoreBoard scores() {
-    return scores;
+  /** Returns what the game that is shown says of itself. */
+  public ShownGame game() {
+    return game;
+  }
+
+  /** Sets what draws words over bodies. */
+  public void labels(Labels drawn) {
+    labels = drawn;
+  }
+
+  /** Sets what a player is told who waits alone for others; empty for nothing. */
+  public void adviceAlone(String text) {
+    clock.adviceAlone(text);
   }
 
   /** Shows or hides the debug layers. */
@@ -106,11 +135,11 @@ public final class GamePicture implements Disposable {
   /**
    * Draws it, on a cleared window; before the level is known only that.
    *
-   * @param scoreBoard whether to list as many players as fit
+   * @param table whether to list as many players as fit
    * @param nowNs the clock of the view's notices
    * @param deltaSeconds since the last picture
    */
-  public void draw(ClientView view, boolean scoreBoard, long nowNs, float deltaSeconds) {
+  public void draw(ClientView view, boolean table, long nowNs, float deltaSeconds) {
     int width = Gdx.graphics.getWidth();
     int height = Gdx.graphics.getHeight();
     ScreenUtils.clear(Theme.BACKDROP);
@@ -137,18 +166,29 @@ public final class GamePicture implements Disposable {
     if (showDebug && view.predictedWorld() != null) {
       debug.draw(view.predictedWorld().world(), camera.gdx(), pixelsPerMetre);
     }
-    hud.names(view, camera, pixelsPerMetre);
+    game.look(view);
+    if (own != null) {
+      float radius = WorldPainter.extent(own.archetype());
+      hud.keepFree(camera, own.x(), own.y(), radius, pixelsPerMetre);
+    }
+    gauges.heads(view, camera, pixelsPerMetre);
     hud.begin();
     flashes.label(hud, camera);
     hud.end();
+    labels.draw(view, hud, camera, nowNs);
+    pointers.draw(view, camera);
+    hud.names(view, camera, pixelsPerMetre);
     boolean over = clock.isOver(view);
-    if (scoreBoard || over) {
-      scores.draw(view, over ? ClockPanel.RESULT : 0);
-    } else {
-      hud.scores(view);
-    }
     clock.draw(view);
-    hud.notices(view, nowNs, over ? ClockPanel.RESULT : 0);
+    if (table || over) {
+      scoreBoard.draw(view, over ? ClockPanel.RESULT : 0);
+    } else {
+      scores.draw(view);
+      gauges.draw(view);
+    }
+    if (!over) {
+      hud.notices(view, nowNs); // the result says the same
+    }
     hud.drawAnswer(deltaSeconds);
   }
 

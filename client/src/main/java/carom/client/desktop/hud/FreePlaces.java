@@ -16,16 +16,31 @@ final class FreePlaces {
 
   /** Returns whether nothing of a rectangle is taken. */
   boolean isFree(float x, float y, float width, float height) {
+    return at(x, y, width, height) < 0;
+  }
+
+  /** Returns the number of a taken rectangle that has a part of this one, or -1 for none. */
+  int at(float x, float y, float width, float height) {
     for (int i = 0; i < count; i++) {
       int at = i * SIDES;
       if (x < taken[at + 2]
           && taken[at] < x + width
           && y < taken[at + 3]
           && taken[at + 1] < y + height) {
-        return false;
+        return i;
       }
     }
-    return true;
+    return -1;
+  }
+
+  /** Returns the lower edge of a taken rectangle. */
+  float bottom(int number) {
+    return taken[number * SIDES + 1];
+  }
+
+  /** Returns the upper edge of a taken rectangle. */
+  float top(int number) {
+    return taken[number * SIDES + 3];
   }
 
   /** Takes a rectangle, whether or not it is free. */

@@ -1,5 +1,7 @@
 package carom.client.desktop.hud;
 
+import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
@@ -19,34 +21,45 @@ import com.badlogic.gdx.math.Matrix4;
 import com.badlogic.gdx.math.Vector3;
 import com.badlogic.gdx.utils.Align;
 import com.badlogic.gdx.utils.Disposable;
-import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.List;
 
 /**
  * Text and panels over the picture: names, scores, notices, the state of the connection, key hints.
  * Units are points (see {@link Fonts}), origin bottom left. Render thread only.
  */
 public final class Hud implements Disposable {
-  private static final int SHORT_LIST = 5;
   private static final float PAD = 12;
-  private static final float LINE = 22;
+  private static final float NOTICE_LINE = 32;
+  private static final int MOST_NOTICES = 3;
   private static final long NOTICE_NS = 4_000_000_000L;
   private static final float ANSWER_SECONDS = 1.5f;
+
+  /** Hears what is drawn, for tools that look at a picture's layout. Points, origin bottom left. */
+  public interface Witness {
+    /** Hears of a panel. */
+    void panel(float x, float y, float w, float h);
+
+    /** Hears of a text; y is the top of its capitals. */
+    void text(BitmapFont font, String text, float x, float y, Color tint);
+  }
 
   private final Canvas canvas;
   private final SpriteBatch batch = new SpriteBatch();
   private final Matrix4 points = new Matrix4();
   private final Fonts fonts;
-  private final GlyphLayout layout = new GlyphLayout();
+  private final GlyphLayout glyphs = new GlyphLayout();
+  private final HudLayout layout = new HudLayout();
+  private final Part news = new Part(Spot.TOP, Spot.BOTTOM);
+  private final Part reply = new Part(Spot.BOTTOM, Spot.TOP);
+  private final Part role = new Part(Spot.TOP, Spot.BOTTOM);
   private final Color color = new Color();
   private final Color shadow = new Color();
-  private final List<RosterEntry> ranking = new ArrayList<>();
   private final GlyphLayout wrapped = new GlyphLayout();
+  private BitmapFont wrapFont;
   private final FreePlaces places = new FreePlaces();
   private final NameRows names = new NameRows(places, Limits.MAX_PLAYERS);
   private String answer = "";
   private float answerSeconds;
+  private Witness witness;
   private float scale = 1;
   private float width;
   private float height;
@@ -64,6 +77,23 @@ public final class Hud implements Disposable {
     height = newHeight / scale;
     points.setToOrtho2D(0, 0, width, height);
     batch.setProjectionMatrix(points);
+    layout.begin(width, height);
+  }
+
+  /** Sets what hears of all that is drawn; null for nothing. */
+  public void witness(Witness newWitness) {
+    witness = newWitness;
+  }
+
+  /** Returns the places of this picture. */
+  public HudLayout layout() {
+    return layout;
+  }
+
+  /** Keeps the HUD off a body, whose radius is given in metres. */
+  public void keepFree(ViewCamera camera, float x, float y, float radius, float pixelsPerMetre) {
+    Vector3 at = at(camera, x, y);
+    layout.keepFree(at.x, at.y, radius * pixelsPerMetre / scale);
   }
 
   /** Returns the window's height, points. */
@@ -134,11 +164,22 @@ public final class Hud implements Disposable {
 
   /** Draws a name around x with its upper edge at y, or higher if that place is taken. */
   private void name(int player, String text, float x, float y) {
-    layout.setText(fonts.small(), text);
-    float top = names.top(player, x, y, layout.width);
+    glyphs.setText(fonts.small(), text);
+    float top = names.top(player, x, y, glyphs.width);
     if (!Float.isNaN(top)) {
       centred(fonts.small(), text, x, top, color);
     }
+  }
+
+  /** Draws a word around a place in the world, but whole, and keeps names off it. */
+  public void label(String text, Vector3 at, boolean large, Color textColor) {
+    BitmapFont font = large ? fonts.title() : fonts.text();
+    glyphs.setText(font, text);
+    float w = glyphs.width;
+    float x = MathUtils.clamp(at.x, w / 2 + PAD, Math.max(w / 2 + PAD, width - w / 2 - PAD));
+    float y = MathUtils.clamp(at.y, glyphs.height + PAD, height - PAD);
+    places.take(x - w / 2, y - glyphs.height, w, glyphs.height);
+    centred(font, text, x, y, textColor);
   }
 
   /** Draws a word around a place on the screen. */
@@ -146,82 +187,33 @@ public final class Hud implements Disposable {
     centred(large ? fonts.title() : fonts.text(), text, at.x, at.y, textColor);
   }
 
-  /** Draws the few best players by score, always including the own one. */
-  public void scores(ClientView view) {
-    ranking.clear();
-    for (RosterEntry entry : view.players()) {
-      if (!entry.spectator()) {
-        ranking.add(entry);
-      }
-    }
-    ranking.sort(
-        Comparator.comparingInt(RosterEntry::score)
-            .reversed()
-            .thenComparing(RosterEntry::playerId));
-    int shown = Math.min(ranking.size(), SHORT_LIST);
-    if (shown == 0) {
-      return;
-    }
-    float w = 220;
-    float h = shown * LINE + 2 * PAD + LINE;
-    float x = width - w - PAD;
-    float top = height - PAD;
-    panel(x, top - h, w, h);
-    batch.begin();
-    left(
-        fonts.small(),
-        ranking.size() == 1
-            ? "1 player"
-            : ranking.size() + (ranking.size() == shown ? " players" : " players   Tab: all"),
-        x + PAD,
-        top - PAD,
-        Theme.MUTED);
-    for (int i = 0; i < shown; i++) {
-      int rank = i == shown - 1 ? Math.max(i, rank(view.playerId())) : i;
-      RosterEntry entry = ranking.get(rank);
-      boolean own = entry.playerId() == view.playerId();
-      float y = top - PAD - (i + 1) * LINE;
-      Color tint = own ? Theme.ACCENT : Theme.TEXT;
-      String score = Integer.toString(entry.score());
-      layout.setText(fonts.text(), score);
-      float room = w - 3 * PAD - layout.width;
-      left(fonts.text(), score, x + w - PAD - layout.width, y, tint);
-      String name = (rank + 1) + "  " + entry.name();
-      layout.setText(fonts.text(), name, 0, name.length(), tint, room, Align.left, false, "...");
-      fonts.text().draw(batch, layout, snap(x + PAD), snap(y));
-    }
-    batch.end();
-  }
-
-  /** Returns the rank of a player, or -1. */
-  private int rank(int playerId) {
-    for (int i = 0; i < ranking.size(); i++) {
-      if (ranking.get(i).playerId() == playerId) {
-        return i;
-      }
-    }
-    return -1;
-  }
-
-  /**
-   * Draws the notices of the last seconds, newest on top, fading.
-   *
-   * @param below distance from the window's upper edge that others need, points
-   */
-  public void notices(ClientView view, long nowNs, float below) {
-    batch.begin();
-    float y = height - Math.max(70, below);
-    for (int i = view.notices().size() - 1; i >= 0; i--) {
-      ClientView.Notice notice = view.notices().get(i);
-      float left = 1 - (nowNs - notice.arrivedNs()) / (float) NOTICE_NS;
-      if (left <= 0) {
+  /** Draws the notices of the last seconds, newest on top, fading. */
+  public void notices(ClientView view, long nowNs) {
+    int shown = 0;
+    float widest = 0;
+    for (int i = view.notices().size() - 1; i >= 0 && shown < MOST_NOTICES; i--) {
+      if (age(view, i, nowNs) >= 1) {
         break;
       }
-      color.set(Theme.TEXT).a = Math.min(1, left * 3);
-      centred(fonts.large(), notice.text(), width / 2f, y, color);
-      y -= 32;
+      shown++;
+      widest = Math.max(widest, width(fonts.large(), view.notices().get(i).text()));
+    }
+    if (shown == 0 || !layout.place(news, Math.min(widest, width), shown * NOTICE_LINE)) {
+      return;
+    }
+    batch.begin();
+    for (int row = 0; row < shown; row++) {
+      int i = view.notices().size() - 1 - row;
+      color.set(Theme.TEXT).a = Math.min(1, 3 * (1 - age(view, i, nowNs)));
+      float y = news.y() + (shown - row) * NOTICE_LINE - 4;
+      centred(fonts.large(), view.notices().get(i).text(), width / 2f, y, color);
     }
     batch.end();
+  }
+
+  /** Returns the age of a notice in parts of the time for which it shows. */
+  private static float age(ClientView view, int notice, long nowNs) {
+    return (nowNs - view.notices().get(notice).arrivedNs()) / (float) NOTICE_NS;
   }
 
   /** Shows a few words for a moment, as the answer to a key. */
@@ -232,30 +224,14 @@ public final class Hud implements Disposable {
 
   /** Draws the answer to the last key while it shows. */
   public void drawAnswer(float seconds) {
-    if (answerSeconds > 0) {
+    answerSeconds -= seconds;
+    float w = width(fonts.large(), answer);
+    if (answerSeconds > 0 && layout.place(reply, w, NOTICE_LINE)) {
       batch.begin();
       color.set(Theme.TEXT).a = Math.min(1, 3 * answerSeconds);
-      centred(fonts.large(), answer, width / 2f, height / 3f, color);
+      centred(fonts.large(), answer, width / 2f, reply.y() + NOTICE_LINE - 4, color);
       batch.end();
-      answerSeconds -= seconds;
     }
-  }
-
-  /**
-   * Draws lines in the middle that are broken where the window ends, from a height upwards. Stands
-   * between {@link #begin} and {@link #end}.
-   *
-   * @return the upper edge of the first line
-   */
-  float paragraph(BitmapFont font, String text, float bottom, Color tint) {
-    float room = width - 4 * PAD;
-    shadow.set(0, 0, 0, 0.6f * tint.a);
-    wrapped.setText(font, text, shadow, room, Align.center, true);
-    float top = snap(bottom + wrapped.height);
-    font.draw(batch, wrapped, 2 * PAD + 1, top - 1);
-    wrapped.setText(font, text, tint, room, Align.center, true);
-    font.draw(batch, wrapped, 2 * PAD, top);
-    return top;
   }
 
   /** Draws that the player has no body, and which player the picture follows meanwhile. */
@@ -263,15 +239,20 @@ public final class Hud implements Disposable {
     RosterEntry own = view.participant(view.playerId());
     boolean spectator = own != null && own.spectator();
     int watched = view.watchedPlayer();
+    String keys = spectator ? "A, D: another     Tab and P: play" : "A, D: another";
+    String text =
+        watched >= 0
+            ? "Watching " + view.playerName(watched)
+            : spectator ? "You watch. Nobody plays" : "You are back in a moment";
+    float w = Math.max(width(fonts.large(), text), width(fonts.small(), keys));
+    if (!layout.place(role, w, 2 * NOTICE_LINE)) {
+      return;
+    }
     batch.begin();
+    float y = role.y() + 2 * NOTICE_LINE - 4;
+    centred(fonts.large(), text, width / 2f, y, Theme.TEXT);
     if (watched >= 0) {
-      String keys = spectator ? "A, D: another     Tab and P: play" : "A, D: another";
-      float y = height - 120;
-      centred(fonts.large(), "Watching " + view.playerName(watched), width / 2f, y, Theme.TEXT);
-      centred(fonts.small(), keys, width / 2f, y - 30, Theme.MUTED);
-    } else {
-      String text = spectator ? "You watch. Nobody plays" : "You are back in a moment";
-      centred(fonts.large(), text, width / 2f, height / 2f, Theme.TEXT);
+      centred(fonts.small(), keys, width / 2f, y - NOTICE_LINE, Theme.MUTED);
     }
     batch.end();
   }
@@ -325,6 +306,9 @@ public final class Hud implements Disposable {
   /** Draws a panel on a ground of another colour. */
   public void panel(float x, float y, float w, float h, Color ground) {
     places.take(x, y, w, h);
+    if (witness != null) {
+      witness.panel(x, y, w, h);
+    }
     beginFigures();
     canvas.rect(x, y, w, h, ground);
     canvas.frame(x, y, w, h, 1, Theme.PANEL_LINE);
@@ -333,8 +317,8 @@ public final class Hud implements Disposable {
 
   /** Returns the width of a text, points. */
   public float width(BitmapFont font, String text) {
-    layout.setText(font, text);
-    return layout.width;
+    glyphs.setText(font, text);
+    return glyphs.width;
   }
 
   /**
@@ -342,6 +326,13 @@ public final class Hud implements Disposable {
    * {@link #end}.
    */
   public void left(BitmapFont font, String text, float x, float y, Color tint) {
+    if (witness != null && !text.isBlank()) {
+      witness.text(font, text, x, y, tint);
+    }
+    write(font, text, x, y, tint);
+  }
+
+  private void write(BitmapFont font, String text, float x, float y, Color tint) {
     font.setColor(tint);
     font.draw(batch, text, snap(x), snap(y));
   }
@@ -349,17 +340,37 @@ public final class Hud implements Disposable {
   /** Draws text as {@link #left} does, with a shadow that keeps it legible on any ground. */
   public void shadowed(BitmapFont font, String text, float x, float y, Color tint) {
     shadow.set(0, 0, 0, 0.6f * tint.a);
-    left(font, text, x + 1, y - 1, shadow);
+    write(font, text, x + 1, y - 1, shadow);
     left(font, text, x, y, tint);
   }
 
-  /** Returns the beginning of a text that is no wider than a room, points. */
-  String startOf(BitmapFont font, String text, float room) {
+  /** Returns a text that is no wider than a room, points: the beginning and dots, if it is. */
+  public String cut(BitmapFont font, String text, float room) {
+    if (width(font, text) <= room) {
+      return text;
+    }
     int end = text.length();
-    while (end > 0 && width(font, text.substring(0, end)) > room) {
+    while (end > 0 && width(font, text.substring(0, end) + "...") > room) {
       end = text.offsetByCodePoints(end, -1);
     }
-    return text.substring(0, end);
+    return text.substring(0, end) + "...";
+  }
+
+  /** Breaks a text into lines of a width, to be drawn by {@link #wrapped}; returns its height. */
+  public float wrap(BitmapFont font, String text, float room, Color tint) {
+    wrapped.setText(font, text, tint, room, Align.left, true);
+    wrapFont = font;
+    return wrapped.height;
+  }
+
+  /** Draws the text of {@link #wrap}; its upper left corner is given. */
+  public void wrapped(float x, float top) {
+    wrapFont.draw(batch, wrapped, snap(x), snap(top));
+  }
+
+  /** Returns a length in points. */
+  float points(float pixels) {
+    return pixels / scale;
   }
 
   /** Returns the end of a text that is no wider than a room, points. */
@@ -378,9 +389,9 @@ public final class Hud implements Disposable {
 
   /** Draws text around x, with a shadow that keeps it legible on any ground. */
   void centred(BitmapFont font, String text, float x, float y, Color tint) {
-    layout.setText(font, text);
+    glyphs.setText(font, text);
     shadow.set(0, 0, 0, 0.6f * tint.a);
-    left(font, text, x - layout.width / 2 + 1, y - 1, shadow);
-    left(font, text, x - layout.width / 2, y, tint);
+    write(font, text, x - glyphs.width / 2 + 1, y - 1, shadow);
+    left(font, text, x - glyphs.width / 2, y, tint);
   }
 }

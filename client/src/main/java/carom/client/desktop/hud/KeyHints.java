@@ -1,38 +1,49 @@
 package carom.client.desktop.hud;
 
+import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
-import carom.client.view.ClientView;
-import carom.game.Games;
 import com.badlogic.gdx.graphics.Color;
+import java.util.List;
 
 /**
- * What a game is about and its keys, at the bottom of the picture. They show for the first seconds
- * of a visit and fade; a key brings them back. Render thread only.
+ * What a game is about and its keys, in a corner. They show for the first seconds of a visit and
+ * fade; a key brings them back. Render thread only.
  */
 public final class KeyHints {
+  /**
+   * What a key does.
+   *
+   * @param key its name
+   * @param does what it does, in a word or two
+   */
+  public record Hint(String key, String does) {}
+
   private static final float SHOWN_SECONDS = 12;
-  private static final float BOTTOM = 14;
-  private static final float EDGE = 4;
+  private static final float PAD = 10;
+  private static final float LINE = 17;
+  private static final float KEY_WIDTH = 128;
+  private static final float WIDTH = 250;
 
   private final Hud hud;
   private final Fonts fonts;
+  private final ShownGame game;
+  private final Part part = new Part(Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_LEFT);
   private final Color color = new Color();
-  private String keys = "";
-  private String hintsOf = "";
-  private String about = "";
+  private List<Hint> hints = List.of();
   private float left = SHOWN_SECONDS;
-  private float height; // as they were drawn last
 
   /** Creates hints that show. The arguments stay the property of the caller. */
-  public KeyHints(Hud hud, Fonts fonts) {
+  public KeyHints(Hud hud, Fonts fonts, ShownGame game) {
     this.hud = hud;
     this.fonts = fonts;
+    this.game = game;
   }
 
-  /** Sets the keys, as one text. */
-  public void keys(String text) {
-    keys = text;
+  /** Sets the keys, in the order in which they stand. */
+  public void keys(List<Hint> keys) {
+    hints = keys;
   }
 
   /** Shows the hints again, or hides them if they show. */
@@ -45,30 +56,34 @@ public final class KeyHints {
    *
    * @param seconds since the last picture
    */
-  public void draw(ClientView view, float seconds) {
+  public void draw(float seconds) {
     if (left <= 0) {
       return;
     }
     left -= seconds;
-    if (!view.game().equals(hintsOf)) {
-      hintsOf = view.game();
-      about = Games.create(hintsOf).description();
-    }
     float alpha = Math.max(0, Math.min(1, left));
-    if (height > 0) {
-      color.set(Theme.PANEL).a *= alpha;
-      hud.panel(EDGE, EDGE, hud.windowWidth() - 2 * EDGE, height - EDGE, color);
+    float aboutHeight = hud.wrap(fonts.small(), game.about(), WIDTH - 2 * PAD, Theme.ACCENT);
+    float h = aboutHeight + 8 + hints.size() * LINE + 2 * PAD;
+    if (!hud.layout().place(part, WIDTH, h)) {
+      return;
     }
+    color.set(Theme.PANEL).a *= alpha;
+    hud.panel(part.x(), part.y(), WIDTH, h, color);
     hud.begin();
-    color.set(Theme.TEXT).a = alpha * 0.95f;
-    float top = hud.paragraph(fonts.text(), keys, BOTTOM, color);
-    color.set(Theme.ACCENT).a = alpha * 0.95f;
-    height = hud.paragraph(fonts.text(), about, top + 8, color) + BOTTOM - EDGE;
+    float x = part.x() + PAD;
+    float y = part.y() + h - PAD;
+    color.set(Theme.ACCENT).a = alpha;
+    hud.wrap(fonts.small(), game.about(), WIDTH - 2 * PAD, color);
+    hud.wrapped(x, y);
+    y -= aboutHeight + 8;
+    for (Hint hint : hints) {
+      color.set(Theme.TEXT).a = alpha;
+      hud.left(fonts.small(), hud.cut(fonts.small(), hint.key(), KEY_WIDTH - 6), x, y, color);
+      color.set(Theme.MUTED).a = alpha;
+      String does = hud.cut(fonts.small(), hint.does(), WIDTH - 2 * PAD - KEY_WIDTH);
+      hud.left(fonts.small(), does, x + KEY_WIDTH, y, color);
+      y -= LINE;
+    }
     hud.end();
-  }
-
-  /** Returns how much of the window's lower edge the hints take, points; 0 when they are gone. */
-  public float height() {
-    return left > 0 ? height : 0;
   }
 }

@@ -1,22 +1,22 @@
 package carom.client.desktop.hud;
 
+import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
-import carom.client.desktop.paint.ViewCamera;
 import carom.client.stats.NetStats;
 import carom.client.stats.RecentValues;
 import carom.client.view.ClientView;
-import carom.client.view.ClientView.Drawn;
 import com.badlogic.gdx.graphics.Color;
-import com.badlogic.gdx.math.Vector3;
 import java.util.Locale;
 
 /**
  * The connection at a glance, in two sizes: round trip, loss, rates and corrections in a few lines;
  * or all figures, and bars of recent snapshot gaps, sizes, input margins and corrections. It stands
- * in the upper left corner, and goes to the lower right one while the own player is there. Units
- * are points. Texts change four times a second so that they can be read. Render thread only.
+ * in a corner where neither the own player nor another panel is, with fewer bars where a window is
+ * small. Units are points. Texts change four times a second so that they can be read. Render thread
+ * only.
  */
 public final class NetGraph {
   /** How much is shown. */
@@ -37,9 +37,6 @@ public final class NetGraph {
   private static final float GRAPH_STEP = GRAPH_HEIGHT + LINE + 4;
   private static final float REFRESH_SECONDS = 0.25f;
 
-  /** Distance that the own player keeps from the panel, points. */
-  private static final float CLEARANCE = 60;
-
   private static final int SMALL_ROWS = 4;
   private static final int ROWS = 8;
   private static final int GRAPHS = 4;
@@ -50,7 +47,8 @@ public final class NetGraph {
   private final String[] rows = new String[ROWS];
   private final String[] captions = new String[GRAPHS];
   private Size size = Size.OFF;
-  private boolean atBottomRight;
+  private final Part part =
+      new Part(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_RIGHT);
   private float age = REFRESH_SECONDS;
 
   /** Creates a net graph that draws into a HUD and shows nothing yet. */
@@ -77,15 +75,8 @@ public final class NetGraph {
    * @param nowNs the present, by the clock of the client's updates
    * @param framesPerSecond of the window
    * @param seconds since the last picture
-   * @param below height at the window's lower edge to keep free, points
    */
-  public void draw(
-      ClientView view,
-      ViewCamera camera,
-      long nowNs,
-      float framesPerSecond,
-      float seconds,
-      float below) {
+  public void draw(ClientView view, long nowNs, float framesPerSecond, float seconds) {
     if (size == Size.OFF) {
       return;
     }
@@ -97,53 +88,36 @@ public final class NetGraph {
     boolean full = size == Size.FULL;
     float width = full ? FULL_WIDTH : SMALL_WIDTH;
     int lines = full ? ROWS : SMALL_ROWS;
-    float height = 2 * PAD + lines * LINE + (full ? GRAPHS * GRAPH_STEP : 0);
-    float free = hud.height() - height - 2 * PAD;
-    Drawn own = view.own();
-    if (own != null) {
-      Vector3 at = hud.at(camera, own.x(), own.y());
-      atBottomRight =
-          isAtBottomRight(
-              atBottomRight, at.x, at.y, hud.windowWidth(), hud.height(), width, height);
+    int graphs = full ? GRAPHS : 0;
+    while (!hud.layout().place(part, width, height(lines, graphs))) {
+      if (--graphs < 0) {
+        return; // no corner has room for a line of it
+      }
     }
-    float left = atBottomRight ? hud.windowWidth() - width - PAD : PAD;
-    float bottom = atBottomRight ? Math.min(PAD + below, PAD + free) : PAD + free;
+    float left = part.x();
+    float bottom = part.y();
+    float height = height(lines, graphs);
     hud.panel(left, bottom, width, height);
     float top = bottom + height - PAD;
     float graphsTop = top - lines * LINE;
-    if (full) {
-      hud.beginFigures();
-      float y = graphsTop - LINE - GRAPH_HEIGHT;
-      bars(view.stats().gapSeries(), left, y, 100, Theme.INFO);
-      bars(view.stats().snapshotBytesSeries(), left, y - GRAPH_STEP, 1_200, Theme.GOOD);
-      bars(view.stats().marginSeries(), left, y - 2 * GRAPH_STEP, 10, Theme.ACCENT);
-      bars(view.stats().correctionSeries(), left, y - 3 * GRAPH_STEP, 0.5f, Theme.BAD);
-      canvas.end();
+    hud.beginFigures();
+    for (int i = 0; i < graphs; i++) {
+      bars(view.stats(), i, left, graphsTop - LINE - GRAPH_HEIGHT - i * GRAPH_STEP);
     }
+    canvas.end();
     hud.begin();
     for (int i = 0; i < lines; i++) {
       hud.left(fonts.small(), rows[i], left + PAD, top - i * LINE, Theme.TEXT);
     }
-    for (int i = 0; i < GRAPHS && full; i++) {
+    for (int i = 0; i < graphs; i++) {
       float y = graphsTop - 4 - i * GRAPH_STEP;
       hud.left(fonts.small(), captions[i], left + PAD, y, Theme.MUTED);
     }
     hud.end();
   }
 
-  /**
-   * Returns whether a panel stands in the lower right corner and not in the upper left one. It
-   * stays where it is until the own player comes near, so that it doesn't jump to and fro.
-   *
-   * @param was where it is
-   * @param x of the own player, points
-   * @param y of the own player, points
-   */
-  static boolean isAtBottomRight(
-      boolean was, float x, float y, float windowWidth, float windowHeight, float w, float h) {
-    boolean coversTopLeft = x < PAD + w + CLEARANCE && y > windowHeight - PAD - h - CLEARANCE;
-    boolean coversBottomRight = x > windowWidth - PAD - w - CLEARANCE && y < PAD + h + CLEARANCE;
-    return was ? !coversBottomRight || coversTopLeft : coversTopLeft && !coversBottomRight;
+  private static float height(int lines, int graphs) {
+    return 2 * PAD + lines * LINE + graphs * GRAPH_STEP;
   }
 
   private void write(NetStats s, long nowNs, float fps) {
@@ -188,6 +162,15 @@ public final class NetGraph {
     captions[1] = "datagram size, bytes (full height 1,200)";
     captions[2] = "input buffer, ticks (red: too late)";
     captions[3] = "corrections, m";
+  }
+
+  private void bars(NetStats stats, int graph, float left, float y) {
+    switch (graph) {
+      case 0 -> bars(stats.gapSeries(), left, y, 100, Theme.INFO);
+      case 1 -> bars(stats.snapshotBytesSeries(), left, y, 1_200, Theme.GOOD);
+      case 2 -> bars(stats.marginSeries(), left, y, 10, Theme.ACCENT);
+      default -> bars(stats.correctionSeries(), left, y, 0.5f, Theme.BAD);
+    }
   }
 
   private void bars(RecentValues series, float left, float bottom, float full, Color color) {

@@ -9,8 +9,11 @@ import com.badlogic.gdx.math.MathUtils;
  */
 public final class TimeBar {
   private static final float PAD = 12;
-  private static final float BOTTOM = 40;
+  private static final float BOTTOM = 52;
   private static final float HEIGHT = 6;
+
+  /** Height at the window's lower edge that the bar and what stands below it need, points. */
+  public static final float ROOM = 70;
 
   /** Distance from the bar within which a click means it, points. */
   private static final float REACH = 10;

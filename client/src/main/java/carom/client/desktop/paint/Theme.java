@@ -7,7 +7,7 @@ import com.badlogic.gdx.utils.IntIntMap;
 /** The colours of everything that is not part of a level. */
 public final class Theme {
   public static final Color BACKDROP = rgb(0x0c1017);
-  public static final Color PANEL = new Color(0.03f, 0.05f, 0.08f, 0.62f);
+  public static final Color PANEL = new Color(0.03f, 0.05f, 0.08f, 0.78f);
   public static final Color DIALOG = new Color(0.05f, 0.07f, 0.11f, 0.94f);
   public static final Color VEIL = new Color(0.03f, 0.05f, 0.08f, 0.55f);
   public static final Color PANEL_LINE = rgb(0x2c3a4f);
@@ -21,9 +21,10 @@ public final class Theme {
 
   /**
    * Hues below a limit, degrees, and the colour that stands for them: those by Okabe and Ito, which
-   * people with any kind of colour blindness tell apart.
+   * people with any kind of colour blindness tell apart, and a red that is still called so.
    */
   private static final int[][] HUES = {
+    {12, 0xee3333},
     {22, 0xd55e00},
     {45, 0xe69f00},
     {75, 0xf0e442},
@@ -31,7 +32,7 @@ public final class Theme {
     {208, 0x56b4e9},
     {260, 0x0072b2},
     {340, 0xcc79a7},
-    {360, 0xd55e00}
+    {360, 0xee3333}
   };
 
   /** Saturation below which a colour counts as grey and stays. */

@@ -1,0 +1,253 @@
+package carom.client.desktop;
+
+import carom.client.app.ClientMain;
+import carom.client.app.LocalGames;
+import carom.client.desktop.hud.Hud;
+import carom.client.link.ConnectionPhase;
+import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Input.Keys;
+import com.badlogic.gdx.graphics.Pixmap;
+import com.badlogic.gdx.scenes.scene2d.Actor;
+import com.badlogic.gdx.scenes.scene2d.Group;
+import com.badlogic.gdx.scenes.scene2d.Stage;
+import com.badlogic.gdx.scenes.scene2d.ui.ScrollPane;
+import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
+import java.awt.Robot;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
+
+/**
+ * A program that opens the client's window and goes through its screens, as a player would: start,
+ * pages, a game with bots, chat, table, menu; or a recording to its end. It saves a picture of
+ * each, and prints what {@link ScreenCheck} finds wrong with it.
+ */
+final class ScreenTour {
+  private static final long LIMIT_NS = 100_000_000_000L;
+
+  private final Path folder;
+  private final Robot robot;
+  private int pictures;
+
+  private ScreenTour(Path folder, Robot robot) {
+    this.folder = folder;
+    this.robot = robot;
+  }
+
+  /**
+   * Runs the program.
+   *
+   * @param args {@code menus}, {@code game}, {@code others} or {@code replay}; folder for pictures;
+   *     the client's flags
+   */
+  public static void main(String[] args) {
+    Thread guide = new Thread(() -> guide(args[0], Path.of(args[1])), "guide");
+    guide.setDaemon(true);
+    guide.start();
+    String[] flags = new String[args.length - 2];
+    System.arraycopy(args, 2, flags, 0, flags.length);
+    System.exit(ClientMain.run(flags));
+  }
+
+  private static void guide(String tour, Path folder) {
+    try {
+      ScreenTour guided = new ScreenTour(folder, new Robot());
+      until(() -> Gdx.graphics != null && Gdx.graphics.getFrameId() > 2);
+      switch (tour) {
+        case "menus" -> guided.menus();
+        case "game" -> guided.game();
+        case "others" -> guided.others();
+        default -> guided.replay();
+      }
+      System.out.println("pictures " + guided.pictures);
+    } catch (Exception e) {
+      System.out.println("problem: " + e);
+    }
+    Gdx.app.exit();
+  }
+
+  private static CaromWindow window() {
+    return (CaromWindow) Gdx.app.getApplicationListener();
+  }
+
+  private void menus() throws Exception {
+    for (String page :
+        new String[] {"Join a server", "Play here", "Replays", "Scenes", "Settings"}) {
+      press(page);
+      look(page);
+      if (page.equals("Scenes") || page.equals("Settings")) {
+        scroll(page);
+        look(page + " scrolled");
+      }
+    }
+  }
+
+  private void play(String level, int bots) throws Exception {
+    run(() -> window().create(new LocalGames.Choice(level, bots, false)));
+    until(() -> screen() != null && screen().view().phase() == ConnectionPhase.PLAYING);
+    until(() -> screen().view().game().equals(level) || level.equals("commons"));
+    until(() -> screen().view().own() != null && screen().view().players().size() == bots + 1);
+    Thread.sleep(3_000); // the curtain opens
+  }
+
+  /** Other games: one player alone far from ball and goals, and one whose players have health. */
+  private void others() throws Exception {
+    play("commons", 0);
+    look("alone in a large level");
+    play("rockets", 3);
+    look("rockets");
+  }
+
+  private void game() throws Exception {
+    play("arena", 11);
+    look("game");
+    typed(Keys.F3);
+    typed(Keys.ENTER);
+    run(() -> "good game, all of you".chars().forEach(c -> input().keyTyped((char) c)));
+    look("chat, hints and net graph");
+    typed(Keys.ENTER);
+    typed(Keys.F3);
+    look("hints and full net graph");
+    typed(Keys.F3);
+    robot.keyPress(KeyEvent.VK_TAB);
+    until(() -> Gdx.input.isKeyPressed(Keys.TAB));
+    look("table");
+    robot.keyRelease(KeyEvent.VK_TAB);
+    until(() -> !Gdx.input.isKeyPressed(Keys.TAB));
+    typed(Keys.ESCAPE);
+    look("menu");
+    press("Settings");
+    look("menu settings");
+    scroll("Settings in a game");
+  }
+
+  private void replay() throws Exception {
+    until(() -> window().screen() instanceof ReplayScreen);
+    look("replay");
+    typed(Keys.END);
+    until(() -> ((ReplayScreen) window().screen()).atEnd());
+    look("end of the match");
+  }
+
+  private static GameScreen screen() {
+    return window().screen() instanceof GameScreen game ? game : null;
+  }
+
+  private static com.badlogic.gdx.InputProcessor input() {
+    return Gdx.input.getInputProcessor();
+  }
+
+  private void typed(int key) throws Exception {
+    run(() -> input().keyDown(key));
+    frames(3);
+  }
+
+  private void press(String text) throws Exception {
+    run(
+        () -> {
+          TextButton button = find(((Stage) input()).getRoot(), text);
+          ((Runnable) button.getUserObject()).run();
+        });
+    frames(3);
+  }
+
+  private static TextButton find(Actor actor, String text) {
+    if (actor instanceof TextButton button) {
+      String shown = button.getText().toString();
+      return shown.equals(text) || shown.equals("> " + text) ? button : null;
+    }
+    if (actor instanceof Group group) {
+      for (Actor child : group.getChildren()) {
+        TextButton found = find(child, text);
+        if (found != null) {
+          return found;
+        }
+      }
+    }
+    return null;
+  }
+
+  /** Turns the wheel over a page that is longer than the window, and checks that it moves. */
+  private void scroll(String page) throws Exception {
+    CompletableFuture<float[]> moved = new CompletableFuture<>();
+    run(
+        () -> {
+          Stage stage = (Stage) input();
+          ScrollPane pane = ScreenCheck.pane(stage.getRoot());
+          float before = pane.getScrollY();
+          stage.scrolled(0, 4);
+          moved.complete(new float[] {before, pane.getScrollY(), pane.getMaxY()});
+        });
+    float[] at = moved.get();
+    if (at[2] > 0 && !(at[1] > at[0])) {
+      System.out.println("problem: the wheel doesn't scroll " + page + ", which has " + at[2]);
+    }
+    frames(30);
+  }
+
+  /** Draws the screen once more, saves it, and prints what is wrong with it. */
+  private void look(String name) throws Exception {
+    frames(2);
+    String file = pictures++ + "-" + name.replaceAll("[^A-Za-z]+", "-") + ".png";
+    run(
+        () -> {
+          ScreenCheck check =
+              new ScreenCheck(name, Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
+          boolean menu = input() instanceof Stage; // over a game, which it darkens
+          Hud hud =
+              menu
+                  ? null
+                  : window().screen() instanceof GameScreen game
+                      ? game.hud()
+                      : window().screen() instanceof ReplayScreen film ? film.hud() : null;
+          if (hud != null) {
+            hud.witness(check);
+          }
+          window().screen().render(0);
+          Pixmap pixels =
+              Pixmap.createFromFrameBuffer(0, 0, Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
+          Pictures.save(folder.resolve(file).toString());
+          if (hud != null) {
+            hud.witness(null);
+            check.hud(hud, window().screen() instanceof GameScreen game ? game : null, pixels);
+          }
+          if (menu) {
+            check.menu((Stage) input(), pixels);
+          }
+          pixels.dispose();
+          check.problems().forEach(problem -> System.out.println("problem: " + problem));
+        });
+  }
+
+  private static void run(Runnable action) throws Exception {
+    CompletableFuture<Void> done = new CompletableFuture<>();
+    Gdx.app.postRunnable(
+        () -> {
+          try {
+            action.run();
+            done.complete(null);
+          } catch (RuntimeException e) {
+            done.completeExceptionally(e);
+          }
+        });
+    done.get();
+  }
+
+  private static void frames(int count) throws InterruptedException {
+    long frame = Gdx.graphics.getFrameId();
+    while (Gdx.graphics.getFrameId() < frame + count) {
+      Thread.sleep(5);
+    }
+  }
+
+  private static void until(BooleanSupplier condition) throws InterruptedException {
+    long end = System.nanoTime() + LIMIT_NS;
+    while (!condition.getAsBoolean()) {
+      if (System.nanoTime() > end) {
+        throw new IllegalStateException("never so after 100 s");
+      }
+      Thread.sleep(20);
+    }
+  }
+}

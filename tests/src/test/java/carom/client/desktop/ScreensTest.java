@@ -1,0 +1,133 @@
+package carom.client.desktop;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import carom.client.bots.Bot;
+import carom.net.transport.Impairment;
+import carom.sim.MatchClock;
+import carom.sim.match.MatchPhase;
+import carom.testkit.Stepper;
+import carom.testkit.VirtualDisplay;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: every screen can be read and used, at 720p and 1080p, with large texts, and in the colours
+ * for the colour-blind. Method: {@link ScreenTour} goes through them, {@link ScreenCheck} looks at
+ * each; the pictures stay in {@code build/screens}.
+ */
+@Timeout(400)
+final class ScreensTest {
+  @TempDir private Path folder;
+
+  /** A window and its settings. */
+  private record Look(int width, int height, int textSize, String colours) {
+    String name() {
+      return width + "-" + textSize + "-" + colours;
+    }
+  }
+
+  private static final List<Look> LOOKS =
+      List.of(
+          new Look(1_280, 720, 100, "standard"),
+          new Look(1_920, 1_080, 100, "standard"),
+          new Look(1_280, 720, 150, "colour-blind"));
+
+  @BeforeEach
+  void needsXvfb() {
+    assumeTrue(VirtualDisplay.available(), "Xvfb is not installed (Debian: apt-get install xvfb)");
+  }
+
+  @Test
+  void thePagesOfTheStartScreen() throws Exception {
+    for (Look look : LOOKS) {
+      assertInOrder("menus", look, 7);
+    }
+  }
+
+  @Test
+  void aGameWithChatTableAndMenu() throws Exception {
+    for (Look look : LOOKS) {
+      assertInOrder("game", look, 6);
+    }
+  }
+
+  @Test
+  void aLargeLevelAloneAndPlayersWithHealth() throws Exception {
+    for (Look look : LOOKS) {
+      assertInOrder("others", look, 2);
+    }
+  }
+
+  @Test
+  void aReplayAndTheEndOfItsMatch() throws Exception {
+    Path recorded = folder.resolve("match.carom");
+    try (Stepper stepper = Stepper.of("arena")) {
+      stepper.server().record(recorded);
+      stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
+      stepper.join("Bob", Impairment.NONE, new Bot(Stepper.SEED + 1));
+      stepper.runUntil(
+          "the match is over",
+          () -> MatchClock.phase(stepper.room().simulation()) == MatchPhase.OVER,
+          310);
+      stepper.run(2);
+    }
+    for (Look look : LOOKS) {
+      assertInOrder("replay", look, 2, "--replay", recorded.toString());
+    }
+  }
+
+  private void assertInOrder(String tour, Look look, int pictures, String... flags)
+      throws Exception {
+    Path shots = Files.createDirectories(Path.of("build", "screens", tour + "-" + look.name()));
+    Path settings = folder.resolve(look.name() + ".conf");
+    Files.writeString(
+        settings,
+        "window = %d x %d\ntext-size = %d\ncolours = %s\n"
+            .formatted(look.width, look.height, look.textSize, look.colours));
+    Path output = folder.resolve("output.txt");
+    List<String> command = new ArrayList<>();
+    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
+    command.addAll(List.of("-Dkryo.unsafe=false", "-cp", System.getProperty("java.class.path")));
+    command.addAll(List.of(ScreenTour.class.getName(), tour, shots.toAbsolutePath().toString()));
+    command.addAll(List.of("--settings", settings.toString(), "--volume", "0"));
+    command.addAll(List.of(flags));
+    try (VirtualDisplay display = VirtualDisplay.open(look.width, look.height)) {
+      ProcessBuilder builder =
+          new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
+      builder.environment().put("DISPLAY", display.name());
+      builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+      builder.directory(folder.toFile());
+      Process window = builder.start();
+      try {
+        assertTrue(window.waitFor(120, TimeUnit.SECONDS), () -> "never ends\n" + read(output));
+      } finally {
+        window.destroyForcibly();
+      }
+      assertEquals(0, window.exitValue(), () -> read(output));
+    }
+    List<String> problems =
+        read(output).lines().filter(line -> line.startsWith("problem")).toList();
+    assertEquals(List.of(), problems, tour + " " + look);
+    assertTrue(read(output).contains("pictures " + pictures), () -> read(output));
+  }
+
+  private static String read(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      return "no output: " + e;
+    }
+  }
+}
