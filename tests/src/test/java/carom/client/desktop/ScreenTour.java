@@ -53,7 +53,9 @@ final class ScreenTour {
   private static void guide(String tour, Path folder) {
     try {
       ScreenTour guided = new ScreenTour(folder, new Robot());
-      until(() -> Gdx.graphics != null && Gdx.graphics.getFrameId() > 2);
+      while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
+        Thread.sleep(20);
+      }
       switch (tour) {
         case "menus" -> guided.menus();
         case "game" -> guided.game();
@@ -241,9 +243,12 @@ final class ScreenTour {
     }
   }
 
-  private static void until(BooleanSupplier condition) throws InterruptedException {
+  /** Waits for what is so between two frames; views belong to the render thread. */
+  private static void until(BooleanSupplier condition) throws Exception {
     long end = System.nanoTime() + LIMIT_NS;
-    while (!condition.getAsBoolean()) {
+    boolean[] so = {false};
+    while (!so[0]) {
+      run(() -> so[0] = condition.getAsBoolean());
       if (System.nanoTime() > end) {
         throw new IllegalStateException("never so after 100 s");
       }
