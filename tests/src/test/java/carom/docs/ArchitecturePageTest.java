@@ -35,7 +35,8 @@ final class ArchitecturePageTest {
             "shared/src/vector",
             "server/src/main",
             "client/src/main",
-            "launcher/src/main")) {
+            "launcher/src/main",
+            "testkit/src/main")) {
       try (Stream<Path> files = Files.walk(ROOT.resolve(part + "/java"))) {
         files.filter(f -> f.toString().endsWith(".java")).forEach(found::add);
       }
