@@ -272,7 +272,7 @@ public final class ServerMain implements Callable<Integer> {
     if (flags.scene != null) {
       SceneRun run = Scenes.get(flags.scene).start();
       log.info(
-          "scene: players watch {} bodies; {} joints and {} kinds of particles aren't sent",
+          "scene: players watch {} bodies and {} joints; {} kinds of particles aren't sent",
           run.world().bodyCount(),
           run.world().jointCount(),
           run.particles().size());

@@ -65,6 +65,14 @@ public final class ClientKnowledge {
   /** The frame of the last {@link #baseline} that was {@link BaselineReason#ACKED}, else null. */
   private FrameState held;
 
+  /**
+   * Creates the knowledge of a client that knows nothing yet.
+   *
+   * @param ring the room's frames
+   * @param interest what the client looks at
+   * @param sizes estimates of records' sizes
+   * @param bestStride stride of baselines to try first, ticks
+   */
   public ClientKnowledge(FrameRing ring, Interest interest, RecordSizes sizes, int bestStride) {
     this.ring = ring;
     this.interest = interest;

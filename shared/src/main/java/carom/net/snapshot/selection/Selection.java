@@ -69,6 +69,14 @@ public final class Selection {
   private long runSlots;
   private int baseline;
 
+  /**
+   * Creates the choice of a session's entities.
+   *
+   * @param ring the room's frames
+   * @param interest what the client looks at
+   * @param sizes estimates of records' sizes
+   * @param client what the client knows
+   */
   public Selection(FrameRing ring, Interest interest, RecordSizes sizes, ClientKnowledge client) {
     this.ring = ring;
     this.interest = interest;

@@ -177,10 +177,12 @@ public final class SolverBodies {
     return slots.to(domain, border);
   }
 
+  /** Returns the acceleration of a slot's body along x in this step, m/s^2. */
   public float ax(int slot) {
     return ax[slot];
   }
 
+  /** Returns the acceleration of a slot's body along y in this step, m/s^2. */
   public float ay(int slot) {
     return ay[slot];
   }
