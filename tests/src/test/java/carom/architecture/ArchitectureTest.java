@@ -363,6 +363,7 @@ final class ArchitectureTest {
         "carom.net.codec");
     allow(
         "carom.replay",
+        "carom.text",
         "carom.sim",
         "carom.sim.entity",
         "carom.sim.field",
