@@ -38,7 +38,12 @@ final class ArchitectureTest {
   static {
     allow("carom.physics.math");
     allow("carom.physics.archive");
-    allow("carom.physics.geometry", "carom.physics.math", "carom.physics.archive");
+    allow("carom.physics.geometry.outline");
+    allow(
+        "carom.physics.geometry",
+        "carom.physics.geometry.outline",
+        "carom.physics.math",
+        "carom.physics.archive");
     allow("carom.physics.collision.distance", "carom.physics.math", "carom.physics.geometry");
     allow(
         "carom.physics.collision",
@@ -102,6 +107,16 @@ final class ArchitectureTest {
         "settings",
         "simd",
         "dynamics.colour",
+        "dynamics.solverbody",
+        "dynamics.parallel",
+        "dynamics.domain",
+        "dynamics.body",
+        "dynamics.contact",
+        "dynamics.pairs");
+    stage(
+        "solverbody",
+        "settings",
+        "math",
         "dynamics.parallel",
         "dynamics.domain",
         "dynamics.body",
@@ -117,9 +132,11 @@ final class ArchitectureTest {
         "dynamics.parallel",
         "dynamics.body",
         "dynamics.solver",
+        "dynamics.solverbody",
         "dynamics.joint",
         "dynamics.jointtree");
-    stage("jointtree", "dynamics.parallel", "dynamics.body", "dynamics.solver", "dynamics.joint");
+    stage(
+        "jointtree", "dynamics.parallel", "dynamics.body", "dynamics.solverbody", "dynamics.joint");
     stage(
         "sleep",
         "settings",
@@ -144,7 +161,7 @@ final class ArchitectureTest {
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs",
-        "dynamics.solver");
+        "dynamics.solverbody");
     stage(
         "simd",
         "math",
@@ -154,6 +171,7 @@ final class ArchitectureTest {
         "dynamics.contact",
         "dynamics.narrow",
         "dynamics.solver",
+        "dynamics.solverbody",
         "dynamics.jointsolver");
     allow(
         "carom.physics.dynamics",

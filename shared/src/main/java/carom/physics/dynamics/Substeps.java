@@ -11,7 +11,7 @@ import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.ContactLanes;
 import carom.physics.dynamics.solver.ContactSolver;
-import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.profile.StageListener;
 import carom.physics.profile.StepStage;
 import carom.physics.settings.Settings;

@@ -1,5 +1,6 @@
 package carom.physics.geometry;
 
+import carom.physics.geometry.outline.ChainCrossings;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import java.util.ArrayList;

@@ -1,5 +1,7 @@
 package carom.physics.geometry;
 
+import carom.physics.geometry.outline.ConvexDecomposition;
+import carom.physics.geometry.outline.SimpleOutline;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import java.util.ArrayList;
@@ -56,7 +58,15 @@ public final class Compound extends Shape {
    *     coordinate is not a number within {@link Shape#MAX_SIZE}
    */
   public static Compound ofOutline(float... xy) {
-    return of(ConvexDecomposition.parts(new SimpleOutline(xy, MAX_OUTLINE_POINTS)));
+    for (int i = 0; i < xy.length; i++) {
+      checkCoordinate((i % 2 == 0 ? "outline x" : "outline y") + i / 2, xy[i]);
+    }
+    SimpleOutline outline = new SimpleOutline(xy, MAX_OUTLINE_POINTS);
+    List<Polygon> parts = new ArrayList<>();
+    for (float[] corners : ConvexDecomposition.parts(outline, MIN_SIZE, Convex.MAX_VERTICES)) {
+      parts.add(Polygon.hull(corners));
+    }
+    return of(parts);
   }
 
   @Override

@@ -8,7 +8,7 @@ import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
-import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.math.Transform;
 import carom.physics.settings.Settings;
 

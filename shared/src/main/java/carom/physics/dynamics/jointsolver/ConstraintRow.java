@@ -15,16 +15,16 @@ import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_B;
 import static carom.physics.dynamics.jointsolver.JointRecords.MASS_A;
 import static carom.physics.dynamics.jointsolver.JointRecords.MASS_B;
 import static carom.physics.dynamics.jointsolver.JointRecords.RECORD;
-import static carom.physics.dynamics.solver.SolverBodies.COS;
-import static carom.physics.dynamics.solver.SolverBodies.DX;
-import static carom.physics.dynamics.solver.SolverBodies.DY;
-import static carom.physics.dynamics.solver.SolverBodies.SIN;
-import static carom.physics.dynamics.solver.SolverBodies.VX;
-import static carom.physics.dynamics.solver.SolverBodies.VY;
-import static carom.physics.dynamics.solver.SolverBodies.W;
+import static carom.physics.dynamics.solverbody.SolverBodies.COS;
+import static carom.physics.dynamics.solverbody.SolverBodies.DX;
+import static carom.physics.dynamics.solverbody.SolverBodies.DY;
+import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
+import static carom.physics.dynamics.solverbody.SolverBodies.VX;
+import static carom.physics.dynamics.solverbody.SolverBodies.VY;
+import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.solver.ContactSolver;
-import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.math.Trig;
 
 /**

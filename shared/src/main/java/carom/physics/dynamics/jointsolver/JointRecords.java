@@ -3,7 +3,7 @@ package carom.physics.dynamics.jointsolver;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointFrame;
 import carom.physics.dynamics.jointtree.TreeSolver;
-import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.solverbody.SolverBodies;
 
 /**
  * The joints that aren't plain revolutes as the solver visits them: in the order of their colours,

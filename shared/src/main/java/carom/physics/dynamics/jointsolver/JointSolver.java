@@ -6,7 +6,7 @@ import carom.physics.dynamics.jointtree.JointFrame;
 import carom.physics.dynamics.jointtree.JointTrees;
 import carom.physics.dynamics.jointtree.TreeSolver;
 import carom.physics.dynamics.parallel.ParallelFor;
-import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.settings.Settings;
 import java.util.Arrays;
 

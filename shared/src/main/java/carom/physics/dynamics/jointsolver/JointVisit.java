@@ -1,12 +1,12 @@
 package carom.physics.dynamics.jointsolver;
 
-import static carom.physics.dynamics.solver.SolverBodies.COS;
-import static carom.physics.dynamics.solver.SolverBodies.DX;
-import static carom.physics.dynamics.solver.SolverBodies.DY;
-import static carom.physics.dynamics.solver.SolverBodies.SIN;
-import static carom.physics.dynamics.solver.SolverBodies.VX;
-import static carom.physics.dynamics.solver.SolverBodies.VY;
-import static carom.physics.dynamics.solver.SolverBodies.W;
+import static carom.physics.dynamics.solverbody.SolverBodies.COS;
+import static carom.physics.dynamics.solverbody.SolverBodies.DX;
+import static carom.physics.dynamics.solverbody.SolverBodies.DY;
+import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
+import static carom.physics.dynamics.solverbody.SolverBodies.VX;
+import static carom.physics.dynamics.solverbody.SolverBodies.VY;
+import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;

@@ -1,10 +1,10 @@
 package carom.physics.dynamics.jointtree;
 
-import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
+import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
-import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.solverbody.SolverBodies;
 
 /** A joint and its two bodies as a step begins: the scratch of one worker that packs joints. */
 public final class JointFrame {

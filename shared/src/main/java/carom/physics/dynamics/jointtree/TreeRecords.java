@@ -2,7 +2,7 @@ package carom.physics.dynamics.jointtree;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
-import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.solverbody.SolverBodies;
 
 /**
  * The numbers that {@link TreeSolver} computes with: a record of {@value #JOINT} doubles for each

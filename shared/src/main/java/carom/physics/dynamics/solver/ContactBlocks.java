@@ -12,6 +12,7 @@ import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.domain.Domains;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.simd.VectorModule;
 import java.util.Arrays;
 

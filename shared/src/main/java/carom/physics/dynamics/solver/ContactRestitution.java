@@ -32,13 +32,14 @@ import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_MASS;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_NORMAL;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_TANGENT;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
-import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
-import static carom.physics.dynamics.solver.SolverBodies.VX;
-import static carom.physics.dynamics.solver.SolverBodies.VY;
-import static carom.physics.dynamics.solver.SolverBodies.W;
+import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
+import static carom.physics.dynamics.solverbody.SolverBodies.VX;
+import static carom.physics.dynamics.solverbody.SolverBodies.VY;
+import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import java.util.Arrays;
 
 /**

@@ -11,6 +11,7 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.settings.Settings;
 
 /**

@@ -36,16 +36,17 @@ import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_MASS;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_NORMAL;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_TANGENT;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
-import static carom.physics.dynamics.solver.SolverBodies.COS;
-import static carom.physics.dynamics.solver.SolverBodies.DX;
-import static carom.physics.dynamics.solver.SolverBodies.DY;
-import static carom.physics.dynamics.solver.SolverBodies.SIN;
-import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
-import static carom.physics.dynamics.solver.SolverBodies.VX;
-import static carom.physics.dynamics.solver.SolverBodies.VY;
-import static carom.physics.dynamics.solver.SolverBodies.W;
+import static carom.physics.dynamics.solverbody.SolverBodies.COS;
+import static carom.physics.dynamics.solverbody.SolverBodies.DX;
+import static carom.physics.dynamics.solverbody.SolverBodies.DY;
+import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
+import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
+import static carom.physics.dynamics.solverbody.SolverBodies.VX;
+import static carom.physics.dynamics.solverbody.SolverBodies.VY;
+import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.domain.AxisLocks;
+import carom.physics.dynamics.solverbody.SolverBodies;
 
 /**
  * Solves contacts one by one: one visit of one contact per call. The reference for the vector

@@ -7,7 +7,7 @@ import static carom.physics.dynamics.solver.ContactBlocks.RECORD;
 
 import carom.physics.dynamics.solver.ContactBlocks;
 import carom.physics.dynamics.solver.ContactSolver;
-import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.simd.VectorKernels;
 
 /**

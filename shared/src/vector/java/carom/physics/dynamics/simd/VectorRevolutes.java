@@ -27,7 +27,7 @@ import static carom.physics.dynamics.jointsolver.RevoluteSolver.YY;
 
 import carom.physics.dynamics.jointsolver.RevoluteLanes;
 import carom.physics.dynamics.jointsolver.RevoluteSolver;
-import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;

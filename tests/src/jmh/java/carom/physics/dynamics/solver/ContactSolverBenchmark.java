@@ -7,6 +7,7 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;
 import carom.physics.settings.Settings;

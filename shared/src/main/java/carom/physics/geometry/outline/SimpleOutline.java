@@ -1,4 +1,4 @@
-package carom.physics.geometry;
+package carom.physics.geometry.outline;
 
 import java.util.Arrays;
 
@@ -7,7 +7,7 @@ import java.util.Arrays;
  * without points on the line through their neighbours. Making one refuses outlines that cross or
  * touch themselves, and names the edges.
  */
-final class SimpleOutline {
+public final class SimpleOutline {
   /** Points nearer than this, in sizes of the outline, are one. */
   private static final double DUPLICATE = 1e-6;
 
@@ -22,8 +22,14 @@ final class SimpleOutline {
 
   private int count;
 
-  /** Makes an outline of x0, y0, x1, y1, ...; see {@link Compound#ofOutline}. */
-  SimpleOutline(float[] xy, int mostPoints) {
+  /**
+   * Makes an outline.
+   *
+   * @param xy x0, y0, x1, y1, ... in metres, finite, in either winding
+   * @throws IllegalArgumentException when it crosses or touches itself, has no area or too many
+   *     points
+   */
+  public SimpleOutline(float[] xy, int mostPoints) {
     if (xy.length % 2 != 0) {
       throw new IllegalArgumentException(
           "outline coordinates=" + xy.length + " must be even: x and y of each point");
@@ -37,8 +43,8 @@ final class SimpleOutline {
     y = new double[count];
     given = new int[count];
     for (int i = 0; i < count; i++) {
-      x[i] = Shape.checkCoordinate("outline x" + i, xy[2 * i]);
-      y[i] = Shape.checkCoordinate("outline y" + i, xy[2 * i + 1]);
+      x[i] = xy[2 * i];
+      y[i] = xy[2 * i + 1];
       given[i] = i;
     }
     clean();

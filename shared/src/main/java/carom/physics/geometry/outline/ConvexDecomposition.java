@@ -1,4 +1,4 @@
-package carom.physics.geometry;
+package carom.physics.geometry.outline;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,11 +14,13 @@ import java.util.List;
  * <p>Corners of parts are corners of the outline. The result depends on the outline alone. Costs
  * time in proportion to the square of the number of points, mostly.
  */
-final class ConvexDecomposition {
+public final class ConvexDecomposition {
   /** Sine of the turn of a corner that is clearly convex. */
   private static final double CLEARLY = 1e-3;
 
   private final SimpleOutline outline;
+  private final float minSize;
+  private final int mostVertices;
   private final int triangles;
 
   /** Three per triangle: its corners, counter-clockwise. */
@@ -27,16 +29,24 @@ final class ConvexDecomposition {
   /** Three per triangle: the triangle beyond the edge that begins at this corner; -1 for none. */
   private final int[] beyond;
 
-  private ConvexDecomposition(SimpleOutline outline) {
+  private ConvexDecomposition(SimpleOutline outline, float minSize, int mostVertices) {
     this.outline = outline;
+    this.minSize = minSize;
+    this.mostVertices = mostVertices;
     triangles = outline.count() - 2;
     corner = new int[3 * triangles];
     beyond = new int[3 * triangles];
   }
 
-  /** Returns the convex parts of an outline. */
-  static List<Polygon> parts(SimpleOutline outline) {
-    ConvexDecomposition d = new ConvexDecomposition(outline);
+  /**
+   * Returns the corners of the convex parts of an outline, x0, y0, x1, y1, ... of each.
+   *
+   * @param minSize parts that are hardly thicker are left out, m
+   * @param mostVertices of a part
+   * @throws IllegalArgumentException when no part is thick enough
+   */
+  public static List<float[]> parts(SimpleOutline outline, float minSize, int mostVertices) {
+    ConvexDecomposition d = new ConvexDecomposition(outline, minSize, mostVertices);
     d.cutEars();
     d.findNeighbours();
     d.flip();
@@ -213,7 +223,7 @@ final class ConvexDecomposition {
    * Removes the diagonals that no corner needs, and returns what is left: in two orders, of which
    * the better one counts.
    */
-  private List<Polygon> merge() {
+  private List<float[]> merge() {
     int[] diagonals = diagonals();
     List<int[]> loops = merged(diagonals);
     for (int i = 0, j = diagonals.length - 1; i < j; i++, j--) {
@@ -222,15 +232,15 @@ final class ConvexDecomposition {
       diagonals[j] = kept;
     }
     List<int[]> shortestFirst = merged(diagonals);
-    List<Polygon> parts = new ArrayList<>();
+    List<float[]> parts = new ArrayList<>();
     for (int[] loop : shortestFirst.size() < loops.size() ? shortestFirst : loops) {
       if (isThickEnough(loop)) {
-        parts.add(polygon(loop));
+        parts.add(corners(loop));
       }
     }
     if (parts.isEmpty()) {
       throw new IllegalArgumentException(
-          "outline is thinner than " + Shape.MIN_SIZE + " m everywhere; scale it up");
+          "outline is thinner than " + minSize + " m everywhere; scale it up");
     }
     return parts;
   }
@@ -308,7 +318,7 @@ final class ConvexDecomposition {
     int a = corner[e];
     int b = corner[following(e)];
     int n = p.length + q.length - 2;
-    if (n > Convex.MAX_VERTICES) {
+    if (n > mostVertices) {
       return null;
     }
     int inP = indexOf(p, a);
@@ -360,15 +370,15 @@ final class ConvexDecomposition {
       }
       thinnest = Math.min(thinnest, farthest / Math.sqrt(dx * dx + dy * dy));
     }
-    return thinnest > 1.5 * Shape.MIN_SIZE;
+    return thinnest > 1.5 * minSize;
   }
 
-  private Polygon polygon(int[] loop) {
+  private float[] corners(int[] loop) {
     float[] xy = new float[2 * loop.length];
     for (int i = 0; i < loop.length; i++) {
       xy[2 * i] = (float) outline.x[loop[i]];
       xy[2 * i + 1] = (float) outline.y[loop[i]];
     }
-    return Polygon.hull(xy);
+    return xy;
   }
 }

@@ -1,9 +1,12 @@
-package carom.physics.geometry;
+package carom.physics.geometry.outline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.physics.geometry.Compound;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Polygon;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import java.util.List;

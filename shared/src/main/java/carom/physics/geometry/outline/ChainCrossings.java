@@ -1,9 +1,9 @@
-package carom.physics.geometry;
+package carom.physics.geometry.outline;
 
 import java.util.Arrays;
 
 /** Looks whether a line crosses itself or turns back on itself, which a chain must not. */
-final class ChainCrossings {
+public final class ChainCrossings {
   /** Most comparisons for one line, 0.3 s; ground of 200,000 segments needs a hundredth. */
   private static final long MOST_WORK = 100_000_000;
 
@@ -12,14 +12,14 @@ final class ChainCrossings {
   private final int count;
 
   /** Looks at a line of 2 points or more. */
-  ChainCrossings(float[] xy, boolean loop) {
+  public ChainCrossings(float[] xy, boolean loop) {
     this.xy = xy;
     this.loop = loop;
     count = loop ? xy.length / 2 : xy.length / 2 - 1;
   }
 
   /** Refuses a line that crosses itself or turns back on itself. */
-  void refuse() {
+  public void refuse() {
     int points = xy.length / 2;
     for (int i = 0; i < count; i++) {
       int next = i + 1 < count || loop ? (i + 1) % count : i;

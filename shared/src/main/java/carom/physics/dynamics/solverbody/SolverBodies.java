@@ -1,4 +1,4 @@
-package carom.physics.dynamics.solver;
+package carom.physics.dynamics.solverbody;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
@@ -103,7 +103,7 @@ public final class SolverBodies {
   private float[] solved = new float[0];
 
   /** The locked axes of the moving bodies. */
-  final AxisLocks locks = new AxisLocks();
+  public final AxisLocks locks = new AxisLocks();
 
   private boolean explicit;
 
@@ -113,7 +113,7 @@ public final class SolverBodies {
   private static final int GRAIN = 128;
 
   private final ParallelFor parallel;
-  final ActiveBodies active;
+  public final ActiveBodies active;
   public final Domains domains;
   private final SolverSlots slots;
 
@@ -165,7 +165,7 @@ public final class SolverBodies {
   }
 
   /** Returns the offset in {@link #state} of a domain's idle slot, which is zero. */
-  int idle(int domain) {
+  public int idle(int domain) {
     return slots.idle(domain) * STRIDE;
   }
 
@@ -177,15 +177,15 @@ public final class SolverBodies {
     return slots.to(domain, border);
   }
 
-  float ax(int slot) {
+  public float ax(int slot) {
     return ax[slot];
   }
 
-  float ay(int slot) {
+  public float ay(int slot) {
     return ay[slot];
   }
 
-  /** Begins a step, and finds its domains. {@link ContactBlocks#build} comes next. */
+  /** Begins a step, and finds its domains. {@code ContactBlocks.build} comes next. */
   public void begin(BodyStore b, Settings s, float substep, ContactTable contacts) {
     bodies = b;
     settings = s;
@@ -195,7 +195,7 @@ public final class SolverBodies {
   }
 
   /** Gives active bodies their slots. Those at the border of a domain must be known by now. */
-  void assignSlots() {
+  public void assignSlots() {
     slots.assign();
     count = slots.count();
     if (ax.length < count) {
@@ -342,7 +342,7 @@ public final class SolverBodies {
   }
 
   /** Counts a change of a body's velocity as not made by contacts, which would repeat it. */
-  void countOut(int slot, float vx, float vy, float w) {
+  public void countOut(int slot, float vx, float vy, float w) {
     withoutContacts[slot * VELOCITY + VX] += vx;
     withoutContacts[slot * VELOCITY + VY] += vy;
     withoutContacts[slot * VELOCITY + W] += w;
