@@ -139,6 +139,7 @@ final class JoinedGame {
         prediction == null ? null : simulation);
     pools = new PoolFollower(simulation.pools(), fields.inbox(), connection);
     view.pools(simulation.pools());
+    view.geometry(simulation.world().queries());
     composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
   }
 

@@ -7,6 +7,7 @@ import carom.server.Server;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;
+import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.util.List;
 
@@ -21,6 +22,15 @@ public final class LocalServers implements LocalGames {
   @Override
   public List<String> levels() {
     return MatchLibrary.builtInLevels();
+  }
+
+  @Override
+  public Level level(String name) {
+    try {
+      return MatchLibrary.INSTALLED.level(name).level();
+    } catch (LevelException e) {
+      throw new IllegalStateException(e.getMessage(), e);
+    }
   }
 
   @Override

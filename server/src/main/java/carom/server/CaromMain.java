@@ -42,6 +42,11 @@ public final class CaromMain implements Runnable {
 
   private static CommandLine commandLine() {
     CommandLine program = withBench(new CommandLine(new CaromMain()));
+    LabCommand.add(
+        program,
+        "test",
+        "Plays a game with bots over bad networks and says which rules it breaks; see test --help.",
+        "carom.testkit.trial.TestCommand");
     for (Subcommand further : ServiceLoader.load(Subcommand.class)) {
       program.addSubcommand(further.name(), further.command());
     }

@@ -46,6 +46,49 @@ public final class Games {
     added = List.copyOf(all);
   }
 
+  /** A game that was lent to the process; {@link #close} takes it back. */
+  public interface Loan extends AutoCloseable {
+    @Override
+    void close();
+  }
+
+  /**
+   * Adds a game in the place of the one of the same name until the loan is closed, as for a test
+   * that watches a game.
+   *
+   * @param game makes a new instance for each simulation
+   */
+  public static synchronized Loan lend(Supplier<Game> game) {
+    List<Supplier<Game>> before = added;
+    add(game);
+    return () -> {
+      synchronized (Games.class) {
+        added = before;
+      }
+    };
+  }
+
+  /**
+   * Returns what makes new instances of a game, whatever is added in its place later.
+   *
+   * @throws IllegalArgumentException as for {@link #create}
+   */
+  public static Supplier<Game> supplier(String name) {
+    for (Supplier<Game> known : added) {
+      if (known.get().name().equals(name)) {
+        return known;
+      }
+    }
+    Class<? extends Game> type = create(name).getClass();
+    return () -> {
+      try {
+        return type.getConstructor().newInstance();
+      } catch (ReflectiveOperationException e) {
+        throw new IllegalStateException("game " + name + " can't be created", e);
+      }
+    };
+  }
+
   /**
    * Returns a new instance, for one simulation.
    *

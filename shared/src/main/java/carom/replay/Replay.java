@@ -158,7 +158,7 @@ public final class Replay {
   }
 
   private void requireNew() throws RecordingException {
-    computing = true;
+    compute();
     if (simulation.participant(reader.playerId()) != null) {
       throw contradicts("player " + reader.playerId() + " joins twice");
     }
@@ -190,10 +190,7 @@ public final class Replay {
     if (inTick) {
       throw contradicts("a tick has no end");
     }
-    if (!computing) {
-      computing = true;
-      firstTick = Math.min(firstTick, simulation.tick());
-    }
+    compute();
     for (int i = 0; i < reader.changedCount(); i++) {
       int id = reader.changedId(i);
       Player player = player(id, "acts");
@@ -288,8 +285,15 @@ public final class Replay {
       divergence = null;
     }
     take();
-    computing = true;
-    firstTick = Math.min(firstTick, simulation.tick());
+    compute();
+  }
+
+  /** Notes that the simulation goes on from the state that it has now. */
+  private void compute() {
+    if (!computing) {
+      computing = true;
+      firstTick = Math.min(firstTick, simulation.tick());
+    }
   }
 
   private void take() throws RecordingException {

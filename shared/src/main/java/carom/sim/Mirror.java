@@ -9,6 +9,7 @@ import carom.sim.entity.WorldSeal;
 import carom.sim.field.EntityRef;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
+import carom.sim.ruling.Rulings;
 import carom.sim.spawn.Origin;
 import carom.sim.spawn.OwnSpawns;
 

@@ -30,6 +30,7 @@ import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
 import carom.sim.random.SimRandom;
 import carom.sim.ruling.InterferenceLog;
+import carom.sim.ruling.Rulings;
 import carom.sim.spawn.OwnSpawns;
 import java.util.ArrayList;
 import java.util.List;
@@ -132,7 +133,7 @@ final class SimParts {
     match = fields.create(Scope.MATCH);
     allFields = new AllFields(match, entities);
     fieldUse = decides ? fields.noteUse(findings, allFields::nameOf) : null;
-    interference = new InterferenceLog(entities, players, findings);
+    interference = new InterferenceLog(entities, players, joints::key, findings);
     history = decides && game.looksBack() ? newHistory() : null;
     pools = new Pools(tickRate, decides);
     level.archetypes().forEach(archetypes::add);

@@ -88,6 +88,7 @@ final class Tick {
   private void compute() {
     parts.entities.followPaths(parts.tick);
     ruleBeforeStep();
+    parts.interference.beginInputs();
     for (int i = 0; i < parts.players.limit(); i++) {
       Player player = parts.players.get(i);
       if (player != null && player.isAlive()) {
@@ -120,7 +121,7 @@ final class Tick {
       game.beforeStep(simulation);
       parts.interference.endRulesBeforeStep(parts.tick);
     } else if (parts.rulings != null) {
-      parts.rulings.beforeStep(simulation);
+      parts.rulings.beforeStep();
     }
   }
 
@@ -132,7 +133,7 @@ final class Tick {
       during("a callback between two steps");
       parts.interference.endRulesAfterStep(parts.tick);
     } else if (parts.rulings != null) {
-      parts.rulings.afterStep(simulation);
+      parts.rulings.afterStep();
     }
   }
 
@@ -144,6 +145,9 @@ final class Tick {
   }
 
   private void takeInput(Player player) {
+    if (parts.rulings != null && parts.rulings.input(player)) {
+      return;
+    }
     fields.beginInput(player, player.fieldValues(), player.body().fieldValues());
     calls.inInput(true);
     spawner.beginInput(player);
@@ -155,6 +159,11 @@ final class Tick {
     }
     if (parts.role == Role.PREDICTION) {
       spawner.dropUnpredicted(player);
+    }
+    if (fields.hasReadHidden() && parts.rulings != null) {
+      parts.rulings.readHidden(player, fields.hasReadUntold());
+    } else if (fields.hasReadHidden()) {
+      parts.interference.endInput(player, parts.tick, fields);
     }
   }
 

@@ -4,13 +4,28 @@ import java.util.Collection;
 
 /** Finds the known word that somebody probably meant. */
 public final class Suggestion {
+  /** Fewest letters of a beginning that tell which word is meant. */
+  private static final int BEGINNING = 3;
+
   private Suggestion() {}
 
   /**
-   * Returns the known word nearest to the given one, or null when none is near. A third of its
+   * Returns the known word nearest to the given one, or null when none is near. The only word that
+   * begins with the given one is nearest, if three letters are given. Otherwise a third of its
    * letters, and always two, may be wrong, missing, added or swapped with their neighbour.
    */
   public static String nearest(String word, Collection<String> known) {
+    String begun = null;
+    int beginWithIt = 0;
+    for (String candidate : known) {
+      if (candidate.regionMatches(true, 0, word, 0, word.length())) {
+        begun = candidate;
+        beginWithIt++;
+      }
+    }
+    if (beginWithIt == 1 && word.length() >= BEGINNING) {
+      return begun;
+    }
     String best = null;
     int bestDistance = Math.max(2, word.length() / 3) + 1;
     if (word.length() > 64) {

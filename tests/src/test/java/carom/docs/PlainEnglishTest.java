@@ -44,7 +44,8 @@ final class PlainEnglishTest {
     "shared/src/vector",
     "server/src/main",
     "client/src/main",
-    "launcher/src/main"
+    "launcher/src/main",
+    "testkit/src/main"
   };
 
   private static List<Path> files(String ending, String... folders) throws IOException {
@@ -84,7 +85,7 @@ final class PlainEnglishTest {
 
   @Test
   void oldWordsStayAway() throws IOException {
-    List<Path> all = files(".java", "shared", "server", "client", "launcher", "tests");
+    List<Path> all = files(".java", "shared", "server", "client", "launcher", "testkit", "tests");
     all.addAll(files(".md", "docs"));
     all.add(ROOT.resolve("README.md"));
     all.add(ROOT.resolve("SECURITY.md"));

@@ -103,6 +103,27 @@ final class ReplayTest {
     }
   }
 
+  @Test
+  void playersWhoJoinBeforeTheFirstTickDoNotHideWhereTheRecordingBegins() throws Exception {
+    // The players of the match before join a next match before its first tick.
+    Level level = Level.builtIn("arena");
+    Simulation s = new Simulation(Games.create("arena"), level, 5, 60, Role.AUTHORITY);
+    Blocks blocks = new Blocks();
+    Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, 0), blocks);
+    s.addJournal(recorder);
+    s.join("Ann");
+    for (int i = 0; i < 90; i++) {
+      s.step();
+    }
+    recorder.end("NEXT MATCH");
+    try (RecordingReader reader = RecordingReader.open(blocks.write(folder.resolve("n.carom")))) {
+      Replay replay = new Replay(reader);
+      playOn(replay);
+      assertEquals(0, replay.firstTick());
+      assertEquals(90, replay.simulation().tick());
+    }
+  }
+
   /** Recorded from the third second on, at another place than at the start of the room. */
   @ParameterizedTest
   @ValueSource(strings = {"arena", "platformer"})

@@ -146,6 +146,44 @@ class SessionScenarioTest {
   }
 
   @Test
+  void afterTheServerStoodStillForTenSecondsAllComeBackToTheirBodies() {
+    // Goal: SIGSTOP, a suspended machine or a moved virtual one costs nobody a body. Method: eight
+    // clients; nothing of the server runs for 10 s, in which they give their links up after 6 s.
+    try (Stepper stepper = Stepper.of("arena")) {
+      List<SimulatedClient> clients = stepper.join(8);
+      stepper.run(2);
+      List<Entity> bodies = clients.stream().map(stepper::body).toList();
+      stepper.stallServer(10);
+      stepper.run(3);
+      for (int i = 0; i < clients.size(); i++) {
+        assertEquals(ConnectionPhase.PLAYING, clients.get(i).view().phase(), stepper.describe());
+        assertSame(bodies.get(i), stepper.body(clients.get(i)));
+      }
+      assertEquals(0, stepper.count(Counter.PLAYERS_IN_GRACE));
+    }
+  }
+
+  @Test
+  void fifteenSecondsOfSilenceCostTheLinkButNotTheBody() {
+    try (Stepper stepper = Stepper.of("arena")) {
+      SimulatedClient client = stepper.join("client", FAR, Scripts.wander(1));
+      SimulatedClient other = stepper.join("other", FAR, Scripts.wander(2));
+      stepper.run(2);
+      Entity body = stepper.body(client);
+      stepper.player(client).score(7);
+      stepper.blackout(client, 15);
+      stepper.run(15);
+      assertTrue(client.stats().reconnects() > 0, client::toString);
+      stepper.run(5);
+      assertEquals(ConnectionPhase.PLAYING, client.view().phase(), client::toString);
+      assertSame(body, stepper.body(client));
+      assertEquals(7, stepper.player(client).score());
+      assertEquals(0, other.stats().reconnects(), "nobody else notices");
+      assertEquals(0, stepper.count(Counter.PLAYERS_IN_GRACE));
+    }
+  }
+
+  @Test
   void aProcessThatStoodStillForTenSecondsComesBackToTheSameBody() {
     // Goal: a suspended laptop is a broken line. Method: nothing of the client runs for 10 s; the
     // server gives the link up after 6 s and keeps the body for 30.

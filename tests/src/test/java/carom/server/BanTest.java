@@ -109,13 +109,15 @@ final class BanTest {
   @Test
   void aBannedPlayerIsRemovedAndStaysOutUntilUnbanned() throws Exception {
     FakeClient bob = join("Bob B");
-    assertTrue(commands.run("ban Rob").text().contains("to ban a name in advance"));
+    assertTrue(commands.run("ban Rob").text().contains("to ban a name in advance: ban name Rob"));
     String answer = run("ban \"bob b\" 7d threats in chat");
-    assertTrue(answer.contains("name \"bob b\" and address 127.0.0.1 until 20"), answer);
+    String expected = "banned name \"Bob B\" and address 127.0.0.1 of \"Bob B\" until 20";
+    assertTrue(answer.startsWith(expected), answer);
     assertTrue(answer.endsWith("1 player removed"), answer);
     await(bob, () -> bob.goodbye != null);
     assertEquals(GoodbyeReason.KICKED, bob.goodbye.reason());
-    assertTrue(bob.goodbye.text().contains("threats in chat"), bob.goodbye.text());
+    assertTrue(
+        bob.goodbye.text().contains("Reason: threats in chat. Until 20"), bob.goodbye.text());
 
     FakeClient again = connect("Somebody");
     assertEquals(RefusalReason.BANNED, again.refused.reason(), "the address is banned, too");
@@ -125,6 +127,36 @@ final class BanTest {
     run("unban \"Bob B\"");
     assertNotNull(join("Bob B"));
     assertEquals("nobody is banned", run("ban"));
+    assertTrue(run("ban #0").endsWith("1 player removed"));
+    assertEquals(
+        "removed the ban of name \"Bob B\" and of address 127.0.0.1 of \"Bob B\"",
+        run("unban name \"bob b\""));
+    assertNotNull(join("Somebody"));
+  }
+
+  @Test
+  void aBanSparesTheOthersBehindTheSameAddress() throws Exception {
+    FakeClient ann = join("Ann");
+    FakeClient bob = join("Bob");
+    join("Cid");
+    int id =
+        server.rooms().get(0).operator().players().stream()
+            .filter(player -> player.name().equals("Bob"))
+            .mapToInt(player -> player.id())
+            .findFirst()
+            .orElseThrow();
+    assertEquals(
+        "banned name \"Bob\" forever; 1 player removed; not address 127.0.0.1, which 2 other"
+            + " players have: ban 127.0.0.1",
+        run("ban " + id));
+    await(bob, () -> bob.goodbye != null);
+    for (int i = 0; i < 50; i++) {
+      ann.step(0);
+      Thread.sleep(5);
+    }
+    assertEquals(2, server.rooms().get(0).operator().players().size());
+    assertTrue(run("ban 127.0.0.1 1h").endsWith("2 players removed"));
+    await(ann, () -> ann.goodbye != null);
   }
 
   private void say(FakeClient client, String text) {

@@ -131,7 +131,7 @@ final class RulingTest {
       assertEquals(server.tick(), server.interference().lastTick(crate));
       Ruling ruling = server.interference().rulings().get(told);
       assertEquals(server.tick(), ruling.tick);
-      assertFalse(ruling.afterStep);
+      assertEquals(Ruling.Moment.BEFORE_STEP, ruling.moment);
       ruling.apply(client.entity(3), client.archetypes(), row);
       client.step();
       int[] expected = new int[BodyRow.INTS];

@@ -1,6 +1,7 @@
 package carom.client.app;
 
 import carom.net.transport.ClientTransport;
+import carom.sim.level.Level;
 import java.util.List;
 import java.util.ServiceLoader;
 
@@ -37,6 +38,9 @@ public interface LocalGames {
 
   /** Returns the names of the levels, the usual one first. */
   List<String> levels();
+
+  /** Returns a level of {@link #levels}. */
+  Level level(String name);
 
   /**
    * Starts a server with a game.

@@ -190,5 +190,9 @@ public final class NetworkOptions {
     Logger root = context.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
     root.setLevel(Level.toLevel(logLevel.name()));
     root.addAppender(console);
+    if (root.getLevel() == Level.WARN) {
+      // A game of this machine has its server in this process; its warnings advise operators.
+      context.getLogger("carom.server").setLevel(Level.ERROR);
+    }
   }
 }

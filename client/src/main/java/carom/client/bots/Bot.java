@@ -7,13 +7,15 @@ import carom.sim.level.Appearance.Look;
 import carom.sim.level.Level;
 import carom.sim.random.SimRandom;
 import java.util.List;
+import java.util.Set;
 
 /**
  * A bot that plays from what is on the screen, like a distracted child.
  *
- * <p>In a level without gravity it pushes a ball towards the other side's goal, or waits in front
- * of its own. With gravity it runs, jumps and collects coins. It decides several times a second,
- * each bot at its own ticks, and holds the same keys in between.
+ * <p>If the game brings a {@link BotBrain}, that one plays. Otherwise, in a level without gravity
+ * the bot pushes a ball towards the other side's goal, or waits in front of its own. With gravity
+ * it runs, jumps and collects coins. It decides several times a second, each bot at its own ticks,
+ * and holds the same keys in between. In games that aren't Carom's own it also tries all keys.
  */
 public final class Bot implements InputSource {
   private static final int THINK_TICKS = 7;
@@ -22,11 +24,29 @@ public final class Bot implements InputSource {
   /** Most bots of a side that chase the same ball; more would stand in each other's way. */
   private static final int CHASERS = 3;
 
+  /** Games whose rules this bot knows. */
+  private static final Set<String> KNOWN = Set.of("arena", "platformer");
+
+  /** Every button that {@link Input} has. */
+  private static final int[] BUTTONS = {
+    Input.JUMP, Input.ACTION, Input.SECOND, Input.UP, Input.DOWN
+  };
+
+  /** A bot that tries all keys holds each one down in one of so many decisions. */
+  private static final int PRESSED_ONE_IN = 6;
+
   /** Distance between bots that wait, metres. */
   private static final float SPREAD_METRES = 5;
 
   private final SimRandom random;
+
+  /** Chooses the keys to try, apart from {@link #random}: what a bot does otherwise stays so. */
+  private final SimRandom fingers;
+
   private final boolean roams;
+  private final Senses senses;
+  private BotBrain brain;
+  private String brainGame = "";
   private final Input held = new Input();
   private int thinkAt;
   private int changeMindAt;
@@ -55,11 +75,35 @@ public final class Bot implements InputSource {
   public Bot(long seed, boolean roams) {
     this.roams = roams;
     random = new SimRandom(seed * 0x9e3779b97f4a7c15L + 1);
+    fingers = new SimRandom(seed * 0xd1342543de82ef95L + 1);
+    senses = new Senses(fingers);
     thinkAt = random.nextInt(THINK_TICKS);
+  }
+
+  /**
+   * Creates a bot that a brain plays.
+   *
+   * @param seed of the brain's random numbers
+   * @param brain this bot's alone
+   */
+  public Bot(long seed, BotBrain brain) {
+    this(seed);
+    this.brain = brain;
+    brainGame = brain.game();
   }
 
   @Override
   public void sample(ClientView view, int tick, Input out) {
+    if (!roams && !view.game().equals(brainGame)) {
+      brainGame = view.game();
+      brain = BotBrains.create(brainGame);
+    }
+    if (brain != null) {
+      if (senses.look(view, tick)) {
+        brain.decide(senses, out);
+      }
+      return;
+    }
     if (isDue(thinkAt, tick, THINK_TICKS)) {
       thinkAt = tick + THINK_TICKS;
       held.clear();
@@ -93,12 +137,29 @@ public final class Bot implements InputSource {
     } else {
       runAndJump(view, own);
     }
+    if (!KNOWN.contains(view.game())) {
+      tryKeys(view.level().gravityY() != 0);
+    }
+  }
+
+  /** Holds some of the keys down, and with gravity also the stick up or down. */
+  private void tryKeys(boolean sideView) {
+    for (int button : BUTTONS) {
+      if (fingers.nextInt(PRESSED_ONE_IN) == 0) {
+        held.hold(button, true);
+      }
+    }
+    if (sideView) {
+      held.move(held.moveX(), wanderY);
+      held.aim(fingers.between(-3, 3));
+    }
   }
 
   /** Walks at random, which visits all places equally often; walls turn the bot back. */
   private void roam() {
     float length = Math.max(0.01f, length(wanderX, wanderY));
     held.move(wanderX / length, wanderY / length);
+    tryKeys(false);
   }
 
   private void pushBalls(ClientView view, ClientView.Drawn own) {

@@ -4,6 +4,7 @@
  *
  * <p>Imports {@code carom.client..} but for {@code desktop}, {@code carom.sim}, {@code carom.net..}
  * and {@code carom.physics.threads}. Read first: {@link carom.client.bots.BotsMain}, {@link
- * carom.client.bots.BotFarm}, {@link carom.client.bots.Bot}.
+ * carom.client.bots.BotFarm}, {@link carom.client.bots.Bot}; game developers: {@link
+ * carom.client.bots.BotBrain}.
  */
 package carom.client.bots;

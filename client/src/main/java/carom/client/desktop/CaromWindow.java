@@ -26,6 +26,7 @@ import carom.sim.scene.Scene;
 import com.badlogic.gdx.Application;
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Graphics;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.Screen;
 import java.io.IOException;
@@ -373,7 +374,10 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     }
     Theme.palette(changed.palette());
     fonts.textSize(changed.textSize() / 100f);
-    if (changed.fullscreen() != before.fullscreen()) {
+    boolean resized =
+        changed.windowWidth() != before.windowWidth()
+            || changed.windowHeight() != before.windowHeight();
+    if (changed.fullscreen() != before.fullscreen() || resized) {
       if (changed.fullscreen()) {
         Gdx.graphics.setFullscreenMode(Gdx.graphics.getDisplayMode());
       } else {
@@ -381,6 +385,12 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
       }
     }
     later(() -> resize(Gdx.graphics.getWidth(), Gdx.graphics.getHeight()));
+  }
+
+  @Override
+  public int[] largestWindow() {
+    Graphics.DisplayMode screen = Gdx.graphics.getDisplayMode();
+    return new int[] {screen.width, screen.height};
   }
 
   @Override

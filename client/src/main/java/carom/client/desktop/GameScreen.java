@@ -315,10 +315,10 @@ final class GameScreen extends ScreenAdapter {
       }
       conversation.draw(hud, nowNs);
     }
-    netGraph.draw(view, nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
     if (view.phase() == ConnectionPhase.PLAYING) {
       hints.draw(deltaSeconds);
     }
+    netGraph.draw(view, nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
     rooms.draw(view, deltaSeconds);
     if (pause.isOpen()) {
       hud.veil();

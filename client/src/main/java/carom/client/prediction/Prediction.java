@@ -73,7 +73,7 @@ public final class Prediction {
   private final ReplayBudget budget;
   private final PendingUpdates updates;
   private final SpawnSettler settler;
-  private final ReceivedRulings rulings = new ReceivedRulings();
+  private final ReceivedRulings rulings;
   private final Reconciler reconciler;
   private final Agreement agreement = new Agreement();
   private final Reconciliation result = new Reconciliation();
@@ -118,6 +118,7 @@ public final class Prediction {
     simulation.mirror().ownSpawns(records.spawns());
     settler = new SpawnSettler(simulation, records);
     player = simulation.mirror().join(playerId, name);
+    rulings = new ReceivedRulings(simulation, playerId);
     words = new OwnWords(simulation.schema(), player);
     match = new MatchWords(simulation);
     inputs = new PlayerInputs(simulation, player, records, Timeline.RING);

@@ -286,8 +286,8 @@ final class Reconciler {
   }
 
   /**
-   * Returns whether the state's tick follows from an equal one and real inputs alone: no input was
-   * predicted, no tick left out, and nothing corrected in between.
+   * Returns whether the state's tick follows from an equal one and real inputs alone: no input and
+   * no effect of one was guessed, no tick left out, and nothing corrected in between.
    */
   private boolean isReproducible(int equalTick) {
     if (equalTick < 0
@@ -296,7 +296,7 @@ final class Reconciler {
       return false;
     }
     for (int t = equalTick + 1; t <= stateTick; t++) {
-      if (!timeline.isSaved(t) || !inputs.areConfirmed(t)) {
+      if (!timeline.isSaved(t) || !inputs.areConfirmed(t) || rulings.isGuessed(t)) {
         return false;
       }
     }

@@ -8,7 +8,9 @@ import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
+import carom.physics.Queries;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
@@ -136,6 +138,7 @@ public final class ClientView {
   String game = "";
   Level level;
   Pools pools;
+  Queries<Entity> geometry;
   int playerId = -1;
   int tickRate = 60;
   int tick;
@@ -258,6 +261,20 @@ public final class ClientView {
   /** Returns the level's water and sand, for reading only; null before the level is loaded. */
   public Pools pools() {
     return pools;
+  }
+
+  /**
+   * Returns whether a straight way hits the level's static geometry; false before the level is
+   * loaded, and in replays.
+   *
+   * @param x x of the start, metres
+   * @param y y of the start, metres
+   * @param wayX x from start to end, metres
+   * @param wayY y from start to end, metres
+   */
+  public boolean isWall(float x, float y, float wayX, float wayY) {
+    return geometry != null
+        && geometry.rayAny(x, y, wayX, wayY, (body, shape) -> body.user().isLevel());
   }
 
   /** Returns the player's own id, or -1 before it is known. */

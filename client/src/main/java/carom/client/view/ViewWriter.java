@@ -7,7 +7,9 @@ import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
+import carom.physics.Queries;
 import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
@@ -60,6 +62,11 @@ public final class ViewWriter {
   /** Sets the water and sand that is shown, or null. */
   public void pools(Pools pools) {
     view.pools = pools;
+  }
+
+  /** Sets the world whose static geometry {@link ClientView#isWall} asks, or null. */
+  public void geometry(Queries<Entity> geometry) {
+    view.geometry = geometry;
   }
 
   /** Sets the room, and the number of its match. */

@@ -14,10 +14,9 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.slf4j.Logger;
@@ -53,15 +52,15 @@ public final class AccessCommands {
         new Command(
             "ban",
             "[PLAYER | ADDRESS[/BITS] | name NAME | account ID] [TIME] [REASON]",
-            "Bans: a player by account, or else by name and address, or one of them; TIME is 30m,"
-                + " 12h, 7d or 2w. Alone: shows the bans.",
+            "Bans: a player by account, or else by name and, if nobody else here has it, address;"
+                + " or one of them. TIME is 30m, 12h, 7d or 2w. Alone: shows the bans.",
             all::ban,
             place -> place == 0 ? all.playerNames() : List.of()));
     registry.add(
         new Command(
             "unban",
-            "NAME | ADDRESS[/BITS] | account ID",
-            "Ends bans of a name, account or address.",
+            "[name] NAME | ADDRESS[/BITS] | account ID",
+            "Ends bans of a name, account or address; of a name also that of its address.",
             words -> all.remove(lists.bans(), words, "ban"),
             place -> place == 0 ? values(lists.bans()) : List.of()));
     registry.add(
@@ -137,9 +136,8 @@ public final class AccessCommands {
     boolean byAccount = words.word(0, "PLAYER").equals(ACCOUNT) && words.has(1);
     int next = byName || byAccount ? 2 : 1;
     String who = words.word(next - 1, "NAME");
-    if (next == 1 && RoomFinder.isId(who)) {
-      who = new RoomFinder(rooms).player(words, 0).player().name();
-    }
+    Optional<AddressRange> range = next == 1 ? AddressRange.parse(who) : Optional.empty();
+    PlayerInfo player = next == 1 && range.isEmpty() ? playerToBan(words) : null;
     Instant until = null;
     if (words.has(next)) {
       Matcher time = TIME.matcher(words.word(next, "TIME"));
@@ -153,25 +151,55 @@ public final class AccessCommands {
     String reason = words.rest(next);
     Instant end = until;
     List<AccessEntry> entries = new ArrayList<>();
-    Optional<AddressRange> range = AddressRange.parse(who);
-    Set<String> accounts = byAccount ? Set.of(who) : byName ? Set.of() : accounts(who);
-    if (!accounts.isEmpty()) {
-      accounts.forEach(id -> entries.add(new AccessEntry(null, null, id, end, reason)));
-    } else if (byName || range.isEmpty()) {
-      entries.add(new AccessEntry(null, nameOf(who, byName), null, end, reason));
-      for (AddressRange household : byName ? Set.<AddressRange>of() : households(who)) {
-        entries.add(new AccessEntry(household, null, null, end, reason));
-      }
-    } else {
+    String spared = "";
+    if (byAccount || player != null && !player.account().isEmpty()) {
+      String account = byAccount ? who : player.account();
+      entries.add(new AccessEntry(null, null, account, end, reason));
+    } else if (range.isPresent()) {
       entries.add(new AccessEntry(range.get(), null, null, end, reason));
+    } else {
+      String name = byName ? who : player.name();
+      entries.add(new AccessEntry(null, name, null, end, reason));
+      AddressRange household = byName ? null : AddressRange.household(player.remote()).orElse(null);
+      long others = household == null ? 0 : others(household, name);
+      if (others > 0) {
+        spared =
+            "; not address %s, which %d other %s: ban %s"
+                .formatted(
+                    household, others, others == 1 ? "player has" : "players have", household);
+      } else if (household != null) {
+        entries.add(new AccessEntry(household, name, null, end, reason));
+      }
     }
     change(lists.bans(), entries);
-    StringBuilder text = new StringBuilder("banned ");
-    text.append(String.join(" and ", entries.stream().map(AccessEntry::what).toList()))
-        .append(end == null ? " forever" : " until " + end);
     int removed = removePlayers();
-    return text.append("; ").append(removed).append(removed == 1 ? " player" : " players")
-        + " removed";
+    return "banned %s%s; %d %s removed%s"
+        .formatted(
+            String.join(" and ", entries.stream().map(AccessEntry::what).toList()),
+            end == null ? " forever" : " until " + end,
+            removed,
+            removed == 1 ? "player" : "players",
+            spared);
+  }
+
+  /** Returns the player of the first word, who must be here. */
+  private PlayerInfo playerToBan(CommandWords words) throws CommandException {
+    try {
+      return new RoomFinder(rooms).player(words, 0).player();
+    } catch (CommandException e) {
+      String who = words.word(0, "PLAYER");
+      String advice = RoomFinder.isId(who) ? "" : "; to ban a name in advance: ban name " + who;
+      throw new CommandException(e.getMessage() + advice);
+    }
+  }
+
+  /** Returns how many players with other names and without accounts have one of the addresses. */
+  private long others(AddressRange range, String name) {
+    return rooms.stream()
+        .flatMap(room -> room.operator().players().stream())
+        .filter(player -> !isSame(player.name(), name))
+        .filter(player -> AddressRange.household(player.remote()).filter(range::equals).isPresent())
+        .count();
   }
 
   private static Duration duration(Matcher time) {
@@ -184,42 +212,8 @@ public final class AccessCommands {
     };
   }
 
-  /** Returns a name; without the word {@code name}, only that of a player who is here. */
-  private String nameOf(String who, boolean byName) throws CommandException {
-    if (!byName && playerNames().stream().noneMatch(name -> isSame(name, who))) {
-      throw new CommandException(
-          "no player=" + who + " plays here; to ban a name in advance: ban name " + who);
-    }
-    return who;
-  }
-
   private static boolean isSame(String name, String other) {
     return PlayerName.folded(name).equals(PlayerName.folded(other));
-  }
-
-  /** Returns the accounts of the players of a name who are here. */
-  private Set<String> accounts(String name) {
-    Set<String> accounts = new LinkedHashSet<>();
-    for (Room room : rooms) {
-      for (PlayerInfo player : room.operator().players()) {
-        if (isSame(player.name(), name) && !player.account().isEmpty()) {
-          accounts.add(player.account());
-        }
-      }
-    }
-    return accounts;
-  }
-
-  private Set<AddressRange> households(String name) {
-    Set<AddressRange> ranges = new LinkedHashSet<>();
-    for (Room room : rooms) {
-      for (PlayerInfo player : room.operator().players()) {
-        if (isSame(player.name(), name)) {
-          AddressRange.household(player.remote()).ifPresent(ranges::add);
-        }
-      }
-    }
-    return ranges;
   }
 
   private String allow(CommandWords words) throws CommandException {
@@ -253,6 +247,10 @@ public final class AccessCommands {
       words.requireAtMost(2);
       return new AccessEntry(null, null, words.word(1, "ID"), null, "");
     }
+    if (value.equals("name") && words.has(1)) {
+      words.requireAtMost(2);
+      return new AccessEntry(null, words.word(1, "NAME"), null, null, "");
+    }
     words.requireAtMost(1);
     Optional<AddressRange> range = AddressRange.parse(value);
     return new AccessEntry(range.orElse(null), range.isPresent() ? null : value, null, null, "");
@@ -270,13 +268,16 @@ public final class AccessCommands {
 
   private String remove(AccessFile file, CommandWords words, String what) throws CommandException {
     AccessEntry wanted = entry(words);
+    List<String> found = new ArrayList<>();
+    Predicate<AccessEntry> isMeant =
+        entry -> wanted.isAboutSame(entry) || wanted.range() == null && entry.isOf(wanted.name());
+    file.entries().stream().filter(isMeant).forEach(entry -> found.add(entry.what()));
     try {
-      int removed = file.remove(wanted::isAboutSame);
-      if (removed == 0) {
+      if (file.remove(isMeant) == 0) {
         throw new CommandException("no " + what + " of " + wanted.what());
       }
       removePlayers();
-      return "removed the " + what + " of " + wanted.what();
+      return "removed the " + what + " of " + String.join(" and of ", found);
     } catch (IOException e) {
       throw new CommandException(e.getMessage());
     }

@@ -10,10 +10,10 @@ import java.util.Optional;
 
 /**
  * One line of a list: {@code name "Bob B" until 2026-12-01T00:00:00Z because of threats}.
- * Immutable. It is about addresses, a name or an account; the other two are null.
+ * Immutable. It is about addresses, a name or an account; what it isn't about is null.
  *
  * @param range the addresses
- * @param name the name
+ * @param name the name; beside addresses that of the player who was banned with them, or null
  * @param account the account, as join tokens name it
  * @param until when it ends, or null for never
  * @param reason for players and operators, may be empty
@@ -23,6 +23,7 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
   private static final String NAME = "name";
   private static final String ACCOUNT = "account";
   private static final String UNTIL = "until";
+  private static final String OF = "of";
 
   /**
    * Returns the entry of a line.
@@ -38,15 +39,20 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
     }
     Instant until = null;
     int next = 2;
-    if (words.size() > 2 && words.get(2).equals(UNTIL)) {
-      String time = words.size() > 3 ? words.get(3) : "";
+    String of = null;
+    if (words.get(0).equals(ADDRESS) && words.size() > 3 && words.get(2).equals(OF)) {
+      of = words.get(3);
+      next = 4;
+    }
+    if (words.size() > next && words.get(next).equals(UNTIL)) {
+      String time = words.size() > next + 1 ? words.get(next + 1) : "";
       try {
         until = Instant.parse(time);
       } catch (DateTimeException e) {
         throw new IllegalArgumentException(
             UNTIL + "=" + time + " is no time such as 2026-12-01T00:00:00Z", e);
       }
-      next = 4;
+      next += 2;
     }
     String reason = String.join(" ", words.subList(next, words.size()));
     String value = words.get(1);
@@ -62,7 +68,7 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
             () ->
                 new IllegalArgumentException(
                     ADDRESS + "=" + value + " is no address such as 203.0.113.7 or 2001:db8::/48")),
-        null,
+        of,
         null,
         until,
         reason);
@@ -86,7 +92,14 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
     if (range != null || account != null) {
       return Objects.equals(range, other.range) && Objects.equals(account, other.account);
     }
-    return other.name != null && PlayerName.folded(name).equals(PlayerName.folded(other.name));
+    return other.range == null && isOf(other.name);
+  }
+
+  /** Returns whether this is about a name, or about an address that was banned together with it. */
+  boolean isOf(String player) {
+    return name != null
+        && player != null
+        && PlayerName.folded(name).equals(PlayerName.folded(player));
   }
 
   /** Returns the line in the file. */
@@ -99,9 +112,13 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
   /** Returns what it is about, as in the file. */
   String what() {
     if (range != null) {
-      return ADDRESS + " " + range;
+      return ADDRESS + " " + range + (name == null ? "" : " " + OF + " " + quoted(name));
     }
-    return (account != null ? ACCOUNT : NAME) + " \"" + value().replace("\"", "") + "\"";
+    return (account != null ? ACCOUNT : NAME) + " " + quoted(value());
+  }
+
+  private static String quoted(String text) {
+    return "\"" + text.replace("\"", "") + "\"";
   }
 
   /** Returns the addresses, the name or the account. */

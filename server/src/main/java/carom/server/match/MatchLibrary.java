@@ -5,10 +5,12 @@ import carom.server.config.DataFolder;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.text.Suggestion;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 
 /** Finds games and levels by name, for rooms that begin a match. Any thread may ask. */
@@ -37,7 +39,7 @@ public interface MatchLibrary {
   /**
    * Returns a level.
    *
-   * @param name a file, or the name of a level that comes with the program
+   * @param name a file, or the name or title of a level that comes with the program
    * @throws LevelException when there is none, or when it can't be used
    */
   LoadedLevel level(String name) throws LevelException;
@@ -73,9 +75,33 @@ public interface MatchLibrary {
   private static Level find(String name) throws LevelException {
     try {
       Path file = Path.of(name);
-      return Files.isRegularFile(file) ? Level.load(file) : Level.builtIn(name);
+      if (Files.isRegularFile(file)) {
+        return Level.load(file);
+      }
     } catch (InvalidPathException e) {
       throw new LevelException(name, 0, 0, "", "this can't be the name of a file or level");
     }
+    List<String> known = builtInLevels();
+    if (Level.class.getResource("/levels/" + name + ".json") != null) {
+      return Level.builtIn(name);
+    }
+    for (String other : known) {
+      Level level = Level.builtIn(other);
+      if (asTyped(level.name()).equals(asTyped(name))) {
+        return level;
+      }
+    }
+    throw new LevelException(
+        name,
+        0,
+        0,
+        "",
+        "there is no such file or level; levels here are %s%s"
+            .formatted(String.join(", ", known), Suggestion.didYouMean(name, known)));
+  }
+
+  /** Returns a level's title without what people leave out when they type it. */
+  private static String asTyped(String title) {
+    return title.toLowerCase(Locale.ROOT).replaceAll("[\\s_-]+", "");
   }
 }

@@ -1,7 +1,6 @@
 package carom.server.prediction;
 
 import carom.net.snapshot.SnapshotEncoder;
-import carom.net.snapshot.exact.NearCodec;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Simulation;
@@ -23,8 +22,9 @@ import java.util.function.Predicate;
  *
  * <ul>
  *   <li>when an entity enters or leaves the set;
- *   <li>when the game {@linkplain InterferenceLog interferes} with an entity of it by more than
- *       {@linkplain RulingDelivery rulings}, which are told by themselves;
+ *   <li>when the game {@linkplain InterferenceLog interferes} with an entity of it, or another
+ *       player's input reads what this one isn't told and does something, by more than {@linkplain
+ *       RulingDelivery rulings}, which are told by themselves;
  *   <li>when the client reports another hash: then all of it is told.
  * </ul>
  *
@@ -36,6 +36,7 @@ import java.util.function.Predicate;
  */
 public final class PredictedSet {
   private final Simulation simulation;
+  private final int viewer;
   private final InterferenceLog interference;
   private final PredictedSetChooser chooser;
   private final ExactUpdate update;
@@ -54,12 +55,14 @@ public final class PredictedSet {
   private boolean mustTellAll;
 
   private boolean hasOutsideCause;
+  private boolean hasHiddenCause;
   private long updates;
   private long disagreements;
 
   PredictedSet(Simulation simulation, Player viewer, EntityMarks marks, Predicate<Entity> mayKnow) {
     state = new Neighbourhood(viewer.id());
     this.simulation = simulation;
+    this.viewer = viewer.id();
     interference = simulation.interference();
     chooser = new PredictedSetChooser(simulation, marks, mayKnow);
     update = new ExactUpdate(simulation, viewer.id());
@@ -122,24 +125,35 @@ public final class PredictedSet {
     nextRuling = log.next();
     int bits = 0;
     for (long n = first; n < nextRuling; n++) {
-      bits += isChosen(log.get(n)) ? NearCodec.rulingBits(log.get(n).mask) : 0;
+      bits += isChosen(log.get(n)) ? RulingDelivery.bits(log.get(n)) : 0;
     }
     if (bits > RulingDelivery.MOST_BITS) {
       mustTellAll = true; // an update is shorter
       rulings.clear();
       return;
     }
-    int copies = update.isLossy() ? 2 : 1;
+    int copies = update.isLossy() ? 2 : 1; // an input may have a ruling in each tick
     for (long n = first; n < nextRuling; n++) {
       if (isChosen(log.get(n))) {
-        mustTellAll |= !rulings.add(log.get(n), copies);
+        noteInput(log.get(n));
+        boolean isInput = log.get(n).moment == Ruling.Moment.INPUT;
+        mustTellAll |= !rulings.add(log.get(n), isInput ? copies + 1 : copies);
         toldRulings++;
       }
     }
   }
 
+  private void noteInput(Ruling ruling) {
+    Entity e = simulation.entity(Neighbourhood.id(ruling.key));
+    if (ruling.moment == Ruling.Moment.INPUT && e != null) {
+      interference.toldInput(e);
+    }
+  }
+
   private boolean isChosen(Ruling ruling) {
-    return chooser.isChosen(Neighbourhood.id(ruling.key));
+    Entity e = simulation.entity(Neighbourhood.id(ruling.key));
+    boolean isOwnInput = ruling.moment == Ruling.Moment.INPUT && e != null && e.ownerId() == viewer;
+    return !isOwnInput && chooser.isChosen(Neighbourhood.id(ruling.key));
   }
 
   private void updateIfNeeded(Player player, int disagreedTick) {
@@ -187,10 +201,12 @@ public final class PredictedSet {
   private void readState(boolean changed) {
     state.clear();
     hasOutsideCause = changed;
+    hasHiddenCause = false;
     for (int i = 0; i < chooser.chosen().count(); i++) {
       Entity e = chooser.chosen().get(i);
       state.add(e);
       hasOutsideCause |= interference.lastTick(e) > capturedTick;
+      hasHiddenCause |= interference.lastHiddenTick(e) > capturedTick && e.ownerId() != viewer;
       interference.watch(e);
     }
     state.read(simulation);
@@ -263,6 +279,14 @@ public final class PredictedSet {
    */
   public boolean hasOutsideCause() {
     return hasOutsideCause;
+  }
+
+  /**
+   * Returns whether the state captured last follows from an input of another player that read a
+   * field of which the client isn't told.
+   */
+  public boolean hasHiddenCause() {
+    return hasHiddenCause;
   }
 
   /** Returns the number of rows of the update that are still to be sent, lost ones included. */

@@ -38,6 +38,8 @@ public final class PredictionAudit {
     UNEXPLAINED,
     /** An input came too late or never. */
     INPUT_MISSING,
+    /** Another player's input read a field of which the client isn't told. */
+    FIELD_HIDDEN,
     /** The game, or a body outside the predicted set, had an influence. */
     INTERFERED,
     /** Something that moves touched the body, which the report says was alone. */
@@ -56,6 +58,7 @@ public final class PredictionAudit {
   // Of the predicted set.
   private final boolean[] hasSet = new boolean[TICKS];
   private final boolean[] hasOutsideCause = new boolean[TICKS];
+  private final boolean[] hasHiddenCause = new boolean[TICKS];
 
   /** Bodies of which the state is kept; 0 when the client was told nothing of that tick. */
   private final int[] count = new int[TICKS];
@@ -110,12 +113,14 @@ public final class PredictionAudit {
    * Remembers that a tick, which was kept, has a predicted set.
    *
    * @param withOutsideCause whether its state has another cause than the state before and inputs
+   * @param withHiddenCause whether another player's input read what the client isn't told
    */
-  public void keepSet(int tick, boolean withOutsideCause) {
+  public void keepSet(int tick, boolean withOutsideCause, boolean withHiddenCause) {
     int slot = slot(tick);
     if (ticks[slot] == tick) {
       hasSet[slot] = true;
       hasOutsideCause[slot] = withOutsideCause;
+      hasHiddenCause[slot] = withHiddenCause;
     }
   }
 
@@ -202,6 +207,9 @@ public final class PredictionAudit {
     }
     if (ofSet ? hasOutsideCause[slot] : interfered[slot]) {
       return Finding.INTERFERED;
+    }
+    if (ofSet && hasHiddenCause[slot]) {
+      return Finding.FIELD_HIDDEN;
     }
     return inputMissing[slot] ? Finding.INPUT_MISSING : Finding.UNEXPLAINED;
   }

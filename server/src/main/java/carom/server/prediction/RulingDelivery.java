@@ -49,6 +49,11 @@ final class RulingDelivery {
   private final Item[] items = new Item[MOST];
   private int count;
 
+  /** Returns how many bits a ruling takes at most. */
+  static int bits(Ruling ruling) {
+    return NearCodec.rulingBits(ruling.mask, ruling.joint != Ruling.BODY);
+  }
+
   /** Forgets all. */
   void clear() {
     count = 0;
@@ -110,13 +115,15 @@ final class RulingDelivery {
         continue;
       }
       int place = members.find(item.ruling.key, 0);
-      int bits = NearCodec.rulingBits(item.ruling.mask);
+      int bits = bits(item.ruling);
       if (place < 0 || used + bits > most) {
         continue;
       }
       used += bits;
       item.inPart = true;
-      out.addRuling(place, tick - item.ruling.tick, item.ruling.afterStep, item.ruling.mask);
+      int moment = item.ruling.moment.ordinal();
+      out.addRuling(place, tick - item.ruling.tick, moment, item.ruling.mask);
+      out.setRulingJoint(item.ruling.joint);
       for (int word = 0; word < Ruling.WORDS; word++) {
         if ((item.ruling.mask & 1 << word) != 0) {
           out.setRulingWord(word, item.ruling.row[BodyRow.MOTION + word]);

@@ -7,6 +7,7 @@ import carom.replay.Recorder;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.time.LocalDateTime;
@@ -71,6 +72,35 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
    */
   public RecordingFile(Path path) throws IOException {
     this(path, MAX_BYTES);
+  }
+
+  /**
+   * Creates the file for an operator.
+   *
+   * @throws IOException when it can't be created; the message says why and what to do
+   */
+  public static RecordingFile create(Path path) throws IOException {
+    try {
+      return new RecordingFile(path);
+    } catch (FileAlreadyExistsException e) {
+      throw new IOException(
+          "file=" + path + " exists, and nothing is overwritten; name another, or a folder", e);
+    } catch (NoSuchFileException e) {
+      throw new IOException(
+          "file=" + path + " can't be created: there is no folder " + path.getParent(), e);
+    } catch (IOException e) {
+      throw new IOException("file=" + path + " can't be created: " + e, e);
+    }
+  }
+
+  /** Ends and deletes the file, into which nothing was recorded. */
+  public void discard() {
+    finish();
+    try {
+      Files.deleteIfExists(path);
+    } catch (IOException e) {
+      LOG.warn("recording {} is of no use, but can't be deleted: {}", path, e.toString());
+    }
   }
 
   /** Creates the file with another largest size, in bytes. */

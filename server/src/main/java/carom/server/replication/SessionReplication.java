@@ -261,7 +261,8 @@ public final class SessionReplication {
       counters.add(Counter.NEAR_DISAGREEMENTS, predictedSet.disagreements() - disagreements);
       if (own.near().present()) {
         predictedTicks++;
-        audit.keepSet(preparedTick, predictedSet.hasOutsideCause());
+        boolean hidden = predictedSet.hasHiddenCause();
+        audit.keepSet(preparedTick, predictedSet.hasOutsideCause(), hidden);
       }
     }
   }

@@ -186,6 +186,7 @@ final class MatchChange implements RoomCourse {
     try {
       return new Loaded(wanted, load(named), null);
     } catch (MatchLoader.Unplayable e) {
+      logFailure(named, e);
       return new Loaded(wanted, null, e);
     } catch (Error e) { // such as too little memory for the level; the match goes on
       LOG.error(
@@ -194,8 +195,19 @@ final class MatchChange implements RoomCourse {
     }
   }
 
+  private void logFailure(NextMatch named, MatchLoader.Unplayable e) {
+    LOG.error(
+        "{}can't change to game=\"{}\" level=\"{}\": {}; the match goes on",
+        room.label(),
+        named.game(),
+        named.level(),
+        e.getMessage(),
+        e.getCause());
+  }
+
   /**
-   * Builds a match, on the calling thread, and logs why if it can't.
+   * Builds a match for an operator, on the calling thread. It logs failures of the game's code,
+   * whose stack the answer doesn't tell.
    *
    * @throws MatchLoader.Unplayable when it can't be played
    */
@@ -203,13 +215,9 @@ final class MatchChange implements RoomCourse {
     try {
       return loader.load(named);
     } catch (MatchLoader.Unplayable e) {
-      LOG.error(
-          "{}can't change to game=\"{}\" level=\"{}\": {}; the match goes on",
-          room.label(),
-          named.game(),
-          named.level(),
-          e.getMessage(),
-          e.getCause());
+      if (e.getCause() != null) {
+        logFailure(named, e);
+      }
       throw e;
     }
   }

@@ -27,6 +27,7 @@ import carom.server.room.match.MatchLoader;
 import carom.server.schedule.LoadWarnings;
 import carom.server.schedule.TickLoad;
 import carom.server.schedule.TickLoop;
+import carom.server.session.Admission;
 import carom.server.session.PartingLinks;
 import carom.server.session.RosterNews;
 import carom.server.session.SeatRequests;

@@ -11,17 +11,15 @@ import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.sim.Simulation;
 import java.io.IOException;
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The recording of a room, of which there is one at a time. It begins with the server, or when an
- * operator asks for it while the game goes on. It ends when an operator says so, or with the room.
- * When the disk is too slow, it goes on in another file as soon as the disk has written the last.
+ * The recording of a room, of which there is one at a time, and a second one beside a recording
+ * that spectators watch, which no operator may end. It begins with the server, or when an operator
+ * asks for it while the game goes on. It ends when an operator says so, or with the room. When the
+ * disk is too slow, it goes on in another file as soon as the disk has written the last.
  *
  * <p>On the room's thread, between two ticks; {@link #awaitEnd} from any.
  */
@@ -42,6 +40,9 @@ final class RoomRecording {
   private int begunAt;
   private boolean toldLeftOut;
 
+  /** What an operator records beside a recording that spectators watch; null before the first. */
+  private volatile RoomRecording beside;
+
   /** The last file that was ended, perhaps still being written; null without. */
   private volatile RecordingFile ended;
 
@@ -52,7 +53,11 @@ final class RoomRecording {
 
   /** Returns whether the room is recorded, or will be when the disk has written the last file. */
   boolean isOn() {
-    return recorder != null || awaited != null;
+    return recorder != null || awaited != null || beside != null && beside.isOn();
+  }
+
+  private boolean isWatched() {
+    return sink instanceof DelayedRecording delayed && delayed.isShown();
   }
 
   /** Begins to record to a sink; see {@link Room#record(BlockSink)}. */
@@ -89,6 +94,9 @@ final class RoomRecording {
 
   /** Ends the recording because the match ends; {@link #beginMatch} goes on with the next one. */
   void endMatch() {
+    if (beside != null) {
+      beside.endMatch();
+    }
     if (recorder != null) {
       recorder.end("NEXT MATCH");
       endFile();
@@ -97,6 +105,9 @@ final class RoomRecording {
 
   /** Begins to record the match that has begun, if the last one was recorded into files. */
   void beginMatch() {
+    if (beside != null) {
+      beside.beginMatch();
+    }
     if (files != null) {
       beginNextFile();
     }
@@ -107,6 +118,10 @@ final class RoomRecording {
    * takes a disk about a millisecond.
    */
   String begin(Path path) {
+    if (isWatched()) {
+      beside = beside == null ? new RoomRecording(room) : beside;
+      return beside.begin(path);
+    }
     if (recorder != null) {
       return "recorded already to " + sink + "; end that first: record stop";
     }
@@ -115,45 +130,34 @@ final class RoomRecording {
           + room.simulation().game().name()
           + " keeps more than its state: it can be recorded from its start on only, by --record";
     }
-    Simulation simulation = room.simulation();
     RecordingFile created;
     try {
-      created = new RecordingFile(path);
-    } catch (FileAlreadyExistsException e) {
-      return "file=" + path + " exists, and nothing is overwritten; name another, or a folder";
-    } catch (NoSuchFileException e) {
-      return "file=" + path + " can't be created: there is no folder " + path.getParent();
+      created = RecordingFile.create(path);
     } catch (IOException e) {
-      return "file=" + path + " can't be created: " + e;
+      return e.getMessage();
     }
     forget();
     try {
       begin(created);
       files = () -> new RecordingFile(RecordingFile.free(path));
     } catch (IllegalArgumentException e) {
-      created.finish();
-      delete(path);
+      created.discard();
       return "not recorded: " + e.getMessage();
     }
-    LOG.info("{}recorded to {} from tick {} on", room.label(), path, simulation.tick());
-    return "recording to " + path + " from tick=" + simulation.tick() + " on";
-  }
-
-  private static void delete(Path path) {
-    try {
-      Files.deleteIfExists(path);
-    } catch (IOException e) {
-      LOG.warn("recording {} is of no use, but can't be deleted: {}", path, e.toString());
-    }
+    LOG.info("{}recorded to {} from tick {} on", room.label(), path, begunAt);
+    return "recording to " + path + " from tick=" + begunAt + " on";
   }
 
   /** Ends for an operator and returns a line that says what happened. */
   String stop() {
+    if (beside != null && beside.isOn()) {
+      return beside.stop();
+    }
     if (recorder == null) {
       forget();
       return "not recorded";
     }
-    if (sink instanceof DelayedRecording delayed && delayed.isShown()) {
+    if (isWatched()) {
       return "spectators watch this recording (--spectator-delay); it ends with the room";
     }
     String to = sink.toString();
@@ -164,6 +168,9 @@ final class RoomRecording {
 
   /** Ends the recording if its sink is cut, and begins another file if one is due; per tick. */
   void tickEnds() {
+    if (beside != null) {
+      beside.tickEnds();
+    }
     if (awaited != null && awaited.isDone()) {
       awaited = null;
       beginNextFile();
@@ -227,12 +234,13 @@ final class RoomRecording {
    * @param why in a few words, shown when the recording is played
    */
   void end(String why) {
+    if (beside != null) {
+      beside.end(why);
+    }
     if (recorder != null) {
       recorder.end(why);
     }
-    if (isOn()) {
-      forget();
-    }
+    forget();
   }
 
   private void forget() {
@@ -267,11 +275,11 @@ final class RoomRecording {
    * @return whether nothing is left to write
    */
   boolean awaitEnd() {
+    boolean isWritten = beside == null || beside.awaitEnd();
     RecordingFile last = ended;
-    if (last == null) {
-      return true;
+    if (last != null) {
+      last.close();
     }
-    last.close();
-    return last.isDone();
+    return isWritten && (last == null || last.isDone());
   }
 }

@@ -20,6 +20,7 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
+import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
 import carom.sim.gauge.Gauge;
@@ -245,6 +246,11 @@ public final class ArenaGame implements Game {
    */
   private boolean isHeard(Entity e) {
     return e.archetype() == pitch.ball || e.ownerId() != Entity.NO_OWNER;
+  }
+
+  @Override
+  public Audience audience(Simulation s, Entity e) {
+    return e.archetype() == pitch.ball ? Audience.ALL : Audience.NEAR; // all know where to run
   }
 
   @Override

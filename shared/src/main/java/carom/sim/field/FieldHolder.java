@@ -222,12 +222,14 @@ public abstract class FieldHolder<E extends FieldHolder<E, P>, P extends FieldHo
   }
 
   private void addInt(IntField<?> field, int word, int change) {
-    setInt(field, word, field.clamp((long) getInt(field, word) + change));
+    FieldValues values = fieldValues();
+    int value = field.decode(values.readToAdd(word), values.store().tick());
+    setInt(field, word, field.clamp((long) value + change));
   }
 
   private void addFloat(FloatField<?> field, int word, float change) {
     FieldValues values = fieldValues();
-    values.write(word, field.add(values.read(word), change));
+    values.write(word, field.add(values.readToAdd(word), change));
   }
 
   private static int reference(Field<?> field, FieldHolder<?, ?> target) {

@@ -41,6 +41,11 @@ public final class FieldStore {
   private FieldValues ownBody;
   private Object spawner;
   private boolean isInput;
+  private boolean hasReadHidden;
+  private boolean hasReadUntold;
+  private boolean hasWrittenShared;
+  private int hiddenWord;
+  private Scope hiddenScope = Scope.PLAYER;
   private String refuser;
   private FieldUse use;
 
@@ -112,7 +117,8 @@ public final class FieldStore {
     return use;
   }
 
-  FieldUse use() {
+  /** Returns what notes how the game uses its fields, or null; a server has it. */
+  public FieldUse use() {
     return use;
   }
 
@@ -127,6 +133,9 @@ public final class FieldStore {
     own = player;
     ownBody = body;
     isInput = true;
+    hasReadHidden = false;
+    hasReadUntold = false;
+    hasWrittenShared = false;
   }
 
   /** Begins {@code Game.collision}, which must change nothing: refuses writes. */
@@ -156,6 +165,49 @@ public final class FieldStore {
     if (use != null) {
       use.endReading();
     }
+  }
+
+  /** Notes that the game reads a word. */
+  void noteRead(Scope scope, int word) {
+    if (isInput && !schema.isShared(scope, word)) {
+      hasReadHidden = true;
+      hiddenScope = scope;
+      hiddenWord = word;
+      hasReadUntold |= word >= schema.toldWords(scope);
+    }
+  }
+
+  /** Notes that the game changes a word. */
+  void noteWrite(Scope scope, int word) {
+    hasWrittenShared |= isInput && schema.isShared(scope, word);
+  }
+
+  /**
+   * Returns whether the last {@code Game.input} read a field that not all players near are told.
+   * What it did then depends on what other clients don't know. Adding to a field isn't reading it.
+   */
+  public boolean hasReadHidden() {
+    return hasReadHidden;
+  }
+
+  /** Returns the scope of a word that {@link #hasReadHidden} is about. */
+  public Scope hiddenScope() {
+    return hiddenScope;
+  }
+
+  /** Returns a word that {@link #hasReadHidden} is about, in {@link #hiddenScope}. */
+  public int hiddenWord() {
+    return hiddenWord;
+  }
+
+  /** Returns whether the last {@code Game.input} read a field that no player is told. */
+  public boolean hasReadUntold() {
+    return hasReadUntold;
+  }
+
+  /** Returns whether the last {@code Game.input} changed a field that all players near are told. */
+  public boolean hasWrittenShared() {
+    return hasWrittenShared;
   }
 
   /** Returns whether a client couldn't predict a write to these values now. */

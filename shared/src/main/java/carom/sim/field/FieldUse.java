@@ -8,9 +8,9 @@ import java.util.List;
 
 /**
  * Finds fields that a game uses so that no client can predict them: rules write them again and
- * again, and {@code Game.input} or {@code Game.forces} reads them; or these read what clients
- * aren't told. Writes are noted always, reads in some ticks only. One thread; allocates for a
- * finding, and for the first write of a rule to a word.
+ * again, and {@code Game.input} or {@code Game.forces} reads them; or these read what clients, or
+ * the clients of others, aren't told. Writes are noted always, reads in some ticks only. One
+ * thread; allocates for a finding, and for the first write of a rule to a word.
  */
 public final class FieldUse {
   /** Names what the values of a finding belong to. */
@@ -39,6 +39,12 @@ public final class FieldUse {
   /** By scope and word: the callback that reads it, or null. */
   private final String[][] readers = new String[Scope.values().length][];
 
+  /** By scope and word: how often other clients are told what an input did that read it. */
+  private final Habit[][] told = new Habit[Scope.values().length][];
+
+  /** By scope and word: whether there is a finding about it. */
+  private final boolean[][] isFound = new boolean[Scope.values().length][];
+
   private String callback = "a callback between two steps";
   private String reader;
 
@@ -48,6 +54,8 @@ public final class FieldUse {
     this.owners = owners;
     for (Scope scope : Scope.values()) {
       readers[scope.ordinal()] = new String[schema.words(scope)];
+      told[scope.ordinal()] = new Habit[schema.words(scope)];
+      isFound[scope.ordinal()] = new boolean[schema.words(scope)];
     }
   }
 
@@ -88,6 +96,7 @@ public final class FieldUse {
 
   private void unknown(Scope scope, int word, String why, String better) {
     String name = schema.name(scope, word);
+    isFound[scope.ordinal()][word] = true;
     findings.add(
         "reads " + name,
         reader
@@ -99,6 +108,34 @@ public final class FieldUse {
             + better
             + ") or don't read it in "
             + reader
+            + ".");
+  }
+
+  /**
+   * Notes that another client must be told what an input did, because it read a word that not all
+   * players near are told. If that happens again and again, it is a finding.
+   *
+   * @param owner what the input is of
+   */
+  public void toldInput(Scope scope, int word, FieldValues owner, int tick) {
+    Habit[] habits = told[scope.ordinal()];
+    if (habits[word] == null) {
+      habits[word] = new Habit();
+    }
+    if (!habits[word].note(tick) || isFound[scope.ordinal()][word]) {
+      return;
+    }
+    isFound[scope.ordinal()][word] = true;
+    String name = schema.name(scope, word);
+    findings.add(
+        "reads " + name,
+        "input reads "
+            + name
+            + ", which not all players near are told, so their clients learn what it did a round"
+            + " trip later; declare it .to(NEAR) if they may know it. First seen at tick "
+            + habits[word].firstTick()
+            + ", "
+            + owners.nameOf(owner)
             + ".");
   }
 
@@ -117,6 +154,7 @@ public final class FieldUse {
       if (by != null) {
         written.remove(i);
         String name = schema.name(scope, w.word);
+        isFound[scope.ordinal()][w.word] = true;
         String advice =
             scope == Scope.MATCH
                 ? "use Field.countdown for a clock, or read it in afterStep"

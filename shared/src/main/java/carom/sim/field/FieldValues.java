@@ -83,6 +83,12 @@ public final class FieldValues {
 
   /** Returns a word that a game asks for. */
   int read(int index) {
+    store.noteRead(scope, index);
+    return readToAdd(index);
+  }
+
+  /** Returns a word that a game adds to, without seeing it. */
+  int readToAdd(int index) {
     if (store.use() != null) {
       store.use().read(this, index);
     }
@@ -138,6 +144,7 @@ public final class FieldValues {
         ruled += index < store.schema().toldWords(scope) ? 1 : 0;
         noteHabit(index);
       }
+      store.noteWrite(scope, index);
       put(index, value);
     }
   }

@@ -23,7 +23,8 @@ public final class Schema {
 
   /** Words of one scope. */
   @SuppressWarnings("ArrayRecordComponent") // never compared
-  private record Layout(Field<?>[] fields, int[] indices, int told, int[] players, int[] starts) {}
+  private record Layout(
+      Field<?>[] fields, int[] indices, int told, boolean[] shared, int[] players, int[] starts) {}
 
   private final List<Field<?>> declared;
   private final List<String> lines;
@@ -34,6 +35,7 @@ public final class Schema {
   private final int[] offsets;
 
   private final Layout[] layouts = new Layout[Scope.values().length];
+  private final boolean hasHidden;
 
   private Schema(List<? extends Field<?>> fields) {
     if (fields.size() > MAX_FIELDS) {
@@ -45,7 +47,9 @@ public final class Schema {
     int first = Integer.MAX_VALUE;
     int last = -1;
     long hash = StateHash.SEED;
+    boolean anyHidden = false;
     for (Field<?> field : declared) {
+      anyHidden |= !isShared(field);
       first = Math.min(first, field.id());
       last = Math.max(last, field.id());
       String line = field.toString();
@@ -63,6 +67,7 @@ public final class Schema {
     for (Scope scope : Scope.values()) {
       layouts[scope.ordinal()] = layOut(scope);
     }
+    hasHidden = anyHidden;
   }
 
   /**
@@ -112,6 +117,7 @@ public final class Schema {
     }
     Field<?>[] fields = new Field<?>[(int) size];
     int[] indices = new int[(int) size];
+    boolean[] shared = new boolean[(int) size];
     int[] players = new int[(int) size];
     int[] starts = new int[(int) size];
     int playerCount = 0;
@@ -121,12 +127,17 @@ public final class Schema {
         fields[word] = field;
         indices[word] = i;
         starts[word] = field.start();
+        shared[word] = isShared(field);
         if (field instanceof PlayerRef) {
           players[playerCount++] = word;
         }
       }
     }
-    return new Layout(fields, indices, told, Arrays.copyOf(players, playerCount), starts);
+    return new Layout(fields, indices, told, shared, Arrays.copyOf(players, playerCount), starts);
+  }
+
+  private static boolean isShared(Field<?> field) {
+    return field.audience() == Audience.NEAR || field.audience() == Audience.ALL;
   }
 
   private static void requireNewName(List<Field<?>> order, int at) {
@@ -151,6 +162,18 @@ public final class Schema {
   /** Returns the number of words that some player may be told; they come first. */
   public int toldWords(Scope scope) {
     return layouts[scope.ordinal()].told;
+  }
+
+  /**
+   * Returns whether all players near are told a word, so that all who predict its owner know it.
+   */
+  public boolean isShared(Scope scope, int word) {
+    return layouts[scope.ordinal()].shared[word];
+  }
+
+  /** Returns whether there are words that not all players near are told. */
+  public boolean hasHidden() {
+    return hasHidden;
   }
 
   /** Returns the field to which a word belongs. It has the word's range, start and audience. */

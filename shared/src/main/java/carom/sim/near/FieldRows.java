@@ -5,7 +5,6 @@ import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
-import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
@@ -27,8 +26,7 @@ final class FieldRows {
       int told = schema.toldWords(scope);
       Words words = new Words(told, new boolean[told]);
       for (int i = 0; i < told; i++) {
-        Audience audience = schema.field(scope, i).audience();
-        words.shared[i] = audience == Audience.NEAR || audience == Audience.ALL;
+        words.shared[i] = schema.isShared(scope, i);
       }
       return words;
     }

@@ -6,9 +6,12 @@ import carom.sim.entity.Entity;
 import carom.sim.entity.EntityTable;
 import carom.sim.entity.Player;
 import carom.sim.entity.PlayerTable;
+import carom.sim.field.FieldStore;
+import carom.sim.field.Scope;
 import carom.sim.finding.Findings;
 import carom.sim.finding.Habit;
 import java.util.Arrays;
+import java.util.function.IntUnaryOperator;
 
 /**
  * Records what the game itself does to bodies in its rules: it moves or pushes them, wakes them, or
@@ -20,7 +23,8 @@ import java.util.Arrays;
  * <pre>
  *   replication, after tick n - 1     watch(entity)
  *   tick n    beginRules   Game.join, leave, message, beforeStep   endRulesBeforeStep
- *             inputs and physics
+ *             beginInputs  Game.input, and endInput if it read what others aren't told
+ *             physics
  *             beginRules   Game.afterStep   endRulesAfterStep: the watched list is empty again
  *   replication, after tick n         lastTick(entity) == n: the game interfered in tick n
  * </pre>
@@ -42,7 +46,11 @@ public final class InterferenceLog {
     int[] row;
     int lastTick;
     int lastUntoldTick;
+    int lastHiddenTick;
+    Scope hiddenScope;
+    int hiddenWord;
     boolean beforeStep;
+    JointNotes joints;
     final Habit habit = new Habit();
   }
 
@@ -63,6 +71,8 @@ public final class InterferenceLog {
   private final Definitions definitions = new Definitions();
   private final RulingLog rulings = new RulingLog();
   private final Ruling ruling = new Ruling();
+  private final IntUnaryOperator jointKey;
+  private final JointNotes joints = new JointNotes();
   private final int[] row = new int[BodyRow.INTS];
   private Entity[] watched = new Entity[16];
   private int watchedCount;
@@ -70,8 +80,15 @@ public final class InterferenceLog {
   /** Whether the state before the rules is noted, and that after them isn't. */
   private boolean rulesRun;
 
-  /** Creates an empty log. */
-  public InterferenceLog(EntityTable entities, PlayerTable players, Findings findings) {
+  /**
+   * Creates an empty log.
+   *
+   * @param jointKey returns the key in the table of joints of a world's joint: its index there in
+   *     the lower 16 bits
+   */
+  public InterferenceLog(
+      EntityTable entities, PlayerTable players, IntUnaryOperator jointKey, Findings findings) {
+    this.jointKey = jointKey;
     this.findings = findings;
     this.entities = entities;
     this.players = players;
@@ -132,6 +149,30 @@ public final class InterferenceLog {
   public int lastUntoldTick(Entity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
     return mark == null ? -1 : mark.lastUntoldTick;
+  }
+
+  /**
+   * Returns the last tick in which the input of an entity's owner read what not all players near
+   * are told, while the entity was watched, or -1.
+   */
+  public int lastHiddenTick(Entity entity) {
+    Mark mark = find(ofEntities, entity.id(), entity);
+    return mark == null ? -1 : mark.lastHiddenTick;
+  }
+
+  /**
+   * Notes that a client is told, or would have to be, what an input did to an entity because of
+   * {@link #lastHiddenTick}.
+   */
+  public void toldInput(Entity entity) {
+    Mark mark = find(ofEntities, entity.id(), entity);
+    Player owner = players.get(entity.ownerId());
+    if (mark != null && mark.hiddenScope != null && owner != null) {
+      entities
+          .fields()
+          .use()
+          .toldInput(mark.hiddenScope, mark.hiddenWord, owner.fieldValues(), mark.lastHiddenTick);
+    }
   }
 
   /** Returns what the game did to watched bodies that stayed awake. For reading only. */
@@ -236,6 +277,96 @@ public final class InterferenceLog {
   }
 
   /**
+   * Notes the state of the players' watched entities before the inputs. Needed only if one of these
+   * may read what not all players near are told.
+   */
+  public void beginInputs() {
+    if (!entities.fields().schema().hasHidden()) {
+      return;
+    }
+    for (int i = 0; i < watchedCount; i++) {
+      Entity entity = watched[i];
+      if (entity.ownerId() == Entity.NO_OWNER || !entities.holds(entity)) {
+        continue;
+      }
+      Mark mark = ofEntities[entity.id()];
+      noteBefore(entity, mark);
+      if (entity.body().hasJoints() || mark.joints != null) {
+        mark.joints = mark.joints == null ? new JointNotes() : mark.joints;
+        mark.joints.read(entity);
+      }
+    }
+  }
+
+  /**
+   * Notes what a player's input did to the player's watched entities, because it depended on what
+   * not all players near are told. The body gets a ruling even if nothing was done to it: that is
+   * how clients know that they need not guess.
+   *
+   * @param tick the tick being computed
+   * @param fields know what it read and wrote
+   */
+  public void endInput(Player player, int tick, FieldStore fields) {
+    if (fields.hasReadUntold()) {
+      ofPlayers = grown(ofPlayers, players.limit());
+      claim(ofPlayers, player.id(), player).lastTick = tick; // its own client can't know it either
+    }
+    for (int i = 0; i < watchedCount; i++) {
+      Entity entity = watched[i];
+      if (entity.ownerId() != player.id() || !entities.holds(entity)) {
+        continue;
+      }
+      Mark mark = ofEntities[entity.id()];
+      boolean isBody = entity == player.body();
+      mark.lastHiddenTick = tick;
+      mark.hiddenScope = fields.hiddenScope();
+      mark.hiddenWord = fields.hiddenWord();
+      boolean told = noteInput(entity, mark, tick, isBody) && noteJoints(entity, mark, tick);
+      if (!told || (isBody && fields.hasWrittenShared())) {
+        mark.beforeStep = true;
+        mark.lastUntoldTick = tick;
+        mark.lastTick = tick;
+      }
+    }
+  }
+
+  private boolean noteInput(Entity entity, Mark mark, int tick, boolean always) {
+    Ruling.readRow(entity, row);
+    ruling.setDifference(mark.row, row);
+    if (row[BodyRow.SLEEP_TIME] == BodyRow.ASLEEP) {
+      return ruling.mask == 0;
+    }
+    if (ruling.mask != 0 || always) {
+      addInput(entity, tick);
+    }
+    return true;
+  }
+
+  private boolean noteJoints(Entity entity, Mark mark, int tick) {
+    if (stamp(entity) == mark.stamp) {
+      return true;
+    }
+    joints.read(entity);
+    boolean told = mark.joints != null && mark.joints.areOfSame(joints);
+    boolean any = false;
+    for (int i = 0; told && i < joints.count(); i++) {
+      mark.joints.compare(i, joints, jointKey.applyAsInt(joints.slot(i)) & 0xffff, ruling);
+      if (ruling.mask != 0) {
+        any = true;
+        addInput(entity, tick);
+      }
+    }
+    return told && (any || joints.count() == 0);
+  }
+
+  private void addInput(Entity entity, int tick) {
+    ruling.tick = tick;
+    ruling.moment = Ruling.Moment.INPUT;
+    ruling.key = entity.id() | entity.generation() << 16;
+    rulings.add().set(ruling);
+  }
+
+  /**
    * Notes what the rules did to a body, if anything.
    *
    * @return false if they did something that a ruling can't say
@@ -251,7 +382,7 @@ public final class InterferenceLog {
       return false;
     }
     ruling.tick = tick;
-    ruling.afterStep = !beforeStep;
+    ruling.moment = beforeStep ? Ruling.Moment.BEFORE_STEP : Ruling.Moment.AFTER_STEP;
     ruling.key = entity.id() | entity.generation() << 16;
     rulings.add().set(ruling);
     if (mark.habit.note(tick)) {
@@ -340,6 +471,8 @@ public final class InterferenceLog {
       mark.stamp = 0;
       mark.lastTick = -1;
       mark.lastUntoldTick = -1;
+      mark.lastHiddenTick = -1;
+      mark.hiddenScope = null;
       mark.beforeStep = false;
       mark.habit.clear();
     }

@@ -1,38 +1,64 @@
 package carom.sim.ruling;
 
 import carom.physics.Body;
+import carom.physics.Joint;
 import carom.physics.rows.BodyRow;
 import carom.sim.entity.Entity;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 
 /**
- * A change that a game's rules made to the state of one body, in {@code Game.beforeStep} or {@code
- * Game.afterStep} of a tick: an impulse, a force, another velocity or place. It holds the new bits
- * of each number that changed, so applying it to the same state gives the same state.
+ * A change that a game made to the state of one body or joint in a tick, and that a client can't
+ * compute: in {@code Game.beforeStep} or {@code Game.afterStep}, or in a {@code Game.input} that
+ * read what the client isn't told. It may be an impulse, a force, another velocity or place, or
+ * another setting of a joint. It holds the new bits of each number that changed, so applying it to
+ * the same state gives the same state.
  *
  * <p>Mutable, reused; one thread.
  */
 public final class Ruling {
+  /** When in a tick a game changes bodies. */
+  public enum Moment {
+    /** Before the inputs. */
+    BEFORE_STEP,
+    /** In the input of the entity's owner; it says all that the input did. */
+    INPUT,
+    /** After the physics. */
+    AFTER_STEP
+  }
+
+  /** Value of {@link #joint} of a change to the body. */
+  public static final int BODY = -1;
+
   /** Number of bits of {@link #mask}: the ints of a body's row from {@link BodyRow#MOTION} on. */
   public static final int WORDS = BodyRow.CHANGING_INTS;
 
   /** Bit of {@link #mask} that says that the entity became another archetype. */
   static final int ARCHETYPE = 1 << BodyRow.ARCHETYPE - BodyRow.MOTION;
 
-  /** The tick in which the rules changed the body. */
+  /** The tick in which the game made the change. */
   public int tick;
 
-  /** Whether they did so after the physics of the tick, instead of before the inputs. */
-  public boolean afterStep;
+  /** When in the tick it made it. */
+  public Moment moment = Moment.BEFORE_STEP;
 
   /** Slot and generation of the entity: {@code slot | generation << 16}. */
   public int key;
 
-  /** Bit i says that int {@code BodyRow.MOTION + i} of the body's row changed. */
+  /** Index of one of the body's joints in the server's table of joints, or {@link #BODY}. */
+  public int joint = BODY;
+
+  /**
+   * Bit i says that int {@code BodyRow.MOTION + i} of the body's row changed, or number i of the
+   * joint's settings: flags (1 driven, 2 limited, 4 sprung), motor speed and maximum, lower and
+   * upper limit, hertz, damping ratio, rest, target x and y.
+   */
   public int mask;
 
-  /** New values of the ints that changed, at the places of a row; others hold anything. */
+  /**
+   * New values of what changed: bit i of {@link #mask} has place {@code BodyRow.MOTION + i}. Others
+   * hold anything.
+   */
   public final int[] row = new int[BodyRow.INTS];
 
   /** Creates a ruling of nothing. */
@@ -41,15 +67,16 @@ public final class Ruling {
   /** Copies another ruling. */
   public void set(Ruling other) {
     tick = other.tick;
-    afterStep = other.afterStep;
+    moment = other.moment;
     key = other.key;
+    joint = other.joint;
     mask = other.mask;
     System.arraycopy(other.row, 0, row, 0, row.length);
   }
 
-  /** Returns whether both are about the same moment of the same entity. */
+  /** Returns whether both are about the same moment of the same body or joint. */
   public boolean isSameMoment(Ruling other) {
-    return tick == other.tick && afterStep == other.afterStep && key == other.key;
+    return tick == other.tick && moment == other.moment && key == other.key && joint == other.joint;
   }
 
   /** Reads the row of an entity, which rulings compare. */
@@ -66,6 +93,7 @@ public final class Ruling {
    */
   public void setDifference(int[] before, int[] after) {
     mask = 0;
+    joint = BODY;
     for (int i = 0; i < WORDS; i++) {
       int at = BodyRow.MOTION + i;
       if (before[at] != after[at]) {
@@ -76,7 +104,39 @@ public final class Ruling {
   }
 
   /**
-   * Applies the change to an entity.
+   * Compares two settings of a joint and makes this the difference.
+   *
+   * @param index of the joint in the table of joints
+   * @param before holds {@link JointSettings}
+   * @param after holds them at the same place
+   * @param at where they begin
+   */
+  void setDifference(int index, int[] before, int[] after, int at) {
+    mask = 0;
+    joint = index;
+    for (int i = 0; i < JointSettings.INTS; i++) {
+      if (before[at + i] != after[at + i]) {
+        mask |= 1 << i;
+        row[BodyRow.MOTION + i] = after[at + i];
+      }
+    }
+  }
+
+  /**
+   * Applies the change to a joint. Nothing happens if a joint of its type can't have the settings.
+   *
+   * @param scratch room for a row
+   */
+  public void apply(Joint<Entity> target, int[] scratch) {
+    try {
+      JointSettings.change(target, mask, row, BodyRow.MOTION, scratch);
+    } catch (IllegalArgumentException | IllegalStateException e) {
+      return; // from a server that isn't one
+    }
+  }
+
+  /**
+   * Applies the change to an entity's body.
    *
    * @param archetypes those of its simulation
    * @param scratch room for a row
@@ -100,10 +160,18 @@ public final class Ruling {
   }
 
   /**
-   * Returns whether the numbers are such that a body can have them: all finite, and the body awake.
-   * A ruling from a datagram may fail this.
+   * Returns whether the numbers are such that a body or joint can have them: all finite, and the
+   * body awake. A ruling from a datagram may fail this.
    */
   public boolean isSane() {
+    for (int i = 0; joint != BODY && i < WORDS; i++) {
+      if ((mask & 1 << i) != 0 && !JointSettings.isSane(i, row[BodyRow.MOTION + i])) {
+        return false;
+      }
+    }
+    if (joint != BODY) {
+      return true;
+    }
     for (int i = 0; i < BodyRow.STATE_INTS; i++) {
       float value = Float.intBitsToFloat(row[BodyRow.MOTION + i]);
       if ((mask & 1 << i) != 0 && !(Math.abs(value) < 1e9f)) {

@@ -38,8 +38,8 @@ final class ScreenTour {
   /**
    * Runs the program.
    *
-   * @param args {@code menus}, {@code game} or {@code replay}; folder for pictures; the client's
-   *     flags
+   * @param args {@code menus}, {@code game}, {@code others} or {@code replay}; folder for pictures;
+   *     the client's flags
    */
   public static void main(String[] args) {
     Thread guide = new Thread(() -> guide(args[0], Path.of(args[1])), "guide");
@@ -53,10 +53,13 @@ final class ScreenTour {
   private static void guide(String tour, Path folder) {
     try {
       ScreenTour guided = new ScreenTour(folder, new Robot());
-      until(() -> Gdx.graphics != null && Gdx.graphics.getFrameId() > 2);
+      while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
+        Thread.sleep(20);
+      }
       switch (tour) {
         case "menus" -> guided.menus();
         case "game" -> guided.game();
+        case "others" -> guided.others();
         default -> guided.replay();
       }
       System.out.println("pictures " + guided.pictures);
@@ -82,11 +85,24 @@ final class ScreenTour {
     }
   }
 
-  private void game() throws Exception {
-    run(() -> window().create(new LocalGames.Choice("arena", 11, false)));
+  private void play(String level, int bots) throws Exception {
+    run(() -> window().create(new LocalGames.Choice(level, bots, false)));
     until(() -> screen() != null && screen().view().phase() == ConnectionPhase.PLAYING);
-    until(() -> screen().view().own() != null && screen().view().players().size() == 12);
+    until(() -> screen().view().game().equals(level) || level.equals("commons"));
+    until(() -> screen().view().own() != null && screen().view().players().size() == bots + 1);
     Thread.sleep(3_000); // the curtain opens
+  }
+
+  /** Other games: one player alone far from ball and goals, and one whose players have health. */
+  private void others() throws Exception {
+    play("commons", 0);
+    look("alone in a large level");
+    play("rockets", 3);
+    look("rockets");
+  }
+
+  private void game() throws Exception {
+    play("arena", 11);
     look("game");
     typed(Keys.F3);
     typed(Keys.ENTER);
@@ -227,9 +243,12 @@ final class ScreenTour {
     }
   }
 
-  private static void until(BooleanSupplier condition) throws InterruptedException {
+  /** Waits for what is so between two frames; views belong to the render thread. */
+  private static void until(BooleanSupplier condition) throws Exception {
     long end = System.nanoTime() + LIMIT_NS;
-    while (!condition.getAsBoolean()) {
+    boolean[] so = {false};
+    while (!so[0]) {
+      run(() -> so[0] = condition.getAsBoolean());
       if (System.nanoTime() > end) {
         throw new IllegalStateException("never so after 100 s");
       }

@@ -64,6 +64,13 @@ final class ScreensTest {
   }
 
   @Test
+  void aLargeLevelAloneAndPlayersWithHealth() throws Exception {
+    for (Look look : LOOKS) {
+      assertInOrder("others", look, 2);
+    }
+  }
+
+  @Test
   void aReplayAndTheEndOfItsMatch() throws Exception {
     Path recorded = folder.resolve("match.carom");
     try (Stepper stepper = Stepper.of("arena")) {
@@ -111,7 +118,10 @@ final class ScreensTest {
       assertEquals(0, window.exitValue(), () -> read(output));
     }
     List<String> problems =
-        read(output).lines().filter(line -> line.startsWith("problem")).toList();
+        read(output)
+            .lines()
+            .filter(line -> line.startsWith("problem") || line.contains("--snapshot-rate"))
+            .toList();
     assertEquals(List.of(), problems, tour + " " + look);
     assertTrue(read(output).contains("pictures " + pictures), () -> read(output));
   }

@@ -44,7 +44,7 @@ final class AccessListsTest {
     assertTrue(lists.reloadIfChanged());
     EntryRule.Refusal refusal = lists.refusal("bob", "", "203.0.113.7:1");
     assertEquals(RefusalReason.BANNED, refusal.reason());
-    assertEquals("rude. Until 2026-11-23T12:30:00Z.", refusal.text());
+    assertEquals("Reason: rude. Until 2026-11-23 12:30 UTC.", refusal.text());
     now = now.plusSeconds(1_800);
     assertNull(lists.refusal("bob", "", "203.0.113.7:1"));
     Files.delete(bans());

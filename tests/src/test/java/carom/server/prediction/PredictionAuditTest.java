@@ -21,7 +21,7 @@ final class PredictionAuditTest {
   void namesTheFirstBodyThatDiffersWithBothStates() {
     for (int tick = 100; tick <= 104; tick++) {
       keep(tick, false);
-      audit.keepSet(tick, false);
+      audit.keepSet(tick, false, false);
       audit.keepSetState(tick, near(tick, 3));
     }
     Diverged right = report(104, 101, near(104, 3));
@@ -36,7 +36,9 @@ final class PredictionAuditTest {
             + " vx server=104.0 client=-2.5 vy server=104.0 client=104.0"
             + " omega server=104.0 client=104.0",
         audit.describe(wrong));
-    audit.keepSet(103, true);
+    audit.keepSet(103, false, true);
+    assertEquals(Finding.FIELD_HIDDEN, audit.judge(wrong));
+    audit.keepSet(103, true, true);
     assertEquals(Finding.INTERFERED, audit.judge(wrong));
     assertEquals(Finding.UNEXPLAINED, audit.judge(new Diverged(104, 103, true, bits, List.of())));
     audit.clear();
@@ -47,7 +49,7 @@ final class PredictionAuditTest {
   void aMissingInputExplainsAReportOfThePredictedSet() {
     for (int tick = 100; tick <= 104; tick++) {
       keep(tick, tick == 102);
-      audit.keepSet(tick, false);
+      audit.keepSet(tick, false, false);
       audit.keepSetState(tick, near(tick, 3));
     }
     Diverged wrong = report(104, 101, near(5, 3));
@@ -86,7 +88,7 @@ final class PredictionAuditTest {
     Random random = new Random(seed);
     for (int tick = 0; tick < 500; tick++) {
       keep(tick, random.nextInt(20) == 0);
-      audit.keepSet(tick, random.nextInt(20) == 0);
+      audit.keepSet(tick, random.nextInt(20) == 0, random.nextInt(20) == 0);
       if (random.nextBoolean()) {
         audit.keepSetState(tick, near(tick, random.nextInt(60)));
       }

@@ -3,6 +3,7 @@ package carom.client.desktop.game;
 import carom.client.desktop.hud.ClockPanel;
 import carom.client.desktop.hud.GaugePanel;
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.Pointers;
 import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.hud.ScoreList;
 import carom.client.desktop.hud.ShownGame;
@@ -48,6 +49,7 @@ public final class GamePicture implements Disposable {
   private final ScoreBoard scoreBoard;
   private final ScoreList scores;
   private final GaugePanel gauges;
+  private final Pointers pointers;
   private Labels labels = (view, hud, camera, nowNs) -> {};
   private boolean showDebug;
   private double seconds;
@@ -62,6 +64,7 @@ public final class GamePicture implements Disposable {
     scoreBoard = new ScoreBoard(hud, canvas, fonts, game);
     scores = new ScoreList(hud, canvas, fonts, game);
     gauges = new GaugePanel(hud, canvas, fonts, game);
+    pointers = new Pointers(hud, canvas, fonts, game);
   }
 
   /** Returns the camera, which follows the own player. */
@@ -173,6 +176,7 @@ public final class GamePicture implements Disposable {
     flashes.label(hud, camera);
     hud.end();
     labels.draw(view, hud, camera, nowNs);
+    pointers.draw(view, camera);
     hud.names(view, camera, pixelsPerMetre);
     boolean over = clock.isOver(view);
     clock.draw(view);

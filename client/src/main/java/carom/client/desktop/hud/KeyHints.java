@@ -64,7 +64,7 @@ public final class KeyHints {
     float alpha = Math.max(0, Math.min(1, left));
     float aboutHeight = hud.wrap(fonts.small(), game.about(), WIDTH - 2 * PAD, Theme.ACCENT);
     float h = aboutHeight + 8 + hints.size() * LINE + 2 * PAD;
-    if (!hud.layout().placeAnyhow(part, WIDTH, h)) {
+    if (!hud.layout().place(part, WIDTH, h)) {
       return;
     }
     color.set(Theme.PANEL).a *= alpha;

@@ -94,7 +94,8 @@ public final class ScoreList {
     hud.left(fonts.text(), score, scoreX, y, tint);
     float nameX = x + PAD + SWATCH + 8;
     if (game.teamCount() == 0) {
-      hud.left(fonts.text(), Integer.toString(rankOf(ranking, entry)), x + PAD, y, Theme.MUTED);
+      String rank = entry.score() > 0 ? Integer.toString(rankOf(ranking, entry)) : "";
+      hud.left(fonts.text(), rank, x + PAD, y, Theme.MUTED);
       nameX = x + PAD + 24;
     }
     hud.left(fonts.text(), hud.cut(fonts.text(), entry.name(), scoreX - 8 - nameX), nameX, y, tint);

@@ -1,8 +1,13 @@
 package carom.client.desktop.menu;
 
 import carom.client.app.LocalGames;
+import carom.game.Games;
+import carom.sim.level.Level;
 import com.badlogic.gdx.scenes.scene2d.Actor;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
 
 /** Starts a game on this machine, alone, with bots or for others. Render thread only. */
 final class CreatePage implements Page {
@@ -13,6 +18,7 @@ final class CreatePage implements Page {
   private final StartTarget target;
   private final LocalGames games;
   private final Runnable rebuild;
+  private final Map<String, Level> known = new HashMap<>();
   private String level;
   private int bots = USUAL_BOTS;
   private boolean open;
@@ -58,15 +64,32 @@ final class CreatePage implements Page {
               open = !open;
               rebuild.run();
             }));
-    into.add(widgets.muted("Level")).colspan(2).padTop(8).row();
+    into.add(widgets.muted("Level")).padTop(8);
+    into.add(widgets.note(Games.create(level(level).gameName()).description())).growX().row();
     for (String name : games.levels()) {
-      String text = name.equals(level) ? "> " + name : name;
+      String text = (name.equals(level) ? "> " : "") + name + "     " + about(level(name));
       into.add(widgets.row(text, () -> choose(name)))
           .colspan(2)
           .height(Widgets.HEIGHT)
           .growX()
           .row();
     }
+  }
+
+  private Level level(String name) {
+    return known.computeIfAbsent(name, games::level);
+  }
+
+  /** Returns a level's name, what is played in it, and how large it is. */
+  static String about(Level level) {
+    Level.Bounds bounds = level.bounds();
+    return String.format(
+        Locale.ROOT,
+        "%s: %s, %.0f x %.0f m",
+        level.name(),
+        level.gameName(),
+        bounds.maxX() - bounds.minX(),
+        bounds.maxY() - bounds.minY());
   }
 
   private void choose(String name) {

@@ -4,6 +4,9 @@ import carom.client.settings.PlayerSettings;
 
 /** Holds the settings that menus show, and applies what the player changes. Render thread only. */
 public interface SettingsHost {
+  /** Returns width and height of the screen, px: the largest that a window can be. */
+  int[] largestWindow();
+
   /** Returns the present settings. */
   PlayerSettings settings();
 

@@ -60,7 +60,7 @@ final class SettingsPage implements Page {
         "Window",
         widgets.button(
             s.fullscreen() ? "fills the screen" : s.windowWidth() + " x " + s.windowHeight(),
-            () -> change(host.settings().withFullscreen(!s.fullscreen()))));
+            () -> change(WindowSizes.next(host.settings(), host.largestWindow()))));
     Palette[] palettes = Palette.values();
     Palette next = palettes[(s.palette().ordinal() + 1) % palettes.length];
     line(

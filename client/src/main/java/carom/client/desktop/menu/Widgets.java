@@ -84,6 +84,13 @@ public final class Widgets implements Disposable {
     return label(text, fonts.small(), Theme.MUTED);
   }
 
+  /** Returns small text that steps back and is broken into lines. */
+  Label note(String text) {
+    Label label = small(text);
+    label.setWrap(true);
+    return label;
+  }
+
   /** Returns a heading. */
   Label heading(String text) {
     return label(text, fonts.large(), Theme.TEXT);

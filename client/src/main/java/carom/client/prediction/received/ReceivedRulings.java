@@ -1,17 +1,22 @@
 package carom.client.prediction.received;
 
 import carom.net.snapshot.exact.NearState;
+import carom.physics.Joint;
 import carom.physics.rows.BodyRow;
-import carom.sim.Rulings;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
+import carom.sim.joint.JointTable;
 import carom.sim.near.Neighbourhood;
 import carom.sim.ruling.Ruling;
+import carom.sim.ruling.Rulings;
+import java.util.Arrays;
+import java.util.function.Consumer;
 
 /**
- * What the server told of what the game's rules did to near bodies. The predicted simulation asks
- * for it in every step, also when it computes a tick again. One prediction's; allocates only to
- * grow.
+ * What the server told of what the game did to near bodies and this client can't compute. The
+ * predicted simulation asks for it in every step, also when it computes a tick again. One
+ * prediction's; allocates only to grow.
  */
 public final class ReceivedRulings implements Rulings {
   /** Value of {@link #takeFirst} if there is nothing new. */
@@ -20,6 +25,11 @@ public final class ReceivedRulings implements Rulings {
   /** Most rulings that are kept; the oldest are forgotten. A power of two. */
   private static final int MOST = 512;
 
+  /** Ticks for which guesses are remembered; a power of two. */
+  private static final int GUESS_TICKS = 256;
+
+  private static final Ruling.Moment[] MOMENTS = Ruling.Moment.values();
+
   private final Ruling[] rulings = new Ruling[MOST];
   private int next;
   private int first = NONE;
@@ -27,9 +37,28 @@ public final class ReceivedRulings implements Rulings {
   private final Ruling read = new Ruling();
   private final int[] row = new int[BodyRow.INTS];
   private long received;
+  private final Simulation s;
+  private final int ownId;
 
-  /** Creates a store without rulings. */
-  public ReceivedRulings() {}
+  /** By tick: the last one in which the effect of an input was a guess. */
+  private final int[] guessed = new int[GUESS_TICKS];
+
+  private Joint<Entity> joint;
+  private int wantedJoint;
+  private JointTable<Entity> table;
+  private final Consumer<Joint<Entity>> lookAt = this::lookAt;
+
+  /**
+   * Creates a store without rulings.
+   *
+   * @param s applies them
+   * @param ownId the own player's id, whose fields are known
+   */
+  public ReceivedRulings(Simulation s, int ownId) {
+    this.s = s;
+    this.ownId = ownId;
+    Arrays.fill(guessed, -1);
+  }
 
   /**
    * Adds the rulings of a snapshot. Those that are known already, or make no sense, are ignored.
@@ -37,7 +66,8 @@ public final class ReceivedRulings implements Rulings {
   public void add(NearState near, int stateTick) {
     for (int i = 0; i < near.rulings(); i++) {
       read.tick = stateTick - near.rulingAge(i);
-      read.afterStep = near.isRulingAfterStep(i);
+      read.moment = MOMENTS[near.rulingMoment(i)];
+      read.joint = near.rulingJoint(i);
       read.key = near.key(near.rulingPlace(i));
       read.mask = near.rulingMask(i);
       for (int word = 0; word < Ruling.WORDS; word++) {
@@ -82,27 +112,89 @@ public final class ReceivedRulings implements Rulings {
   }
 
   @Override
-  public void beforeStep(Simulation s) {
-    apply(s, false);
+  public void beforeStep() {
+    guessed[s.tick() & GUESS_TICKS - 1] = -1;
+    apply(Ruling.Moment.BEFORE_STEP, null);
   }
 
   @Override
-  public void afterStep(Simulation s) {
-    apply(s, true);
+  public boolean input(Player player) {
+    if (player.id() == ownId || s.tick() > newestTick || !isTold(s.tick(), player.body())) {
+      return false;
+    }
+    apply(Ruling.Moment.INPUT, player);
+    return true;
   }
 
-  private void apply(Simulation s, boolean afterStep) {
+  private boolean isTold(int tick, Entity body) {
+    int key = Neighbourhood.key(body.id(), body.generation());
+    for (Ruling ruling : rulings) {
+      if (ruling != null
+          && ruling.tick == tick
+          && ruling.moment == Ruling.Moment.INPUT
+          && ruling.key == key
+          && ruling.joint == Ruling.BODY) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @Override
+  public void readHidden(Player player, boolean untold) {
+    if (untold || player.id() != ownId) {
+      guessed[s.tick() & GUESS_TICKS - 1] = s.tick();
+    }
+  }
+
+  /**
+   * Returns whether the effect of an input was guessed when a tick was computed last: it read what
+   * this client isn't told.
+   */
+  public boolean isGuessed(int tick) {
+    return guessed[tick & GUESS_TICKS - 1] == tick;
+  }
+
+  @Override
+  public void afterStep() {
+    apply(Ruling.Moment.AFTER_STEP, null);
+  }
+
+  /** Applies the rulings of a moment; of those in inputs only the ones of a player. */
+  private void apply(Ruling.Moment moment, Player player) {
     if (s.tick() > newestTick) {
       return;
     }
     for (Ruling ruling : rulings) {
-      if (ruling == null || ruling.tick != s.tick() || ruling.afterStep != afterStep) {
+      if (ruling == null || ruling.tick != s.tick() || ruling.moment != moment) {
         continue;
       }
       Entity e = s.entity(Neighbourhood.id(ruling.key));
-      if (e != null && e.generation() == Neighbourhood.generation(ruling.key)) {
+      if (e == null
+          || e.generation() != Neighbourhood.generation(ruling.key)
+          || (player != null && e.ownerId() != player.id())) {
+        continue;
+      }
+      if (ruling.joint == Ruling.BODY) {
         ruling.apply(e, s.archetypes(), row);
+      } else {
+        applyToJoint(e, ruling);
       }
     }
+  }
+
+  private void applyToJoint(Entity e, Ruling ruling) {
+    joint = null;
+    wantedJoint = ruling.joint;
+    table = s.joints();
+    e.body().forEachJoint(lookAt);
+    if (joint != null) {
+      ruling.apply(joint, row);
+    }
+  }
+
+  private void lookAt(Joint<Entity> candidate) {
+    boolean isWanted = JointTable.index(table.key(candidate.index())) == wantedJoint;
+    joint = isWanted ? candidate : joint;
   }
 }

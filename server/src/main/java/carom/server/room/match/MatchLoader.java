@@ -67,16 +67,17 @@ public final class MatchLoader {
    */
   public Match load(NextMatch wanted) throws Unplayable {
     try {
-      Game game = wanted.game().isEmpty() ? null : library.game(wanted.game());
+      Game game = wanted.game().isEmpty() ? null : game(wanted.game());
       String levelName = wanted.level().isEmpty() ? game.defaultLevel() : wanted.level();
       LoadedLevel level = library.level(levelName);
       String madeFor = level.level().gameName();
       if (game == null) {
-        game = library.game(madeFor);
+        game = game(madeFor);
       } else if (!game.name().equals(madeFor)) {
-        throw new IllegalArgumentException(
+        throw new Unplayable(
             "game=%s doesn't fit level=%s, which is made for game=%s"
-                .formatted(game.name(), levelName, madeFor));
+                .formatted(game.name(), levelName, madeFor),
+            null);
       }
       return match(game, level, 0);
     } catch (LevelException e) {
@@ -85,6 +86,14 @@ public final class MatchLoader {
       throw new Unplayable(e.getMessage(), e);
     } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       throw new Unplayable("the set-up failed: " + e, e);
+    }
+  }
+
+  private Game game(String name) throws Unplayable {
+    try {
+      return library.game(name);
+    } catch (IllegalArgumentException e) {
+      throw new Unplayable(e.getMessage(), null); // which says all
     }
   }
 

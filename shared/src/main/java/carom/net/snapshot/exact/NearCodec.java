@@ -14,6 +14,7 @@ public final class NearCodec {
   private static final int PART_BITS = 6;
   private static final int PLACE_BITS = 8;
   private static final int RULING_BITS = 6;
+  private static final int JOINT_BITS = 16;
   private static final int KEY_BITS = 24;
   private static final int MAX_KEY = (1 << KEY_BITS) - 1;
   private static final int SLOT_MASK = 0xffff;
@@ -58,22 +59,25 @@ public final class NearCodec {
     boolean writes = !c.isReading();
     int n = c.plain(near.rulings, RULING_BITS);
     int age = 0;
-    boolean afterStep = false;
+    int moment = 0;
     int mask = 0;
     for (int i = 0; i < n; i++) {
       int place = c.plain(writes ? near.rulingPlace(i) : 0, PLACE_BITS);
-      if (c.flag(writes && (near.rulingAge(i) != age || near.isRulingAfterStep(i) != afterStep))) {
+      if (c.flag(writes && (near.rulingAge(i) != age || near.rulingMoment(i) != moment))) {
         age = c.plain(writes ? near.rulingAge(i) : 0, FrameRing.AGE_BITS);
-        afterStep = c.flag(writes && near.isRulingAfterStep(i));
+        moment = c.plain(writes ? near.rulingMoment(i) : 0, NearState.MOMENT_BITS);
       }
+      boolean ofJoint = c.flag(writes && near.rulingJoint(i) >= 0);
+      int joint = ofJoint ? c.plain(writes ? near.rulingJoint(i) : 0, JOINT_BITS) : -1;
       boolean otherMask = c.flag(writes && near.rulingMask(i) != mask);
       mask = otherMask ? c.plain(writes ? near.rulingMask(i) : 0, BodyRow.CHANGING_INTS) : mask;
       boolean same = i > 0 && !otherMask && !c.flag(writes && !near.hasSameWords(i));
-      if (!c.require(place < near.count)) {
+      if (!c.require(place < near.count && moment < NearState.MOMENTS)) {
         return;
       }
       if (c.isReading()) {
-        near.addRuling(place, age, afterStep, mask);
+        near.addRuling(place, age, moment, mask);
+        near.setRulingJoint(joint);
       }
       for (int word = 0; word < BodyRow.CHANGING_INTS; word++) {
         if ((mask & 1 << word) != 0) {
@@ -91,10 +95,12 @@ public final class NearCodec {
   }
 
   /** Returns how many bits a ruling takes at most. */
-  public static int rulingBits(int mask) {
+  public static int rulingBits(int mask, boolean ofJoint) {
     return PLACE_BITS
         + FrameRing.AGE_BITS
-        + 4
+        + NearState.MOMENT_BITS
+        + 5
+        + (ofJoint ? JOINT_BITS : 0)
         + BodyRow.CHANGING_INTS
         + Integer.SIZE * Integer.bitCount(mask);
   }

@@ -18,9 +18,9 @@ import java.util.Arrays;
  * {@link BodyRow} with its key, in the order of the list; then rows of the other kinds, whose ends
  * are places in the list or inverted slots of static bodies.
  *
- * <p>What the game's rules did to a listed body by themselves is told as a <em>ruling</em>: the new
- * bits of the numbers that changed, at a tick. A client that applies it at that tick computes what
- * the server did.
+ * <p>What the game did to a listed body, and the client can't compute, is told as a
+ * <em>ruling</em>: the new bits of the numbers that changed, at a tick. A client that applies it at
+ * that tick computes what the server did.
  *
  * <p>The order of the list is that of the server's world and is part of the state. Mutable, reused.
  */
@@ -37,8 +37,14 @@ public final class NearState {
   /** Largest number of rulings in one snapshot. */
   public static final int MAX_RULINGS = 63;
 
+  /** Number of moments of a tick at which a ruling is made. */
+  static final int MOMENTS = 3;
+
+  /** Bits of a moment. */
+  static final int MOMENT_BITS = 2;
+
   /** Ints of a ruling that say what it is about, before those that changed. */
-  private static final int RULING_HEAD = 3;
+  private static final int RULING_HEAD = 4;
 
   private static final int RULING_INTS = RULING_HEAD + BodyRow.CHANGING_INTS;
   private static final int FIRST_ROOM = 16;
@@ -153,16 +159,17 @@ public final class NearState {
   }
 
   /**
-   * Adds a ruling without changed numbers; {@link #setRulingWord} follows for each.
+   * Adds a ruling of a body without changed numbers; {@link #setRulingWord} follows for each.
    *
    * @param place of its entity in the list
    * @param ticksAgo age of its tick, ticks, 0..63
-   * @param afterStep whether it was made after the physics of its tick, instead of before the
-   *     inputs
-   * @param mask bit i says that the int {@code BodyRow.MOTION + i} of the body's row changed
+   * @param moment when in its tick it was made: 0 before the inputs, 1 in the owner's input, 2
+   *     after the physics
+   * @param mask bit i says that the int {@code BodyRow.MOTION + i} of the body's row changed, or
+   *     number i of the joint's settings
    * @throws IllegalStateException if there are {@value #MAX_RULINGS}
    */
-  public void addRuling(int place, int ticksAgo, boolean afterStep, int mask) {
+  public void addRuling(int place, int ticksAgo, int moment, int mask) {
     if (rulings == MAX_RULINGS) {
       throw new IllegalStateException("rulings=" + rulings + " is the most in one snapshot");
     }
@@ -171,8 +178,14 @@ public final class NearState {
       rulingInts = Arrays.copyOf(rulingInts, Math.max(4 * RULING_INTS, 2 * at));
     }
     rulingInts[at] = place;
-    rulingInts[at + 1] = ticksAgo << 1 | (afterStep ? 1 : 0);
+    rulingInts[at + 1] = ticksAgo << MOMENT_BITS | moment;
     rulingInts[at + 2] = mask;
+    rulingInts[at + 3] = -1;
+  }
+
+  /** Makes the ruling added last one of a joint: one of its body's, by its index in the table. */
+  public void setRulingJoint(int index) {
+    rulingInts[(rulings - 1) * RULING_INTS + 3] = index;
   }
 
   /** Sets the new bits of a number that the ruling added last changed; 0 is the first one. */
@@ -192,12 +205,17 @@ public final class NearState {
 
   /** Returns the age of a ruling's tick, in ticks before the snapshot's tick. */
   public int rulingAge(int index) {
-    return rulingInts[index * RULING_INTS + 1] >> 1;
+    return rulingInts[index * RULING_INTS + 1] >> MOMENT_BITS;
   }
 
-  /** Returns whether a ruling was made after the physics of its tick. */
-  public boolean isRulingAfterStep(int index) {
-    return (rulingInts[index * RULING_INTS + 1] & 1) != 0;
+  /** Returns when in its tick a ruling was made, see {@link #addRuling}. */
+  public int rulingMoment(int index) {
+    return rulingInts[index * RULING_INTS + 1] & (1 << MOMENT_BITS) - 1;
+  }
+
+  /** Returns the index in the table of joints of the joint that a ruling is about, or -1. */
+  public int rulingJoint(int index) {
+    return rulingInts[index * RULING_INTS + 3];
   }
 
   /** Returns which numbers of a body's row a ruling changed, see {@link #addRuling}. */

@@ -74,7 +74,8 @@ class NearCodecTest {
 
   private void ruling(NearState near) {
     int mask = random.nextInt(1 << BodyRow.CHANGING_INTS);
-    near.addRuling(random.nextInt(near.count), random.nextInt(64), random.nextBoolean(), mask);
+    near.addRuling(random.nextInt(near.count), random.nextInt(64), random.nextInt(3), mask);
+    near.setRulingJoint(random.nextBoolean() ? -1 : random.nextInt(1 << 16));
     for (int word = 0; word < BodyRow.CHANGING_INTS; word++) {
       if ((mask & 1 << word) != 0) {
         near.setRulingWord(word, random.nextInt(2));
@@ -97,7 +98,8 @@ class NearCodecTest {
     }
     for (int i = 0; i < near.rulings(); i++) {
       out.append(" ruling ").append(near.rulingPlace(i)).append(' ').append(near.rulingAge(i));
-      out.append(near.isRulingAfterStep(i) ? " after " : " before ").append(near.rulingMask(i));
+      out.append(' ').append(near.rulingMoment(i)).append(' ').append(near.rulingMask(i));
+      out.append(" joint ").append(near.rulingJoint(i));
       for (int word = 0; word < BodyRow.CHANGING_INTS; word++) {
         boolean changed = (near.rulingMask(i) & 1 << word) != 0;
         out.append(' ').append(changed ? near.rulingWord(i, word) : 0);

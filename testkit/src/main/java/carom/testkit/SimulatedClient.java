@@ -259,6 +259,16 @@ public final class SimulatedClient {
     return client.stats();
   }
 
+  /** Returns how often the own body was put right since the client was created. */
+  public long corrections() {
+    return stats().corrections();
+  }
+
+  /** Returns the share of predictions of awake bodies that were right in every bit, percent. */
+  public double rightPercent() {
+    return 100 * stats().perfectRate();
+  }
+
   /** Returns the number of states compared with the server's; all were equal. */
   public long compared() {
     return compared;

@@ -1,7 +1,6 @@
-package carom.server.room;
+package carom.server.session;
 
 import carom.net.transport.Link;
-import carom.server.session.Seats;
 
 /**
  * A player on the way to a room: from the lobby, with the level loaded, or from another room.

@@ -1,0 +1,66 @@
+package carom.client.bots;
+
+import java.util.Iterator;
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Finds the {@linkplain BotBrain brains} of games. A brain that can't be loaded is logged and left
+ * out, so that it keeps no game from being played. Any thread may use it.
+ */
+public final class BotBrains {
+  private static final Logger LOG = LoggerFactory.getLogger(BotBrains.class);
+
+  /** Most errors before the search ends. A jar that cannot be read may fail at every question. */
+  private static final int MAX_ERRORS = 100;
+
+  private static final Map<String, Optional<Supplier<BotBrain>>> FOUND = new ConcurrentHashMap<>();
+
+  private BotBrains() {}
+
+  /**
+   * Adds a brain that needs no entry in a file of services: that of a program that embeds Carom, or
+   * of a test. It replaces another one for its game.
+   *
+   * @param brain makes a new instance for each bot
+   */
+  public static void add(Supplier<BotBrain> brain) {
+    FOUND.put(brain.get().game(), Optional.of(brain));
+  }
+
+  /** Forgets the brain that was added or found for a game; it is looked for again when needed. */
+  public static void remove(String game) {
+    FOUND.remove(game);
+  }
+
+  /** Returns a new instance of the brain for a game, or null if the game has none. */
+  public static BotBrain create(String game) {
+    return FOUND.computeIfAbsent(game, BotBrains::find).map(Supplier::get).orElse(null);
+  }
+
+  private static Optional<Supplier<BotBrain>> find(String game) {
+    Iterator<ServiceLoader.Provider<BotBrain>> all =
+        ServiceLoader.load(BotBrain.class, BotBrains.class.getClassLoader()).stream().iterator();
+    for (int errors = 0; errors <= MAX_ERRORS; ) {
+      try {
+        if (!all.hasNext()) {
+          break;
+        }
+        ServiceLoader.Provider<BotBrain> provider = all.next();
+        if (provider.get().game().equals(game)) {
+          return Optional.of(provider);
+        }
+      } catch (ServiceConfigurationError | LinkageError e) {
+        errors++;
+        LOG.warn("a bot brain can't be loaded, so bots of its game try all keys", e);
+      }
+    }
+    return Optional.empty();
+  }
+}
