@@ -256,6 +256,16 @@ public final class Lobby {
     partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
   }
 
+  /** Returns the number of a room's seats that are kept for visitors other than one. */
+  private int countPromised(Room room, Visitor except) {
+    int count = 0;
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      count += v != except && !v.done && v.waiting != null && v.promised == room ? 1 : 0;
+    }
+    return count;
+  }
+
   /** Returns the number of visitors of a host that hold a seat and still load the level. */
   private int countLoading(String host) {
     int count = 0;
@@ -308,6 +318,10 @@ public final class Lobby {
     private int lists;
     private long waitsUntilNs;
     private long askAgainNs;
+
+    /** The room whose seat is kept for this visitor, as another player gives it up, or null. */
+    private Room promised;
+
     private MatchInfo match;
     private LevelUpload upload;
     private boolean done;
@@ -529,7 +543,7 @@ public final class Lobby {
       boolean full = false;
       if (allowed && expecting != null) {
         room = expecting;
-        seat = room.seats().claim(waiting.resumeSecret(), nowNs);
+        seat = room.seats().claim(waiting.resumeSecret(), origin, nowNs);
       } else if (allowed) {
         full = !takeSeat(requested) && chooser.seatsLeft(requested) == 0 && !askForSeat(requested);
       }
@@ -560,22 +574,25 @@ public final class Lobby {
     private boolean takeSeat(Room requested) {
       Room chosen = requested == null ? chooser.fullestWithSeat(waiting.game()) : requested;
       if (chosen != null
+          && chooser.seatsLeft(chosen) > countPromised(chosen, this)
           && countLoading(origin.host()) < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
         room = chosen;
-        seat = room.seats().take(waiting.name(), waiting.account());
+        seat = room.seats().take(waiting.name(), waiting.account(), origin);
       }
       return seat != null;
     }
 
     /**
-     * Asks a room, or else the busiest other host, to give up a seat that nobody plays in. Returns
-     * false if every seat is played in.
+     * Asks a room to give up a seat that nobody plays in or that a network holds beyond its share,
+     * or else the busiest other host to give up one where the level still loads. Returns false if
+     * nobody gives way.
      */
     private boolean askForSeat(Room requested) {
       if (nowNs - askAgainNs < 0) {
-        return true; // the seat asked for is soon free, unless another visitor takes it first
+        return true; // the seat asked for is soon free
       }
-      boolean asked = chooser.askToGiveWay(requested);
+      promised = chooser.askToGiveWay(waiting.account(), origin, requested);
+      boolean asked = promised != null;
       Visitor crowding = asked ? null : oldestOfBusiestHost(origin.host(), requested);
       if (crowding != null) {
         asked = true;
