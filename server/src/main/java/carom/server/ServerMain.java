@@ -6,8 +6,10 @@ import carom.options.VectorApi;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
+import carom.server.command.CommandException;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RedirectCommands;
+import carom.server.command.ReloadCommand;
 import carom.server.command.RoomCommands;
 import carom.server.command.ServerCommands;
 import carom.server.config.BadSettingException;
@@ -36,10 +38,13 @@ import java.io.StringWriter;
 import java.time.InstantSource;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import org.jline.utils.Signals;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
@@ -84,6 +89,7 @@ public final class ServerMain implements Callable<Integer> {
 
   @Mixin private final ServerFlags flags = new ServerFlags();
 
+  private List<String> words;
   private SettingsLayers layers;
   private AccessLists access;
   private LogTail logTail;
@@ -121,19 +127,23 @@ public final class ServerMain implements Callable<Integer> {
             () -> (LoggerContext) LoggerFactory.getILoggerFactory(),
             task -> new Thread(task, "carom-logging").start());
     ServerMain program = new ServerMain(loggingSoon);
+    // After a signal, exit() waits for the shutdown hook, and the process ends with the signal's
+    // exit code.
+    System.exit(program.execute(commandLine(program), args));
+  }
+
+  private static CommandLine commandLine(ServerMain program) {
     CommandLine commandLine = BadFlag.explainedBy(CaromMain.withBench(new CommandLine(program)));
     commandLine.registerConverter(int.class, ServerMain::wholeNumber);
     commandLine.registerConverter(Long.class, ServerMain::longNumber);
     commandLine.registerConverter(ServerFlags.LogLevel.class, ServerFlags.LogLevel::of);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
-    // After a signal, exit() waits for the shutdown hook, and the process ends with the signal's
-    // exit code.
-    System.exit(program.execute(commandLine, args));
+    return commandLine;
   }
 
   /** Runs the program with the settings of all layers, unless it only explains itself. */
   private int execute(CommandLine commandLine, String[] args) {
-    List<String> words = List.of(args);
+    words = List.of(args);
     if (!Collections.disjoint(words, ONLY_EXPLAIN)
         || (!words.isEmpty() && commandLine.getSubcommands().containsKey(words.get(0)))) {
       return commandLine.execute(args);
@@ -309,9 +319,15 @@ public final class ServerMain implements Callable<Integer> {
     // Players needn't wait for it: its libraries load for as long as all the rest.
     web.set(openPorts(server, commands));
     String page = web.get() == null ? null : web.get().url();
-    ReadyLine.printHints(System.out, server.tcpPort(), page);
+    boolean onlyHere = flags.bindAddress() != null && flags.bindAddress().isLoopbackAddress();
+    ReadyLine.printHints(System.out, server.tcpPort(), page, onlyHere);
     if (flags.console) {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
+    } else { // with a console, the signal says that its terminal is gone
+      Signals.register(
+          "HUP",
+          () ->
+              commands.run("reload").text().lines().forEach(line -> log.info("reload: {}", line)));
     }
     server.awaitStop();
     if (server.hasFailed()) {
@@ -327,6 +343,13 @@ public final class ServerMain implements Callable<Integer> {
     server.chatCommands(new AdminChat(commands, access, server.rooms()));
     ServerCommands.add(commands, server::status, settings(), ServerMain::replay);
     RedirectCommands.add(commands, server.rooms(), server::redirectVisitors, ServerMain::stopSoon);
+    Map<String, Consumer<String>> live =
+        Map.of(
+            "allow-list",
+            text -> access.onlyAllowed(Boolean.parseBoolean(text)),
+            "log-level",
+            ServerMain::logLevel);
+    ReloadCommand.add(commands, settings(), this::settingsNow, live, access::reload);
     return commands;
   }
 
@@ -363,6 +386,27 @@ public final class ServerMain implements Callable<Integer> {
   /** Ends the process on a thread of its own, because an exit waits for all that runs. */
   private static void stopSoon() {
     new Thread(() -> System.exit(0), "carom-exit").start();
+  }
+
+  private static void logLevel(String name) {
+    LoggerContext logging = (LoggerContext) LoggerFactory.getILoggerFactory();
+    logging.getLogger(Logger.ROOT_LOGGER_NAME).setLevel(ch.qos.logback.classic.Level.toLevel(name));
+  }
+
+  /** Returns the settings as they would be after a restart. */
+  private EffectiveSettings settingsNow() throws CommandException {
+    ServerMain next = new ServerMain(loggingSoon);
+    CommandLine commandLine = commandLine(next);
+    try {
+      SettingsLayers all = new SettingsLayers(commandLine.getCommandSpec(), words, System.getenv());
+      EffectiveSettings settings = all.settings(commandLine.parseArgs(all.arguments()));
+      GameChoice choice = new GameChoice(next.flags);
+      next.flags.check();
+      choice.rooms(next.flags.config(choice.gameName()));
+      return settings;
+    } catch (BadSettingException | CommandLine.ParameterException e) {
+      throw new CommandException("nothing has changed: " + e.getMessage());
+    }
   }
 
   private EffectiveSettings settings() {

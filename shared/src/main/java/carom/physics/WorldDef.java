@@ -81,7 +81,8 @@ public final class WorldDef extends Settings {
 
   /**
    * Returns a copy with this overlap that the solver leaves alone, 0..1 m; default 0.002. It keeps
-   * resting contacts closed.
+   * resting contacts closed. It is also how well pieces of a ground must fit to count as one
+   * surface; there, less than 0.0001 counts as that.
    */
   public WorldDef withSlop(float metres) {
     return with(d -> d.slop = Limits.range("slop", metres, 0, 1));

@@ -8,6 +8,7 @@ import java.time.InstantSource;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * The bans, the list of players who alone may play if the operator wants that, and the admins. They
@@ -20,7 +21,8 @@ public final class AccessLists implements EntryRule {
   private final AccessFile bans;
   private final AccessFile allowed;
   private final AccessFile admins;
-  private final boolean onlyAllowed;
+  private final AtomicBoolean changed = new AtomicBoolean();
+  private volatile boolean onlyAllowed;
   private final InstantSource clock;
   private volatile JoinTokens tokens;
 
@@ -89,11 +91,29 @@ public final class AccessLists implements EntryRule {
     return clock;
   }
 
-  /** Reads the files that have changed again, and returns whether one has. */
+  /** Reads the files that have changed again, and returns whether anything has. */
   boolean reloadIfChanged() {
     boolean bansChanged = bans.reloadIfChanged();
     boolean adminsChanged = admins.reloadIfChanged();
-    return allowed.reloadIfChanged() || bansChanged || adminsChanged;
+    boolean allowedChanged = allowed.reloadIfChanged();
+    return changed.getAndSet(false) || allowedChanged || bansChanged || adminsChanged;
+  }
+
+  /** Sets whether only players of the list may play. Others are removed within a second. */
+  public void onlyAllowed(boolean only) {
+    if (only != onlyAllowed) {
+      onlyAllowed = only;
+      changed.set(true);
+    }
+  }
+
+  /** Reads the files that have changed again, and returns how many entries they have. */
+  public String reload() {
+    if (reloadIfChanged()) {
+      changed.set(true); // for the thread that removes players
+    }
+    return "in force: bans %d, allowed %d, admins %d"
+        .formatted(bans.entries().size(), allowed.entries().size(), admins.entries().size());
   }
 
   /**

@@ -121,19 +121,9 @@ public final class CommandRegistry {
         throw new CommandException(
             "unknown command=" + wanted + Suggestion.didYouMean(wanted, commands.keySet()));
       }
-      return command.synopsis() + "\n  " + command.doc();
+      return command.synopsis() + "\n" + HelpText.wrap(command.doc(), 2);
     }
-    int width = 0;
-    for (Command command : commands.values()) {
-      width = Math.max(width, command.synopsis().length());
-    }
-    StringBuilder text = new StringBuilder();
-    for (Command command : commands.values()) {
-      text.append(command.synopsis())
-          .append(" ".repeat(width + 2 - command.synopsis().length()))
-          .append(command.doc())
-          .append('\n');
-    }
-    return text + "@NAME anywhere in a line names a room. Quotes hold words together.";
+    return HelpText.of(commands.values())
+        + "@NAME anywhere in a line names a room. Quotes hold words together.";
   }
 }

@@ -3,6 +3,7 @@ package carom.server.command;
 import carom.game.Games;
 import carom.server.config.DataFolder;
 import carom.server.match.MatchLibrary;
+import carom.server.replication.LinkFigures;
 import carom.server.room.OperatorCommands;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
@@ -12,12 +13,14 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Pattern;
 
 /** The commands that are about a room: who plays, what is played, and what is recorded. */
 public final class RoomCommands {
   private static final String STOP = "stop";
   private static final String MATCH = "match";
+  private static final Pattern NEXT_FIELD = Pattern.compile(" (?=[-\\w.\\[\\]]+=)");
   private static final Pattern FILE_NAME = Pattern.compile("[-\\w]{1,64}");
 
   private final RoomFinder finder;
@@ -147,7 +150,8 @@ public final class RoomCommands {
 
   private String list(CommandWords words) throws CommandException {
     words.requireAtMost(0);
-    TextTable table = new TextTable("id", "name", "room", "address", "state", "team", "score");
+    TextTable table =
+        new TextTable("id", "name", "room", "address", "state", "team", "score", "ping", "loss");
     int count = 0;
     for (Room room : finder.all(words)) {
       for (PlayerInfo player : room.operator().players()) {
@@ -158,11 +162,19 @@ public final class RoomCommands {
             player.remote(),
             player.state(),
             player.team(),
-            player.score());
+            player.score(),
+            player.link().roundTripMs() + " ms",
+            loss(player.link()));
         count++;
       }
     }
     return count == 0 ? "nobody plays" : table.toString();
+  }
+
+  /** Returns the share of datagrams to a client that were lost since its link began. */
+  private static String loss(LinkFigures link) {
+    long lost = link.settled() - link.acked();
+    return String.format(Locale.ROOT, "%.1f %%", 100.0 * lost / Math.max(1, link.settled()));
   }
 
   private String rooms(CommandWords words) throws CommandException {
@@ -270,6 +282,7 @@ public final class RoomCommands {
 
   private String fields(CommandWords words) throws CommandException {
     words.requireAtMost(2);
-    return finder.one(words).operator().fields(words.has(0) ? words.rest(0) : MATCH);
+    String all = finder.one(words).operator().fields(words.has(0) ? words.rest(0) : MATCH);
+    return NEXT_FIELD.matcher(all).replaceAll("\n");
   }
 }

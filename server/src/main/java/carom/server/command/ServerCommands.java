@@ -54,7 +54,7 @@ public final class ServerCommands {
 
   private String status(CommandWords words) throws CommandException {
     words.requireAtMost(0);
-    return String.join("\n", status.get());
+    return String.join("\n", status.get().stream().map(HelpText::wrapClauses).toList());
   }
 
   private String config(CommandWords words) throws CommandException {

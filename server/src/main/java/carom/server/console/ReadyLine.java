@@ -28,11 +28,12 @@ public final class ReadyLine {
    * start, so that they stay in sight.
    *
    * @param page address of the live page; null without one
+   * @param onlyHere whether only this machine reaches the ports
    */
-  public static void printHints(PrintStream out, int tcp, String page) {
+  public static void printHints(PrintStream out, int tcp, String page, boolean onlyHere) {
     if (isOnTerminal()) {
       out.println();
-      hints(tcp, page, Boolean.getBoolean(TERMINAL_PROPERTY)).forEach(out::println);
+      hints(tcp, page, Boolean.getBoolean(TERMINAL_PROPERTY), onlyHere).forEach(out::println);
       out.println();
       out.flush();
     }
@@ -42,8 +43,9 @@ public final class ReadyLine {
    * Returns the hints, a line each.
    *
    * @param sources whether gradlew runs the server, so that it can run the other programs, too
+   * @param onlyHere whether only this machine reaches the ports
    */
-  static List<String> hints(int tcp, String page, boolean sources) {
+  static List<String> hints(int tcp, String page, boolean sources, boolean onlyHere) {
     boolean usual = tcp == DEFAULT_TCP_PORT;
     String port = usual ? "" : ":" + tcp;
     String here = "--host localhost" + port;
@@ -52,7 +54,10 @@ public final class ReadyLine {
     lines.add("  The server is ready. Players can join.");
     lines.add("");
     lines.add("  join      " + (sources ? "./gradlew play" + args : "carom-client " + here));
-    lines.add("            carom-client --host " + hostName() + port + "   (another machine)");
+    lines.add(
+        onlyHere
+            ? "            (from this machine only; see --bind)"
+            : "            carom-client --host " + hostName() + port + "   (another machine)");
     lines.add(
         "  add bots  "
             + (sources ? "./gradlew bots -Pn=20" + args : "carom-bots --count 20 " + here));

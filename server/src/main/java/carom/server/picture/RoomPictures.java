@@ -210,11 +210,7 @@ public final class RoomPictures {
     List<PlayerPicture> players = new ArrayList<>();
     for (Session session : bySeat) {
       if (session != null) {
-        players.add(
-            new PlayerPicture(
-                PlayerInfo.of(session),
-                session.replication().figures(),
-                session.inputs().missing()));
+        players.add(new PlayerPicture(PlayerInfo.of(session), session.inputs().missing()));
       }
     }
     return players;

@@ -1,5 +1,6 @@
 package carom.server.session;
 
+import carom.server.replication.LinkFigures;
 import java.util.Locale;
 
 /**
@@ -12,6 +13,7 @@ import java.util.Locale;
  * @param state {@code playing}, {@code watching}, {@code loading} or {@code grace}
  * @param team the player's team
  * @param score the player's score
+ * @param link what the line and the predictions have done since the link began
  * @param playedTicks ticks for which the player has played over its present link
  */
 public record PlayerInfo(
@@ -22,6 +24,7 @@ public record PlayerInfo(
     String state,
     int team,
     int score,
+    LinkFigures link,
     int playedTicks) {
   /** Describes a session. The room's thread. */
   public static PlayerInfo of(Session session) {
@@ -34,6 +37,7 @@ public record PlayerInfo(
         watches ? "watching" : session.state().name().toLowerCase(Locale.ROOT),
         session.player().team(),
         session.player().score(),
+        session.replication().figures(),
         session.playedTicks());
   }
 }

@@ -92,11 +92,19 @@ final class OperatorCommandsTest {
   void showsPlayersRoomsAndStatus() {
     String[] players = ok("list").split("\n");
     assertEquals(3, players.length);
-    assertTrue(players[1].matches("0 +Ann +1 .*playing.*"), players[1]);
+    assertTrue(players[1].matches("0 +Ann +1 .*playing.* \\d+ ms +\\d+\\.\\d %"), players[1]);
     assertTrue(players[2].matches("1 +Bob B +1 .*playing.*"), players[2]);
     assertTrue(ok("rooms").matches("(?s).*@1 +2/64 +arena +Corner Pocket +\\d+ +runs"));
     assertTrue(ok("status").contains("2 of 64 players"));
     assertTrue(fails("list @nowhere").contains("no room=nowhere; rooms are @1"));
+  }
+
+  @Test
+  void helpAndStatusBreakBetweenWordsOnATerminalOf80() {
+    for (String line : (ok("help") + "\n" + ok("status")).split("\n")) {
+      assertTrue(line.length() < 80, line);
+    }
+    assertTrue(ok("help").contains("\nlist [@ROOM]              Shows the players.\n"), ok("help"));
   }
 
   @Test
@@ -183,6 +191,7 @@ final class OperatorCommandsTest {
     assertTrue(ok("why Ann 0").startsWith("player=0 "));
     assertTrue(fails("why Ann x").contains("ENTITY=x is no number"));
     assertTrue(ok("fields").contains("match."));
+    assertTrue(ok("fields").lines().allMatch(line -> line.matches("match\\.\\S+=[^=]*")));
     assertTrue(ok("fields player 0").contains("player"));
     assertTrue(ok("config").matches("(?s).*seed +7 +command line"));
     assertTrue(ok("config seed").contains("from: command line"));

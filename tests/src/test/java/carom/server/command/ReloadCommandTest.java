@@ -1,0 +1,66 @@
+package carom.server.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import carom.server.config.EffectiveSettings;
+import carom.server.config.Setting;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/** Goal: a reload applies what can change and names what can't. Method: settings that change. */
+final class ReloadCommandTest {
+  private final CommandRegistry registry = new CommandRegistry();
+  private final List<String> levels = new ArrayList<>();
+  private EffectiveSettings next = settings("info", "64");
+
+  private static EffectiveSettings settings(String level, String players) {
+    return new EffectiveSettings(
+        List.of(
+            new Setting("log-level", List.of(level), "carom.conf: 1", "info", "LEVEL", "Log."),
+            new Setting("max-players", List.of(players), "carom.conf: 2", "64", "N", "Most.")));
+  }
+
+  ReloadCommandTest() {
+    ReloadCommand.add(
+        registry,
+        next,
+        () -> {
+          if (next == null) {
+            throw new CommandException("nothing has changed: carom.conf: 1 is wrong");
+          }
+          return next;
+        },
+        Map.of("log-level", levels::add),
+        () -> "in force: bans 1");
+  }
+
+  private String reload() {
+    return registry.run("reload").text();
+  }
+
+  @Test
+  void aChangeHoldsNowOrIsNamedUntilTheRestart() {
+    assertEquals("no setting has changed\nin force: bans 1", reload());
+    next = settings("debug", "32");
+    assertEquals(
+        "log-level = debug, was info: holds now\n"
+            + "max-players = 32, was 64: needs a restart\n"
+            + "in force: bans 1",
+        reload());
+    assertEquals(List.of("debug"), levels);
+    assertEquals("max-players = 32, was 64: needs a restart\nin force: bans 1", reload());
+    assertEquals(List.of("debug"), levels, "applied once");
+  }
+
+  @Test
+  void aFileThatCannotBeUsedChangesNothing() {
+    next = null;
+    CommandRegistry.Answer answer = registry.run("reload");
+    assertFalse(answer.ok());
+    assertEquals("nothing has changed: carom.conf: 1 is wrong", answer.text());
+    assertEquals(List.of(), levels);
+  }
+}
