@@ -228,6 +228,16 @@ final class ServerFlags {
   private int idleKickS;
 
   @Option(
+      names = "--network-share",
+      paramLabel = "PERCENT",
+      defaultValue = "6",
+      description =
+          "Share of a full room's places that players of one network (IPv4 /24, IPv6 /64) keep when"
+              + " others want to play, 1..100, at least two places; beyond it the newest gives way;"
+              + " 100 = never (${DEFAULT-VALUE}).")
+  private int networkShare;
+
+  @Option(
       names = "--max-load",
       paramLabel = "X",
       defaultValue = "0.8",
@@ -521,6 +531,7 @@ final class ServerFlags {
           .withThreads(threads)
           .withGraceMs(graceS * 1_000)
           .withIdleKickS(idleKickS)
+          .withNetworkSharePercent(networkShare)
           .withMaxLoadPercent((int) Math.round(100 * maxLoad))
           .withInputHoldTicks(tickRate / 2)
           .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)

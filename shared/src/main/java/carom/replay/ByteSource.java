@@ -1,5 +1,6 @@
 package carom.replay;
 
+import carom.text.Texts;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -63,6 +64,10 @@ final class ByteSource {
     return (int) value;
   }
 
+  /**
+   * Returns a text as it may be shown: the author of a file can put escape sequences of a terminal
+   * into it.
+   */
   String text(String name, int maxBytes) throws RecordingException {
     int length = varint("bytes of " + name, 0, maxBytes);
     need(length);
@@ -70,7 +75,7 @@ final class ByteSource {
       String text =
           StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes, at, length)).toString();
       at += length;
-      return text;
+      return Texts.clean(text);
     } catch (CharacterCodingException e) {
       throw new RecordingException("damaged: " + name + " is no UTF-8");
     }

@@ -381,6 +381,7 @@ final class ArchitectureTest {
         "carom.net.codec");
     allow(
         "carom.replay",
+        "carom.text",
         "carom.sim",
         "carom.sim.entity",
         "carom.sim.field",

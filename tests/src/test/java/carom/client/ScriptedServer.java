@@ -162,8 +162,10 @@ final class ScriptedServer {
       }
       feedback.margin = Math.max(-32, Math.min(31, newestInput - simulation.tick()));
       feedback.holdMs = (int) Math.min(255, (nowNs - newestNs) / 1_000_000);
+      script.own(this);
       encoder.begin(feedback, own, 4_000);
       for (int n; (n = encoder.next(buffer)) > 0; ) {
+        script.datagram(buffer, n);
         link.sendDatagram(buffer, 0, n);
       }
       near.sent();
@@ -180,6 +182,12 @@ final class ScriptedServer {
     void level(Guest guest, int offset) {
       guest.sendLevel(offset);
     }
+
+    /** May change the exact state that the client is about to get. */
+    void own(Guest guest) {}
+
+    /** May change a datagram that the client is about to get. */
+    void datagram(byte[] bytes, int length) {}
   }
 
   static final int EPOCH = 5;

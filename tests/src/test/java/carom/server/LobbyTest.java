@@ -16,6 +16,7 @@ import carom.net.protocol.ServerMessage;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -139,6 +140,101 @@ class LobbyTest {
     assertEquals(idle.welcome.playerId(), newcomer.welcome.playerId());
     assertEquals(GoodbyeReason.IDLE, idle.goodbye.reason());
     assertNull(busy.goodbye);
+  }
+
+  private static List<Integer> goneOf(List<FakeClient> clients) {
+    return IntStream.range(0, clients.size())
+        .filter(i -> clients.get(i).goodbye != null)
+        .boxed()
+        .toList();
+  }
+
+  @Test
+  void ofAFullRoomTheNewestOfANetworkAboveItsShareGivesWayUntilAllHoldEqually() {
+    rig.close();
+    rig = new Rig(ServerConfig.defaults().withMaxPlayers(6), new TestGame(3));
+    for (int i = 0; i < 6; i++) {
+      rig.joinFrom("192.0.2.66", "bot" + i);
+    }
+    List<FakeClient> bots = List.copyOf(rig.clients);
+    FakeClient ann = rig.joinFrom("198.51.100.1", "ann");
+    assertEquals(List.of(5), goneOf(bots));
+    assertEquals(GoodbyeReason.CROWDED, bots.get(5).goodbye.reason());
+    FakeClient ben = rig.joinFrom("198.51.100.2", "ben");
+    FakeClient cleo = rig.joinFrom("203.0.113.1", "cleo");
+    FakeClient dan = rig.joinFrom("203.0.113.2", "dan");
+    assertEquals(List.of(2, 3, 4, 5), goneOf(bots), "two places each");
+    for (String address : List.of("192.0.2.66", "198.51.100.3", "203.0.113.3", "203.0.114.1")) {
+      FakeClient refused = rig.connectFrom(address).hello("more");
+      rig.steps(3);
+      assertEquals(RefusalReason.SERVER_FULL, refused.refused.reason(), address);
+    }
+    assertEquals(List.of(), goneOf(List.of(ann, ben, cleo, dan)));
+  }
+
+  @Test
+  void aWholeSchoolPlaysAndKeepsItsShareHoweverManyNetworksCome() {
+    rig.close();
+    rig =
+        new Rig(
+            ServerConfig.defaults().withMaxPlayers(16).withNetworkSharePercent(25),
+            new TestGame(3));
+    for (int i = 0; i < 16; i++) {
+      rig.joinFrom("192.0.2.9", "pupil" + i);
+    }
+    List<FakeClient> school = List.copyOf(rig.clients);
+    assertEquals(List.of(), goneOf(school));
+    for (int i = 0; i < 20; i++) {
+      rig.connectFrom("198.51." + i + ".1").hello("stranger" + i);
+      rig.seconds(1);
+    }
+    assertEquals(12, goneOf(school).size(), "a quarter of 16 places stays");
+    assertEquals(List.of(), goneOf(school.subList(0, 4)), "the first to come");
+    assertEquals(List.of(), goneOf(rig.clients.subList(16, 28)), "strangers keep what they got");
+  }
+
+  @Test
+  void inANetworkTheBusiestAddressGivesWayAlsoToItsNeighbour() {
+    rig.close();
+    rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+    rig.joinFrom("192.0.2.66", "bot1");
+    rig.joinFrom("192.0.2.66", "bot2");
+    rig.joinFrom("192.0.2.66", "bot3");
+    rig.joinFrom("192.0.2.7", "neighbour");
+    List<FakeClient> clients = List.copyOf(rig.clients);
+    rig.joinFrom("192.0.2.8", "another");
+    assertEquals(List.of(2), goneOf(clients), "not the newest of the network");
+  }
+
+  @Test
+  void theSeatThatANetworkGivesUpIsKeptForTheOneWhoAsked() {
+    rig.close();
+    rig = new Rig(ServerConfig.defaults().withMaxPlayers(6), new TestGame(3));
+    for (int i = 0; i < 6; i++) {
+      rig.joinFrom("192.0.2.66", "bot" + i);
+    }
+    FakeClient ann = rig.connectFrom("198.51.100.1").hello("ann");
+    for (int i = 0; i < 30 && !ann.ready; i++) {
+      rig.connectFrom("192.0.2.66").hello("again" + i);
+      rig.step();
+    }
+    assertTrue(ann.ready, "" + ann.refused);
+    assertEquals(1, goneOf(rig.clients.subList(0, 6)).size(), "one seat was enough");
+  }
+
+  @Test
+  void withAShareOfAllNobodyGivesWay() {
+    rig.close();
+    rig =
+        new Rig(
+            ServerConfig.defaults().withMaxPlayers(3).withNetworkSharePercent(100),
+            new TestGame(3));
+    for (int i = 0; i < 3; i++) {
+      rig.joinFrom("192.0.2.66", "bot" + i);
+    }
+    FakeClient ann = rig.connectFrom("198.51.100.1").hello("ann");
+    rig.seconds(1);
+    assertEquals(RefusalReason.SERVER_FULL, ann.refused.reason());
   }
 
   @Test

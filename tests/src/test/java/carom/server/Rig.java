@@ -54,13 +54,27 @@ final class Rig implements AutoCloseable {
     return client;
   }
 
+  FakeClient connectFrom(String address) {
+    FakeClient client = new FakeClient(network.connectFrom(address));
+    clients.add(client);
+    return client;
+  }
+
+  /** Plays from an address; fails the test when that takes longer than a virtual second. */
+  FakeClient joinFrom(String address, String name) {
+    return play(connectFrom(address).hello(name), name);
+  }
+
   /** Connects and plays; fails the test when that takes longer than a virtual second. */
   FakeClient join(String name) {
     return join(name, 0);
   }
 
   FakeClient join(String name, long secret) {
-    FakeClient client = connect().hello(name, secret);
+    return play(connect().hello(name, secret), name);
+  }
+
+  private FakeClient play(FakeClient client, String name) {
     for (int i = 0; i < 60; i++) {
       step();
       if (client.decoder != null && client.decoder.hasAck()) {

@@ -429,7 +429,7 @@ final class Corrector {
 
   private static boolean isFinite(int[] rows, int from, int to) {
     for (int i = from; i < to; i++) {
-      if (!(Math.abs(Float.intBitsToFloat(rows[i])) < 1e9f)) {
+      if (!(Math.abs(Float.intBitsToFloat(rows[i])) < OwnState.LIMIT)) {
         return false;
       }
     }

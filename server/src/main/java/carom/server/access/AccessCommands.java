@@ -8,6 +8,7 @@ import carom.server.command.CommandWords;
 import carom.server.command.RoomFinder;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
+import carom.server.threads.LastingThread;
 import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
@@ -91,10 +92,7 @@ public final class AccessCommands {
             "Takes an account or address from that list.",
             words -> all.remove(lists.admins(), words, "entry"),
             place -> place == 0 ? values(lists.admins()) : List.of()));
-    Thread thread = new Thread(all::watch, "carom-access");
-    thread.setDaemon(true);
-    thread.start();
-    return thread;
+    return LastingThread.start("carom-access", () -> true, all::watch);
   }
 
   private static List<String> values(AccessFile file) {
@@ -107,16 +105,10 @@ public final class AccessCommands {
     return names;
   }
 
-  private void watch() {
-    try {
-      while (true) {
-        Thread.sleep(LOOK_MS);
-        if (lists.reloadIfChanged()) {
-          removePlayers();
-        }
-      }
-    } catch (InterruptedException e) {
-      LOG.debug("the access lists are no longer watched");
+  private void watch() throws InterruptedException {
+    Thread.sleep(LOOK_MS);
+    if (lists.reloadIfChanged()) {
+      removePlayers();
     }
   }
 

@@ -72,7 +72,7 @@ public final class CommandRegistry {
     } catch (CommandException e) {
       String usage = e.isOfWords() ? "; usage: " + command.synopsis() : "";
       return answer(false, e.getMessage() + usage);
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) { // threads of consoles go on
       LOG.error("the command {} failed", name, e);
       return answer(false, name + " failed because of a bug, see the log: " + e);
     }

@@ -32,6 +32,8 @@ import java.util.Objects;
  *     removes it at once
  * @param idleKickS time without another input after which a player gives way to a newcomer of a
  *     full room, s, 0..86,400; 0 = never
+ * @param networkSharePercent share of a full room's seats that the players of one network (IPv4
+ *     /24, IPv6 /64) keep when others want to play, percent, 1..100, but at least two seats
  * @param maxLoadPercent time that 95 of 100 ticks of a room may take, percent of their period, up
  *     to which it lets newcomers in, 0..300; 0 = whatever they take
  * @param catchUpTicks most ticks that a room runs in one burst after a pause, 1..60. A quarter of a
@@ -67,6 +69,7 @@ public record ServerConfig(
     int silenceTimeoutMs,
     int graceMs,
     int idleKickS,
+    int networkSharePercent,
     int maxLoadPercent,
     int catchUpTicks,
     int inputWindowTicks,
@@ -131,6 +134,7 @@ public record ServerConfig(
     check("silenceTimeoutMs", silenceTimeoutMs, 500, 60_000, "withSilenceTimeoutMs");
     check("graceMs", graceMs, 0, 600_000, "--grace");
     check("idleKickS", idleKickS, 0, 86_400, "--idle-kick");
+    check("networkSharePercent", networkSharePercent, 1, 100, "--network-share");
     check("maxLoadPercent", maxLoadPercent, 0, MAX_LOAD_PERCENT, "--max-load");
     check("catchUpTicks", catchUpTicks, 1, 60, "withCatchUpTicks");
     check("inputWindowTicks", inputWindowTicks, 4, 64, "withInputWindowTicks");
@@ -169,6 +173,7 @@ public record ServerConfig(
         /* silenceTimeoutMs= */ 6_000,
         /* graceMs= */ 30_000,
         /* idleKickS= */ 60,
+        /* networkSharePercent= */ 6,
         /* maxLoadPercent= */ 0,
         /* catchUpTicks= */ 15,
         /* inputWindowTicks= */ 32,
@@ -225,6 +230,11 @@ public record ServerConfig(
   /** Returns a copy with this handshake deadline. */
   public ServerConfig withHandshakeTimeoutMs(int value) {
     return Records.with(this, "handshakeTimeoutMs", value);
+  }
+
+  /** Returns a copy with this share of a full room's seats for one network, percent. */
+  public ServerConfig withNetworkSharePercent(int value) {
+    return Records.with(this, "networkSharePercent", value);
   }
 
   /** Returns a copy with this loading deadline. */

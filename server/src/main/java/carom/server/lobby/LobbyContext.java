@@ -16,8 +16,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What the visitors of a lobby share: the rooms they choose from, the rules at the door, the time
- * of the turn, and who else is there.
+ * What the visitors of a lobby share: the rooms they choose from, the rules at the door, the time of
+ * the turn, and who else is there.
  *
  * <p>On the lobby's thread, except {@link #admit}.
  */
@@ -118,6 +118,16 @@ final class LobbyContext {
   /** Closes a link a moment later, so that its last message arrives. */
   void closeLater(Link link, String why) {
     partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
+  }
+
+  /** Returns the number of a room's seats that are kept for visitors other than one. */
+  int countPromised(Room room, Visitor except) {
+    int count = 0;
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      count += v != except && v.isPromised(room) ? 1 : 0;
+    }
+    return count;
   }
 
   /** Returns the number of visitors of a host that hold a seat and still load the level. */

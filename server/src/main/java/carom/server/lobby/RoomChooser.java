@@ -1,5 +1,6 @@
 package carom.server.lobby;
 
+import carom.net.admission.Origin;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import java.util.List;
@@ -98,19 +99,19 @@ final class RoomChooser {
   }
 
   /**
-   * Asks a room to give up a seat that nobody plays in. Returns whether one will.
+   * Asks a room to give up a seat that nobody plays in, or one of a network that holds more than
+   * its share. Returns the room that will, or null.
    *
+   * @param account the newcomer's account, or empty
+   * @param origin where the newcomer comes from
    * @param requested the room, or null for all in turn
    */
-  boolean askToGiveWay(Room requested) {
-    if (requested != null) {
-      return requested.giveWay();
-    }
-    for (Room room : rooms) {
-      if (!room.hasFailed() && room.giveWay()) {
-        return true;
+  Room askToGiveWay(String account, Origin origin, Room requested) {
+    for (Room room : requested == null ? rooms : List.of(requested)) {
+      if (!room.hasFailed() && room.seatRequests().ask(account, origin)) {
+        return room;
       }
     }
-    return false;
+    return null;
   }
 }

@@ -136,7 +136,7 @@ final class Spectators implements LinkHandler {
       if (counts.get(s.origin.network()) == most) {
         spectators.remove(i);
         count(s.room);
-        s.link.send(new ServerMessage.Goodbye(GoodbyeReason.IDLE, ""));
+        s.link.send(new ServerMessage.Goodbye(GoodbyeReason.CROWDED, ""));
         partings.add(s.link, "gave way to a newcomer", nowNs + PARTING_MS * NS_PER_MS);
         return true;
       }

@@ -26,8 +26,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A link from its first message to its room: handshake, a seat, and the level. It ends by entering
- * a room, by watching, by a refusal, or when the client leaves.
+ * A link from its first message to its room: handshake, a seat, and the level. It ends by entering a
+ * room, by watching, by a refusal, or when the client leaves.
  *
  * <p>On the lobby's thread.
  */
@@ -70,6 +70,10 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private int lists;
   private long waitsUntilNs;
   private long askAgainNs;
+
+  /** The room whose seat is kept for this visitor, as another player gives it up, or null. */
+  private Room promised;
+
   private MatchInfo match;
   private LevelUpload upload;
   private boolean done;
@@ -107,8 +111,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   }
 
   /**
-   * Reads messages one by one. Messages behind Hello wait until it is answered, and messages behind
-   * Ready are for the room.
+   * Reads messages one by one. Messages behind Hello wait until it is answered, and messages
+   * behind Ready are for the room.
    */
   int poll() {
     int work = 0;
@@ -138,7 +142,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       } else if (ready.declarationsDigest() == match.declarations().digest()) {
         enterRoom();
       } else {
-        refuse(RefusalReason.GAME_VERSION, "The fields of your game " + match.game() + " differ.");
+        refuse(
+            RefusalReason.GAME_VERSION, "The fields of your game " + match.game() + " differ.");
       }
     } else if (message instanceof ClientMessage.Leave) {
       end("left before playing");
@@ -295,7 +300,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     boolean full = false;
     if (allowed && expecting != null) {
       room = expecting;
-      seat = room.seats().claim(waiting.resumeSecret(), context.nowNs());
+      seat = room.seats().claim(waiting.resumeSecret(), origin, context.nowNs());
     } else if (allowed) {
       full = !takeSeat(requested) && chooser.seatsLeft(requested) == 0 && !askForSeat(requested);
     }
@@ -326,23 +331,25 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private boolean takeSeat(Room requested) {
     Room chosen = requested == null ? chooser.fullestWithSeat(waiting.game()) : requested;
     if (chosen != null
-        && context.countLoading(origin.host())
-            < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
+        && chooser.seatsLeft(chosen) > context.countPromised(chosen, this)
+        && context.countLoading(origin.host()) < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
       room = chosen;
-      seat = room.seats().take(waiting.name(), waiting.account());
+      seat = room.seats().take(waiting.name(), waiting.account(), origin);
     }
     return seat != null;
   }
 
   /**
-   * Asks a room, or else the busiest other host, to give up a seat that nobody plays in. Returns
-   * false if every seat is played in.
+   * Asks a room to give up a seat that nobody plays in or that a network holds beyond its share,
+   * or else the busiest other host to give up one where the level still loads. Returns false if
+   * nobody gives way.
    */
   private boolean askForSeat(Room requested) {
     if (context.nowNs() - askAgainNs < 0) {
-      return true; // the seat asked for is soon free, unless another visitor takes it first
+      return true; // the seat asked for is soon free
     }
-    boolean asked = chooser.askToGiveWay(requested);
+    promised = chooser.askToGiveWay(waiting.account(), origin, requested);
+    boolean asked = promised != null;
     Visitor crowding = asked ? null : context.oldestOfBusiestHost(origin.host(), requested);
     if (crowding != null) {
       asked = true;
@@ -437,6 +444,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** Returns whether the visitor holds a seat and still loads the level. */
   boolean isLoading() {
     return !done && state == SessionState.LOADING;
+  }
+
+  /** Returns whether the visitor waits for a seat of a room that is kept for it. */
+  boolean isPromised(Room by) {
+    return !done && waiting != null && promised == by;
   }
 
   /** Returns the room in which the visitor holds a seat; null before. */

@@ -3,6 +3,7 @@ package carom.server.query;
 import carom.server.command.CommandRegistry;
 import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
+import carom.server.threads.LastingThread;
 import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -78,7 +79,7 @@ public final class RemoteConsole implements AutoCloseable {
               .formatted(port, e.getMessage()),
           e);
     }
-    start("carom-rcon", this::accept);
+    LastingThread.start("carom-rcon", () -> !server.isClosed(), this::accept);
   }
 
   private static void start(String name, Runnable task) {
@@ -93,18 +94,22 @@ public final class RemoteConsole implements AutoCloseable {
   }
 
   private void accept() {
-    while (!server.isClosed()) {
-      try {
-        Socket socket = server.accept();
-        if (connections.size() >= MAX_CONNECTIONS || throttle.mustWait(socket.getInetAddress())) {
-          socket.close();
-        } else {
-          connections.add(socket);
-          start("carom-rcon-client", () -> serve(socket));
-        }
-      } catch (IOException e) {
-        LOG.debug("no connection", e);
+    try {
+      Socket socket = server.accept();
+      if (connections.size() >= MAX_CONNECTIONS || throttle.mustWait(socket.getInetAddress())) {
+        socket.close();
+        return;
       }
+      connections.add(socket);
+      try {
+        start("carom-rcon-client", () -> serve(socket));
+      } catch (Error e) { // the system has no thread left
+        connections.remove(socket);
+        socket.close();
+        throw e;
+      }
+    } catch (IOException e) {
+      LOG.debug("no connection", e);
     }
   }
 

@@ -1,5 +1,6 @@
 package carom.server.query;
 
+import carom.server.threads.LastingThread;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
@@ -76,9 +77,8 @@ public final class StatusQuery implements AutoCloseable {
               .formatted(port, e.getMessage()),
           e);
     }
-    Thread thread = new Thread(this::run, "carom-query");
-    thread.setDaemon(true);
-    thread.start();
+    DatagramPacket packet = new DatagramPacket(new byte[MAX_QUERY_BYTES], MAX_QUERY_BYTES);
+    LastingThread.start("carom-query", () -> !socket.isClosed(), () -> answerNext(packet));
   }
 
   /** Returns the port. */
@@ -86,22 +86,17 @@ public final class StatusQuery implements AutoCloseable {
     return socket.getLocalPort();
   }
 
-  private void run() {
-    DatagramPacket packet = new DatagramPacket(new byte[MAX_QUERY_BYTES], MAX_QUERY_BYTES);
-    while (!socket.isClosed()) {
-      try {
-        packet.setLength(MAX_QUERY_BYTES);
-        socket.receive(packet);
-        byte[] query = Arrays.copyOf(packet.getData(), packet.getLength());
-        byte[] answer = answer(query, (InetSocketAddress) packet.getSocketAddress());
-        if (answer != null) {
-          socket.send(new DatagramPacket(answer, answer.length, packet.getSocketAddress()));
-        }
-      } catch (IOException e) {
-        LOG.debug("a query was not answered", e); // the next one may be
-      } catch (RuntimeException e) {
-        LOG.error("a status query failed, and the next one may not", e);
+  private void answerNext(DatagramPacket packet) {
+    try {
+      packet.setLength(MAX_QUERY_BYTES);
+      socket.receive(packet);
+      byte[] query = Arrays.copyOf(packet.getData(), packet.getLength());
+      byte[] answer = answer(query, (InetSocketAddress) packet.getSocketAddress());
+      if (answer != null) {
+        socket.send(new DatagramPacket(answer, answer.length, packet.getSocketAddress()));
       }
+    } catch (IOException e) {
+      LOG.debug("a query was not answered", e); // the next one may be
     }
   }
 

@@ -4,7 +4,6 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
-import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.room.match.RoomContext;
 import carom.server.session.PartingLinks;
@@ -17,7 +16,7 @@ import org.slf4j.LoggerFactory;
 /**
  * Ends the sessions of a room whose time has come: the player leaves or is expelled, the link is
  * lost or silent, the grace period is over, or a newcomer needs the seat. The room's thread, but
- * for {@link #askForSeat}.
+ * for {@link #requests}.
  */
 final class Departures {
   private static final Logger LOG = LoggerFactory.getLogger(Departures.class);
@@ -52,20 +51,22 @@ final class Departures {
     this.roster = roster;
     this.announcer = announcer;
     this.partings = partings;
-    ServerConfig config = room.config();
-    requests =
-        new SeatRequests(
-            room.counters(), room.seats(), (long) config.idleKickS() * config.tickRateHz());
+    requests = new SeatRequests(room.counters(), room.seats(), room.config());
   }
 
-  /** Asks for a seat for a newcomer, from any thread, see {@link SeatRequests#ask}. */
-  boolean askForSeat() {
-    return requests.ask();
+  /** Returns the requests of newcomers for seats; any thread may ask. */
+  SeatRequests requests() {
+    return requests;
   }
 
   /** Ends the sessions whose time has come. */
   void serve(long nowNs) {
     Session givesWay = requests.next(sessions.bySeat());
+    Session crowding = requests.takeCrowding(sessions.bySeat());
+    if (crowding != null) {
+      crowding.sayGoodbye(GoodbyeReason.CROWDED, "");
+      remove(crowding, "gave way: its network has too many seats", " gave way", nowNs);
+    }
     int departures = 0;
     for (int i = sessions.count() - 1; i >= 0 && departures < MAX_PER_TICK; i--) {
       departures += endIfDue(sessions.get(i), givesWay, nowNs) ? 1 : 0;

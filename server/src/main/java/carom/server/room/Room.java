@@ -32,6 +32,7 @@ import carom.server.schedule.TickLoop;
 import carom.server.session.Admission;
 import carom.server.session.PartingLinks;
 import carom.server.session.RosterNews;
+import carom.server.session.SeatRequests;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.MatchClock;
@@ -69,7 +70,7 @@ import org.slf4j.LoggerFactory;
  *   MatchChange         another match, if one is wanted and loaded
  * </pre>
  *
- * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #name},
+ * <p>Only {@link #admit}, {@link #seatRequests}, {@link #operator}, {@link #number}, {@link #name},
  * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters}, {@link #stages},
  * {@link #pictures}, {@link #isPaused} and {@link #hasFailed} may be called from any thread; the
  * rest belongs to the thread that calls {@link #doWork}. A tick in the steady state allocates next
@@ -414,14 +415,9 @@ public final class Room {
     return work;
   }
 
-  /**
-   * Asks for a seat for a newcomer, from any thread: in the next tick a player that lost the
-   * connection gives it up, or one that is idle.
-   *
-   * @return false when there is no such player
-   */
-  public boolean giveWay() {
-    return departures.askForSeat();
+  /** Returns the requests of newcomers for seats; any thread may ask. */
+  public SeatRequests seatRequests() {
+    return departures.requests();
   }
 
   /** Returns false when the step itself threw; the callbacks of the game can't. */

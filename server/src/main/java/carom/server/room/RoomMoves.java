@@ -91,7 +91,7 @@ final class RoomMoves {
   }
 
   private static void stay(Session session, String why) {
-    session.forgetWishedRoom();
+    session.clearRequestedRoom();
     session.send(new ServerMessage.Notice(why));
   }
 }

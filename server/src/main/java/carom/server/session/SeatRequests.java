@@ -1,39 +1,74 @@
 package carom.server.session;
 
+import carom.net.admission.Origin;
 import carom.net.protocol.SessionState;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * Requests of newcomers for seats of a full room. A seat is given up by the player that lost the
- * connection first, or else by the one that has been idle for longest. The room's thread, but for
- * {@link #ask}.
+ * connection first, or else by the one that has been idle for longest, or else by one whose network
+ * holds more than its share. The room's thread, but for {@link #ask}.
  */
 public final class SeatRequests {
   private final Counters counters;
   private final Seats seats;
   private final long idleTicks;
+  private final SeatShares shares;
   private final AtomicInteger open = new AtomicInteger();
+  private final AtomicReference<Seats.Seat> crowding = new AtomicReference<>();
 
   /**
    * Creates an object without requests.
    *
-   * @param idleTicks ticks without another input after which a player counts as idle; 0 for never
+   * @param config says when a player counts as idle, and a network's share
    */
-  public SeatRequests(Counters counters, Seats seats, long idleTicks) {
+  public SeatRequests(Counters counters, Seats seats, ServerConfig config) {
     this.counters = counters;
     this.seats = seats;
-    this.idleTicks = idleTicks;
+    idleTicks = (long) config.idleKickS() * config.tickRateHz();
+    shares = new SeatShares(seats.count(), config.networkSharePercent());
   }
 
-  /** Asks for a seat, from any thread. Returns false when nobody would give one up. */
-  public boolean ask() {
+  /**
+   * Asks for a seat, from any thread. Returns false when nobody would give one up.
+   *
+   * @param account the newcomer's account, or empty
+   * @param origin where the newcomer comes from
+   */
+  public boolean ask(String account, Origin origin) {
     long willing = counters.get(Counter.PLAYERS_IN_GRACE) + counters.get(Counter.PLAYERS_IDLE);
     if (willing > open.get()) {
       open.incrementAndGet();
     }
-    return willing > 0;
+    return willing > 0 || askCrowd(account, origin);
+  }
+
+  private boolean askCrowd(String account, Origin origin) {
+    Seats.Seat seat = seats.givesWay(shares, account, origin);
+    return seat != null && (crowding.compareAndSet(null, seat) || crowding.get() != null);
+  }
+
+  /**
+   * Returns the session that gives up its seat because its network holds more than its share, or
+   * null. Each request is returned once.
+   */
+  public Session takeCrowding(Session[] sessions) {
+    Seats.Seat seat = crowding.get();
+    if (seat == null) {
+      return null;
+    }
+    crowding.set(null);
+    Session session = sessions[seat.id()];
+    boolean gives =
+        session != null
+            && session.seat() == seat
+            && session.state() != SessionState.GRACE
+            && !seats.isClaimed(seat);
+    return gives ? session : null;
   }
 
   /** Notes that a player has given up a seat. */

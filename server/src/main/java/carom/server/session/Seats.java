@@ -1,5 +1,6 @@
 package carom.server.session;
 
+import carom.net.admission.Origin;
 import carom.net.protocol.Limits;
 import carom.net.protocol.PlayerName;
 import java.nio.charset.StandardCharsets;
@@ -19,6 +20,9 @@ public final class Seats {
   private static final long RESUME_INTERVAL_MS = 1_500;
   private static final long NS_PER_MS = 1_000_000;
 
+  /** Where players come from that were restored and haven't come back, or sit down in tests. */
+  private static final Origin UNKNOWN = new Origin("", "");
+
   private final Seat[] taken;
   private final Set<String> foldedNames = new HashSet<>();
   private final Set<String> skeletons = new HashSet<>();
@@ -26,6 +30,7 @@ public final class Seats {
   private final LongSupplier secrets;
   private final int incarnation;
   private int version;
+  private long seatings;
 
   /**
    * Creates free seats.
@@ -65,6 +70,7 @@ public final class Seats {
       return null;
     }
     Seat seat = new Seat(id, wantedName, name, account, secret);
+    seat.seatedAt(seatings++, UNKNOWN);
     seat.courseTick = courseTick;
     seat.occupied = true;
     foldedNames.add(PlayerName.folded(name));
@@ -82,16 +88,17 @@ public final class Seats {
    * @return the seat, or null when all are taken
    */
   public synchronized Seat take(String wantedName) {
-    return take(wantedName, "");
+    return take(wantedName, "", UNKNOWN);
   }
 
   /**
    * Takes a seat as {@link #take(String)} does.
    *
    * @param account the player's account by its join token, or empty
+   * @param origin where the player comes from
    */
-  public synchronized Seat take(String wantedName, String account) {
-    return take(wantedName, account, freshSecret());
+  public synchronized Seat take(String wantedName, String account, Origin origin) {
+    return take(wantedName, account, origin, freshSecret());
   }
 
   /**
@@ -101,17 +108,18 @@ public final class Seats {
    * @param from the seat in the other room
    */
   public synchronized Seat takeFor(Seat from) {
-    Seat seat = take(from.wantedName, from.account, from.secret);
+    Seat seat = take(from.wantedName, from.account, from.group, from.secret);
     if (seat != null) {
       seat.muted = from.muted;
     }
     return seat;
   }
 
-  private Seat take(String wantedName, String account, long secret) {
+  private Seat take(String wantedName, String account, Origin origin, long secret) {
     for (int id = 0; id < taken.length; id++) {
       if (taken[id] == null) {
         Seat seat = new Seat(id, wantedName, freeName(wantedName), account, secret);
+        seat.seatedAt(seatings++, origin);
         seat.claims = 1;
         foldedNames.add(PlayerName.folded(seat.name));
         skeletons.add(PlayerName.skeleton(seat.name));
@@ -146,11 +154,12 @@ public final class Seats {
   /**
    * Claims the seat that belongs to a secret, for a link that wants to resume it.
    *
+   * @param origin where the link comes from
    * @param nowNs monotonic time; a seat is claimed at most once in {@value #RESUME_INTERVAL_MS} ms,
    *     so that a client that comes and goes in a loop is slowed down
    * @return null when no seat has this secret, or it was claimed a moment ago
    */
-  public synchronized Seat claim(long secret, long nowNs) {
+  public synchronized Seat claim(long secret, Origin origin, long nowNs) {
     Seat seat = find(secret);
     boolean tooSoon =
         seat != null && seat.resumed && nowNs - seat.resumedNs < RESUME_INTERVAL_MS * NS_PER_MS;
@@ -159,6 +168,7 @@ public final class Seats {
     }
     seat.resumed = true;
     seat.resumedNs = nowNs;
+    seat.seatedAt(seat.order, origin);
     seat.claims++;
     return seat;
   }
@@ -198,6 +208,17 @@ public final class Seats {
   /** Returns whether a link is on its way to this seat. */
   public synchronized boolean isClaimed(Seat seat) {
     return seat.claims > 0;
+  }
+
+  /**
+   * Returns the seat of a player who gives way to a newcomer because the player's network holds
+   * more than its share, or null.
+   *
+   * @param account the newcomer's account, or empty
+   * @param origin where the newcomer comes from
+   */
+  public synchronized Seat givesWay(SeatShares shares, String account, Origin origin) {
+    return shares.givesWay(taken, SeatShares.groupOf(account, origin));
   }
 
   private void freeIfUnused(Seat seat) {
@@ -266,6 +287,8 @@ public final class Seats {
     private final long secret;
     private int claims; // guarded by the seats' lock, like occupied
     private boolean occupied;
+    private long order;
+    private Origin group;
     private boolean resumed;
     private long resumedNs;
     private volatile int courseTick = SAME_COURSE;
@@ -277,6 +300,26 @@ public final class Seats {
       this.name = name;
       this.account = account;
       this.secret = secret;
+    }
+
+    private void seatedAt(long newOrder, Origin origin) {
+      order = newOrder;
+      group = SeatShares.groupOf(account, origin);
+    }
+
+    /** Returns a number that is larger the later the player came; under the seats' lock. */
+    long order() {
+      return order;
+    }
+
+    /** Returns the group that the player counts for; under the seats' lock. */
+    Origin group() {
+      return group;
+    }
+
+    /** Returns whether a player plays here whom no link replaces; under the seats' lock. */
+    boolean givesWay() {
+      return occupied && claims == 0;
     }
 
     /** Mutes the player, whose chat and emotes are then dropped, or ends that. */

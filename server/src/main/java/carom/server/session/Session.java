@@ -591,7 +591,7 @@ public final class Session implements LinkHandler {
   }
 
   /** Forgets the room that the player wanted to go to. */
-  public void forgetWishedRoom() {
+  public void clearRequestedRoom() {
     requestedRoom = null;
   }
 

@@ -159,7 +159,7 @@ public final class DatagramPort implements Runnable {
       received++;
       try {
         receiver.datagram(from, in.flip(), System.nanoTime());
-      } catch (RuntimeException x) {
+      } catch (RuntimeException | Error x) {
         errors.accept(x);
       }
     }

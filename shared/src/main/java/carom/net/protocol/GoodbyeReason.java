@@ -20,7 +20,12 @@ public enum GoodbyeReason {
   /** The server or its game had an error. */
   SERVER_ERROR("The server had to stop the game because of an error.", true),
   /** The player did nothing, and a newcomer took the seat. */
-  IDLE("You did nothing for a while, and the place was needed.", false);
+  IDLE("You did nothing for a while, and the place was needed.", false),
+  /** The room is full, and a newcomer of another network took the seat. */
+  CROWDED(
+      "The room is full, and your network held more than its share of the places. A newcomer from"
+          + " elsewhere took yours.",
+      false);
 
   private final String playerText;
   private final boolean retryUseful;

@@ -57,7 +57,7 @@ public final class InProcessNetwork {
       new ClientTransport() {
         @Override
         public Link connect(String host, int tcpPort, int udpPort) {
-          return open();
+          return open("in-process");
         }
 
         @Override
@@ -85,12 +85,17 @@ public final class InProcessNetwork {
     return client;
   }
 
-  private Link open() {
+  /** Opens a link that comes from an address, such as 192.0.2.7, as far as the server can tell. */
+  public Link connectFrom(String address) {
+    return open(address);
+  }
+
+  private Link open(String address) {
     synchronized (lock) {
       links.removeIf(link -> link.state() == Link.State.CLOSED);
       int number = ++connections;
       Object pair = new Object();
-      InProcessLink serverEnd = new InProcessLink(codec, "in-process:" + number, pair);
+      InProcessLink serverEnd = new InProcessLink(codec, address + ":" + number, pair);
       InProcessLink clientEnd = new InProcessLink(codec, "in-process server", pair);
       InProcessLink.join(serverEnd, clientEnd);
       if (serverClosed) {

@@ -137,7 +137,7 @@ public final class Pool {
 
   /** Returns whether a spout is open, or will be after the delay. */
   public boolean isOpen(String name) {
-    return pools.isWished(firstSpout + spout(name));
+    return pools.isOrderedOpen(firstSpout + spout(name));
   }
 
   private int spout(String name) {

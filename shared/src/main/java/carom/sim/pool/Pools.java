@@ -179,7 +179,7 @@ public final class Pools {
     }
   }
 
-  boolean isWished(int spout) {
+  boolean isOrderedOpen(int spout) {
     return (requestedOpen >>> spout & 1) != 0;
   }
 

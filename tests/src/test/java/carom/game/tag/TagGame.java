@@ -94,21 +94,13 @@ public final class TagGame implements Game {
     return dx * dx + dy * dy < 1.05f * 1.05f;
   }
 
-  /** A look belongs to an archetype, so both players get another body where they stand. */
   private void makeIt(Simulation s, Player p) {
     if (s.get(IT) != null) {
-      replaceBody(s, s.get(IT), runner);
+      s.get(IT).body().become(runner);
     }
-    replaceBody(s, p, chaser);
+    p.body().become(chaser); // a look belongs to an archetype
     s.set(IT, p);
     s.set(GRACE, s.ticks(1.5f)); // counts down by itself
     s.notice(p.name() + " is it!");
-  }
-
-  private static void replaceBody(Simulation s, Player p, Archetype kind) {
-    float x = p.body().body().x();
-    float y = p.body().body().y();
-    s.despawn(p.body());
-    s.spawn(kind, x, y, 0, p);
   }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.admission.Origin;
 import carom.net.protocol.Limits;
 import carom.net.protocol.PlayerName;
 import java.util.HashSet;
@@ -15,6 +16,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 
 class SeatsTest {
+  private static final Origin ANYWHERE = Origin.ofRemote("192.0.2.1:1");
+
   private long now;
   private final AtomicLong secrets = new AtomicLong();
   private final Seats seats = new Seats(3, secrets::getAndIncrement);
@@ -35,7 +38,7 @@ class SeatsTest {
   @Test
   void secretsAreNeverZero() {
     assertNotEquals(0, seats.take("a").secret());
-    assertNull(seats.claim(0, 0));
+    assertNull(seats.claim(0, ANYWHERE, 0));
   }
 
   @Test
@@ -88,20 +91,20 @@ class SeatsTest {
   void occupiedSeatOutlivesItsClaims() {
     Seats.Seat seat = seats.take("a");
     seats.occupy(seat);
-    assertSame(seat, seats.claim(seat.secret(), now += 2_000_000_000L));
+    assertSame(seat, seats.claim(seat.secret(), ANYWHERE, now += 2_000_000_000L));
     assertTrue(seats.isClaimed(seat));
     seats.unclaim(seat);
     assertEquals(1, seats.takenCount());
     seats.vacate(seat);
     assertEquals(0, seats.takenCount());
-    assertNull(seats.claim(seat.secret(), now += 2_000_000_000L));
+    assertNull(seats.claim(seat.secret(), ANYWHERE, now += 2_000_000_000L));
   }
 
   @Test
   void claimedSeatOutlivesItsPlayer() {
     Seats.Seat seat = seats.take("a");
     seats.occupy(seat);
-    assertNotNull(seats.claim(seat.secret(), now += 2_000_000_000L));
+    assertNotNull(seats.claim(seat.secret(), ANYWHERE, now += 2_000_000_000L));
     seats.vacate(seat);
     assertEquals(1, seats.takenCount());
     seats.occupy(seat);

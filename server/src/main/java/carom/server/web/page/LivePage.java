@@ -7,6 +7,7 @@ import carom.server.command.CommandWords;
 import carom.server.console.LogTail;
 import carom.server.login.LoginThrottle;
 import carom.server.room.Room;
+import carom.server.threads.LastingThread;
 import io.undertow.server.HttpServerExchange;
 import io.undertow.util.StatusCodes;
 import io.undertow.websockets.WebSocketProtocolHandshakeHandler;
@@ -80,9 +81,9 @@ public final class LivePage implements AutoCloseable {
             TimeUnit.MINUTES,
             new ArrayBlockingQueue<>(MAX_COMMANDS),
             daemon("carom-page-commands"));
-    clock.scheduleAtFixedRate(guarded(this::second), 1, 1, TimeUnit.SECONDS);
+    clock.scheduleAtFixedRate(LastingThread.guarded(this::second), 1, 1, TimeUnit.SECONDS);
     clock.scheduleWithFixedDelay(
-        guarded(this::pictures), PICTURE_MS, PICTURE_MS, TimeUnit.MILLISECONDS);
+        LastingThread.guarded(this::pictures), PICTURE_MS, PICTURE_MS, TimeUnit.MILLISECONDS);
   }
 
   private static ThreadFactory daemon(String name) {
@@ -90,17 +91,6 @@ public final class LivePage implements AutoCloseable {
       Thread thread = new Thread(task, name);
       thread.setDaemon(true);
       return thread;
-    };
-  }
-
-  /** Returns a task that goes on after an exception, which is a bug. */
-  private static Runnable guarded(Runnable task) {
-    return () -> {
-      try {
-        task.run();
-      } catch (RuntimeException e) {
-        LOG.error("the page failed, and goes on", e);
-      }
     };
   }
 
@@ -162,7 +152,7 @@ public final class LivePage implements AutoCloseable {
               }
             });
     channel.resumeReceives();
-    clock.execute(guarded(() -> greet(viewer)));
+    clock.execute(LastingThread.guarded(() -> greet(viewer)));
   }
 
   private boolean watches(Viewer viewer) {
@@ -229,7 +219,7 @@ public final class LivePage implements AutoCloseable {
     } else {
       LOG.info("page: {} logged in", viewer.address().getHostAddress());
       viewer.becomeAdmin();
-      clock.execute(guarded(() -> greet(viewer)));
+      clock.execute(LastingThread.guarded(() -> greet(viewer)));
     }
   }
 
@@ -242,7 +232,7 @@ public final class LivePage implements AutoCloseable {
     int id = number(message, "id", 0);
     String text = string(message, "text");
     try {
-      commands.execute(guarded(() -> carryOut(viewer, what, id, text)));
+      commands.execute(LastingThread.guarded(() -> carryOut(viewer, what, id, text)));
     } catch (RejectedExecutionException e) {
       viewer.send(
           PageJson.answer(

@@ -147,7 +147,7 @@ final class ServerNetwork implements Runnable {
         () -> {
           try {
             work.run();
-          } catch (RuntimeException x) {
+          } catch (RuntimeException | Error x) {
             counters.error(x);
           }
         });

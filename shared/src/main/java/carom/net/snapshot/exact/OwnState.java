@@ -24,6 +24,12 @@ public final class OwnState {
   /** Largest number of past ticks for which a relayed player's inputs are sent. */
   public static final int RELAYED_TICKS = RelayCodec.MAX_WINDOW;
 
+  /**
+   * Bound of each float of a body's exact state. Far beyond the ends of all worlds, and a world
+   * still computes with finite numbers.
+   */
+  public static final float LIMIT = 1e9f;
+
   public int slot = -1;
   public int generation;
   int archetype;
@@ -216,12 +222,12 @@ public final class OwnState {
   }
 
   /**
-   * Returns whether the body's floats are finite and its cosine and sine make an angle. State read
-   * from a datagram may fail this.
+   * Returns whether the body's floats are below {@link #LIMIT} and its cosine and sine make an
+   * angle. State read from a datagram may fail this.
    */
   public boolean isSane() {
     for (int i = 0; i < FLOATS; i++) {
-      if (!Float.isFinite(Float.intBitsToFloat(values[i]))) {
+      if (!(Math.abs(Float.intBitsToFloat(values[i])) < LIMIT)) {
         return false;
       }
     }

@@ -271,7 +271,7 @@ final class ContactRestitution {
     float wanted1 = bounce(block, i, FIRST, parting1);
     if ((blocks.traits[block] & TWO) == 0) {
       if (wanted1 > 0) {
-        strike(block, i, (wanted1 - parting1) / d[at + FIRST + INVERSE_NORMAL_MASS], 0);
+        applyImpulse(block, i, (wanted1 - parting1) / d[at + FIRST + INVERSE_NORMAL_MASS], 0);
         return true;
       }
       noteSpeed(lane, parting1);
@@ -302,7 +302,7 @@ final class ContactRestitution {
         impulse2 = both1 < 0 ? impulse2 : Math.max(both2, 0);
       }
     }
-    strike(block, i, impulse1, impulse2);
+    applyImpulse(block, i, impulse1, impulse2);
     return true;
   }
 
@@ -338,7 +338,7 @@ final class ContactRestitution {
   }
 
   /** Applies the impulses of a blow, and the friction that goes with it. */
-  private void strike(int block, int i, float impulse1, float impulse2) {
+  private void applyImpulse(int block, int i, float impulse1, float impulse2) {
     float[] d = blocks.data;
     int lane = block * LANES + i;
     int at = block * RECORD + i;
