@@ -3,6 +3,7 @@ package carom.client;
 import carom.client.events.EventListener;
 import carom.client.events.RepeatedEventFilter;
 import carom.client.link.Connection;
+import carom.client.link.ConnectionListener;
 import carom.client.link.ConnectionPhase;
 import carom.client.link.RoomListing;
 import carom.client.link.ServerAddress;
@@ -129,7 +130,7 @@ public final class GameClient implements AutoCloseable {
             config.token(),
             config.reconnect(),
             transport,
-            new ConnectionListener(),
+            new ConnectionHandler(),
             stats);
     messages = new MessageExchange(connection, stats);
     view.composer(this::compose);
@@ -160,7 +161,7 @@ public final class GameClient implements AutoCloseable {
     describe();
   }
 
-  private final class ConnectionListener implements Connection.Listener {
+  private final class ConnectionHandler implements ConnectionListener {
     @Override
     public String joined(ServerMessage.Welcome welcome, Level level) {
       Simulation simulation;

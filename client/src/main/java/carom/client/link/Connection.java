@@ -8,14 +8,11 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.sim.level.Level;
 
 /**
  * Connects to a server and comes back after a loss. It opens the link, says hello, downloads the
  * level, notices a dead line, and resumes the session with its secret. It knows nothing of ticks
  * and worlds. One client's; one thread.
- *
- * <p><b>Length.</b> Just above 500 lines: stages and what ends them are told in one place.
  *
  * <pre>
  * WAITING ─► CONNECTING ─► JOINING ─► LOADING ─► PLAYING
@@ -24,50 +21,6 @@ import carom.sim.level.Level;
  * </pre>
  */
 public final class Connection implements LinkHandler {
-  /** Receives what a connection brings. */
-  public interface Listener {
-    /**
-     * Begins to play: the server has let the client in and the level is here.
-     *
-     * @return null, or why this client can't play, in words for the player
-     */
-    String joined(ServerMessage.Welcome welcome, Level level);
-
-    /** Returns the digest of the declarations of the game that was joined last. */
-    long declarationsDigest();
-
-    /**
-     * Receives a datagram that arrived while playing.
-     *
-     * @param arrivedNs when, by the clock of {@code update}; a frame may have passed since
-     */
-    void datagram(byte[] bytes, int length, long arrivedNs);
-
-    /** Receives a list of players that has changed. */
-    void roster(ServerMessage.Roster roster);
-
-    /** Receives a part of the list of rooms. */
-    void rooms(ServerMessage.RoomList rooms);
-
-    /** Receives a line of the server for the player. */
-    void notice(String text);
-
-    /** Receives the pace at which time passes from now on, percent of the tick rate. */
-    void pace(int percent);
-
-    /** Receives a reliable message of the game. */
-    void message(ServerMessage.GameMessage message);
-
-    /** Receives which messages of the game the server has heard. */
-    void heard(ServerMessage.Heard message);
-
-    /** Receives a piece of the state of the level's pools. */
-    void pools(ServerMessage.PoolChunk chunk);
-
-    /** Stops to play, for now or for good. */
-    void stopped();
-  }
-
   private enum Stage {
     IDLE,
     WAITING,
@@ -94,8 +47,9 @@ public final class Connection implements LinkHandler {
   private String token;
   private final boolean reconnects;
   private final ClientTransport transport;
-  private final Listener listener;
+  private final ConnectionListener listener;
   private final NetStatsRecorder stats;
+  private final LinkTraffic traffic;
   private final ReconnectTimer comeback = new ReconnectTimer();
   private final Redirects redirects = new Redirects();
   private final LevelDownload download = new LevelDownload();
@@ -109,8 +63,6 @@ public final class Connection implements LinkHandler {
   private long askedNs;
   private long roundTripNs;
   private boolean retryUseful;
-  private long countedIn;
-  private long countedOut;
 
   private ServerMessage.Welcome welcome;
   private long secret;
@@ -136,7 +88,7 @@ public final class Connection implements LinkHandler {
       String token,
       boolean reconnects,
       ClientTransport transport,
-      Listener listener,
+      ConnectionListener listener,
       NetStatsRecorder stats) {
     this.address = address;
     this.playerName = playerName;
@@ -147,6 +99,7 @@ public final class Connection implements LinkHandler {
     this.transport = transport;
     this.listener = listener;
     this.stats = stats;
+    this.traffic = new LinkTraffic(stats);
   }
 
   /** Takes in what has arrived and does what is due. */
@@ -178,8 +131,7 @@ public final class Connection implements LinkHandler {
     if (!comeback.isRunning()) {
       message = "Connecting to " + address + " ...";
     }
-    countedIn = 0;
-    countedOut = 0;
+    traffic.begin();
     link = transport.connect(address.host(), address.tcpPort(), address.udpPort());
     progress();
   }
@@ -230,16 +182,7 @@ public final class Connection implements LinkHandler {
   private void poll() {
     Link polled = link;
     polled.poll(this, MAX_POLL);
-    count(polled);
-  }
-
-  private void count(Link counted) {
-    var counters = counted.counters();
-    long in = counters.datagramBytesIn.get() + counters.messageBytesIn.get();
-    long out = counters.datagramBytesOut.get() + counters.messageBytesOut.get();
-    stats.bytes((int) (in - countedIn), (int) (out - countedOut));
-    countedIn = in;
-    countedOut = out;
+    traffic.count(polled);
   }
 
   @Override
@@ -289,7 +232,7 @@ public final class Connection implements LinkHandler {
   @Override
   public void closed(Link from, String reason) {
     if (from == link) {
-      count(from);
+      traffic.count(from);
       link = null;
       retryUseful = true;
       if (stage == Stage.PLAYING) {
@@ -309,10 +252,7 @@ public final class Connection implements LinkHandler {
       measureRoundTrip();
     }
     stop();
-    if (w.levelSize() < 1
-        || w.levelSize() > Limits.MAX_LEVEL_BYTES
-        || w.packedSize() < 1
-        || w.packedSize() > Limits.MAX_LEVEL_BYTES
+    if (!LevelDownload.accepts(w)
         || w.tickRate() < Limits.MIN_TICK_RATE
         || w.tickRate() > Limits.MAX_TICK_RATE) {
       fail("The server's welcome makes no sense: " + w);
@@ -467,7 +407,7 @@ public final class Connection implements LinkHandler {
       Link dropped = link;
       link = null;
       dropped.close(why);
-      count(dropped);
+      traffic.count(dropped);
     }
   }
 

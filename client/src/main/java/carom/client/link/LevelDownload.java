@@ -48,6 +48,14 @@ final class LevelDownload {
 
   private String problem = "";
 
+  /** Returns whether the sizes of a Welcome's level are ones that a client loads. */
+  static boolean accepts(ServerMessage.Welcome welcome) {
+    return welcome.levelSize() >= 1
+        && welcome.levelSize() <= Limits.MAX_LEVEL_BYTES
+        && welcome.packedSize() >= 1
+        && welcome.packedSize() <= Limits.MAX_LEVEL_BYTES;
+  }
+
   /**
    * Starts the download of a server's level.
    *

@@ -4,6 +4,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.server.metrics.Counter;
+import carom.server.room.match.RoomContext;
 import carom.server.session.Admission;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;

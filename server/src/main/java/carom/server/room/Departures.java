@@ -5,6 +5,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.server.metrics.Counter;
+import carom.server.room.match.RoomContext;
 import carom.server.session.PartingLinks;
 import carom.server.session.RosterNews;
 import carom.server.session.SeatRequests;

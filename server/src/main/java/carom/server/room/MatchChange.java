@@ -13,6 +13,8 @@ import carom.server.match.SavedMatch;
 import carom.server.metrics.Counter;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
+import carom.server.room.match.RoomContext;
+import carom.server.room.recording.RoomRecording;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;
 import carom.sim.Simulation;

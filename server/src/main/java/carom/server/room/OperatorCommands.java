@@ -7,6 +7,8 @@ import carom.server.match.SavedMatch;
 import carom.server.recording.RecordingFile;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
+import carom.server.room.match.RoomContext;
+import carom.server.room.recording.RoomRecording;
 import carom.server.session.Moderator;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;

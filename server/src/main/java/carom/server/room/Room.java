@@ -24,6 +24,8 @@ import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
+import carom.server.room.match.RoomContext;
+import carom.server.room.recording.RoomRecording;
 import carom.server.schedule.LoadWarnings;
 import carom.server.schedule.TickLoad;
 import carom.server.schedule.TickLoop;

@@ -5,6 +5,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
+import carom.server.room.match.RoomContext;
 import carom.server.session.Admission;
 import carom.server.session.Seats;
 import carom.server.session.Session;

@@ -1,6 +1,7 @@
 package carom.server.room;
 
 import carom.net.protocol.SessionState;
+import carom.server.room.match.RoomContext;
 import carom.server.schedule.LoadWarnings;
 import carom.server.schedule.SendTurns;
 import carom.server.session.Session;

@@ -146,7 +146,7 @@ final class RecordingFileTest {
   @Test
   void aDiskThatWasTooSlowForAMomentLeavesAGapBetweenTwoFiles() throws Exception {
     List<RecordingFile> made = new ArrayList<>();
-    Logger log = (Logger) LoggerFactory.getLogger("carom.server.room.RoomRecording");
+    Logger log = (Logger) LoggerFactory.getLogger("carom.server.room.recording.RoomRecording");
     ListAppender<ILoggingEvent> lines = new ListAppender<>();
     lines.start();
     log.addAppender(lines);

@@ -1,9 +1,8 @@
-package carom.server.room;
+package carom.server.room.match;
 
 import carom.physics.threads.Workers;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counters;
-import carom.server.room.match.Match;
 import carom.server.session.Seats;
 import carom.sim.Simulation;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -11,7 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 /**
  * What the parts of a room share. The room's thread, but for {@link #match} and what never changes.
  */
-final class RoomContext {
+public final class RoomContext {
   private final ServerConfig config;
   private final String label;
   private final Counters counters;
@@ -25,7 +24,8 @@ final class RoomContext {
    *
    * @param label begins each log line: the room's name, or empty if there is only one room
    */
-  RoomContext(ServerConfig config, String label, Counters counters, Seats seats, Match match) {
+  public RoomContext(
+      ServerConfig config, String label, Counters counters, Seats seats, Match match) {
     this.config = config;
     this.label = label;
     this.counters = counters;
@@ -33,50 +33,55 @@ final class RoomContext {
     this.match = match;
   }
 
-  ServerConfig config() {
+  /** Returns the settings of the server; from any thread. */
+  public ServerConfig config() {
     return config;
   }
 
-  String label() {
+  /** Returns how each log line begins; from any thread. */
+  public String label() {
     return label;
   }
 
-  Counters counters() {
+  /** Returns what the room counts; from any thread. */
+  public Counters counters() {
     return counters;
   }
 
-  Seats seats() {
+  /** Returns the seats, shared with the lobby; from any thread. */
+  public Seats seats() {
     return seats;
   }
 
   /** Returns the present match; from any thread. */
-  Match match() {
+  public Match match() {
     return match;
   }
 
-  Simulation simulation() {
+  /** Returns the simulation of the present match. */
+  public Simulation simulation() {
     return match.simulation();
   }
 
   /** Goes on with another match. */
-  void play(Match next) {
+  public void play(Match next) {
     next.simulation().world().workers(workers);
     match = next;
   }
 
   /** Lets other threads help with stepping the worlds; null for none. */
-  void helpedBy(Workers helpers) {
+  public void helpedBy(Workers helpers) {
     workers = helpers;
     match.simulation().world().workers(helpers);
   }
 
   /** Notes that a tick has passed. */
-  void passTick() {
+  public void passTick() {
     age.getAndIncrement();
   }
 
   /** Returns the number of ticks of all matches of the room; from any thread. */
-  int age() {
+  public int age() {
     return age.get();
   }
 }

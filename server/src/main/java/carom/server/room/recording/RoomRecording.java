@@ -1,4 +1,4 @@
-package carom.server.room;
+package carom.server.room.recording;
 
 import carom.net.protocol.Protocol;
 import carom.replay.BlockSink;
@@ -9,6 +9,7 @@ import carom.server.recording.DelayedRecording;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
+import carom.server.room.match.RoomContext;
 import carom.sim.Simulation;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -23,7 +24,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>On the room's thread, between two ticks; {@link #awaitEnd} from any.
  */
-final class RoomRecording {
+public final class RoomRecording {
   private static final Logger LOG = LoggerFactory.getLogger(RoomRecording.class);
 
   private final RoomContext room;
@@ -47,12 +48,12 @@ final class RoomRecording {
   private volatile RecordingFile ended;
 
   /** Records nothing yet. */
-  RoomRecording(RoomContext room) {
+  public RoomRecording(RoomContext room) {
     this.room = room;
   }
 
   /** Returns whether the room is recorded, or will be when the disk has written the last file. */
-  boolean isOn() {
+  public boolean isOn() {
     return recorder != null || awaited != null || beside != null && beside.isOn();
   }
 
@@ -60,8 +61,12 @@ final class RoomRecording {
     return sink instanceof DelayedRecording delayed && delayed.isShown();
   }
 
-  /** Begins to record to a sink; see {@link Room#record(BlockSink)}. */
-  void begin(BlockSink newSink) {
+  /**
+   * Begins to record the present match. The last block tells why it ended.
+   *
+   * @param newSink takes the blocks, on the room's thread; stays the caller's to close
+   */
+  public void begin(BlockSink newSink) {
     Simulation simulation = room.simulation();
     long seed = room.match().info().seed();
     Recorder before = recorder;
@@ -76,14 +81,26 @@ final class RoomRecording {
     simulation.addJournal(recorder);
   }
 
-  /** Begins to record each match to a file of its own; see {@link Room#record(RecordingFiles)}. */
-  void begin(RecordingFiles newFiles) throws IOException {
+  /**
+   * Begins to record each match to a file of its own.
+   *
+   * @param newFiles stay the caller's to close
+   * @throws IOException when the first file can't be created
+   */
+  public void begin(RecordingFiles newFiles) throws IOException {
     begin(newFiles.next());
     files = newFiles;
   }
 
-  /** Begins to record to a sequence of files; see {@link Room#record(RotatingRecording)}. */
-  void begin(RotatingRecording newRotation) throws IOException {
+  /**
+   * Begins to record to a sequence of files.
+   *
+   * @param newRotation stays the caller's to close
+   * @throws IOException when the first file can't be created
+   * @throws IllegalArgumentException when the game {@linkplain carom.sim.Game#keepsMore keeps more}
+   *     than its state, so that only one file can begin
+   */
+  public void begin(RotatingRecording newRotation) throws IOException {
     if (room.simulation().game().keepsMore()) {
       throw new IllegalArgumentException(
           "game=" + room.simulation().game().name() + " can be recorded into one file only");
@@ -93,7 +110,7 @@ final class RoomRecording {
   }
 
   /** Ends the recording because the match ends; {@link #beginMatch} goes on with the next one. */
-  void endMatch() {
+  public void endMatch() {
     if (beside != null) {
       beside.endMatch();
     }
@@ -104,7 +121,7 @@ final class RoomRecording {
   }
 
   /** Begins to record the match that has begun, if the last one was recorded into files. */
-  void beginMatch() {
+  public void beginMatch() {
     if (beside != null) {
       beside.beginMatch();
     }
@@ -117,7 +134,7 @@ final class RoomRecording {
    * Begins for an operator and returns a line that says what happened. Creates the file, which
    * takes a disk about a millisecond.
    */
-  String begin(Path path) {
+  public String begin(Path path) {
     if (isWatched()) {
       beside = beside == null ? new RoomRecording(room) : beside;
       return beside.begin(path);
@@ -149,7 +166,7 @@ final class RoomRecording {
   }
 
   /** Ends for an operator and returns a line that says what happened. */
-  String stop() {
+  public String stop() {
     if (beside != null && beside.isOn()) {
       return beside.stop();
     }
@@ -167,7 +184,7 @@ final class RoomRecording {
   }
 
   /** Ends the recording if its sink is cut, and begins another file if one is due; per tick. */
-  void tickEnds() {
+  public void tickEnds() {
     if (beside != null) {
       beside.tickEnds();
     }
@@ -233,7 +250,7 @@ final class RoomRecording {
    *
    * @param why in a few words, shown when the recording is played
    */
-  void end(String why) {
+  public void end(String why) {
     if (beside != null) {
       beside.end(why);
     }
@@ -274,7 +291,7 @@ final class RoomRecording {
    *
    * @return whether nothing is left to write
    */
-  boolean awaitEnd() {
+  public boolean awaitEnd() {
     boolean isWritten = beside == null || beside.awaitEnd();
     RecordingFile last = ended;
     if (last != null) {

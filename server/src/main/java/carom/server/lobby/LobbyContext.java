@@ -1,0 +1,167 @@
+package carom.server.lobby;
+
+import carom.net.protocol.Limits;
+import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
+import carom.server.access.EntryRule;
+import carom.server.config.ServerConfig;
+import carom.server.room.Room;
+import carom.server.room.RoomDirectory;
+import carom.server.schedule.TickLoad;
+import carom.server.session.PartingLinks;
+import java.util.ArrayList;
+import java.util.List;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What the visitors of a lobby share: the rooms they choose from, the rules at the door, the time of
+ * the turn, and who else is there.
+ *
+ * <p>On the lobby's thread, except {@link #admit}.
+ */
+final class LobbyContext {
+  private static final Logger LOG = LoggerFactory.getLogger(LobbyContext.class);
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long PARTING_MS = 1_000;
+
+  private final ServerConfig config;
+  private final RoomChooser chooser;
+  private final RoomDirectory directory;
+  private final int places;
+  private final List<Visitor> visitors = new ArrayList<>();
+  private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
+  private final AdmissionRate rate;
+  private final Spectators spectators;
+  private volatile EntryRule entryRule = EntryRule.OPEN;
+  private long nowNs;
+
+  LobbyContext(ServerConfig config, List<Room> rooms, RoomDirectory directory) {
+    this.config = config;
+    this.directory = directory;
+    chooser =
+        new RoomChooser(
+            rooms, config.maxLoadPercent(), TickLoad.ticksUntilKnown(config.tickRateHz()));
+    spectators = new Spectators(rooms);
+    places = rooms.stream().mapToInt(room -> room.seats().count()).sum();
+    rate = new AdmissionRate(places);
+  }
+
+  /** Returns the settings of the server. */
+  ServerConfig config() {
+    return config;
+  }
+
+  /** Returns what chooses a room for a visitor. */
+  RoomChooser chooser() {
+    return chooser;
+  }
+
+  /** Returns the server's rooms by name. */
+  RoomDirectory directory() {
+    return directory;
+  }
+
+  /** Returns the number of seats of all rooms. */
+  int places() {
+    return places;
+  }
+
+  /** Returns the visitors in order of arrival. */
+  List<Visitor> visitors() {
+    return visitors;
+  }
+
+  /** Returns the links that are told goodbye. */
+  PartingLinks partings() {
+    return partings;
+  }
+
+  /** Returns how often each host may join. */
+  AdmissionRate rate() {
+    return rate;
+  }
+
+  /** Returns the links that watch. */
+  Spectators spectators() {
+    return spectators;
+  }
+
+  /** Returns who may come in now. */
+  EntryRule entryRule() {
+    return entryRule;
+  }
+
+  /** Returns the monotonic time of the present turn, ns. */
+  long nowNs() {
+    return nowNs;
+  }
+
+  /** Begins a turn at a monotonic time, ns. */
+  void passTo(long timeNs) {
+    nowNs = timeNs;
+  }
+
+  /** Sets who may come in; any thread. */
+  void admit(EntryRule rule) {
+    entryRule = rule;
+  }
+
+  /** Tells a client why it may not come in, and closes its link when that has arrived. */
+  void sendRefusal(Link link, RefusalReason reason, String text) {
+    LOG.info("refused: {}, {}{}", link.remote(), reason, text.isEmpty() ? "" : ", " + text);
+    link.send(new ServerMessage.Refused(reason, text));
+    closeLater(link, "refused: " + reason);
+  }
+
+  /** Closes a link a moment later, so that its last message arrives. */
+  void closeLater(Link link, String why) {
+    partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
+  }
+
+  /** Returns the number of a room's seats that are kept for visitors other than one. */
+  int countPromised(Room room, Visitor except) {
+    int count = 0;
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      count += v != except && v.isPromised(room) ? 1 : 0;
+    }
+    return count;
+  }
+
+  /** Returns the number of visitors of a host that hold a seat and still load the level. */
+  int countLoading(String host) {
+    int count = 0;
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      count += v.isLoading() && v.origin().host().equals(host) ? 1 : 0;
+    }
+    return count;
+  }
+
+  /**
+   * Returns the visitor that must give up its seat when seats are short, or null. It is the oldest
+   * visitor of the host that holds the most seats while loading, at least two. The newcomer's host
+   * is exempt.
+   *
+   * @param requested the room whose seats are short, or null for all
+   */
+  Visitor oldestOfBusiestHost(String newcomer, Room requested) {
+    Visitor oldest = null;
+    int most = 1;
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      if (v.isLoading()
+          && (requested == null || v.room() == requested)
+          && !v.origin().host().equals(newcomer)) {
+        int held = countLoading(v.origin().host());
+        if (held > most) { // the list is in order of arrival
+          most = held;
+          oldest = v;
+        }
+      }
+    }
+    return oldest;
+  }
+}

@@ -1,0 +1,472 @@
+package carom.server.lobby;
+
+import carom.net.admission.Entrance;
+import carom.net.admission.Origin;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.PlayerName;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.SessionState;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.server.access.BadTokenException;
+import carom.server.access.EntryRule;
+import carom.server.access.JoinToken;
+import carom.server.access.JoinTokens;
+import carom.server.config.ServerConfig;
+import carom.server.match.LevelUpload;
+import carom.server.match.MatchInfo;
+import carom.server.room.Room;
+import carom.server.room.RoomDirectory;
+import carom.server.session.Admission;
+import carom.server.session.Seats;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A link from its first message to its room: handshake, a seat, and the level. It ends by entering a
+ * room, by watching, by a refusal, or when the client leaves.
+ *
+ * <p>On the lobby's thread.
+ */
+final class Visitor implements LinkHandler, Entrance.Guest {
+  private static final Logger LOG = LoggerFactory.getLogger(Visitor.class);
+  private static final long NS_PER_MS = 1_000_000;
+  private static final int MAX_POLL = 32;
+  private static final int FIRST_EPOCH = 0;
+
+  /** Time after which a visitor of a full server asks for a seat again, ms. */
+  private static final long ASK_AGAIN_MS = 400;
+
+  /** Time for which a visitor waits for a seat before the lobby refuses it, ms. */
+  private static final long ENTRANCE_WAIT_MS = 2_500;
+
+  /**
+   * Number of seats that visitors of one host may hold while they load the level, or half of the
+   * free seats if that is more.
+   */
+  private static final int MIN_LOADING = 8;
+
+  /** Number of times that a visitor may ask for the list of rooms. */
+  private static final int MAX_LISTS = 8;
+
+  /** What a player wants, and its account by a join token. */
+  private record JoinRequest(
+      String name, String account, String room, String game, long resumeSecret) {}
+
+  private final LobbyContext context;
+  private final ServerConfig config;
+  private final RoomChooser chooser;
+  private final RoomDirectory directory;
+  private final Link link;
+  private SessionState state = SessionState.CONNECTED;
+  private long deadlineNs;
+  private Room room;
+  private Seats.Seat seat;
+  private final Origin origin;
+  private JoinRequest waiting;
+  private int lists;
+  private long waitsUntilNs;
+  private long askAgainNs;
+
+  /** The room whose seat is kept for this visitor, as another player gives it up, or null. */
+  private Room promised;
+
+  private MatchInfo match;
+  private LevelUpload upload;
+  private boolean done;
+
+  Visitor(LobbyContext context, Link link) {
+    this.context = context;
+    this.config = context.config();
+    this.chooser = context.chooser();
+    this.directory = context.directory();
+    this.link = link;
+    this.origin = Origin.ofRemote(link.remote());
+    this.deadlineNs = context.nowNs() + config.handshakeTimeoutMs() * NS_PER_MS;
+    this.askAgainNs = context.nowNs();
+  }
+
+  @Override
+  public Origin origin() {
+    return origin;
+  }
+
+  /**
+   * Returns the stage; a visitor with a seat and one that asks for it never displace each other.
+   */
+  @Override
+  public Entrance.Stage stage() {
+    if (done || state == SessionState.LOADING) {
+      return Entrance.Stage.IN;
+    }
+    return waiting == null ? Entrance.Stage.UNPROVEN : Entrance.Stage.PROVEN;
+  }
+
+  /** Refuses the visitor because others need its place at the door. */
+  void giveWay() {
+    refuse(RefusalReason.TOO_MANY_CONNECTIONS, "Others wait to play.");
+  }
+
+  /**
+   * Reads messages one by one. Messages behind Hello wait until it is answered, and messages
+   * behind Ready are for the room.
+   */
+  int poll() {
+    int work = 0;
+    while (!done && waiting == null && work < MAX_POLL && link.poll(this, 1) > 0) {
+      work++;
+    }
+    return work;
+  }
+
+  @Override
+  public void message(Link from, Object message) {
+    if (state == SessionState.CONNECTED && message instanceof ClientMessage.Hello hello) {
+      hello(hello);
+    } else if (state == SessionState.CONNECTED && message instanceof ClientMessage.Watch watch) {
+      watch(watch);
+    } else if (message instanceof ClientMessage.ListRooms list) {
+      list(list);
+    } else if (state == SessionState.LOADING
+        && message instanceof ClientMessage.LevelRequest request) {
+      String problem = upload.answer(request, link);
+      if (problem != null) {
+        refuse(RefusalReason.BAD_REQUEST, problem);
+      }
+    } else if (state == SessionState.LOADING && message instanceof ClientMessage.Ready ready) {
+      if (!upload.isFinishedBy(ready)) {
+        refuse(RefusalReason.BAD_REQUEST, "Ready has the key of another Welcome.");
+      } else if (ready.declarationsDigest() == match.declarations().digest()) {
+        enterRoom();
+      } else {
+        refuse(
+            RefusalReason.GAME_VERSION, "The fields of your game " + match.game() + " differ.");
+      }
+    } else if (message instanceof ClientMessage.Leave) {
+      end("left before playing");
+    } else {
+      String name = message == null ? "nothing" : message.getClass().getSimpleName();
+      refuse(RefusalReason.BAD_REQUEST, name + " came while " + state + ".");
+    }
+  }
+
+  @Override
+  public void datagram(Link from, byte[] bytes, int length) {
+    // A datagram means nothing before the player has a body.
+  }
+
+  @Override
+  public void closed(Link from, String reason) {
+    if (!done) {
+      end(reason);
+    }
+  }
+
+  private void watch(ClientMessage.Watch watch) {
+    if (!requireThisBuild(watch.protocolVersion(), watch.physicsDigest())
+        || !requireEntry(null, "")) {
+      return;
+    }
+    ServerMessage.Refused refusal = context.spectators().add(link, watch.room(), context.nowNs());
+    if (refusal != null) {
+      refuse(refusal.reason(), refusal.text());
+    }
+    done = true;
+  }
+
+  private void list(ClientMessage.ListRooms list) {
+    if (!requireProtocol(list.protocolVersion())) {
+      return;
+    }
+    lists++;
+    if (lists > MAX_LISTS) {
+      refuse(RefusalReason.BAD_REQUEST, "The list of rooms was requested again and again.");
+      return;
+    }
+    directory.list(context.nowNs()).forEach(link::send);
+  }
+
+  /** Refuses a client of another protocol, and returns whether the client may go on. */
+  private boolean requireProtocol(int protocolVersion) {
+    if (protocolVersion != Protocol.VERSION) {
+      refuse(
+          RefusalReason.PROTOCOL_VERSION,
+          "This server speaks protocol %d, your game %d."
+              .formatted(Protocol.VERSION, protocolVersion));
+      return false;
+    }
+    return true;
+  }
+
+  /** Refuses a client of another build, and returns whether the client may go on. */
+  private boolean requireThisBuild(int protocolVersion, long physicsDigest) {
+    if (!requireProtocol(protocolVersion)) {
+      return false;
+    }
+    if (physicsDigest != Protocol.physicsDigest()) {
+      refuse(
+          RefusalReason.PHYSICS_VERSION,
+          "This server computes with %s.".formatted(Protocol.PHYSICS_VERSION));
+      return false;
+    }
+    return true;
+  }
+
+  /** Refuses a client that the operator doesn't let in, and returns whether it may go on. */
+  private boolean requireEntry(String name, String account) {
+    EntryRule.Refusal refusal = context.entryRule().refusal(name, account, link.remote());
+    if (refusal != null) {
+      refuse(refusal.reason(), refusal.text());
+    }
+    return refusal == null;
+  }
+
+  private void hello(ClientMessage.Hello hello) {
+    if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
+      return;
+    }
+    JoinRequest request = requestOf(hello);
+    if (request == null) {
+      return;
+    }
+    String problem = PlayerName.problem(request.name());
+    if (problem != null) {
+      refuse(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
+      return;
+    }
+    if (!requireEntry(request.name(), request.account())) {
+      return;
+    }
+    waiting = request;
+    waitsUntilNs = context.nowNs() + ENTRANCE_WAIT_MS * NS_PER_MS;
+    tryToEnter();
+  }
+
+  /**
+   * Returns what the player wants and may want by its join token, or refuses and returns null. A
+   * player who comes back proves by the session's secret that the token was good, and keeps the
+   * account.
+   */
+  private JoinRequest requestOf(ClientMessage.Hello hello) {
+    String name = hello.name().strip();
+    JoinTokens joinTokens = context.entryRule().tokens();
+    Room expecting = chooser.expecting(hello.resumeSecret());
+    if (joinTokens == null || expecting != null) {
+      String account = expecting == null ? "" : expecting.seats().accountOf(hello.resumeSecret());
+      return new JoinRequest(name, account, hello.room(), hello.game(), hello.resumeSecret());
+    }
+    try {
+      JoinToken token = joinTokens.check(hello.token());
+      return new JoinRequest(
+          token.name().isEmpty() ? name : token.name(),
+          token.account(),
+          token.room().isEmpty() ? hello.room() : token.room(),
+          hello.game(),
+          0);
+    } catch (BadTokenException e) {
+      refuse(RefusalReason.TOKEN_INVALID, e.getMessage());
+      return null;
+    }
+  }
+
+  /**
+   * Gives a visitor that has sent Hello a seat as soon as it may have one. A visitor waits while
+   * its host joins too often or holds too many seats without playing, and while a full room gives
+   * up the seat of a player who lost the connection.
+   */
+  void tryToEnter() {
+    if (done || waiting == null) {
+      return;
+    }
+    if (link.state() == Link.State.CLOSED) {
+      end("left while waiting");
+      return;
+    }
+    Room expecting = chooser.expecting(waiting.resumeSecret());
+    Room requested = waiting.room().isEmpty() ? null : directory.find(waiting.room());
+    if (expecting == null && requested == null && !waiting.room().isEmpty()) {
+      refuse(RefusalReason.ROOM_UNKNOWN, directory.describe());
+      return;
+    }
+    String overload = expecting == null ? chooser.overload(requested) : null;
+    if (overload != null) {
+      refuse(RefusalReason.OVERLOADED, overload);
+      return;
+    }
+    boolean allowed = context.rate().allows(origin.host(), context.nowNs());
+    boolean full = false;
+    if (allowed && expecting != null) {
+      room = expecting;
+      seat = room.seats().claim(waiting.resumeSecret(), origin, context.nowNs());
+    } else if (allowed) {
+      full = !takeSeat(requested) && chooser.seatsLeft(requested) == 0 && !askForSeat(requested);
+    }
+    boolean late = context.nowNs() - waitsUntilNs >= 0;
+    if (seat != null) {
+      context.rate().count(origin.host(), context.nowNs());
+      waiting = null;
+      welcome();
+    } else if (full || (allowed && chooser.seatsLeft(requested) == 0 && late)) {
+      refuseFull(requested);
+    } else if (late) {
+      refuse(RefusalReason.TOO_MANY_CONNECTIONS, "");
+    }
+  }
+
+  private void refuseFull(Room requested) {
+    int count = requested == null ? context.places() : requested.seats().count();
+    String text =
+        (count == 1 ? "The only place is taken." : "All %d places are taken.").formatted(count);
+    refuse(
+        requested == null ? RefusalReason.SERVER_FULL : RefusalReason.ROOM_FULL,
+        requested == null ? text : text + " " + directory.describe());
+  }
+
+  /**
+   * Takes a seat in the requested room, or the fullest that has one; returns whether it got one.
+   */
+  private boolean takeSeat(Room requested) {
+    Room chosen = requested == null ? chooser.fullestWithSeat(waiting.game()) : requested;
+    if (chosen != null
+        && chooser.seatsLeft(chosen) > context.countPromised(chosen, this)
+        && context.countLoading(origin.host()) < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
+      room = chosen;
+      seat = room.seats().take(waiting.name(), waiting.account(), origin);
+    }
+    return seat != null;
+  }
+
+  /**
+   * Asks a room to give up a seat that nobody plays in or that a network holds beyond its share,
+   * or else the busiest other host to give up one where the level still loads. Returns false if
+   * nobody gives way.
+   */
+  private boolean askForSeat(Room requested) {
+    if (context.nowNs() - askAgainNs < 0) {
+      return true; // the seat asked for is soon free
+    }
+    promised = chooser.askToGiveWay(waiting.account(), origin, requested);
+    boolean asked = promised != null;
+    Visitor crowding = asked ? null : context.oldestOfBusiestHost(origin.host(), requested);
+    if (crowding != null) {
+      asked = true;
+      crowding.refuse(RefusalReason.TOO_SLOW, "Others wait for the place.");
+    }
+    askAgainNs = asked ? context.nowNs() + ASK_AGAIN_MS * NS_PER_MS : context.nowNs();
+    return asked;
+  }
+
+  private void welcome() {
+    match = room.match();
+    upload = new LevelUpload(match.level(), FIRST_EPOCH);
+    deadlineNs = context.nowNs() + config.loadTimeoutMs() * NS_PER_MS;
+    state = state.become(SessionState.LOADING);
+    link.send(
+        match.welcome(
+            seat.secret(),
+            seat.id(),
+            FIRST_EPOCH,
+            config.tickRateHz(),
+            room.tick(),
+            room.seats().incarnation(),
+            seat.courseTick()));
+  }
+
+  private void enterRoom() {
+    done = true;
+    if (!room.admit(new Admission(seat, link, FIRST_EPOCH, match.number()))) {
+      LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());
+      link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
+      context.closeLater(link, "room takes nobody");
+      giveUpSeat();
+    }
+  }
+
+  /** Refuses the visitor when its phase has taken too long. */
+  void checkDeadline() {
+    if (!done && waiting == null && context.nowNs() - deadlineNs >= 0) {
+      refuse(
+          RefusalReason.TOO_SLOW,
+          state == SessionState.CONNECTED
+              ? "No greeting came within %d ms.".formatted(config.handshakeTimeoutMs())
+              : "The level was not loaded within %d ms.".formatted(config.loadTimeoutMs()));
+    }
+  }
+
+  private void refuse(RefusalReason reason, String text) {
+    done = true;
+    context.sendRefusal(link, reason, text);
+    giveUpSeat();
+  }
+
+  /** Sends the visitor to another server, unless it hasn't said yet what it wants. */
+  void redirect(ServerMessage.Redirect to) {
+    if (done || (waiting == null && state != SessionState.LOADING)) {
+      return;
+    }
+    done = true;
+    LOG.info("visitor {} goes to {}", link.remote(), to.server());
+    link.send(to);
+    context.closeLater(link, "sent to " + to.server());
+    giveUpSeat();
+  }
+
+  /** Tells the visitor that the server stops, unless it has gone. */
+  void turnAway() {
+    if (done) {
+      return; // sent to another server
+    }
+    if (state == SessionState.LOADING) {
+      // After Welcome a client expects a Goodbye, not a Refused. The player sees the same.
+      link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""));
+      context.closeLater(link, "server stops");
+    } else {
+      context.sendRefusal(link, RefusalReason.SHUTTING_DOWN, "");
+    }
+    giveUpSeat();
+  }
+
+  /** Ends the visitor at once after an error of the server. */
+  void fail() {
+    giveUpSeat();
+    done = true;
+    context.partings().add(link, "server error", context.nowNs());
+  }
+
+  /** Returns whether the visitor has left the lobby, for a room or for good. */
+  boolean isDone() {
+    return done;
+  }
+
+  /** Returns whether the visitor holds a seat and still loads the level. */
+  boolean isLoading() {
+    return !done && state == SessionState.LOADING;
+  }
+
+  /** Returns whether the visitor waits for a seat of a room that is kept for it. */
+  boolean isPromised(Room by) {
+    return !done && waiting != null && promised == by;
+  }
+
+  /** Returns the room in which the visitor holds a seat; null before. */
+  Room room() {
+    return room;
+  }
+
+  private void end(String why) {
+    done = true;
+    LOG.debug("visitor {} gone: {}", link.remote(), why);
+    link.close(why);
+    giveUpSeat();
+  }
+
+  private void giveUpSeat() {
+    if (seat != null) {
+      room.seats().unclaim(seat);
+      seat = null;
+    }
+  }
+}
