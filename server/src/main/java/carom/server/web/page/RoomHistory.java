@@ -4,6 +4,8 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.TurnStage;
 import carom.server.room.Room;
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -42,6 +44,7 @@ final class RoomHistory {
   private final long[] before = new long[Counter.values().length];
   private final long[] stagesBefore = new long[STAGES.length];
   private final ArrayDeque<float[]> rows = new ArrayDeque<>();
+  private long cpuNsBefore = processNs();
 
   RoomHistory(Room room) {
     this.room = room;
@@ -57,7 +60,8 @@ final class RoomHistory {
   /** Returns the names of the values of a row. */
   static List<String> columns() {
     List<String> names =
-        new ArrayList<>(List.of("heapMb", "ticks", "p50", "p99", "max", "inKbit", "outKbit"));
+        new ArrayList<>(
+            List.of("heapMb", "cpuPercent", "ticks", "p50", "p99", "max", "inKbit", "outKbit"));
     for (TurnStage stage : STAGES) {
       names.add(stage.name().toLowerCase(Locale.ROOT));
     }
@@ -83,6 +87,9 @@ final class RoomHistory {
     float[] row = new float[columns().size()];
     int at = 0;
     row[at++] = (runtime.totalMemory() - runtime.freeMemory()) / (float) (1 << 20);
+    long cpuNs = processNs();
+    row[at++] = (float) ((cpuNs - cpuNsBefore) / NS_PER_MS / 10 / seconds);
+    cpuNsBefore = cpuNs;
     row[at++] = (float) (times.count() / seconds);
     row[at++] = (float) (times.p50Ns() / NS_PER_MS);
     row[at++] = (float) (times.p99Ns() / NS_PER_MS);
@@ -104,6 +111,13 @@ final class RoomHistory {
     if (rows.size() > ROWS) {
       rows.remove();
     }
+  }
+
+  /** Returns the time that processors have worked for this process, ns; 0 if the JVM can't tell. */
+  private static long processNs() {
+    return ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
+        ? system.getProcessCpuTime()
+        : 0;
   }
 
   private long grown(Counters counters, Counter counter) {

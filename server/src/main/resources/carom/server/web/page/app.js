@@ -2,7 +2,7 @@
 // What players wrote, such as names, goes to the page as text only, never as HTML.
 
 import {Chart} from './charts.js';
-import {Scene, playerColour} from './scene.js';
+import {Scene} from './scene.js';
 
 const $ = id => document.getElementById(id);
 const MAX_LINES = 500;
@@ -42,6 +42,7 @@ const charts = [
     {name: 'ticks_late', label: 'ticks late', colour: 2}, {name: 'ticks_dropped', label: 'dropped', colour: 6},
     {name: 'snapshots_postponed', label: 'snapshots late', colour: 4}, {name: 'inputs_missing', label: 'inputs missing', colour: 5}]},
   {title: 'Page', unit: 'ms', series: [{name: 'picture', label: 'pictures, of each tick', colour: 5}]},
+  {title: 'Processor', unit: '% of a core', series: [{name: 'cpuPercent', label: 'whole server', colour: 1}]},
   {title: 'Memory', unit: 'MB', series: [{name: 'heapMb', label: 'heap', colour: 1}]},
 ].map(each => new Chart($('charts'), each));
 
@@ -212,6 +213,7 @@ const percent = value => value === undefined ? '–' : (100 * value).toFixed(1) 
 function showPlayers(players) {
   const follow = $('follow'), chosen = follow.value;
   scene.names = new Map(players.map(player => [player.id, player.name]));
+  scene.teams = new Map(players.filter(player => player.team > 0).map(player => [player.id, player.team]));
   const wanted = ['', ...players.map(player => String(player.id))];
   const names = ['nobody', ...players.map(player => player.name)];
   if (document.activeElement !== follow
@@ -273,7 +275,7 @@ function describe(look) {
   const owner = look.owner >= 0 ? ` of ${scene.names.get(look.owner) || 'player ' + look.owner}` : '';
   $('body').textContent = `${look.kind || 'body'}${owner} · ${look.entity < 0 ? 'part of the level' : 'entity ' + look.entity} · ${look.type}`;
   if (look.owner >= 0) {
-    $('body').style.borderLeft = '4px solid ' + playerColour(look.owner);
+    $('body').style.borderLeft = '4px solid ' + scene.playerColour(look.owner);
     button($('body'), 'Follow', () => followPlayer(String(look.owner)));
   } else {
     $('body').style.borderLeft = '';

@@ -4,6 +4,9 @@ const SECONDS = 300;
 const LEFT = 34;
 const PAD = 4;
 
+/** Height of the axis of time. */
+const AXIS = 13;
+
 /** Returns the least 1, 2 or 5 times a power of ten that is not below a value. */
 function niceMaximum(value) {
   if (!(value > 0)) return 1;
@@ -74,7 +77,7 @@ export class Chart {
     }
     const top = niceMaximum(Math.max(0, ...values.flat()));
     const x = i => LEFT + (width - LEFT - PAD) * (1 - (rows.length - 1 - i) / (SECONDS - 1));
-    const y = value => height - PAD - (height - 2 * PAD - 4) * Math.min(1, value / top);
+    const y = value => height - AXIS - (height - AXIS - PAD - 4) * Math.min(1, value / top);
     g.font = '10px system-ui, sans-serif';
     g.textAlign = 'right';
     g.textBaseline = 'middle';
@@ -83,6 +86,13 @@ export class Chart {
       g.beginPath(); g.moveTo(LEFT, y(top * part)); g.lineTo(width - PAD, y(top * part)); g.stroke();
       g.fillStyle = colour('--quiet');
       g.fillText(short(top * part), LEFT - 4, y(top * part));
+    }
+    g.textBaseline = 'bottom';
+    for (let ago = 0; ago < SECONDS; ago += 60) {
+      const at = x(rows.length - 1 - ago);
+      g.textAlign = ago ? 'center' : 'right';
+      g.fillText(ago ? `−${ago / 60} min` : 'now', at, height);
+      g.beginPath(); g.moveTo(at, y(0)); g.lineTo(at, y(0) + 2); g.stroke();
     }
     for (let s = this.series.length - 1; s >= 0; s--) {
       g.strokeStyle = g.fillStyle = colour('--c' + this.series[s].colour);
@@ -108,7 +118,7 @@ export class Chart {
     if (this.hover >= LEFT && rows.length) {
       i = Math.max(0, Math.min(i, Math.round(i - (x(i) - this.hover) / (x(1) - x(0)))));
       g.strokeStyle = colour('--quiet');
-      g.beginPath(); g.moveTo(x(i), PAD); g.lineTo(x(i), height - PAD); g.stroke();
+      g.beginPath(); g.moveTo(x(i), PAD); g.lineTo(x(i), height - AXIS); g.stroke();
     }
     const row = rows[i];
     this.values.forEach((value, s) => { value.textContent = row ? short(row[this.at[s]] || 0) : ''; });

@@ -61,9 +61,13 @@ function outline(parts) {
   return {path, thin};
 }
 
-export function playerColour(id) {
-  return `hsl(${(id * 137.5) % 360} 65% 52%)`;
-}
+const TEAM_HUES = [4, 214, 128, 45, 280, 180]; // red, blue, green, yellow, purple, cyan
+
+/** Half the least size of a player's body on the screen, in pixels; a smaller one is a dot of this size. */
+const DOT = 5;
+
+/** Metres from a player's middle to its edge, about; only tells when a body is smaller than a dot. */
+const PLAYER_RADIUS = 0.6;
 
 export class Scene {
   constructor(canvas, onPick) {
@@ -72,6 +76,7 @@ export class Scene {
     this.camera = {x: 0, y: 0, scale: 20};
     this.show = {names: true, joints: true, sleeping: false, contacts: false, cells: false, priority: false};
     this.names = new Map();
+    this.teams = new Map();
     this.follow = null;
     this.frames = 0;
     this.reset();
@@ -102,6 +107,13 @@ export class Scene {
     this.camera.x = (minX + maxX) / 2;
     this.camera.y = (minY + maxY) / 2;
     this.camera.scale = 0.94 * Math.min(this.canvas.clientWidth / (maxX - minX), this.canvas.clientHeight / (maxY - minY));
+  }
+
+  /** Returns a player's colour: that of its team, or one of its own without a team. */
+  playerColour(id) {
+    const team = this.teams.get(id);
+    const hue = team ? TEAM_HUES[(team - 1) % TEAM_HUES.length] : (id * 137.5) % 360;
+    return `hsl(${hue} 65% 52%)`;
   }
 
   learn(bodies) {
@@ -257,12 +269,15 @@ export class Scene {
     const asleep = this.show.sleeping && look.type !== 'static' && !this.now.awake[i];
     const owned = look.owner >= 0;
     g.fillStyle = look.type === 'static' ? colours.ground
-      : owned ? playerColour(look.owner) : hex(look.rgb);
+      : owned ? this.playerColour(look.owner) : hex(look.rgb);
     if (this.show.priority && this.now.priorities.length && look.type !== 'static') {
       const part = most > 0 ? Math.sqrt(this.now.priorities[i] / most) : 0;
       g.fillStyle = `hsl(${220 - 220 * part} 80% ${70 - 20 * part}%)`;
     }
     g.globalAlpha = look.sensor ? 0.12 : asleep ? 0.3 : 1;
+    if (owned && !look.sensor && PLAYER_RADIUS * this.camera.scale < DOT) {
+      g.beginPath(); g.arc(0, 0, DOT / this.camera.scale, 0, 2 * Math.PI); g.fill();
+    }
     if (!look.thin) g.fill(look.path);
     g.globalAlpha = look.sensor ? 0.4 : 1;
     const painted = look.thin && look.type === 'static' && look.rgb !== PLAIN_GROUND;

@@ -99,6 +99,19 @@ final class BrowserTest {
       assertTrue(colours.contains(rgb(browser, "ground")), "no ground in the picture");
       assertTrue(colours.contains(rgb(browser, "stage")), "no background in the picture");
       assertTrue(colours.size() > 20, "colours=" + colours.size());
+      String dot =
+          browser.evaluate(
+              "(s => { s.fitted = false; s.camera.scale = 2; s.draw(); s.teams = new Map([[0, 1],"
+                  + " [1, 2]]); const look = [...s.looks.values()].find(l => l.owner === 0), [x, y]"
+                  + " = s.toScreen(...s.pose(look.slot)), r = devicePixelRatio; s.draw(); const g ="
+                  + " s.canvas.getContext('2d'), at = dx => g.getImageData(Math.round((x + dx) *"
+                  + " r), Math.round(y * r), 1, 1).data; const seen = [at(4), at(-4)].some(p =>"
+                  + " p[0] > 2 * p[2]); s.fit(); return seen + ' ' + s.playerColour(0) + ' ' +"
+                  + " s.playerColour(1); })(caromScene)");
+      assertEquals(
+          "true hsl(4 65% 52%) hsl(214 65% 52%)",
+          dot, "a far player is a dot of its team's colour");
+      browser.evaluate("caromScene.teams = new Map()");
       // The pixel of a player's body has the player's colour.
       String place =
           browser.evaluate(
