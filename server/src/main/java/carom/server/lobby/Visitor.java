@@ -26,8 +26,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A link from its first message to its room: handshake, a seat, and the level. It ends by entering a
- * room, by watching, by a refusal, or when the client leaves.
+ * A link from its first message to its room: handshake, a seat, and the level. It ends by entering
+ * a room, by watching, by a refusal, or when the client leaves.
  *
  * <p>On the lobby's thread.
  */
@@ -111,8 +111,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   }
 
   /**
-   * Reads messages one by one. Messages behind Hello wait until it is answered, and messages
-   * behind Ready are for the room.
+   * Reads messages one by one. Messages behind Hello wait until it is answered, and messages behind
+   * Ready are for the room.
    */
   int poll() {
     int work = 0;
@@ -142,8 +142,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       } else if (ready.declarationsDigest() == match.declarations().digest()) {
         enterRoom();
       } else {
-        refuse(
-            RefusalReason.GAME_VERSION, "The fields of your game " + match.game() + " differ.");
+        refuse(RefusalReason.GAME_VERSION, "The fields of your game " + match.game() + " differ.");
       }
     } else if (message instanceof ClientMessage.Leave) {
       end("left before playing");
@@ -332,7 +331,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     Room chosen = requested == null ? chooser.fullestWithSeat(waiting.game()) : requested;
     if (chosen != null
         && chooser.seatsLeft(chosen) > context.countPromised(chosen, this)
-        && context.countLoading(origin.host()) < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
+        && context.countLoading(origin.host())
+            < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
       room = chosen;
       seat = room.seats().take(waiting.name(), waiting.account(), origin);
     }
@@ -340,9 +340,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   }
 
   /**
-   * Asks a room to give up a seat that nobody plays in or that a network holds beyond its share,
-   * or else the busiest other host to give up one where the level still loads. Returns false if
-   * nobody gives way.
+   * Asks a room to give up a seat that nobody plays in or that a network holds beyond its share, or
+   * else the busiest other host to give up one where the level still loads. Returns false if nobody
+   * gives way.
    */
   private boolean askForSeat(Room requested) {
     if (context.nowNs() - askAgainNs < 0) {
