@@ -82,12 +82,12 @@ public interface MatchLibrary {
       throw new LevelException(name, 0, 0, "", "this can't be the name of a file or level");
     }
     List<String> known = builtInLevels();
-    if (Level.class.getResource("/levels/" + name + ".json") != null) {
+    if (isBuiltIn(name)) {
       return Level.builtIn(name);
     }
     for (String other : known) {
-      Level level = Level.builtIn(other);
-      if (asTyped(level.name()).equals(asTyped(name))) {
+      Level level = isBuiltIn(other) ? Level.builtIn(other) : null;
+      if (level != null && asTyped(level.name()).equals(asTyped(name))) {
         return level;
       }
     }
@@ -98,6 +98,10 @@ public interface MatchLibrary {
         "",
         "there is no such file or level; levels here are %s%s"
             .formatted(String.join(", ", known), Suggestion.didYouMean(name, known)));
+  }
+
+  private static boolean isBuiltIn(String name) {
+    return Level.class.getResource("/levels/" + name + ".json") != null;
   }
 
   /** Returns a level's title without what people leave out when they type it. */

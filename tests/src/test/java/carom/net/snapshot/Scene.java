@@ -185,7 +185,7 @@ final class Scene {
           (float) Math.sin(still * 0.01),
           still % 7 - 3.3f,
           -0.0f,
-          still % 3 == 0 ? Float.MIN_VALUE : 1e30f * still);
+          still % 3 == 0 ? Float.MIN_VALUE : 1e4f * still);
     }
     own.relayed().clear();
     for (int i = 0; i < tick / 30 % 32; i++) {
