@@ -33,7 +33,7 @@ final class InputToPictureTest {
    * Least number of pixels around the body that a press changes. The first tick moves the body and
    * the camera by a fraction of a pixel, which changes 740 or more.
    */
-  private static final int SEEN = 100;
+  private static final int SEEN = 20;
 
   @TempDir private Path folder;
 

@@ -19,7 +19,7 @@ import java.awt.image.BufferedImage;
 final class KeyWatcher {
   private static final int TOLERANCE = 10;
   private static final int PRESSES = 10;
-  private static final int AROUND = 60;
+  private static final int AROUND = 30;
 
   /** Way of the body's middle in a tenth of a second that counts as none, px. */
   private static final double AT_REST = 0.02;
@@ -66,7 +66,7 @@ final class KeyWatcher {
       Thread.sleep(200);
       found = find(new Rectangle(0, 0, 1_280, 720));
     }
-    Thread.sleep(3_000); // until it has come to rest and the clocks have settled
+    Thread.sleep(15_000); // until clocks have settled, and the hints, shown for 12 s, are gone
     for (int i = 0; i < PRESSES; i++) {
       awaitRest();
       found = find(new Rectangle(0, 0, 1_280, 720));
