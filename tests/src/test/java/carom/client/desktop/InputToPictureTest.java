@@ -30,8 +30,8 @@ final class InputToPictureTest {
   private static final int RED = 0xff5d5d;
 
   /**
-   * Least number of pixels around the body that a press changes. The first tick moves the body and
-   * the camera by a fraction of a pixel, which changes 740 or more.
+   * Least number of pixels around the body that a press changes. Two ticks move the body by a
+   * fraction of a pixel, which changes 70 to 190; at rest none changes.
    */
   private static final int SEEN = 20;
 
