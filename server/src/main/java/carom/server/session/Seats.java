@@ -317,7 +317,7 @@ public final class Seats {
       return group;
     }
 
-    /** Returns whether a player plays here whom no link replaces; under the seats' lock. */
+    /** Returns whether a player plays here and no other link claims the seat; under its lock. */
     boolean givesWay() {
       return occupied && claims == 0;
     }
