@@ -275,10 +275,12 @@ class RosterScenarioTest {
       ann.game().role(PlayerRole.SPECTATOR);
       bob.game().ready(true);
       stepper.runUntil(
-          "Bob is ready and sees that Ann watches",
-          () -> row(ann, bob).spectator() && row(bob, ann).ready(),
+          "Bob is ready and sees that Ann watches, and she watches Bob",
+          () ->
+              row(ann, bob).spectator()
+                  && row(bob, ann).ready()
+                  && ann.view().watchedPlayer() == bob.view().playerId(),
           5);
-      assertEquals(bob.view().playerId(), ann.view().watchedPlayer());
     }
   }
 }

@@ -420,6 +420,7 @@ class CheckpointTest {
     int secondsTick;
     try (KeptServer kept = new KeptServer(KeptServer.library(), levels, path, START_NS)) {
       play(kept, 3);
+      KeptServer.settle(path); // so that another checkpoint may begin
       kept.runTo(150);
       secondsTick = kept.tick();
       Path crashed = crash();

@@ -140,7 +140,8 @@ final class OperatorCommandsTest {
     assertTrue(ok("game platformer").contains("playing game=platformer"));
     String nowhere = ok("level nowhere");
     assertTrue(nowhere.startsWith("not changed: "), nowhere);
-    assertTrue(nowhere.contains("levels here are arena, "), nowhere);
+    // Other tests of this run may have added levels of their own.
+    assertTrue(nowhere.matches(".*levels here are (\\w+, )*arena, .*"), nowhere);
     String near = ok("level comons");
     assertTrue(near.endsWith("did you mean \"commons\"?"), near);
     assertTrue(ok("game platfromer").endsWith("did you mean \"platformer\"?"));
@@ -150,14 +151,17 @@ final class OperatorCommandsTest {
   @Test
   void savesAMatchAndGoesOnWithItWithThePlayersWhoAreHere() throws Exception {
     stepper.run(1);
+    int before = stepper.room().simulation().tick();
     assertTrue(ok("save evening").startsWith("saved room=1 to " + folder.resolve("saves")));
     int saved = stepper.room().simulation().tick();
     float x = stepper.room().simulation().player(0).body().body().x();
     ok("kick \"Bob B\"");
-    stepper.run(3);
+    stepper.run(10);
+    int late = stepper.room().simulation().tick();
     assertTrue(ok("load evening").contains("playing game=arena level=Corner Pocket"));
+    // The room goes on while the disk writes and reads, for as many ticks as that takes.
     int loaded = stepper.room().simulation().tick();
-    assertTrue(loaded >= saved - 30 && loaded < saved + 60, saved + " then " + loaded);
+    assertTrue(loaded >= before && loaded < late, before + " " + saved + " " + loaded + " " + late);
     assertNotNull(stepper.room().simulation().player(0).body(), "Ann has her body");
     assertNull(stepper.room().simulation().player(1), "Bob is gone");
     assertTrue(Math.abs(stepper.room().simulation().player(0).body().body().x() - x) < 20);
