@@ -25,9 +25,18 @@ public final class BadFlag extends ParameterException {
     super(commandLine, message);
   }
 
-  /** Makes a program report wrong flags in this way, and returns the program. */
+  /**
+   * Makes a program report wrong flags in this way, and returns the program. Its help doesn't begin
+   * with a list of all flags either, as the table of flags follows.
+   */
   public static CommandLine explainedBy(CommandLine program) {
+    abbreviate(program);
     return program.setParameterExceptionHandler((e, args) -> explain(e));
+  }
+
+  private static void abbreviate(CommandLine program) {
+    program.getCommandSpec().usageMessage().abbreviateSynopsis(true);
+    program.getSubcommands().values().forEach(BadFlag::abbreviate);
   }
 
   private static int explain(ParameterException e) {

@@ -66,4 +66,14 @@ final class FlagSuggestionTest {
     assertTrue(err.toString().contains("Possible solutions: --tcp-port"), err.toString());
     assertFalse(err.toString().contains("tests"), err.toString());
   }
+
+  @Test
+  void theHelpBeginsWithALineAndListsEachFlagOnce() {
+    StringWriter out = new StringWriter();
+    CommandLine program = BadFlag.explainedBy(new CommandLine(new Program()));
+    program.usage(new PrintWriter(out, true));
+    String usage = out.toString();
+    assertTrue(usage.startsWith("Usage: program [OPTIONS]" + System.lineSeparator()), usage);
+    assertEquals(usage.indexOf("--tcp-port"), usage.lastIndexOf("--tcp-port"), usage);
+  }
 }
