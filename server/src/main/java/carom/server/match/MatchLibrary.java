@@ -44,12 +44,16 @@ public interface MatchLibrary {
    */
   LoadedLevel level(String name) throws LevelException;
 
-  /** Returns the names of the levels that come with the program: those of games, and others. */
+  /**
+   * Returns the names of the levels that come with the program: those of games, and others. A game
+   * whose level is a file of its own, or isn't there, adds none.
+   */
   static List<String> builtInLevels() {
     return Stream.concat(
             Games.names().stream().map(name -> Games.create(name).defaultLevel()),
             Stream.of("commons", "lagoon", "sluice"))
         .distinct()
+        .filter(MatchLibrary::isBuiltIn)
         .toList();
   }
 
@@ -86,8 +90,8 @@ public interface MatchLibrary {
       return Level.builtIn(name);
     }
     for (String other : known) {
-      Level level = isBuiltIn(other) ? Level.builtIn(other) : null;
-      if (level != null && asTyped(level.name()).equals(asTyped(name))) {
+      Level level = Level.builtIn(other);
+      if (asTyped(level.name()).equals(asTyped(name))) {
         return level;
       }
     }
