@@ -80,7 +80,7 @@ public final class World<T> {
 
   private float stepSeconds;
 
-  /** Decides for the program which shapes meet, null for none. */
+  /** Rule of the program that decides which shapes meet; null for none. */
   private CollisionFilter<T> filter;
 
   /** Records calls that change this world; null (the default) records nothing. */

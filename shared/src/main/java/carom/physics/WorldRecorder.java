@@ -61,7 +61,7 @@ public final class WorldRecorder {
 
   private int depth;
 
-  /** Whether a call from outside runs or was the last; false if one runs that is noted later. */
+  /** True if the last call from outside is noted; false while one runs that is noted at its end. */
   private boolean noted;
 
   private final PairAnswers answers = new PairAnswers();
