@@ -86,6 +86,9 @@ public final class World<T> {
   /** Records calls that change this world; null (the default) records nothing. */
   private WorldRecorder recorder;
 
+  /** True if a state was restored since the last step. */
+  private boolean restored;
+
   private boolean stepping;
   private boolean querying;
 
@@ -597,7 +600,11 @@ public final class World<T> {
     refuseShared("step", null);
     if (recorder != null) {
       recorder.noteStep(dtSeconds);
+      if (restored && filter != null) {
+        askAboutSleeping();
+      }
     }
+    restored = false;
     stepping = true;
     stepSeconds = dtSeconds;
     try {
@@ -675,6 +682,16 @@ public final class World<T> {
   void askAbout(CollisionFilter<T> newFilter) {
     filter = newFilter;
     dynamics.customRule(newFilter == null ? null : this::shouldCollide);
+  }
+
+  /** Asks about sleeping contacts, which a state has brought and no step asks about. */
+  private void askAboutSleeping() {
+    ContactTable rows = dynamics.sleepingContacts();
+    for (int row = 0; row < rows.count(); row++) {
+      if (!rows.unused(row)) {
+        shouldCollide(rows.partA(row), rows.partB(row));
+      }
+    }
   }
 
   private boolean shouldCollide(int partA, int partB) {
@@ -757,6 +774,7 @@ public final class World<T> {
     take(s.def);
     dynamics.restore(s.dynamics, handles.sameBodies(s.handles));
     s.handles.copyTo(handles, store.slots(), joints.slots());
+    restored = true;
   }
 
   /**
