@@ -59,8 +59,8 @@ import java.util.List;
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
  *
- * <p><b>Length.</b> This is what games call, in one place: documentation, and methods of one line.
- * What they do is in the parts.
+ * <p><b>Length.</b> One idea: what games call, in methods of one line. It stays whole, because
+ * games hold this one object and look for every call here. What the calls do is in the parts.
  */
 public final class Simulation extends FieldHolder<Entity, Player> {
   /** Most players at a time; ids are 0..1,023. */
