@@ -271,7 +271,7 @@ public final class JointDef<T> {
    * Makes the definition of a friction joint, which resists all motion of B relative to A, as drag
    * on a table seen from above does. It pulls B to no place.
    *
-   * @param bodyA what B rubs against, or null for the world
+   * @param bodyA the body against which friction acts on B, or null for the world
    * @param bodyB the body that is slowed down
    * @param x x of the point of B at which the force acts, m, world
    * @param y y of that point, m, world

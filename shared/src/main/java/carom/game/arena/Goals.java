@@ -13,7 +13,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.match.MatchClock;
 
-/** Goals: whom they count for, the lamps that show them, and the winner. */
+/** Goals: the team that each counts for, the lamps that show them, and the winner. */
 final class Goals {
   private final Pitch pitch;
   private final Discs discs;

@@ -229,7 +229,7 @@ public final class VectorContacts extends ContactLanes {
   }
 
   @Override
-  public void push(ContactSolver solver, float[] v, float[] s, int block) {
+  public void applyBiasedImpulses(ContactSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.blocks.data;
     int at = block * RECORD;
     int traits = solver.blocks.traits[block];
