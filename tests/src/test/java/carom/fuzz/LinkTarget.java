@@ -209,6 +209,8 @@ final class LinkTarget implements FuzzTarget {
     Pieces.add(raw, FRAME, new byte[] {Frame.KEEP_ALIVE});
     Pieces.add(raw, FRAME, new byte[] {Frame.REGISTER_UDP});
     Pieces.add(raw, FRAME, tagged(Frame.KEY_ANSWER, new byte[KeyExchange.ANSWER_BYTES]));
-    return List.of(out.toByteArray(), forged.toByteArray(), raw.toByteArray());
+    ByteArrayOutputStream early = new ByteArrayOutputStream();
+    Pieces.add(early, REGISTERED, Frame.NO_FIELDS); // before the greeting
+    return List.of(out.toByteArray(), forged.toByteArray(), raw.toByteArray(), early.toByteArray());
   }
 }

@@ -19,11 +19,17 @@ public final class StatusQueryTarget implements FuzzTarget {
       "\u00ff\u00ff\u00ff\u00ffTSource Engine Query\0".getBytes(StandardCharsets.ISO_8859_1);
   private static final int CHALLENGE_AT = 5;
   private static final int CHALLENGE_BYTES = 9;
-  private static final InetSocketAddress FROM =
-      new InetSocketAddress(InetAddress.getLoopbackAddress(), 9);
+  private static final int PORTS = 65_535;
 
   private final Stepper stepper = Stepper.of("arena");
   private StatusQuery server = open();
+
+  /** Another sender for each input: a fuzzer sees challenges, and would return them later. */
+  private InetSocketAddress from = sender(1);
+
+  private static InetSocketAddress sender(int port) {
+    return new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
+  }
 
   private StatusQuery open() {
     try {
@@ -38,19 +44,20 @@ public final class StatusQueryTarget implements FuzzTarget {
 
   /** Returns the answer to a plain question, also when the budget of this second is spent. */
   private byte[] challenge() {
-    byte[] answer = server.answer(INFO, FROM);
+    byte[] answer = server.answer(INFO, from);
     if (answer == null) {
       server.close();
       server = open();
-      answer = server.answer(INFO, FROM);
+      answer = server.answer(INFO, from);
     }
     return answer;
   }
 
   @Override
   public void take(byte[] data) {
+    from = sender(1 + from.getPort() % PORTS);
     byte[] challenge = challenge();
-    byte[] answer = server.answer(data, FROM);
+    byte[] answer = server.answer(data, from);
     if (answer != null && answer.length > Math.min(CHALLENGE_BYTES, data.length)) {
       throw new AssertionError(
           "a stranger got bytes=" + answer.length + " for a query of bytes=" + data.length);
@@ -60,7 +67,7 @@ public final class StatusQueryTarget implements FuzzTarget {
     }
     byte[] proven = Arrays.copyOf(data, data.length + Integer.BYTES);
     System.arraycopy(challenge, CHALLENGE_AT, proven, data.length, Integer.BYTES);
-    answer = server.answer(proven, FROM);
+    answer = server.answer(proven, from);
     if (answer != null && answer.length > StatusAnswers.MAX_BYTES) {
       throw new AssertionError("an answer has bytes=" + answer.length);
     }
