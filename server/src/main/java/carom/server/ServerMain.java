@@ -25,9 +25,11 @@ import carom.server.console.LogTail;
 import carom.server.console.ReadyLine;
 import carom.server.jmx.CommandInspector;
 import carom.server.jmx.RoomInspector;
+import carom.server.login.Logins;
 import carom.server.metrics.Counter;
 import carom.server.query.StatusFacts;
 import carom.server.web.WebServer;
+import carom.server.web.WebSubject;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
 import carom.warmup.KernelWarmupThread;
@@ -360,16 +362,11 @@ public final class ServerMain implements Callable<Integer> {
     StatusFacts facts =
         new StatusFacts(name, version(), server.tcpPort(), server.udpPort(), server.rooms());
     try {
-      flags.protocols.open(flags.bindAddress(), data, settings(), commands, facts);
-      return flags.web.open(
-          server.rooms(),
-          server.networkCounters(),
-          data,
-          flags.record,
-          settings(),
-          commands,
-          logTail,
-          name + " " + version());
+      Logins logins = Logins.begin(System::nanoTime);
+      flags.protocols.open(flags.bindAddress(), data, settings(), commands, facts, logins.rcon());
+      WebSubject subject =
+          new WebSubject(name, version(), server.rooms(), server.networkCounters(), logins);
+      return flags.web.open(subject, data, flags.record, settings(), commands, logTail);
     } catch (IOException e) {
       server.close();
       throw new StartFailure(e.getMessage(), e);

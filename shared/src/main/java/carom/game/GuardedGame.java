@@ -54,7 +54,7 @@ public final class GuardedGame implements Game {
     R ask(Game game, Simulation s, S subject, A argument);
   }
 
-  /** What a player is told whose request made the game fail. */
+  /** Answer to a player whose request made the game fail. */
   private static final String FAILED = "That is not possible now.";
 
   private static final Question<Entity, Object, Audience> AUDIENCE =

@@ -425,9 +425,9 @@ public final class JointDef<T> {
   }
 
   /**
-   * Limits the coordinate: the angle of a revolute joint (rad, within 1e4; beyond pi full turns are
-   * counted), the distance of a distance joint, the translation of a prismatic or wheel joint, the
-   * length of a pulley (m).
+   * Limits the coordinate of the joint. That is the angle of a revolute joint (rad, within 1e4;
+   * beyond pi full turns are counted), the distance of a distance joint, the translation of a
+   * prismatic or wheel joint, or the length of a pulley (m).
    *
    * @param newLower lower limit
    * @param newUpper upper limit, not below the lower one

@@ -58,7 +58,7 @@ public final class World<T> {
 
   private static final JointType[] JOINT_TYPES = JointType.values();
 
-  /** Why a recorder and a collision filter exclude each other, and what to do. */
+  /** Text that says why a recorder and a collision filter exclude each other, and what to do. */
   private static final String INSTEAD =
       "its answers are no calls; set a Filter on shapes, or return false from preSolve";
 
@@ -85,7 +85,7 @@ public final class World<T> {
 
   private float stepSeconds;
 
-  /** Whether the program decides which shapes meet. */
+  /** True if the program decides which shapes meet. */
   private boolean filtered;
 
   /** Records calls that change this world; null (the default) records nothing. */

@@ -247,7 +247,7 @@ class RoomTest {
   }
 
   static String ask(Rig rig, int player, int entity) {
-    return ask(rig, () -> rig.room.operator().why(player, entity));
+    return ask(rig, () -> rig.room.operator().why(player, entity, Object::toString));
   }
 
   private static String ask(Rig rig, Supplier<String> question) {

@@ -274,7 +274,11 @@ public final class RoomCommands {
     RoomFinder.Found found = finder.player(words, 0);
     String entity = words.word(1, "ENTITY");
     try {
-      return found.room().operator().why(found.player().id(), Integer.parseInt(entity));
+      PlayerInfo player = found.player();
+      return found
+          .room()
+          .operator()
+          .why(player.id(), Integer.parseInt(entity), report -> WhyText.of(player.name(), report));
     } catch (NumberFormatException e) {
       throw new CommandException("ENTITY=" + entity + " is no number");
     }

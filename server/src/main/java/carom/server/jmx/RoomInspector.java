@@ -46,7 +46,7 @@ public final class RoomInspector implements RoomMXBean {
 
   @Override
   public String why(int player, int entity) {
-    return room.operator().why(player, entity);
+    return room.operator().why(player, entity, Object::toString);
   }
 
   @Override

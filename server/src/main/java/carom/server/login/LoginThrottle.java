@@ -24,6 +24,7 @@ public final class LoginThrottle {
   private static final int NETWORK_BYTES = 8;
 
   private final LongSupplier clock;
+  private long wrongTries;
   private final Tries all;
 
   /** The oldest address goes when there are too many. */
@@ -83,6 +84,12 @@ public final class LoginThrottle {
     long nowNs = clock.getAsLong();
     byAddress.computeIfAbsent(key(address), key -> new Tries(MOST, nowNs)).add(nowNs);
     all.add(nowNs);
+    wrongTries++;
+  }
+
+  /** Returns the number of wrong tries since the start. */
+  public synchronized long wrongTries() {
+    return wrongTries;
   }
 
   private static String key(InetAddress address) {

@@ -76,6 +76,7 @@ public final class ProtocolFlags {
    * @param data has the password of RCON
    * @param settings tell whether a port was named
    * @param facts told by status queries
+   * @param throttle limits wrong passwords of RCON
    * @throws IOException if RCON's port, or a query port that was named, can't be opened; the
    *     message says what to do
    */
@@ -84,13 +85,13 @@ public final class ProtocolFlags {
       DataFolder data,
       EffectiveSettings settings,
       CommandRegistry commands,
-      StatusFacts facts)
+      StatusFacts facts,
+      LoginThrottle throttle)
       throws IOException {
     // Not a constant: this class is loaded while the log starts.
     Logger log = LoggerFactory.getLogger(ProtocolFlags.class);
     if (rcon) {
       Secret password = Secret.of(data.rconPassword());
-      LoginThrottle throttle = new LoginThrottle(System::nanoTime);
       InetAddress rconAddress = InetAddress.getByName(rconBind);
       int port = new RemoteConsole(rconAddress, rconPort, commands, password, throttle).port();
       log.info("rcon: tcp {}, password in {}", port, data.rconPassword());

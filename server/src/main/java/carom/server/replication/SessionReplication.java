@@ -311,12 +311,11 @@ public final class SessionReplication {
     return sender.sees(entityId);
   }
 
-  /** Explains to an operator why an entity was not sent, or that it was, in one line. */
-  public String explain(int entityId) {
-    return sender.encoder().explain(entityId)
-        + " nearRowsWaiting="
-        + (predictedSet == null ? 0 : predictedSet.waitingRows())
-        + " paceBytesPerSecond="
-        + sender.paceBytesPerSecond();
+  /** Explains to an operator why an entity was not sent, or that it was. */
+  public SentReport explain(int entityId) {
+    return new SentReport(
+        sender.encoder().explain(entityId),
+        predictedSet == null ? 0 : predictedSet.waitingRows(),
+        sender.paceBytesPerSecond());
   }
 }

@@ -5,6 +5,7 @@ import carom.net.protocol.SessionState;
 import carom.server.match.MatchInfo;
 import carom.server.match.SavedMatch;
 import carom.server.recording.RecordingFile;
+import carom.server.replication.SentReport;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
 import carom.server.room.match.RoomContext;
@@ -29,12 +30,12 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.function.LongSupplier;
 
 /**
  * What an operator may ask of a room. Each command may be called from any thread but the room's. It
- * waits for the room's next turn, in which the room's thread carries it out, and answers in one
- * line.
+ * waits for the room's next turn, in which the room's thread carries it out, and answers in words.
  */
 public final class OperatorCommands {
   /** Most commands that wait. */
@@ -84,9 +85,11 @@ public final class OperatorCommands {
    *
    * @param playerId a seat's number
    * @param entityId an entity's number
+   * @param write returns the answer's text; runs on the room's thread
+   * @return that text, or why there is no answer
    */
-  public String why(int playerId, int entityId) {
-    return ask(() -> explain(playerId, entityId));
+  public String why(int playerId, int entityId, Function<SentReport, String> write) {
+    return ask(() -> explain(playerId, entityId, write));
   }
 
   /**
@@ -338,7 +341,7 @@ public final class OperatorCommands {
     }
   }
 
-  private String explain(int playerId, int entityId) {
+  private String explain(int playerId, int entityId, Function<SentReport, String> write) {
     Session session = sessions.onSeat(playerId);
     if (session == null) {
       return noSuchPlayer(playerId);
@@ -350,7 +353,7 @@ public final class OperatorCommands {
     if (entityId < 0 || entityId >= entityCapacity) {
       return "entity=" + entityId + " is outside 0.." + (entityCapacity - 1);
     }
-    return "player=" + playerId + " " + session.replication().explain(entityId);
+    return write.apply(session.replication().explain(entityId));
   }
 
   private String describeFields(String of) {

@@ -1,14 +1,18 @@
 package carom.server.web;
 
+import carom.net.protocol.Protocol;
 import carom.net.transport.NetworkCounter;
+import carom.server.login.LoginThrottle;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.metrics.ProcessFigures;
 import carom.server.metrics.TurnStage;
 import carom.server.room.Room;
 import io.micrometer.core.instrument.FunctionCounter;
 import io.micrometer.core.instrument.Gauge;
 import io.micrometer.core.instrument.Tag;
 import io.micrometer.core.instrument.Tags;
+import io.micrometer.core.instrument.binder.jvm.JvmGcMetrics;
 import io.micrometer.core.instrument.binder.jvm.JvmMemoryMetrics;
 import io.micrometer.core.instrument.binder.jvm.JvmThreadMetrics;
 import io.micrometer.core.instrument.binder.system.ProcessorMetrics;
@@ -18,16 +22,17 @@ import io.micrometer.prometheusmetrics.PrometheusMeterRegistry;
 import io.prometheus.metrics.model.registry.Collector;
 import io.prometheus.metrics.model.snapshots.ClassicHistogramBuckets;
 import io.prometheus.metrics.model.snapshots.HistogramSnapshot;
+import io.prometheus.metrics.model.snapshots.InfoSnapshot;
 import io.prometheus.metrics.model.snapshots.Labels;
 import java.util.List;
 import java.util.Locale;
 
 /**
  * All counters as metrics for Prometheus: each room's with the label {@code room}, the transport's,
- * tick times as a histogram, memory, threads and processor. Values are read when they are asked
- * for. Any thread.
+ * tick times as a histogram, the build, failed logins, memory, garbage collection, threads and
+ * processor. Values are read when they are asked for. Any thread.
  */
-final class Metrics {
+final class Metrics implements AutoCloseable {
   private static final String PREFIX = "carom.";
   private static final double NS_PER_S = 1e9;
   private static final long[] TICK_LIMITS_NS = {
@@ -45,30 +50,35 @@ final class Metrics {
   };
 
   /** Kept here, because the registry doesn't keep what it reads. */
-  private final List<NetworkCounter> network;
+  private final WebSubject subject;
+
+  private final JvmGcMetrics collections = new JvmGcMetrics();
 
   private final PrometheusMeterRegistry registry =
       new PrometheusMeterRegistry(PrometheusConfig.DEFAULT);
 
-  /**
-   * Creates the metrics of a server.
-   *
-   * @param rooms all rooms
-   * @param network what the transport counts
-   */
-  Metrics(List<Room> rooms, List<NetworkCounter> network) {
-    this.network = List.copyOf(network);
-    for (Room room : rooms) {
+  /** Creates the metrics of a server. */
+  Metrics(WebSubject subject) {
+    this.subject = subject;
+    for (Room room : subject.rooms()) {
       add(room);
     }
-    for (NetworkCounter counter : this.network) {
+    for (NetworkCounter counter : this.subject.network()) {
       FunctionCounter.builder(
               PREFIX + "network." + counter.name(), counter, c -> c.value().getAsLong())
           .description(counter.help())
           .register(registry);
     }
-    registry.getPrometheusRegistry().register((Collector) () -> tickTimes(rooms));
+    addLogins("page", subject.logins().page());
+    addLogins("rcon", subject.logins().rcon());
+    Gauge.builder("process.resident.memory", ProcessFigures::resident)
+        .baseUnit("bytes")
+        .description("Memory of the machine that the process takes; NaN where unknown.")
+        .register(registry);
+    registry.getPrometheusRegistry().register((Collector) () -> tickTimes(subject.rooms()));
+    registry.getPrometheusRegistry().register((Collector) () -> build(subject.version()));
     new JvmMemoryMetrics().bindTo(registry);
+    collections.bindTo(registry);
     new JvmThreadMetrics().bindTo(registry);
     new ProcessorMetrics().bindTo(registry);
     new UptimeMetrics().bindTo(registry);
@@ -107,6 +117,29 @@ final class Metrics {
         .register(registry);
   }
 
+  private void addLogins(String door, LoginThrottle throttle) {
+    FunctionCounter.builder(PREFIX + "logins.failed", throttle, LoginThrottle::wrongTries)
+        .tags(Tags.of("door", door))
+        .description("Logins of operators with a wrong token or password.")
+        .register(registry);
+  }
+
+  private static InfoSnapshot build(String version) {
+    Labels labels =
+        Labels.of(
+            "version",
+            version,
+            "protocol",
+            Integer.toString(Protocol.VERSION),
+            "java",
+            Runtime.version().toString());
+    return InfoSnapshot.builder()
+        .name("carom_build")
+        .help("The build that runs, with the version of its network protocol and of Java.")
+        .dataPoint(InfoSnapshot.InfoDataPointSnapshot.builder().labels(labels).build())
+        .build();
+  }
+
   private static HistogramSnapshot tickTimes(List<Room> rooms) {
     HistogramSnapshot.Builder all =
         HistogramSnapshot.builder()
@@ -134,5 +167,11 @@ final class Metrics {
   /** Returns all metrics in Prometheus' text format. */
   String scrape() {
     return registry.scrape();
+  }
+
+  /** Stops listening to the garbage collector. */
+  @Override
+  public void close() {
+    collections.close();
   }
 }

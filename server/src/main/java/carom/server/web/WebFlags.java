@@ -1,13 +1,11 @@
 package carom.server.web;
 
-import carom.net.transport.NetworkCounter;
 import carom.options.Sockets;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
 import carom.server.console.LogTail;
 import carom.server.login.Secret;
-import carom.server.room.Room;
 import carom.server.web.page.LivePage;
 import carom.server.web.page.PageConfig;
 import java.io.IOException;
@@ -75,26 +73,22 @@ public final class WebFlags {
    * Opens the port, or returns null if the operator doesn't want one. A server whose usual port is
    * busy, perhaps by another server, runs without it.
    *
-   * @param rooms all rooms of the server
-   * @param network what the transport counts
+   * @param subject the server
    * @param data has the page's token, and recordings
    * @param record target of the flag {@code --record}, or null
    * @param settings tell whether the port was named
    * @param commands carried out for those who know the token
    * @param tail the log's last lines
-   * @param title name and version of the server
    * @throws IOException if the port was named and can't be opened, or the token's file can't be
    *     used; the message says what to do
    */
   public WebServer open(
-      List<Room> rooms,
-      List<NetworkCounter> network,
+      WebSubject subject,
       DataFolder data,
       Path record,
       EffectiveSettings settings,
       CommandRegistry commands,
-      LogTail tail,
-      String title)
+      LogTail tail)
       throws IOException {
     // Not a constant: this class is loaded while the log starts.
     Logger log = LoggerFactory.getLogger(WebFlags.class);
@@ -116,16 +110,17 @@ public final class WebFlags {
     InetAddress address = InetAddress.getByName(webBind);
     PageConfig config =
         new PageConfig(
-            title,
+            subject.name() + " " + subject.version(),
             commands,
             token,
+            subject.logins().page(),
             tail,
             recordings(data, record),
             address.isLoopbackAddress(),
             hosts());
     try {
       WebServer server =
-          new WebServer(address, webPort, rooms, network, new LivePage(config, rooms));
+          new WebServer(address, webPort, subject, new LivePage(config, subject.rooms()));
       log.info(
           "page: {} ({})",
           server.url(),

@@ -1,7 +1,5 @@
 package carom.server.web;
 
-import carom.net.transport.NetworkCounter;
-import carom.server.room.Room;
 import carom.server.web.page.LivePage;
 import io.undertow.Undertow;
 import io.undertow.UndertowOptions;
@@ -15,7 +13,6 @@ import java.io.IOException;
 import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.util.List;
 import org.xnio.Options;
 
 /**
@@ -39,17 +36,15 @@ public final class WebServer implements AutoCloseable {
    *
    * @param address address of this machine
    * @param port 1..65,535, or 0 for a free one
-   * @param rooms all rooms of the server
-   * @param network what the transport counts
+   * @param subject the server
    * @param page the live page, this server's to close from now on; null for none
    * @throws IOException if the port can't be opened; the message says what to do
    */
-  public WebServer(
-      InetAddress address, int port, List<Room> rooms, List<NetworkCounter> network, LivePage page)
+  public WebServer(InetAddress address, int port, WebSubject subject, LivePage page)
       throws IOException {
     this.page = page;
-    health = new Health(rooms, System::nanoTime);
-    metrics = new Metrics(rooms, network);
+    health = new Health(subject.rooms(), System::nanoTime);
+    metrics = new Metrics(subject);
     undertow =
         Undertow.builder()
             .addHttpListener(port, address.getHostAddress())
@@ -144,5 +139,6 @@ public final class WebServer implements AutoCloseable {
       page.close();
     }
     undertow.stop();
+    metrics.close();
   }
 }

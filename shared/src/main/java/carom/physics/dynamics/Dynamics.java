@@ -88,7 +88,7 @@ public final class Dynamics {
   private final BodyEditor editor;
   private final PartQueries queries;
 
-  /** Whether any joint ever could break. */
+  /** True once a joint could break. */
   private boolean breakable;
 
   private final ActiveBodies active = new ActiveBodies();

@@ -197,7 +197,16 @@ final class OperatorCommandsTest {
 
   @Test
   void explainsAndShowsFieldsAndSettings() {
-    assertTrue(ok("why Ann 0").startsWith("player=0 "));
+    String why = ok("why Ann 0");
+    assertTrue(why.matches("(?s)Entity 0 .* Ann.* \\([A-Z_]+\\)\\..*"), why);
+    assertTrue(
+        why.matches("(?s).*\nsent +\\d+ +last tick at which it was sent, \\d+ ticks? ago\n.*"),
+        why);
+    assertTrue(why.lines().allMatch(line -> line.length() < 80), why);
+    String nothing = ok("why Ann 400");
+    assertTrue(
+        nothing.startsWith("There is no entity 400, and Ann's client shows none (FREE)."), nothing);
+    assertTrue(nothing.contains("it was never sent"), nothing);
     assertTrue(fails("why Ann x").contains("ENTITY=x is no number"));
     assertTrue(ok("fields").contains("match."));
     assertTrue(ok("fields").lines().allMatch(line -> line.matches("match\\.\\S+=[^=]*")));

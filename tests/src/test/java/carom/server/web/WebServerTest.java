@@ -4,8 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.protocol.Protocol;
 import carom.net.transport.NetworkCounter;
 import carom.server.CaromMain;
+import carom.server.login.Logins;
 import carom.server.metrics.Counter;
 import carom.server.metrics.TurnStage;
 import carom.testkit.Stepper;
@@ -36,6 +38,7 @@ final class WebServerTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 
   private final HttpClient client = HttpClient.newHttpClient();
+  private final Logins logins = Logins.begin(System::nanoTime);
   private Stepper stepper;
   private WebServer web;
 
@@ -46,7 +49,11 @@ final class WebServerTest {
         List.of(
             new NetworkCounter("opened", "Links.", () -> 42),
             new NetworkCounter("errors", "Errors.", () -> 0));
-    web = new WebServer(LOOPBACK, 0, stepper.server().rooms(), network, null);
+    web = new WebServer(LOOPBACK, 0, subject(network), null);
+  }
+
+  private WebSubject subject(List<NetworkCounter> network) {
+    return new WebSubject("Carom", "1.2.3", stepper.server().rooms(), network, logins);
   }
 
   @AfterEach
@@ -159,11 +166,45 @@ final class WebServerTest {
   }
 
   @Test
+  void buildProcessAndFailedLoginsAreMetrics() throws Exception {
+    for (int i = 0; i < 3; i++) {
+      logins.rcon().wrong(LOOPBACK);
+    }
+    logins.page().wrong(LOOPBACK);
+    String text = get("/metrics").body();
+    String java = Runtime.version().toString();
+    assertTrue(
+        text.contains(
+            "carom_build_info{java=\"%s\",protocol=\"%d\",version=\"1.2.3\"} 1"
+                .formatted(java, Protocol.VERSION)),
+        text);
+    assertTrue(text.contains("carom_logins_failed_total{door=\"page\"} 1.0\n"), text);
+    assertTrue(text.contains("carom_logins_failed_total{door=\"rcon\"} 3.0\n"), text);
+    assertTrue(text.contains("# HELP carom_logins_failed_total Logins of operators"), text);
+    Matcher resident = Pattern.compile("\nprocess_resident_memory_bytes (\\S+)\n").matcher(text);
+    assertTrue(resident.find(), text);
+    double bytes = Double.parseDouble(resident.group(1));
+    boolean known = Files.exists(Path.of("/proc/self/status"));
+    assertTrue(known ? bytes > 20e6 && bytes < 20e9 : Double.isNaN(bytes), resident.group());
+  }
+
+  /** Waits for a pause to be told, which a thread of the JVM does soon after it. */
+  private String metricsAfterACollection() throws Exception {
+    String text;
+    do {
+      System.gc();
+      Thread.sleep(10);
+      text = get("/metrics").body();
+    } while (!text.contains("\njvm_gc_pause_seconds_sum{"));
+    return text;
+  }
+
+  @Test
   void theDashboardAsksForMetricsThatAreThere() throws Exception {
     stepper.run(1);
-    String metrics = get("/metrics").body();
+    String metrics = metricsAfterACollection();
     String dashboard = Files.readString(Path.of("..", "docs", "grafana.json"));
-    Matcher names = Pattern.compile("\\b(carom|jvm)_[a-z_]+\\b").matcher(dashboard);
+    Matcher names = Pattern.compile("\\b(carom|jvm|process)_[a-z_]+\\b").matcher(dashboard);
     int count = 0;
     while (names.find()) {
       assertTrue(metrics.matches("(?s).*\n" + names.group() + "[{ ].*"), names.group());
@@ -178,9 +219,7 @@ final class WebServerTest {
       IOException e =
           assertThrows(
               IOException.class,
-              () ->
-                  new WebServer(
-                      LOOPBACK, busy.getLocalPort(), stepper.server().rooms(), List.of(), null));
+              () -> new WebServer(LOOPBACK, busy.getLocalPort(), subject(List.of()), null));
       assertTrue(e.getMessage().contains("it is busy"), e.getMessage());
       assertTrue(e.getMessage().contains("--web-port, or --no-web"), e.getMessage());
     }

@@ -5,7 +5,7 @@ import carom.json.JsonException;
 import carom.server.command.CommandRegistry;
 import carom.server.command.CommandWords;
 import carom.server.console.LogTail;
-import carom.server.login.LoginThrottle;
+import carom.server.metrics.ProcessFigures;
 import carom.server.room.Room;
 import carom.server.threads.LastingThread;
 import io.undertow.server.HttpServerExchange;
@@ -50,7 +50,6 @@ public final class LivePage implements AutoCloseable {
   private final RequestGuard guard;
   private final PageFiles files = new PageFiles();
   private final Downloads downloads;
-  private final LoginThrottle throttle = new LoginThrottle(System::nanoTime);
   private final List<RoomHistory> histories;
   private final List<Room> rooms;
   private final List<RoomFeed> feeds;
@@ -69,7 +68,8 @@ public final class LivePage implements AutoCloseable {
     this.rooms = List.copyOf(rooms);
     guard = new RequestGuard(config.hosts());
     downloads = new Downloads(config.recordings(), System::nanoTime);
-    histories = rooms.stream().map(RoomHistory::new).toList();
+    ProcessFigures begin = ProcessFigures.now();
+    histories = rooms.stream().map(room -> new RoomHistory(room, begin)).toList();
     feeds = rooms.stream().map(RoomFeed::new).toList();
     clock = new ScheduledThreadPoolExecutor(1, daemon("carom-page"));
     clock.setRemoveOnCancelPolicy(true);
@@ -210,10 +210,10 @@ public final class LivePage implements AutoCloseable {
   }
 
   private void login(Viewer viewer, String secret) {
-    if (throttle.mustWait(viewer.address())) {
+    if (config.throttle().mustWait(viewer.address())) {
       viewer.send(PageJson.refused("too many wrong tries; wait a minute"));
     } else if (!config.secret().matches(secret)) {
-      throttle.wrong(viewer.address());
+      config.throttle().wrong(viewer.address());
       LOG.warn("page: a wrong token from {}", viewer.address().getHostAddress());
       viewer.send(PageJson.refused("wrong token"));
     } else {
@@ -286,7 +286,8 @@ public final class LivePage implements AutoCloseable {
     long nowNs = System.nanoTime();
     double seconds = Math.max(1e-3, (nowNs - sampledNs) / NS_PER_S);
     sampledNs = nowNs;
-    histories.forEach(history -> history.sample(seconds));
+    ProcessFigures process = ProcessFigures.now();
+    histories.forEach(history -> history.sample(seconds, process));
     if (viewers.isEmpty()) {
       return;
     }

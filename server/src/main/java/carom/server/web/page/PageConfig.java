@@ -2,6 +2,7 @@ package carom.server.web.page;
 
 import carom.server.command.CommandRegistry;
 import carom.server.console.LogTail;
+import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
 import java.nio.file.Path;
 import java.util.List;
@@ -13,6 +14,7 @@ import java.util.Set;
  * @param title name and version of the server
  * @param commands carried out for those who know the secret
  * @param secret what they must know
+ * @param throttle limits wrong secrets
  * @param log the log's last lines
  * @param recordings folders of recordings
  * @param strangersWatch whether rooms and charts are shown without the secret
@@ -23,6 +25,7 @@ public record PageConfig(
     String title,
     CommandRegistry commands,
     Secret secret,
+    LoginThrottle throttle,
     LogTail log,
     List<Path> recordings,
     boolean strangersWatch,

@@ -51,7 +51,6 @@ final class PageJson {
           g.writeStringField("title", config.title());
           g.writeBooleanField("admin", admin);
           g.writeBooleanField("watches", watches);
-          g.writeNumberField("heapMaxMb", Runtime.getRuntime().maxMemory() >> 20);
           if (!watches) {
             return;
           }
@@ -114,7 +113,11 @@ final class PageJson {
   private static void writeRow(JsonGenerator g, float[] row) throws IOException {
     g.writeStartArray();
     for (float value : row) {
-      g.writeNumber(Math.round(value * 1_000.0) / 1_000.0);
+      if (Float.isNaN(value)) {
+        g.writeNull();
+      } else {
+        g.writeNumber(Math.round(value * 1_000.0) / 1_000.0);
+      }
     }
     g.writeEndArray();
   }

@@ -2,10 +2,9 @@ package carom.server.web.page;
 
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.metrics.ProcessFigures;
 import carom.server.metrics.TurnStage;
 import carom.server.room.Room;
-import com.sun.management.OperatingSystemMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,6 +17,7 @@ final class RoomHistory {
 
   private static final double NS_PER_MS = 1e6;
   private static final double BITS_PER_KBIT = 125;
+  private static final double BYTES_PER_MB = 1 << 20;
   private static final TurnStage[] STAGES = TurnStage.values();
   private static final Counter[] GAUGES = {
     Counter.PLAYERS,
@@ -44,10 +44,11 @@ final class RoomHistory {
   private final long[] before = new long[Counter.values().length];
   private final long[] stagesBefore = new long[STAGES.length];
   private final ArrayDeque<float[]> rows = new ArrayDeque<>();
-  private long cpuNsBefore = processNs();
+  private long cpuNsBefore;
 
-  RoomHistory(Room room) {
+  RoomHistory(Room room, ProcessFigures begin) {
     this.room = room;
+    cpuNsBefore = begin.cpuNs();
     tickTimes = room.counters().tickReader();
     for (Counter counter : Counter.values()) {
       before[counter.ordinal()] = room.counters().get(counter);
@@ -61,7 +62,16 @@ final class RoomHistory {
   static List<String> columns() {
     List<String> names =
         new ArrayList<>(
-            List.of("heapMb", "cpuPercent", "ticks", "p50", "p99", "max", "inKbit", "outKbit"));
+            List.of(
+                "heapMb",
+                "residentMb",
+                "cpuPercent",
+                "ticks",
+                "p50",
+                "p99",
+                "max",
+                "inKbit",
+                "outKbit"));
     for (TurnStage stage : STAGES) {
       names.add(stage.name().toLowerCase(Locale.ROOT));
     }
@@ -78,18 +88,18 @@ final class RoomHistory {
    * Adds the row of the second that ends now.
    *
    * @param seconds its length
+   * @param process the process at its end
    */
-  void sample(double seconds) {
+  void sample(double seconds, ProcessFigures process) {
     Counters counters = room.counters();
     Counters.TickTimes times = tickTimes.take();
     long ticks = Math.max(1, times.count());
-    Runtime runtime = Runtime.getRuntime();
     float[] row = new float[columns().size()];
     int at = 0;
-    row[at++] = (runtime.totalMemory() - runtime.freeMemory()) / (float) (1 << 20);
-    long cpuNs = processNs();
-    row[at++] = (float) ((cpuNs - cpuNsBefore) / NS_PER_MS / 10 / seconds);
-    cpuNsBefore = cpuNs;
+    row[at++] = (float) (process.heapBytes() / BYTES_PER_MB);
+    row[at++] = (float) (process.residentBytes() / BYTES_PER_MB);
+    row[at++] = (float) ((process.cpuNs() - cpuNsBefore) / NS_PER_MS / 10 / seconds);
+    cpuNsBefore = process.cpuNs();
     row[at++] = (float) (times.count() / seconds);
     row[at++] = (float) (times.p50Ns() / NS_PER_MS);
     row[at++] = (float) (times.p99Ns() / NS_PER_MS);
@@ -111,13 +121,6 @@ final class RoomHistory {
     if (rows.size() > ROWS) {
       rows.remove();
     }
-  }
-
-  /** Returns the time that processors have worked for this process, ns; 0 if the JVM can't tell. */
-  private static long processNs() {
-    return ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
-        ? system.getProcessCpuTime()
-        : 0;
   }
 
   private long grown(Counters counters, Counter counter) {

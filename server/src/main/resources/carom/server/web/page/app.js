@@ -28,6 +28,10 @@ const charts = [
     {name: 'rest', label: 'rest', colour: 4}]},
   {title: 'Tick time', unit: 'ms', series: [
     {name: 'p50', label: 'median', colour: 3}, {name: 'p99', label: 'p99', colour: 2}, {name: 'max', label: 'longest', colour: 6}]},
+  {title: 'Processor', unit: '% of a core', series: [{name: 'cpuPercent', label: 'whole server', colour: 1}]},
+  {title: 'Memory', unit: 'MB', series: [
+    {name: 'residentMb', label: 'resident', colour: 1, help: 'memory of the machine that the server takes'},
+    {name: 'heapMb', label: 'heap', colour: 3, help: 'the part that Java objects take'}]},
   {title: 'Load', unit: '%', series: [
     {name: 'load_percent', label: 'of a tick\'s time, 95 %', colour: 1}, {name: 'pace_percent', label: 'pace of time', colour: 2}]},
   {title: 'Bandwidth', unit: 'kbit/s', series: [
@@ -42,8 +46,6 @@ const charts = [
     {name: 'ticks_late', label: 'ticks late', colour: 2}, {name: 'ticks_dropped', label: 'dropped', colour: 6},
     {name: 'snapshots_postponed', label: 'snapshots late', colour: 4}, {name: 'inputs_missing', label: 'inputs missing', colour: 5}]},
   {title: 'Page', unit: 'ms', series: [{name: 'picture', label: 'pictures, of each tick', colour: 5}]},
-  {title: 'Processor', unit: '% of a core', series: [{name: 'cpuPercent', label: 'whole server', colour: 1}]},
-  {title: 'Memory', unit: 'MB', series: [{name: 'heapMb', label: 'heap', colour: 1}]},
 ].map(each => new Chart($('charts'), each));
 
 function say(message) {

@@ -23,7 +23,8 @@ function short(value) {
 
 export class Chart {
   /**
-   * @param series [{name, label, colour: 1..6}]; `stacked` draws them on top of each other
+   * @param series [{name, label, colour: 1..6, help: text to show below the pointer, or none}];
+   *   `stacked` draws them on top of each other
    */
   constructor(parent, {title, unit, series, stacked}) {
     this.series = series;
@@ -43,6 +44,7 @@ export class Chart {
       entry.appendChild(document.createElement('i')).className = 'k' + each.colour;
       entry.append(each.label + ' ');
       each.entry = entry;
+      entry.title = each.help || '';
       return entry.appendChild(document.createElement('b'));
     });
     box.append(head, this.canvas, legend);
@@ -52,7 +54,7 @@ export class Chart {
     this.canvas.addEventListener('pointerleave', () => { this.hover = -1; this.draw(); });
   }
 
-  /** Shows rows of values, the last one of this second. */
+  /** Shows rows of values, the last one of this second; a value is null where it isn't known. */
   show(rows, columns) {
     this.rows = rows;
     this.at = this.series.map(each => columns.indexOf(each.name));
@@ -97,7 +99,7 @@ export class Chart {
     for (let s = this.series.length - 1; s >= 0; s--) {
       g.strokeStyle = g.fillStyle = colour('--c' + this.series[s].colour);
       g.beginPath();
-      values.forEach((each, i) => g.lineTo(x(i), y(each[s])));
+      values.forEach((each, i) => { if (rows[i][this.at[s]] !== null) g.lineTo(x(i), y(each[s])); });
       if (this.stacked && rows.length > 1) {
         g.lineTo(x(rows.length - 1), y(0)); g.lineTo(x(0), y(0)); g.fill();
       } else {
@@ -121,6 +123,6 @@ export class Chart {
       g.beginPath(); g.moveTo(x(i), PAD); g.lineTo(x(i), height - AXIS); g.stroke();
     }
     const row = rows[i];
-    this.values.forEach((value, s) => { value.textContent = row ? short(row[this.at[s]] || 0) : ''; });
+    this.values.forEach((value, s) => { value.textContent = !row ? '' : row[this.at[s]] === null ? '–' : short(row[this.at[s]] || 0); });
   }
 }

@@ -206,7 +206,7 @@ public final class BodyStore {
   /** Distance from the centre of mass that no point of the body exceeds, m. */
   public float[] reach = new float[FIRST_CAPACITY];
 
-  /** Whether any body ever had a locked axis; if not, nobody looks for some. */
+  /** True once a body had a locked axis. Until then, no stage looks for locks. */
   private boolean locks;
 
   private float[][] floats = gather();

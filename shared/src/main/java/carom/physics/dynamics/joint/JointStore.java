@@ -191,15 +191,15 @@ public final class JointStore {
   public float[] ratio = new float[FIRST_CAPACITY];
 
   /**
-   * Where A's length or angle counts from: of a pulley a point of the world, m; of a gear the
-   * rotation that counts as angle 0.
+   * Origin from which A's length or angle counts: of a pulley a point of the world, m; of a gear
+   * the rotation that counts as angle 0.
    */
   public float[] baseAx = new float[FIRST_CAPACITY];
 
   /** See {@link #baseAx}. */
   public float[] baseAy = new float[FIRST_CAPACITY];
 
-  /** Where B's length or angle counts from; see {@link #baseAx}. */
+  /** Origin from which B's length or angle counts; see {@link #baseAx}. */
   public float[] baseBx = new float[FIRST_CAPACITY];
 
   /** See {@link #baseBx}. */

@@ -54,7 +54,7 @@ public final class Sleeping {
   /** Changes whenever a body falls asleep or wakes. */
   private final Stamp stamp = new Stamp();
 
-  /** Whether callbacks run, in which bodies neither wake nor fall asleep. */
+  /** True while callbacks run, in which bodies neither wake nor fall asleep. */
   private boolean suspended;
 
   /** Makes the sleep of a world without bodies. */

@@ -413,9 +413,9 @@ public final class SolverBodies {
   }
 
   /**
-   * Does the second half: x += h v, and the rotation by the angle a = h w: (cos, sin) to the fourth
-   * order, then normalised; the error of the angle is below a^5 / 120, and no trigonometry is
-   * needed.
+   * Does the second half of a substep: x += h v, and the rotation by the angle a = h w. It computes
+   * (cos, sin) to the fourth order, then normalises; the error of the angle is below a^5 / 120, and
+   * no trigonometry is needed.
    *
    * <p>Constraints that were pulled far apart may ask for any speed here; what is absurd or not a
    * number is cut, so that it never gets into a pose.

@@ -78,7 +78,7 @@ public final class VectorBoxes extends BoxLanes {
   private static final int AXIS_X = CENTER_Y + LANES;
   private static final int AXIS_Y = AXIS_X + LANES;
 
-  /** The other box in the frame of the reference box. */
+  /** Place of the second box in the frame of the reference box. */
   private static final int OTHER_X = AXIS_Y + LANES;
 
   private static final int OTHER_Y = OTHER_X + LANES;

@@ -256,6 +256,14 @@ final class BrowserTest {
       assertNotEquals(dark, rgb(browser, "back"));
       assertEquals("true", browser.evaluate("document.querySelectorAll('.chart').length >= 6"));
       browser.await("[...document.querySelectorAll('.legend b')].every(e => e.textContent)");
+      assertEquals(
+          Files.exists(Path.of("/proc/self/status")) + " true",
+          browser.evaluate(
+              "(t => { const [resident, heap] = ['resident', 'heap'].map(n =>"
+                  + " parseFloat(t.split(n)[1])); return (resident > heap) + ' ' + (heap > 0);"
+                  + " })([...document.querySelectorAll('.chart')].find(c =>"
+                  + " c.querySelector('h3').textContent.startsWith('Memory')).innerText)"),
+          "the process takes more memory than its heap has objects");
       assertEquals(List.of(), browser.errors());
     }
   }

@@ -8,8 +8,10 @@ import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
 import carom.server.config.DataFolder;
 import carom.server.console.LogTail;
+import carom.server.login.Logins;
 import carom.server.login.Secret;
 import carom.server.web.WebServer;
+import carom.server.web.WebSubject;
 import carom.testkit.Stepper;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.IOException;
@@ -54,11 +56,13 @@ final class PageRig implements AutoCloseable {
     RoomCommands.add(commands, stepper.server().rooms(), data);
     AccessLists lists = new AccessLists(data, false, InstantSource.system());
     watch = AccessCommands.add(commands, lists, stepper.server().rooms());
+    Logins logins = Logins.begin(System::nanoTime);
     PageConfig config =
         new PageConfig(
             "Carom test",
             commands,
             Secret.of(data.adminToken()),
+            logins.page(),
             LogTail.begin(logging),
             List.of(data.recordings()),
             strangersWatch,
@@ -67,8 +71,7 @@ final class PageRig implements AutoCloseable {
         new WebServer(
             InetAddress.getLoopbackAddress(),
             0,
-            stepper.server().rooms(),
-            List.of(),
+            new WebSubject("Carom", "test", stepper.server().rooms(), List.of(), logins),
             new LivePage(config, stepper.server().rooms()));
     player = new Thread(this::play, "page-rig");
     player.start();

@@ -1,0 +1,24 @@
+package carom.server.web;
+
+import carom.net.transport.NetworkCounter;
+import carom.server.login.Logins;
+import carom.server.room.Room;
+import java.util.List;
+
+/**
+ * The server that the page and the metrics tell about. Immutable.
+ *
+ * @param name the server's name
+ * @param version the build's version
+ * @param rooms all rooms
+ * @param network what the transport counts
+ * @param logins where operators log in
+ */
+public record WebSubject(
+    String name, String version, List<Room> rooms, List<NetworkCounter> network, Logins logins) {
+  /** Copies the lists. */
+  public WebSubject {
+    rooms = List.copyOf(rooms);
+    network = List.copyOf(network);
+  }
+}
