@@ -14,9 +14,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Ends the sessions of a room whose time has come: the player leaves or is expelled, the link is
- * lost or silent, the grace period is over, or a newcomer needs the seat. The room's thread, but
- * for {@link #requests}.
+ * Ends the sessions of a room whose time has come. A session ends when the player leaves or is
+ * expelled, the link is lost or silent, the grace period is over, or a newcomer needs the seat. The
+ * room's thread, but for {@link #requests}.
  */
 final class Departures {
   private static final Logger LOG = LoggerFactory.getLogger(Departures.class);

@@ -34,8 +34,9 @@ import java.util.function.Function;
 import java.util.function.LongSupplier;
 
 /**
- * What an operator may ask of a room. Each command may be called from any thread but the room's. It
- * waits for the room's next turn, in which the room's thread carries it out, and answers in words.
+ * The commands that an operator may give to a room. Each command may be called from any thread but
+ * the room's. It waits for the room's next turn, in which the room's thread carries it out, and
+ * answers in words.
  */
 public final class OperatorCommands {
   /** Most commands that wait. */

@@ -27,7 +27,7 @@ public final class LoadWarnings {
   private final LogInterval postponed = new LogInterval();
   private final LogInterval slowed = new LogInterval();
 
-  /** When the last ticks were in which snapshots waited: a ring, the oldest at {@link #oldest}. */
+  /** Times of the last ticks in which snapshots waited: a ring, the oldest at {@link #oldest}. */
   private final long[] postponedAt;
 
   private int oldest;

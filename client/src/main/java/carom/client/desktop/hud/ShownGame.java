@@ -11,7 +11,7 @@ import com.badlogic.gdx.graphics.Color;
 import java.util.List;
 
 /**
- * What the game of the picture says of itself: its teams, their colours, its clock and gauges. Asks
+ * The picture's game as it describes itself: its teams, their colours, its clock and gauges. Asks
  * the game once, not in each picture. Render thread only.
  */
 public final class ShownGame {
