@@ -3,7 +3,9 @@ package carom.server.web;
 import carom.fuzz.FuzzTarget;
 import carom.server.command.CommandRegistry;
 import carom.server.console.LogTail;
+import carom.server.login.Logins;
 import carom.server.login.Secret;
+import carom.server.room.Room;
 import carom.server.web.page.LivePage;
 import carom.server.web.page.PageConfig;
 import carom.testkit.Stepper;
@@ -35,19 +37,22 @@ public final class WebTarget implements FuzzTarget {
 
   /** Starts a server with a page. It ends with the process. */
   public WebTarget() {
+    Logins logins = Logins.begin(System::nanoTime);
     PageConfig config =
         new PageConfig(
             "Carom test",
             new CommandRegistry(),
             Secret.random(),
+            logins.page(),
             LogTail.begin(new LoggerContext()),
             List.of(),
             true,
             Set.of("carom.example"));
     try {
       InetAddress loopback = InetAddress.getLoopbackAddress();
-      List<carom.server.room.Room> rooms = stepper.server().rooms();
-      WebServer web = new WebServer(loopback, 0, rooms, List.of(), new LivePage(config, rooms));
+      List<Room> rooms = stepper.server().rooms();
+      WebSubject subject = new WebSubject("Carom", "test", rooms, List.of(), logins);
+      WebServer web = new WebServer(loopback, 0, subject, new LivePage(config, rooms));
       port = URI.create(web.url()).getPort();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
