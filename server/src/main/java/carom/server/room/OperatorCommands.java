@@ -63,22 +63,14 @@ public final class OperatorCommands {
    * @param number number of the room
    * @param closed returns whether the room is closed
    */
-  OperatorCommands(
-      RoomContext room,
-      int number,
-      RoomSessions sessions,
-      Departures departures,
-      RoomRecording recording,
-      MatchChange changes,
-      LongSupplier clock,
-      BooleanSupplier closed) {
-    this.room = room;
+  OperatorCommands(RoomParts parts, int number, BooleanSupplier closed) {
+    room = parts.context;
     this.number = number;
-    this.sessions = sessions;
-    this.departures = departures;
-    this.recording = recording;
-    this.changes = changes;
-    this.clock = clock;
+    sessions = parts.sessions;
+    departures = parts.departures;
+    recording = parts.recording;
+    changes = parts.changes;
+    clock = parts.clock;
     this.closed = closed;
   }
 

@@ -155,10 +155,7 @@ public abstract class ContactColumns {
   /** The impulse against rolling that each row starts the next step with, N m s per substep. */
   public float[] roll;
 
-  /**
-   * Face at which the last search for the best face ended, by row. Changes no result, so it isn't
-   * saved.
-   */
+  /** Face where the last search ended, by row. Changes no result, so it isn't saved. */
   public int[] hint = new int[FIRST_CAPACITY];
 
   /** The manifolds of earlier steps. They change no result, so they aren't saved. */

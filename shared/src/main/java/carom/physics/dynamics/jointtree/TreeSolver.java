@@ -64,7 +64,7 @@ import carom.physics.dynamics.parallel.ParallelFor;
  *
  * <p>Nothing fills in, so a visit takes time in proportion to the joints. All that is added is
  * positive, hence mass ratios of a million cost no digits. Elimination is done once per substep,
- * when the lever arms change, and serves relaxing and the next push.
+ * when the lever arms change, and serves relaxing and the next biased impulses.
  *
  * <p><b>Pull.</b> A link under tension T swings about its own centre with the frequency {@code
  * sqrt(T l / I)}; beyond {@code 2 / h} no explicit step follows it, and a chain under 1,000 times
@@ -111,7 +111,7 @@ public final class TreeSolver {
   // The stages, made once so that a step allocates nothing.
   private final ParallelFor.Range measuring = (from, to, worker) -> measureTrees(from, to);
   private final ParallelFor.Range warming = (from, to, worker) -> warmTrees(from, to);
-  private final ParallelFor.Range pushing = (from, to, worker) -> pushTrees(from, to);
+  private final ParallelFor.Range biasing = (from, to, worker) -> biasTrees(from, to);
   private final ParallelFor.Range relaxing = (from, to, worker) -> relaxTrees(from, to);
 
   /** Makes a solver of these trees, which threads share. */
@@ -147,8 +147,8 @@ public final class TreeSolver {
   }
 
   /** Solves all joints before bodies move, with bias, which draws anchors together. */
-  public void push() {
-    parallel.run(0, trees.count, 1, pushing);
+  public void applyBiasedImpulses() {
+    parallel.run(0, trees.count, 1, biasing);
   }
 
   /** Solves all joints after bodies moved, rigid. */
@@ -169,7 +169,7 @@ public final class TreeSolver {
     }
   }
 
-  private void pushTrees(int from, int to) {
+  private void biasTrees(int from, int to) {
     for (int t = from; t < to; t++) {
       solve(t, true);
     }

@@ -218,7 +218,7 @@ public final class Sleeping {
     wake(joints.bodyB[joint]);
   }
 
-  /** Wakes what a moving kinematic body holds by joints, or may strike in a step of dt seconds. */
+  /** Wakes what a moving kinematic body holds by joints, or may hit in a step of dt seconds. */
   public void wakeDriven(int body, float dt) {
     if (!drives(body)) {
       return;

@@ -27,8 +27,8 @@ import java.util.Arrays;
  * whatever is added to it (which is zero). Moving bodies follow, see {@link SolverSlots}. Positions
  * are differences, so the solver works with small numbers wherever in the world it is.
  *
- * <p><b>Length.</b> Loading, integrating and storing read the same eight numbers per body, which
- * are declared here; each stage is a loop of its own, with its reasons.
+ * <p><b>Length.</b> One idea: the packed bodies of the solver. It stays whole, because loading,
+ * integrating and storing are loops over the same eight numbers of a body, which are declared here.
  */
 public final class SolverBodies {
   /** Floats per slot. */
