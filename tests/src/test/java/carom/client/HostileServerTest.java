@@ -495,6 +495,22 @@ final class HostileServerTest {
     assertDrawsFiniteNumbers();
   }
 
+  /** Plays on lists of near bodies that lack the own body, which each honest list has. */
+  @Test
+  void listsWithoutTheOwnBodyDespawnNothing() throws Exception {
+    startToPlay(
+        new ScriptedServer.Script() {
+          @Override
+          void own(ScriptedServer.Guest guest) {
+            if (guest.own.near.present()) {
+              guest.own.near.begin(0);
+            }
+          }
+        });
+    play(2);
+    assertDrawsFiniteNumbers();
+  }
+
   private void assertDrawsFiniteNumbers() {
     ClientView view = client.view();
     assertNotNull(view);

@@ -25,11 +25,12 @@ final class FuzzCorpusTest {
   @ParameterizedTest
   @MethodSource("targets")
   void whatAFuzzerFoundIsStillStood(String name) throws Exception {
-    FuzzTarget target = FuzzTargets.create(name);
     List<byte[]> inputs = FuzzTargets.inputs(name);
-    assertTrue(inputs.size() >= target.seeds().size() && !inputs.isEmpty(), "no inputs of " + name);
-    for (byte[] input : inputs) {
-      take(target, name, input);
+    try (FuzzTarget target = FuzzTargets.create(name)) {
+      assertTrue(inputs.size() >= target.seeds().size() && !inputs.isEmpty(), "none of " + name);
+      for (byte[] input : inputs) {
+        take(target, name, input);
+      }
     }
   }
 
@@ -39,11 +40,12 @@ final class FuzzCorpusTest {
     long seed = Long.getLong("carom.seed", System.nanoTime());
     System.out.println("fuzz target=" + name + " seed=" + seed);
     Random random = new Random(seed);
-    FuzzTarget target = FuzzTargets.create(name);
     List<byte[]> inputs = FuzzTargets.inputs(name);
-    long startNs = System.nanoTime();
-    for (int i = 0; i < MOST_DAMAGED && System.nanoTime() - startNs < MOST_NS; i++) {
-      take(target, name + ", seed=" + seed, damaged(inputs, random));
+    try (FuzzTarget target = FuzzTargets.create(name)) {
+      long startNs = System.nanoTime();
+      for (int i = 0; i < MOST_DAMAGED && System.nanoTime() - startNs < MOST_NS; i++) {
+        take(target, name + ", seed=" + seed, damaged(inputs, random));
+      }
     }
   }
 

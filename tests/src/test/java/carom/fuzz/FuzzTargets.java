@@ -68,8 +68,10 @@ final class FuzzTargets {
 
   /** Returns seeds and corpus of a target. */
   static List<byte[]> inputs(String name) throws Exception {
-    List<byte[]> all = new ArrayList<>(create(name).seeds());
-    all.addAll(corpus(name).values());
-    return all;
+    try (FuzzTarget target = create(name)) {
+      List<byte[]> all = new ArrayList<>(target.seeds());
+      all.addAll(corpus(name).values());
+      return all;
+    }
   }
 }

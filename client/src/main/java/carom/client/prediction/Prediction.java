@@ -36,9 +36,9 @@ import java.util.function.LongSupplier;
  *
  * <ol>
  *   <li>If an input of another player was mispredicted, a {@linkplain ReceivedRulings ruling} of
- *       the game came, or an {@linkplain carom.client.prediction.received.NearUpdate update} of exact states is complete, the
- *       simulation rolls back to the tick before. It applies the update and resimulates up to T
- *       with the real inputs and rulings.
+ *       the game came, or an {@linkplain carom.client.prediction.received.NearUpdate update} of
+ *       exact states is complete, the simulation rolls back to the tick before. It applies the
+ *       update and resimulates up to T with the real inputs and rulings.
  *   <li>If the hash of T is now the server's, T is right.
  *   <li>Otherwise the own body is corrected from the own section, and others from the quantised
  *       records where these disagree. The client reports that the hash differed, and the server

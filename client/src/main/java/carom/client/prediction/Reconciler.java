@@ -146,14 +146,15 @@ final class Reconciler {
   /**
    * Removes the entities that have left the predicted set at the state's tick. The update that says
    * since when may be lost, and the list is in each snapshot: so the loss costs nothing, unless one
-   * of them touched another in between.
+   * of them touched another in between. A list without the own body isn't an honest server's.
    *
    * @param from the tick of a rollback that has happened, or -1
    * @return the tick to replay from, or -1 if nothing has changed
    */
   private int leave(int from) {
     NearState near = server.near();
-    if (!near.present() || !timeline.isSaved(stateTick) || !timeline.hasMore(stateTick, near)) {
+    boolean isHonest = near.present() && near.lists(ownKey());
+    if (!isHonest || !timeline.isSaved(stateTick) || !timeline.hasMore(stateTick, near)) {
       return from;
     }
     if (timeline.tick() != stateTick) {

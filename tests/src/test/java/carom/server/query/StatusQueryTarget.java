@@ -74,6 +74,12 @@ public final class StatusQueryTarget implements FuzzTarget {
   }
 
   @Override
+  public void close() {
+    server.close();
+    stepper.close();
+  }
+
+  @Override
   public List<byte[]> seeds() {
     byte[] players = Arrays.copyOf(INFO, CHALLENGE_BYTES);
     players[CHALLENGE_AT - 1] = StatusQuery.PLAYERS;

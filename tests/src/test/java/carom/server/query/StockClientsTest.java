@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
@@ -91,8 +90,9 @@ final class StockClientsTest {
   void start() throws Exception {
     install();
     stepper = Stepper.of("arena");
-    stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
-    stepper.join("Zoë", Impairment.NONE, new Bot(Stepper.SEED));
+    // They stand still, so that the score stays 0.
+    stepper.join("Ann", Impairment.NONE, (view, tick, in) -> {});
+    stepper.join("Zoë", Impairment.NONE, (view, tick, in) -> {});
     stepper.run(2);
     StatusFacts facts =
         new StatusFacts("My server", "1.2", 54_555, 54_777, stepper.server().rooms());
@@ -120,6 +120,8 @@ final class StockClientsTest {
     if (play != null) {
       play.interrupt();
       play.join();
+    }
+    if (console != null) {
       console.close();
       query.close();
       stepper.close();

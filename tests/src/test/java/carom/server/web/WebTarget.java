@@ -33,9 +33,10 @@ public final class WebTarget implements FuzzTarget {
   private static final String FAILED = " 500 ";
 
   private final Stepper stepper = Stepper.of("arena");
+  private final WebServer web;
   private final int port;
 
-  /** Starts a server with a page. It ends with the process. */
+  /** Starts a server with a page. Close it in the end. */
   public WebTarget() {
     Logins logins = Logins.begin(System::nanoTime);
     PageConfig config =
@@ -52,7 +53,7 @@ public final class WebTarget implements FuzzTarget {
       InetAddress loopback = InetAddress.getLoopbackAddress();
       List<Room> rooms = stepper.server().rooms();
       WebSubject subject = new WebSubject("Carom", "test", rooms, List.of(), logins);
-      WebServer web = new WebServer(loopback, 0, subject, new LivePage(config, rooms));
+      web = new WebServer(loopback, 0, subject, new LivePage(config, rooms));
       port = URI.create(web.url()).getPort();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -67,6 +68,12 @@ public final class WebTarget implements FuzzTarget {
     if (!status.isEmpty() && (!status.startsWith("HTTP/1.") || status.contains(FAILED))) {
       throw new AssertionError("the web server answered: " + status);
     }
+  }
+
+  @Override
+  public void close() {
+    web.close();
+    stepper.close();
   }
 
   private String exchange(byte[] request) throws IOException {

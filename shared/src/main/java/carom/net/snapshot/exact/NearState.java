@@ -294,6 +294,16 @@ public final class NearState {
     return count;
   }
 
+  /** Returns whether the list has an entity, told by slot and generation. */
+  public boolean lists(int key) {
+    for (int i = 0; i < count; i++) {
+      if (keys[i] == key) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Returns the slot and generation of an entity: {@code slot | generation << 16}. */
   public int key(int index) {
     return keys[index];
