@@ -1,6 +1,7 @@
 package carom.physics.dynamics.jointtree;
 
 import static carom.physics.dynamics.jointtree.TreeRecords.A;
+import static carom.physics.dynamics.jointtree.TreeRecords.ACROSS;
 import static carom.physics.dynamics.jointtree.TreeRecords.ARM_AX;
 import static carom.physics.dynamics.jointtree.TreeRecords.ARM_AY;
 import static carom.physics.dynamics.jointtree.TreeRecords.ARM_BX;
@@ -13,8 +14,11 @@ import static carom.physics.dynamics.jointtree.TreeRecords.GAP_Y;
 import static carom.physics.dynamics.jointtree.TreeRecords.INERTIA;
 import static carom.physics.dynamics.jointtree.TreeRecords.INVERSE;
 import static carom.physics.dynamics.jointtree.TreeRecords.JOINT;
+import static carom.physics.dynamics.jointtree.TreeRecords.LENGTH;
 import static carom.physics.dynamics.jointtree.TreeRecords.MASS_X;
 import static carom.physics.dynamics.jointtree.TreeRecords.MASS_Y;
+import static carom.physics.dynamics.jointtree.TreeRecords.NX;
+import static carom.physics.dynamics.jointtree.TreeRecords.NY;
 import static carom.physics.dynamics.jointtree.TreeRecords.PX;
 import static carom.physics.dynamics.jointtree.TreeRecords.PY;
 import static carom.physics.dynamics.jointtree.TreeRecords.RAX;
@@ -55,6 +59,17 @@ import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
  * stiffness that the pull of the last substep gives it against turning (Tournier et al., "Stable
  * Constrained Dynamics", 2015), which makes the step implicit in that alone. Slower motions hardly
  * feel it.
+ *
+ * <p><b>Rods.</b> A rod is rigid in its direction n. Across it, in the direction t, its pull T at
+ * the length l resists the turning of n with the stiffness {@code T / l}, which is implicit
+ * likewise:
+ *
+ * <pre>
+ *   S^-1 = Jc A^-1 Jc' + c + t t' / k        k = h T / l, both sides in kg
+ * </pre>
+ *
+ * <p>For {@code k = 0} this is {@code S = n n' / (n' Jc A^-1 Jc' n + c)}. A rod that is pressed has
+ * no such stiffness: it may buckle.
  */
 final class TreeMatrices {
   /** Most gap between anchors that counts, m, as for all joints. */
@@ -70,6 +85,7 @@ final class TreeMatrices {
   private int[] bodyA;
   private int[] bodyB;
   private boolean[] childIsB;
+  private boolean[] rod;
 
   /** State of the bodies. */
   private float[] v = new float[0];
@@ -96,6 +112,7 @@ final class TreeMatrices {
     bodyA = records.bodyA;
     bodyB = records.bodyB;
     childIsB = records.childIsB;
+    rod = records.rod;
   }
 
   /** Finds lever arms and gaps with the bodies where they are now, and eliminates. */
@@ -161,12 +178,35 @@ final class TreeMatrices {
     double dy = d[at + GAP_Y] + ((double) v[b + DY] - v[a + DY]) + (by - ay);
     double far = Math.abs(dx) + Math.abs(dy);
     double rate = far > MAX_ERROR ? biasRate * MAX_ERROR / far : biasRate;
+    if (rod[i]) {
+      d[at + RAX] = ax;
+      d[at + RAY] = ay;
+      d[at + RBX] = bx;
+      d[at + RBY] = by;
+      findRod(at, dx, dy);
+      return;
+    }
     d[at + RAX] = far <= MAX_ERROR ? ax + dx : ax;
     d[at + RAY] = far <= MAX_ERROR ? ay + dy : ay;
     d[at + RBX] = bx;
     d[at + RBY] = by;
     d[at + BIAS_X] = rate * dx;
     d[at + BIAS_Y] = rate * dy;
+  }
+
+  /** Finds a rod's direction and bias, and how much its pull resists turning. */
+  private void findRod(int at, double dx, double dy) {
+    double[] d = joint;
+    double length = Math.sqrt(dx * dx + dy * dy);
+    records.point(at, dx, dy, length);
+    double nx = d[at + NX];
+    double ny = d[at + NY];
+    double error = length - d[at + LENGTH];
+    double bias = biasRate * Math.max(-MAX_ERROR, Math.min(error, MAX_ERROR));
+    d[at + BIAS_X] = bias * nx;
+    d[at + BIAS_Y] = bias * ny;
+    double pull = -(d[at + PX] * nx + d[at + PY] * ny);
+    d[at + ACROSS] = pull > 0 && length > TreeRecords.LEAST_LENGTH ? h * pull / length : 0;
   }
 
   /** Finds how heavy a joint's child is, with all that hangs on it, and adds it to the parent. */
@@ -190,14 +230,18 @@ final class TreeMatrices {
       xy += m[of + INVERSE + 1] + rx * xw - ry * (yw + rx * ww);
       yy += m[of + INVERSE + 3] + rx * (2 * yw + rx * ww);
     }
-    double determinant = xx * yy - xy * xy;
-    double inverse = determinant > 0 ? 1 / determinant : 0;
-    double sxx = yy * inverse;
-    double sxy = -xy * inverse;
-    double syy = xx * inverse;
-    d[at + SXX] = sxx;
-    d[at + SXY] = sxy;
-    d[at + SYY] = syy;
+    if (rod[i]) {
+      findRodMatrix(at, xx, xy, yy);
+    } else {
+      double determinant = xx * yy - xy * xy;
+      double inverse = determinant > 0 ? 1 / determinant : 0;
+      d[at + SXX] = yy * inverse;
+      d[at + SXY] = -xy * inverse;
+      d[at + SYY] = xx * inverse;
+    }
+    double sxx = d[at + SXX];
+    double sxy = d[at + SXY];
+    double syy = d[at + SYY];
     int p = trees.parent[i];
     if (p >= 0) {
       int of = p * BODY + A;
@@ -212,6 +256,25 @@ final class TreeMatrices {
       m[of + 4] += yw;
       m[of + 5] += rx * yw - ry * xw;
     }
+  }
+
+  /** Finds the matrix S of a rod, which is rigid along itself, and yields across by its pull. */
+  private void findRodMatrix(int at, double xx, double xy, double yy) {
+    double[] d = joint;
+    double nx = d[at + NX];
+    double ny = d[at + NY];
+    double across = d[at + ACROSS];
+    double nn = nx * (xx * nx + xy * ny) + ny * (xy * nx + yy * ny);
+    double nt = nx * (xy * nx - xx * ny) + ny * (yy * nx - xy * ny);
+    double tt = ny * (xx * ny - xy * nx) + nx * (yy * nx - xy * ny);
+    double determinant = nn + across * (nn * tt - nt * nt);
+    double inverse = determinant > 0 ? 1 / determinant : 0;
+    double snn = (1 + across * tt) * inverse;
+    double snt = -across * nt * inverse;
+    double stt = across * nn * inverse;
+    d[at + SXX] = snn * nx * nx - 2 * snt * nx * ny + stt * ny * ny;
+    d[at + SXY] = snn * nx * ny + snt * (nx * nx - ny * ny) - stt * nx * ny;
+    d[at + SYY] = snn * ny * ny + 2 * snt * nx * ny + stt * nx * nx;
   }
 
   /** Inverts the matrix A of a body. */

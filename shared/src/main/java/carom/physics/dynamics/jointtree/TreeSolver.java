@@ -7,6 +7,8 @@ import static carom.physics.dynamics.jointtree.TreeRecords.INVERSE;
 import static carom.physics.dynamics.jointtree.TreeRecords.JOINT;
 import static carom.physics.dynamics.jointtree.TreeRecords.MASS_X;
 import static carom.physics.dynamics.jointtree.TreeRecords.MASS_Y;
+import static carom.physics.dynamics.jointtree.TreeRecords.NX;
+import static carom.physics.dynamics.jointtree.TreeRecords.NY;
 import static carom.physics.dynamics.jointtree.TreeRecords.PX;
 import static carom.physics.dynamics.jointtree.TreeRecords.PY;
 import static carom.physics.dynamics.jointtree.TreeRecords.QX;
@@ -30,9 +32,9 @@ import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.parallel.ParallelFor;
 
 /**
- * Solves the points of {@linkplain JointTrees trees} of revolute joints directly: after a visit all
- * of a tree's joints hold at once, whatever hangs on them. Solved one by one, a load is noticed by
- * one more joint per visit, and a joint is a spring that is as weak as its bodies are light.
+ * Solves the points and lengths of {@linkplain JointTrees trees} of joints directly: after a visit
+ * all of a tree's joints hold at once, whatever hangs on them. Solved one by one, a load is noticed
+ * by one more joint per visit, and a joint is a spring that is as weak as its bodies are light.
  *
  * <p><b>Equations.</b> With the masses M, the joints' matrix J and the speeds e at which anchors
  * part too fast, the change of velocities u and the impulses p are
@@ -44,6 +46,10 @@ import carom.physics.dynamics.parallel.ParallelFor;
  * <p><b>Softness.</b> What is held at several places may be held too tightly, and no impulses solve
  * that: there c is {@value TreeRecords#CLOSED_SOFTNESS} of the inverse masses of a joint's bodies,
  * and acts on the sum of a substep's impulses. A tree held once is always solvable, and rigid.
+ *
+ * <p><b>Warm start.</b> A tree of hinges starts with the impulses of the last substep. The pull of
+ * a rod couples its two bodies ({@link TreeMatrices}), and old impulses would need an elimination
+ * of their own. So a tree with rods is solved at the warm start, too.
  *
  * <p>Numbers are doubles, the order of sums is that of the lists; so vectors, threads and the
  * places of bodies change no bit. Limits, motors and springs of these joints are rows as always,
@@ -123,10 +129,25 @@ public final class TreeSolver {
   }
 
   private void warmTrees(int from, int to) {
-    double[] d = joint;
-    for (int i = trees.start[from]; i < trees.start[to]; i++) {
-      applyImpulse(i, d[i * JOINT + PX], d[i * JOINT + PY]);
+    for (int t = from; t < to; t++) {
+      if (records.hasRods[t]) {
+        solveAnew(t);
+        continue;
+      }
+      double[] d = joint;
+      for (int i = trees.start[t]; i < trees.start[t + 1]; i++) {
+        applyImpulse(i, d[i * JOINT + PX], d[i * JOINT + PY]);
+      }
     }
+  }
+
+  /** Forgets the impulses of a tree, and finds those that hold its joints. */
+  private void solveAnew(int t) {
+    for (int i = trees.start[t]; i < trees.start[t + 1]; i++) {
+      joint[i * JOINT + PX] = 0;
+      joint[i * JOINT + PY] = 0;
+    }
+    solve(t, false);
   }
 
   private void pushTrees(int from, int to) {
@@ -199,6 +220,11 @@ public final class TreeSolver {
     }
     ex += d[at + SOFT] * d[at + PX];
     ey += d[at + SOFT] * d[at + PY];
+    if (records.rod[i]) {
+      double along = ex * d[at + NX] + ey * d[at + NY];
+      ex = along * d[at + NX];
+      ey = along * d[at + NY];
+    }
     int c = trees.child[i];
     double sign = childIsB[i] ? 1 : -1;
     if (c >= 0) {
