@@ -3,7 +3,7 @@ package carom.client;
 import carom.net.protocol.InputDatagram;
 import java.util.Locale;
 
-/** What a client simulates ahead of the server. */
+/** The things that a client simulates ahead of the server. */
 public enum PredictionMode {
   /** Nothing. The own body is interpolated like all others; for spectators and cheap bots. */
   NONE,

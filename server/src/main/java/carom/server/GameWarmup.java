@@ -23,7 +23,7 @@ import carom.sim.level.Level;
 import java.util.function.Supplier;
 
 /**
- * Warms up a server before it opens: plays the game for a moment in virtual time, with a few
+ * Warms up a server before it opens. It plays the game for a moment in virtual time, with a few
  * clients inside this process, so that the JVM has loaded and compiled what a tick and a join need.
  * Without it, the first player of a fresh server on a busy machine waits up to several hundred
  * milliseconds.

@@ -4,7 +4,6 @@ import carom.physics.Collision;
 import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.Game;
-import carom.sim.MatchClock;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
@@ -14,6 +13,7 @@ import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
 import carom.sim.gauge.Gauge;
 import carom.sim.level.Level;
+import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
@@ -54,7 +54,7 @@ public final class GuardedGame implements Game {
     R ask(Game game, Simulation s, S subject, A argument);
   }
 
-  /** What a player is told whose request made the game fail. */
+  /** Answer to a player whose request made the game fail. */
   private static final String FAILED = "That is not possible now.";
 
   private static final Question<Entity, Object, Audience> AUDIENCE =

@@ -38,7 +38,7 @@ public final class Json {
     BOOLEAN("true or false"),
     NULL("null");
 
-    /** What people call it. */
+    /** Name of the kind for people. */
     public final String words;
 
     Kind(String words) {

@@ -1,8 +1,9 @@
 package carom.physics;
 
 /**
- * What happened in the last step of a world, as lists to read after it: an alternative to {@link
- * CollisionListener} and {@link JointListener} for programs that don't want to be called back.
+ * The events of a world's last step as lists, to be read after the step. They are an alternative to
+ * {@link CollisionListener} and {@link JointListener} for programs that don't want to be called
+ * back.
  *
  * <pre>
  *   EventLists&lt;T&gt; events = new EventLists&lt;&gt;();

@@ -18,8 +18,8 @@ import carom.physics.math.Trig;
  * <p>A new value acts from the next step on, and wakes the bodies if it differs from the old one.
  * Joints are solved in the order of their indices.
  *
- * <p><b>Length.</b> The class has one getter or setter per property of a joint, each with its unit
- * and range; none of them is longer than a few lines.
+ * <p><b>Length.</b> One idea: the properties of a joint, each a getter and a setter of a few lines
+ * with its unit and range. It stays whole, because users look for every property of a joint here.
  *
  * @param <T> the user's type of {@link Body#user()}
  */

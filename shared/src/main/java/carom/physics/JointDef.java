@@ -17,8 +17,9 @@ import carom.physics.math.Trig;
  *   world.createJoint(JointDef.revolute(car, flap, 2, 1).limits(-0.5f, 0.5f).motor(1, 20))
  * </pre>
  *
- * <p><b>Length.</b> The class has one short method per type and per property of a joint, each with
- * its unit and range.
+ * <p><b>Length.</b> One idea: the definition of a joint, with one short method per type and
+ * property, its unit and its range. It stays whole, because users chain these calls, and the type
+ * decides which properties are allowed.
  *
  * @param <T> the user's type of {@link Body#user()}
  */
@@ -270,7 +271,7 @@ public final class JointDef<T> {
    * Makes the definition of a friction joint, which resists all motion of B relative to A, as drag
    * on a table seen from above does. It pulls B to no place.
    *
-   * @param bodyA what B rubs against, or null for the world
+   * @param bodyA the body against which friction acts on B, or null for the world
    * @param bodyB the body that is slowed down
    * @param x x of the point of B at which the force acts, m, world
    * @param y y of that point, m, world
@@ -424,9 +425,9 @@ public final class JointDef<T> {
   }
 
   /**
-   * Limits the coordinate: the angle of a revolute joint (rad, within 1e4; beyond pi full turns are
-   * counted), the distance of a distance joint, the translation of a prismatic or wheel joint, the
-   * length of a pulley (m).
+   * Limits the coordinate of the joint. That is the angle of a revolute joint (rad, within 1e4;
+   * beyond pi full turns are counted), the distance of a distance joint, the translation of a
+   * prismatic or wheel joint, or the length of a pulley (m).
    *
    * @param newLower lower limit
    * @param newUpper upper limit, not below the lower one

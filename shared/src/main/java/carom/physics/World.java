@@ -40,9 +40,10 @@ import java.util.function.IntFunction;
  * order give equal bits on every JVM, and {@link #stateHash} proves it. Only one thread may use a
  * world at a time. A steady {@link #step} allocates nothing.
  *
- * <p><b>Length.</b> The class has one method per operation of a world; half of it is doc comments.
- * The work is elsewhere: {@code dynamics} steps, {@link Queries} answers, {@code EditQueue} changes
- * bodies, {@code Handles} keeps their objects.
+ * <p><b>Length.</b> One idea: the face of a world, with one short method per operation. It stays
+ * whole, because users look for every operation here. The work is elsewhere: {@code dynamics}
+ * steps, {@link Queries} answers, {@code EditQueue} changes bodies, {@code Handles} keeps their
+ * objects.
  *
  * @param <T> the type of the objects that bodies stand for in the using program, see {@link
  *     Body#user()}
@@ -57,7 +58,7 @@ public final class World<T> {
 
   private static final JointType[] JOINT_TYPES = JointType.values();
 
-  /** Why a recorder and a collision filter exclude each other, and what to do. */
+  /** Text that says why a recorder and a collision filter exclude each other, and what to do. */
   private static final String INSTEAD =
       "its answers are no calls; set a Filter on shapes, or return false from preSolve";
 
@@ -84,7 +85,7 @@ public final class World<T> {
 
   private float stepSeconds;
 
-  /** Whether the program decides which shapes meet. */
+  /** True if the program decides which shapes meet. */
   private boolean filtered;
 
   /** Records calls that change this world; null (the default) records nothing. */

@@ -31,7 +31,7 @@ public final class Recorder implements Journal {
   public static final int STATE_SECONDS = 60;
 
   /**
-   * How often the parts of a recording are written.
+   * Intervals at which the parts of a recording are written.
    *
    * @param blocksPerSecond blocks of ticks in a second, 1..10. A process that is killed loses less
    *     than one block, besides what waits for the disk

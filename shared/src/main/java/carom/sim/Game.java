@@ -12,6 +12,7 @@ import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
 import carom.sim.gauge.Gauge;
 import carom.sim.level.Level;
+import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;

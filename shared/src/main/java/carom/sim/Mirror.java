@@ -14,9 +14,9 @@ import carom.sim.spawn.Origin;
 import carom.sim.spawn.OwnSpawns;
 
 /**
- * What a client's simulation takes over from the server: its tick, players, entities and joints
- * under the server's ids, and what the server says of its rules. For {@link Role#PREDICTION} only.
- * One thread.
+ * Takes over from the server what a client's simulation can't compute: its tick, players, entities
+ * and joints under the server's ids, and what the server says of its rules. For {@link
+ * Role#PREDICTION} only. One thread.
  */
 public final class Mirror {
   private final SimParts parts;

@@ -6,8 +6,8 @@ import carom.sim.entity.PlayerTable;
 import carom.sim.message.PlayerRole;
 
 /**
- * Who comes, goes, and changes between playing and watching, what the game is told of it, and what
- * goes with a player who leaves.
+ * Lets participants come, go, and change between playing and watching. It tells the game, and
+ * removes what goes with a player who leaves.
  */
 final class Participants {
   private final Simulation simulation;
@@ -15,7 +15,7 @@ final class Participants {
   private final PlayerTable players;
   private final Spawner spawner;
 
-  /** How many calls of {@link Game#join} and {@link Game#leave} are on the stack. */
+  /** Number of calls of {@link Game#join} and {@link Game#leave} on the stack. */
   private int inGame;
 
   /** The player who is becoming a spectator; null mostly. */

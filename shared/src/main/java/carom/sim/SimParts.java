@@ -36,7 +36,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a simulation consists of: its state, and what it was made with.
+ * The parts of a simulation: its state, and what it was made with.
  *
  * <pre>
  *   Simulation, the face ──► Tick, Participants, Mirror ──► Spawner ──► SimParts
@@ -82,22 +82,22 @@ final class SimParts {
   final Findings findings = new Findings();
   final InterferenceLog interference;
 
-  /** What notes how the game uses its fields; null on PREDICTION. */
+  /** Notes how the game uses its fields; null on PREDICTION. */
   final FieldUse fieldUse;
 
   /** The tick of the present state, or during a step the tick being computed. */
   int tick;
 
-  /** Whether a step runs. */
+  /** True while a step runs. */
   boolean inTick;
 
   /** Receive what enters. */
   final Journals journals = new Journals();
 
-  /** What is known of the server's rules, on PREDICTION; may be null. */
+  /** The client's knowledge of the server's rules, on PREDICTION; may be null. */
   Rulings rulings;
 
-  /** What is known of the entities that the own player's input spawned, on PREDICTION. */
+  /** The client's knowledge of the entities that the own player's input spawned, on PREDICTION. */
   OwnSpawns ownSpawns;
 
   /** Creates the parts of a simulation whose world is empty. */

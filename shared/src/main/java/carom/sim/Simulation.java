@@ -14,6 +14,8 @@ import carom.sim.entity.Player;
 import carom.sim.entity.PlayerTable;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
+import carom.sim.field.Countdown;
+import carom.sim.field.Field;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
@@ -26,6 +28,7 @@ import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
+import carom.sim.match.MatchClock;
 import carom.sim.match.NextMatch;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind;
@@ -39,6 +42,7 @@ import carom.sim.pool.Pools;
 import carom.sim.random.SimRandom;
 import carom.sim.ruling.InterferenceLog;
 import carom.sim.spawn.Origin;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
@@ -59,8 +63,8 @@ import java.util.List;
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
  *
- * <p><b>Length.</b> This is what games call, in one place: documentation, and methods of one line.
- * What they do is in the parts.
+ * <p><b>Length.</b> One idea: what games call, in methods of one line. It stays whole, because
+ * games hold this one object and look for every call here. What the calls do is in the parts.
  */
 public final class Simulation extends FieldHolder<Entity, Player> {
   /** Most players at a time; ids are 0..1,023. */
@@ -112,7 +116,11 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /** Returns the schema of a game: its fields and those of its {@linkplain Game#clock clock}. */
   public static Schema schemaOf(Game game) {
-    return Schema.of(MatchClock.fieldsOf(game));
+    List<Field<?>> fields = new ArrayList<>(game.fields());
+    if (game.clock() != null) {
+      fields.addAll(MatchClock.fields());
+    }
+    return Schema.of(fields);
   }
 
   /**
@@ -182,7 +190,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /** Returns a time in ticks, rounded, and at least 1. */
   public int ticks(float seconds) {
-    return Math.max(1, Math.round(seconds * parts.tickRate));
+    return Countdown.ticks(seconds, parts.tickRate);
   }
 
   /** Returns whether the simulation decides or predicts. */
@@ -446,6 +454,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   /** Returns whether there are players, and all of them are {@linkplain Player#isReady ready}. */
   public boolean allReady() {
     return parts.players.allReady();
+  }
+
+  /** Returns the player with the highest score, or null if several have it. */
+  public Player leader() {
+    parts.calls.requireOutsideForces("leader");
+    return parts.players.leader();
   }
 
   /** Returns the player that owns an entity, or null. */

@@ -17,8 +17,8 @@ import carom.sim.message.PlayerRole;
 import java.util.List;
 
 /**
- * What every game does with the messages that every game has: chat, emotes, and what a participant
- * asks of the roster. A request that isn't granted is answered in words, to the player who asked.
+ * Handles the messages that every game has: chat, emotes, and what a participant asks of the
+ * roster. A request that isn't granted is answered in words, to the player who asked.
  */
 final class Talk {
   private Talk() {}

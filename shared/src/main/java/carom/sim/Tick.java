@@ -12,6 +12,8 @@ import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.field.FieldStore;
 import carom.sim.level.Archetype;
+import carom.sim.match.MatchClock;
+import carom.sim.match.MatchPhase;
 import carom.sim.message.Message;
 import carom.sim.message.WaitingMessages;
 import carom.sim.pool.Pools;
@@ -66,7 +68,7 @@ final class Tick {
   void beginClock() {
     clock = game.clock();
     if (clock != null) {
-      clock.setUp(simulation);
+      clock.setUp(simulation, parts.tickRate);
     }
   }
 
@@ -116,12 +118,23 @@ final class Tick {
       parts.received.clear();
       during("beforeStep");
       if (clock != null) {
-        clock.beforeStep(simulation);
+        followClock();
       }
       game.beforeStep(simulation);
       parts.interference.endRulesBeforeStep(parts.tick);
     } else if (parts.rulings != null) {
       parts.rulings.beforeStep();
+    }
+  }
+
+  /** Tells the game of the phase that begins, and asks for the next match when this one is done. */
+  private void followClock() {
+    MatchPhase begins = clock.beforeStep(simulation, parts.players, parts.tickRate);
+    if (begins != null) {
+      game.phase(simulation, begins);
+    }
+    if (clock.isDone(simulation, parts.players)) {
+      simulation.playNext(clock.next());
     }
   }
 

@@ -204,7 +204,7 @@ final class ArchitectureTest {
         "carom.sim.pool");
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.finding");
-    allow("carom.sim.match");
+    allow("carom.sim.match", "carom.sim.entity", "carom.sim.event", "carom.sim.field");
     allow("carom.sim.random");
     allow("carom.sim.spawn");
     allow(

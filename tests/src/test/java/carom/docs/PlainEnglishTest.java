@@ -23,8 +23,9 @@ final class PlainEnglishTest {
   /** Words that the glossary replaces, and forms that made sentences hard to read. */
   private static final Pattern OLD_WORDS =
       Pattern.compile(
-          "(?i)whoever|\\bof whom\\b|foresee|\\btellStruck|\\bfurnish|\\bis to be\\b(?!"
-              + " able)|\\bthat that\\b|isWished|forgetWished|\\bstrike\\(");
+          "(?i)whoever|\\bwhom\\b|foresee|\\btellStruck|\\bfurnish|\\bis to be\\b(?! able)|\\bthat"
+              + " that\\b|\\bwish|wished|\\bstrikes?\\b|\\burg(e|es|ed|ing)\\b|\\brub(s|bed|bing)?\\b"
+              + "|unsure|Solver\\.push\\(|lanes\\.push\\(|scalar\\.push\\(|push(Blocks|Trees)");
 
   private static final Pattern DOC_COMMENT =
       Pattern.compile(

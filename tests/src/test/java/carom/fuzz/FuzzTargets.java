@@ -1,5 +1,11 @@
 package carom.fuzz;
 
+import carom.client.discovery.StatusAnswerTarget;
+import carom.server.access.JoinTokenTarget;
+import carom.server.checkpoint.SavedRoomTarget;
+import carom.server.query.RemoteConsoleTarget;
+import carom.server.query.StatusQueryTarget;
+import carom.server.web.WebTarget;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
@@ -22,6 +28,13 @@ final class FuzzTargets {
     TARGETS.put("packed-level", PackedLevelTarget::new);
     TARGETS.put("recording", RecordingTarget::new);
     TARGETS.put("session", SessionTarget::new);
+    TARGETS.put("link", LinkTarget::new);
+    TARGETS.put("status-answer", StatusAnswerTarget::new);
+    TARGETS.put("status-query", StatusQueryTarget::new);
+    TARGETS.put("rcon", RemoteConsoleTarget::new);
+    TARGETS.put("join-token", JoinTokenTarget::new);
+    TARGETS.put("seats", SavedRoomTarget::new);
+    TARGETS.put("web", WebTarget::new);
   }
 
   private FuzzTargets() {}

@@ -22,7 +22,7 @@ final class LevelTarget implements FuzzTarget {
     try {
       level = Level.parse("fuzz.json", data);
     } catch (LevelException e) {
-      printable(e.getMessage());
+      FuzzTarget.requirePrintable(e.getMessage());
       return;
     }
     if (level.statics().size() + level.bodies().size() > SMALL) {
@@ -32,17 +32,11 @@ final class LevelTarget implements FuzzTarget {
     try {
       simulation = new Simulation(new PlainGame("plain"), level, 1, 60, Role.AUTHORITY);
     } catch (IllegalArgumentException e) {
-      printable(e.getMessage());
+      FuzzTarget.requirePrintable(e.getMessage());
       return;
     }
     simulation.step();
     simulation.step();
-  }
-
-  private static void printable(String text) {
-    if (text.chars().anyMatch(c -> c < ' ')) {
-      throw new AssertionError("an error has control characters: " + text);
-    }
   }
 
   @Override

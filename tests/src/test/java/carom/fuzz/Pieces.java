@@ -5,17 +5,18 @@ import java.util.Arrays;
 import java.util.List;
 
 /** Inputs that hold several pieces: each has a byte of kind, two of its length, and its bytes. */
-final class Pieces {
+public final class Pieces {
   private final byte[] data;
   private int at;
   private int kind;
 
-  Pieces(byte[] data) {
+  /** Begins with the first piece of an input. */
+  public Pieces(byte[] data) {
     this.data = data;
   }
 
   /** Returns the next piece, cut off where the input ends, or null after the last. */
-  byte[] next() {
+  public byte[] next() {
     if (data.length - at < 3) {
       return null;
     }
@@ -27,12 +28,12 @@ final class Pieces {
   }
 
   /** Returns the kind of the piece that {@link #next} returned, 0..255. */
-  int kind() {
+  public int kind() {
     return kind;
   }
 
   /** Adds a piece to an input. Of a piece above 65,535 bytes only these are taken. */
-  static void add(ByteArrayOutputStream out, int kind, byte[] bytes) {
+  public static void add(ByteArrayOutputStream out, int kind, byte[] bytes) {
     int length = Math.min(bytes.length, 0xffff);
     out.write(kind);
     out.write(length >> 8);
@@ -41,7 +42,7 @@ final class Pieces {
   }
 
   /** Returns an input of pieces of kind 0. */
-  static byte[] of(List<byte[]> pieces) {
+  public static byte[] of(List<byte[]> pieces) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     pieces.forEach(piece -> add(out, 0, piece));
     return out.toByteArray();

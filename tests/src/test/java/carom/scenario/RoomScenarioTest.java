@@ -80,7 +80,7 @@ class RoomScenarioTest {
       assertEquals("platformer", ann.view().game());
       assertEquals("jump", ann.view().room());
       assertEquals("arena", bob.view().game());
-      assertEquals("cup", matched.view().room(), "the room that plays the wished game");
+      assertEquals("cup", matched.view().room(), "the room that plays the requested game");
       assertEquals("cup", noSuchGame.view().room(), "the fullest, if no room plays the game");
       assertTrue(ann.compared() > 50 && bob.compared() > 50, stepper.describe());
     }

@@ -271,7 +271,7 @@ class CheckpointTest {
   }
 
   @Test
-  void theRotationGoesOnWhereItWasAndAWishedMatchIsNotForgotten() throws Exception {
+  void theRotationGoesOnWhereItWasAndARequestedMatchIsNotForgotten() throws Exception {
     List<String> levels = List.of("arena", "platformer", "commons");
     KeptServer kept =
         new KeptServer(MatchLibrary.INSTALLED, levels, folder.resolve("kept0"), START_NS);

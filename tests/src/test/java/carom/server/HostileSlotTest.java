@@ -5,8 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.replay.RecordingReader;
 import carom.server.metrics.Counter;
+import carom.sim.SimState;
 import carom.testkit.Folders;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -15,10 +20,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.slf4j.LoggerFactory;
 
 /**
  * Goal: no damage to a slot's files starts a wrong world or stops the start. Method: two slots of a
@@ -35,6 +42,10 @@ class HostileSlotTest {
         "spawns": [ { "name": "player", "at": [0, 0] } ]
       }
       """;
+
+  private static final int SUM_AT = 12;
+  private static final int BODY_AT = 20;
+  private static final int LAYOUT_AT = 28;
 
   @TempDir Path folder;
 
@@ -163,5 +174,42 @@ class HostileSlotTest {
     assertTrue(begin(newer + ".log", log, "older log") <= newerTick);
     byte[] seats = Files.readAllBytes(original.resolve(older + ".seats"));
     assertTrue(begin(newer + ".seats", seats, "older seats") <= newerTick);
+  }
+
+  /** Returns a file of seats with another number of the state's layout, under a right checksum. */
+  private static byte[] withLayout(byte[] seats, int layout) {
+    byte[] bytes = seats.clone();
+    ByteBuffer file = ByteBuffer.wrap(bytes);
+    assertEquals(SimState.LAYOUT, file.getInt(LAYOUT_AT));
+    file.putInt(LAYOUT_AT, layout);
+    CRC32 sum = new CRC32();
+    sum.update(bytes, BODY_AT, bytes.length - BODY_AT);
+    file.putLong(SUM_AT, sum.getValue());
+    return bytes;
+  }
+
+  @Test
+  void aNewestSlotOfAnotherLayoutMeansTheSlotBefore() throws IOException {
+    String name = newer + ".seats";
+    byte[] whole = Files.readAllBytes(original.resolve(name));
+    int unchanged = begin(name, withLayout(whole, SimState.LAYOUT), "the present layout");
+    assertTrue(unchanged > newerTick, "tick=" + unchanged);
+    for (int layout : new int[] {SimState.LAYOUT - 1, SimState.LAYOUT + 1}) {
+      ListAppender<ILoggingEvent> lines = new ListAppender<>();
+      lines.start();
+      Logger log = (Logger) LoggerFactory.getLogger("carom.server.checkpoint");
+      log.addAppender(lines);
+      int tick;
+      try {
+        tick = begin(name, withLayout(whole, layout), "layout=" + layout);
+      } finally {
+        log.detachAppender(lines);
+      }
+      assertTrue(tick <= newerTick, "layout=" + layout + ": tick=" + tick);
+      String refused = "checkpoint " + newer + " is refused: its state has layout=" + layout;
+      assertTrue(
+          lines.list.stream().anyMatch(line -> line.getFormattedMessage().contains(refused)),
+          () -> refused + " is not in " + lines.list);
+    }
   }
 }

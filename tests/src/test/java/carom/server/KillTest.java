@@ -31,13 +31,18 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Goal: a server process that is killed goes on, and players come back by themselves to their
- * bodies. Method: a real process, {@code kill -9} at random moments, clients over sockets. How
- * often is {@code -Dcarom.kills=N}, 5 without.
+ * bodies; so does one that is stopped for a while. Method: a real process, {@code kill -9} at
+ * random moments, {@code kill -STOP}, clients over sockets. How often the server is killed is
+ * {@code -Dcarom.kills=N}, 5 without.
  */
 class KillTest {
   private static final int KILLS = Integer.getInteger("carom.kills", 5);
   private static final int PLAYERS = 3;
   private static final int TICK_RATE = 60;
+
+  /** How long a process is stopped, s: longer than either side waits for the other. */
+  private static final int STOPPED_S = 16;
+
   private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+)");
   private static final Pattern RESUMED =
       Pattern.compile(
@@ -170,6 +175,45 @@ class KillTest {
     report("start to play ms", startMs);
     report("kill to play ms", backMs);
     report("lost ticks", Arrays.stream(lostTicks).asLongStream().toArray());
+  }
+
+  @Test
+  void aProcessThatIsStoppedGoesOnAndPlayersAreBackInTheirBodies() throws Exception {
+    start();
+    transport = new KryoClientTransport();
+    for (int i = 0; i < PLAYERS; i++) {
+      ClientConfig config = ClientConfig.of("p" + i).withServer("127.0.0.1", tcpPort, udpPort);
+      clients.add(new GameClient(config, transport, new Bot(i, true)));
+    }
+    updateUntil("all play", this::allPlay);
+    List<Long> bodies = bodies();
+    long stoppedNs = System.nanoTime();
+    signal("STOP");
+    try {
+      updateUntil("all know that the server is silent", this::nonePlays);
+      updateUntil(
+          STOPPED_S + " s passed",
+          () -> System.nanoTime() - stoppedNs >= TimeUnit.SECONDS.toNanos(STOPPED_S));
+    } finally {
+      signal("CONT");
+    }
+    updateUntil("all are back", this::allPlay);
+    assertEquals(bodies, bodies());
+    assertTrue(server.isAlive());
+    for (String bad : List.of("ERROR", "abandoned", "left")) {
+      assertFalse(read(log()).contains(bad), () -> bad + " in\n" + read(log()));
+    }
+  }
+
+  private boolean nonePlays() {
+    return clients.stream().noneMatch(client -> client.view().phase() == ConnectionPhase.PLAYING);
+  }
+
+  /** Sends a signal to the server's process. */
+  private void signal(String name) throws Exception {
+    Process kill = new ProcessBuilder("kill", "-" + name, "" + server.pid()).start();
+    assertTrue(kill.waitFor(10, TimeUnit.SECONDS));
+    assertEquals(0, kill.exitValue());
   }
 
   private String hashOnDisk = "";

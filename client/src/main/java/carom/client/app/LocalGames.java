@@ -12,7 +12,7 @@ import java.util.ServiceLoader;
  */
 public interface LocalGames {
   /**
-   * What to play.
+   * The level, the number of bots and the openness of a game to be played.
    *
    * @param level name of the level
    * @param bots players that the machine plays, 0..{@link #MAX_BOTS}

@@ -31,11 +31,11 @@ public final class NetworkOptions {
   public enum LogLevel {
     /** Failures. */
     ERROR,
-    /** Also suspicious things. */
+    /** Failures, and suspicious things. */
     WARN,
-    /** Also what happens. */
+    /** Warnings, and what happens. */
     INFO,
-    /** Also why it happens. */
+    /** All of that, and why it happens. */
     DEBUG
   }
 

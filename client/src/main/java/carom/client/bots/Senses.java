@@ -5,8 +5,8 @@ import carom.client.view.ClientView;
 import carom.sim.random.SimRandom;
 
 /**
- * What a {@link BotBrain} knows: the picture that its player would see, at the present tick. It is
- * read on the bot's thread, while the brain decides.
+ * The picture that a {@link BotBrain}'s player would see, at the present tick. It is read on the
+ * bot's thread, while the brain decides.
  */
 public final class Senses {
   private final SimRandom random;

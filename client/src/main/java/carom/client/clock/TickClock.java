@@ -90,13 +90,13 @@ public final class TickClock {
   private int outliers;
   private double outlierSum;
 
-  /** Whether all outliers are alike. */
+  /** True if all outliers are alike. */
   private boolean alike;
 
   private int newestReported;
   private double lastMargin;
 
-  /** Whether {@link #heard} is called at all. */
+  /** True once {@link #heard} was called. */
   private boolean listens;
 
   private long heardNs;

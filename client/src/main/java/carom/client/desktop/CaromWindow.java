@@ -58,7 +58,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   /** Downloads from the server to which the one that is watched has sent us; null without. */
   private SpectatorThread next;
 
-  /** What leaving the film does that is shown. */
+  /** Action that leaves the film that is shown. */
   private Runnable leaveFilm = () -> {};
 
   private float untilLook;

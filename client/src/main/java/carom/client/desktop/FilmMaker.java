@@ -73,7 +73,7 @@ final class FilmMaker extends ApplicationAdapter {
     Gdx.app.exit();
   }
 
-  /** Finds the player to follow; returns whether there is one of that name, or none is wished. */
+  /** Finds the player to follow; returns whether there is one of that name, or no name is given. */
   private boolean follow() {
     if (job.follow().isEmpty()) {
       return true;

@@ -62,7 +62,7 @@ public final class LanSearch implements AutoCloseable {
 
   private record Heard(LanServer server, long timeNs) {}
 
-  /** How often an address was asked in this round, and when it was last. */
+  /** Number of times that an address was asked in this round, and the last time. */
   private record Asked(int times, long timeNs) {}
 
   /**

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * What a Carom server tells about itself in the answer to an A2S_INFO query. Texts are clean and
+ * A Carom server's description of itself in the answer to an A2S_INFO query. Texts are clean and
  * short enough to be shown. Immutable.
  *
  * @param name the server's name

@@ -52,15 +52,15 @@ public final class EventReconciler implements Journal {
     /** The event as it fired. */
     private final Event event = new Event();
 
-    /** Its tick as the prediction computed it last. */
+    /** The event's tick as the prediction computed it last. */
     private int tick;
 
     private boolean used;
 
-    /** Whether the server has sent it. */
+    /** True once the server has sent the event. */
     private boolean confirmed;
 
-    /** Whether the present run of the simulation through its tick has computed it. */
+    /** True if the present run of the simulation through the event's tick has computed it. */
     private boolean computed;
   }
 

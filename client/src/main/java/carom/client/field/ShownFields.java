@@ -1,6 +1,6 @@
 package carom.client.field;
 
-/** Where a picture's fields come from: a server, or a recording. */
+/** The source of a picture's fields: a server, or a recording. */
 public interface ShownFields {
   /** Returns the fields of the match, brought up to date. */
   FieldView match();

@@ -11,10 +11,13 @@ public final class Velocity {
    */
   private static final float HIT = 100;
 
-  /** The same of a spin, rad/s^2. */
+  /** Angular acceleration above which something has hit the body, rad/s^2. */
   private static final float SPIN_HIT = 120;
 
-  /** What rounded poses may differ from the true ones, metres and radians. */
+  /**
+   * Most that rounded poses differ from the true ones, metres; {@link #TURN_ROUNDING} is the same
+   * in radians.
+   */
   private static final float ROUNDING = 2e-3f;
 
   private static final float TURN_ROUNDING = 6.2e-3f;
@@ -55,8 +58,9 @@ public final class Velocity {
   }
 
   /**
-   * Derives the velocity with which a curve between two states leaves one of them: from the poses
-   * on both sides of it, or if it was hit there, the mean velocity between the two.
+   * Derives the velocity with which a curve between two states leaves one of them. It comes from
+   * the poses on both sides of the state, or, if the body was hit there, is the mean velocity
+   * between the two.
    *
    * @param at the state
    * @param other the state at the curve's other end

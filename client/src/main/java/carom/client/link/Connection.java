@@ -67,7 +67,7 @@ public final class Connection implements LinkHandler {
   private ServerMessage.Welcome welcome;
   private long secret;
 
-  /** Where the player wants to be after a lost link, if the session is over then. */
+  /** Room where the player wants to be after a lost link, if the session is over then. */
   private String room;
 
   /**

@@ -1,6 +1,6 @@
 package carom.client.link;
 
-/** Where a client stands on its way into the game. */
+/** The phases of a client's way into the game. */
 public enum ConnectionPhase {
   /** The first update hasn't happened yet. */
   IDLE,

@@ -11,7 +11,7 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 
 /**
- * Downloads levels in pieces, and keeps the last ones: a level that is already here isn't loaded
+ * Downloads levels in pieces, and keeps the last ones. A level that is already here isn't loaded
  * again after a reconnect or when a room comes round to it, and a broken download goes on where it
  * stopped. One connection's; one thread.
  */
@@ -24,7 +24,7 @@ final class LevelDownload {
 
   private static final int MAX_KEPT_BYTES = 16 << 20;
 
-  /** How the download stands after a piece. */
+  /** State of the download after a piece. */
   enum Progress {
     /** More pieces are needed. */
     LOADING,
@@ -32,7 +32,7 @@ final class LevelDownload {
     DONE,
     /** Pieces don't fit or were damaged; another attempt may work. */
     DAMAGED,
-    /** This client can't read the level. */
+    /** The level is of a kind that this client can't read. */
     UNREADABLE
   }
 

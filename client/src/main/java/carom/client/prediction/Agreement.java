@@ -3,9 +3,8 @@ package carom.client.prediction;
 import carom.sim.near.Neighbourhood;
 
 /**
- * What is known about whether client and server compute the same: the last ticks at which their
- * states were equal or differed, and the state of an unexplained difference. One prediction's.
- * Read-only for users.
+ * Tells how well client and server agree: the last ticks at which their states were equal or
+ * differed, and the state of an unexplained difference. One prediction's. Read-only for users.
  */
 public final class Agreement {
   private int agreedTick = -1;

@@ -8,7 +8,7 @@ import carom.sim.level.Archetype;
 import carom.sim.spawn.Origin;
 
 /**
- * How one predicted body is drawn: its poses, what is left of corrections, and how far it has
+ * The picture of one predicted body: its poses, what is left of corrections, and how far it has
  * blended from the interpolated past into the predicted present.
  */
 final class PredictedBody {
@@ -29,10 +29,10 @@ final class PredictedBody {
   /** Straight course of a body that is no longer simulated. */
   private final Pose course = new Pose();
 
-  /** Whether it belongs to the own player. */
+  /** True if the body belongs to the own player. */
   boolean isOwn;
 
-  /** Whether it was simulated before the correction that is under way. */
+  /** True if the body was simulated before the correction that is under way. */
   boolean wasThere;
 
   /** The simulated entity; null once the body has left the predicted set. */

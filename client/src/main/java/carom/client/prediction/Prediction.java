@@ -81,6 +81,10 @@ public final class Prediction {
   private final SyncTester syncTester;
   private final boolean runsSyncTest;
   private boolean active;
+
+  /** Whether rulings and spawns may be known that the ticks computed so far don't contain. */
+  private boolean hasNews;
+
   private int confirmedTick = -1;
   private int waited;
 
@@ -142,7 +146,7 @@ public final class Prediction {
             budget,
             agreement,
             result);
-    syncTester = new SyncTester(timeline, inputs);
+    syncTester = new SyncTester(timeline, inputs, poses);
   }
 
   /** Returns the predicted simulation, for debug drawing. Do not change it. */
@@ -183,9 +187,6 @@ public final class Prediction {
       timeline.step(input, false);
       poses.follow(false);
     }
-    if (runsSyncTest) {
-      syncTester.run();
-    }
   }
 
   // ---- reconciliation
@@ -197,6 +198,7 @@ public final class Prediction {
    * @param stateTick the snapshot's tick
    */
   public void receive(OwnState own, int stateTick) {
+    hasNews = true;
     updates.add(own.near(), stateTick);
     rulings.add(own.near(), stateTick);
     records.spawns().add(own);
@@ -216,6 +218,7 @@ public final class Prediction {
     if (stateTick <= confirmedTick) {
       return;
     }
+    hasNews = false;
     int before = confirmedTick;
     confirmedTick = stateTick;
     server.set(newest);
@@ -279,8 +282,11 @@ public final class Prediction {
 
   // ---- the picture
 
-  /** Lets time pass for what fades in the picture. */
+  /** Lets time pass for what fades in the picture; the last call of a frame. */
   public void advance(float seconds) {
+    if (runsSyncTest && active && !hasNews) {
+      syncTester.run();
+    }
     poses.advance(seconds, server.near());
   }
 

@@ -6,7 +6,7 @@ import carom.sim.entity.Entity;
 import java.util.Arrays;
 
 /**
- * Where each entity of a simulation was one tick ago, to draw between two ticks. One replay's;
+ * The pose of each entity of a simulation one tick ago, to draw between two ticks. One replay's;
  * allocates only to grow.
  */
 final class PreviousPoses {

@@ -33,7 +33,7 @@ public final class SpectatorThread implements AutoCloseable {
   private volatile ServerMessage.Redirect redirect;
   private volatile boolean ended;
 
-  /** Why the redirect isn't followed; empty without such a reason. */
+  /** Reason why the redirect isn't followed; empty without one. */
   private String refusal = "";
 
   /**

@@ -3,7 +3,7 @@ package carom.client.settings;
 import java.util.List;
 import java.util.Locale;
 
-/** What a player can do by a key of their choice. */
+/** The actions for which a player can choose a key. */
 public enum KeyAction {
   /** Moves left. */
   LEFT("move left", "A", "Left"),

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What a player sets. Immutable; start from {@link #defaults}.
+ * The settings of a player. Immutable; start from {@link #defaults}.
  *
  * @param name the player's name, see {@link PlayerName}
  * @param volume loudness of the sounds, 0..100 %

@@ -20,9 +20,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a player sees: a read-only picture of the game at the moment of the client's last update.
- * One object for the client's life; its content changes only during an update. Read it on the
- * client's thread.
+ * A read-only picture of the game for a player, at the moment of the client's last update. One
+ * object for the client's life; its content changes only during an update. Read it on the client's
+ * thread.
  *
  * <p>Static geometry is not among the entities: draw it from {@link #level}.
  */

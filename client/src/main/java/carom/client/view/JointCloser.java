@@ -32,7 +32,7 @@ final class JointCloser {
   /** Share of a gap that a predicted body is moved by, relative to one that isn't. */
   private static final float STIFFNESS = 0.95f;
 
-  /** How much more of a gap is closed the farther bodies are blended into the prediction. */
+  /** Rate at which more of a gap is closed the farther bodies are blended into the prediction. */
   private static final float BEGIN = 5;
 
   // Columns of a joint's numbers, in this order.
@@ -58,9 +58,9 @@ final class JointCloser {
   private ClientView.Drawn[] drawnB = {};
 
   /**
-   * By joint: from the origin of A to its anchor less the same of B, the axis along which the
-   * anchors may differ (0 for none), how far the joint may be open, and how much of the rest is
-   * closed, 0..1.
+   * Numbers that close each joint. They are the vector from the origin of A to its anchor less the
+   * same of B, the axis along which the anchors may differ (0 for none), the most gap, and the
+   * share of the rest that is closed, 0..1.
    */
   private float[] numbers = {};
 

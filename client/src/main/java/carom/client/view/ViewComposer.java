@@ -40,7 +40,10 @@ public final class ViewComposer {
   private static final class Track {
     boolean shown;
 
-    /** Whether it is gone in the present and therefore hidden in the past, where it still is. */
+    /**
+     * True if the entity is gone in the present and therefore hidden in the past, where it still
+     * is.
+     */
     boolean ghost;
 
     int generation;

@@ -1,5 +1,5 @@
 /**
- * What a player sees: a read-only view, its writer, and the composer that blends the interpolated
+ * The read-only view that a player sees, its writer, and the composer that blends the interpolated
  * past with the predicted present.
  *
  * <p>Imports {@code carom.client.interpolation}, {@code carom.client.prediction}, {@code

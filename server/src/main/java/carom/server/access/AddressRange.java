@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 
 /** An address, or the network of addresses that begin with the same bits. Immutable. */
 final class AddressRange {
-  /** What looks like an address; a name would be looked up in the network. */
+  /** Pattern of an address; a name would be looked up in the network. */
   private static final Pattern LITERAL =
       Pattern.compile("\\d{1,3}(\\.\\d{1,3}){3}|[0-9a-fA-F:.]*:[0-9a-fA-F:.]*");
 

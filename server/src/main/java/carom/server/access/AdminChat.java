@@ -28,7 +28,7 @@ public final class AdminChat implements ChatCommands {
   private static final Set<String> CONSOLE_ONLY = Set.of("admin", "unadmin");
   private static final int MAX_WAITING = 16;
 
-  /** How long its thread outlives the last command, s; so it needs no end of its own. */
+  /** Time by which its thread outlives the last command, s; so it needs no end of its own. */
   private static final long IDLE_S = 1;
 
   private final CommandRegistry registry;

@@ -1,7 +1,7 @@
 package carom.server.access;
 
 /**
- * What the operator's own backend says about a player, in a token that it has signed.
+ * The facts about a player that the operator's own backend has signed in a token.
  *
  * @param account the backend's name of the player's account, never empty
  * @param name the name to play under, or empty for the one that the player asks for

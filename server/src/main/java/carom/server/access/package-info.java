@@ -1,6 +1,6 @@
 /**
- * Who may play: bans, and the list of players who alone may. Both are files that people edit and
- * commands change.
+ * Decides who may play, by bans and by the list of players who alone may. Both are files that
+ * people edit and commands change.
  *
  * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.server.command}, {@code
  * carom.server.config}, {@code carom.server.room}, {@code carom.server.session}, slf4j, the JDK.

@@ -98,7 +98,7 @@ public final class RoomCheckpoints {
   private int seatsTick;
   private boolean countedFailure;
 
-  /** Whether the disk took no checkpoint lately, which the log has. The disk's thread ends it. */
+  /** True if the disk took no checkpoint lately, which the log has. The disk's thread ends it. */
   private volatile boolean failing;
 
   private boolean toldTooLarge;

@@ -3,7 +3,7 @@ package carom.server.checkpoint;
 import carom.server.room.match.Match;
 import carom.sim.match.NextMatch;
 
-/** Where a room is in the sequence of its matches. The room's thread. */
+/** The place of a room in the sequence of its matches. The room's thread. */
 public interface RoomCourse {
   /** Returns the present match. */
   Match match();

@@ -41,7 +41,7 @@ final class RoomResume {
   private List<SavedSeat> waiting;
   private long inputs;
 
-  /** Why the log ends before its end, or null. */
+  /** Reason why the log ends before its end, or null. */
   private String trouble;
 
   RoomResume(

@@ -14,8 +14,8 @@ import java.util.List;
 import java.util.zip.CRC32;
 
 /**
- * What a checkpoint keeps of a room beside the state of its match: which match of which rotation it
- * is, who plays, and what the players may not have heard of. Immutable.
+ * The part of a checkpoint that isn't the state of the match: which match of which rotation it is,
+ * who plays, and what the players may not have heard of. Immutable.
  *
  * <p>Keys, baselines, input buffers and predicted sets aren't kept: the links of a resumed room are
  * new, and each begins with absolute states.

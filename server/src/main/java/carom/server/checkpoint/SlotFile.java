@@ -37,7 +37,7 @@ final class SlotFile implements BlockSink {
   private FileChannel channel;
   private volatile String failure;
 
-  /** Whether the disk has failed, so that the rest of the queue is of no use. */
+  /** True once the disk has failed, so that the rest of the queue is of no use. */
   private volatile boolean broken;
 
   private volatile boolean safe;

@@ -6,7 +6,7 @@ import java.util.Collection;
 final class HelpText {
   private static final int WIDTH = 79;
 
-  /** Where the second column begins. A longer usage has a line of its own. */
+  /** Column at which descriptions begin. A longer usage has a line of its own. */
   private static final int COLUMN = 26;
 
   private HelpText() {}

@@ -155,9 +155,9 @@ public record ServerConfig(
   }
 
   /**
-   * Returns the settings of a server that is started without any flag, but for {@code
-   * pausesIdleRooms} and {@code maxLoadPercent}, which only {@code carom-server} sets: a program
-   * that drives a server by hand counts on its ticks.
+   * Returns the settings of a server that is started without any flag. Only {@code carom-server}
+   * sets {@code pausesIdleRooms} and {@code maxLoadPercent}, because a program that drives a server
+   * by hand counts on its ticks.
    */
   public static ServerConfig defaults() {
     return new ServerConfig(

@@ -1,5 +1,5 @@
 /**
- * What the operator sees of a server: the first lines, the log in files, and the prompt.
+ * Shows the operator a server: the first lines, the log in files, and the prompt.
  *
  * <p>Allowed imports: {@code carom.server.command}, logback, JLine, the JDK. Read first: {@link
  * carom.server.console.Console}, {@link carom.server.console.LogFiles}.

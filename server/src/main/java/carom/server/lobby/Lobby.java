@@ -40,7 +40,7 @@ public final class Lobby {
   private final PartingLinks partings;
   private final Spectators spectators;
 
-  /** Where the next turn sends those who wait or watch; null for nowhere. */
+  /** Server to which the next turn sends those who wait or watch; null for none. */
   private final AtomicReference<ServerMessage.Redirect> redirect = new AtomicReference<>();
 
   /**
@@ -67,8 +67,8 @@ public final class Lobby {
   }
 
   /**
-   * Returns the largest number of links that may be open for a server with so many places: those
-   * that play or load, those that wait, those that watch, and those that are told goodbye.
+   * Returns the largest number of links that may be open for a server with so many places. These
+   * are links that play or load, that wait, that watch, and that are told goodbye.
    */
   public static int mostLinks(int places) {
     return 2 * places + 2 * placesToWait(places) + Spectators.MAX;

@@ -16,8 +16,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What the visitors of a lobby share: the rooms they choose from, the rules at the door, the time
- * of the turn, and who else is there.
+ * The context that the visitors of a lobby share: the rooms they choose from, the rules at the
+ * door, the time of the turn, and who else is there.
  *
  * <p>On the lobby's thread, except {@link #admit}.
  */

@@ -52,7 +52,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** Number of times that a visitor may ask for the list of rooms. */
   private static final int MAX_LISTS = 8;
 
-  /** What a player wants, and its account by a join token. */
+  /** The request of a player to join, and its account by a join token. */
   private record JoinRequest(
       String name, String account, String room, String game, long resumeSecret) {}
 
@@ -340,9 +340,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   }
 
   /**
-   * Asks a room to give up a seat that nobody plays in or that a network holds beyond its share, or
-   * else the busiest other host to give up one where the level still loads. Returns false if nobody
-   * gives way.
+   * Asks a room to give up a seat that nobody plays in or that a network holds beyond its share.
+   * Without one, the busiest other host must give up a seat where the level still loads. Returns
+   * false if nobody gives way.
    */
   private boolean askForSeat(Room requested) {
     if (context.nowNs() - askAgainNs < 0) {

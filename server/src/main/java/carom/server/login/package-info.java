@@ -1,6 +1,6 @@
 /**
- * How operators prove who they are to the page and to remote consoles: a secret in a file, and a
- * limit on how often somebody may guess it.
+ * Lets operators prove who they are to the page and to remote consoles, by a secret in a file, and
+ * limits how often a visitor may guess it.
  *
  * <p>Allowed imports: slf4j, the JDK. Read first: {@link carom.server.login.Secret}, {@link
  * carom.server.login.LoginThrottle}.

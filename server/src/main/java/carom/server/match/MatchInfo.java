@@ -4,7 +4,7 @@ import carom.net.field.Declarations;
 import carom.net.protocol.ServerMessage.Welcome;
 
 /**
- * What a client must know of a room's match to play it. Immutable; any thread.
+ * The facts that a client must know of a room's match to play it. Immutable; any thread.
  *
  * @param room name of the room
  * @param number counts the room's matches from 1 on

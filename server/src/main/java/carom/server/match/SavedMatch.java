@@ -31,7 +31,7 @@ public final class SavedMatch {
   private final LoadedLevel level;
   private final long seed;
 
-  /** What {@link carom.sim.SimState#write} wrote; never changed. */
+  /** Bytes that {@link carom.sim.SimState#write} wrote; never changed. */
   private final byte[] state;
 
   private SavedMatch(String game, LoadedLevel level, long seed, byte[] state) {

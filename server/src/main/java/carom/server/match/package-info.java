@@ -1,6 +1,6 @@
 /**
- * What a room can play: games and levels by name, what a client must know of a match, and the
- * level's download.
+ * The matches that a room can play: games and levels by name, what a client must know of a match,
+ * and the level's download.
  *
  * <p>Allowed imports: {@code carom.net.field}, {@code carom.net.protocol}, {@code
  * carom.net.transport}, {@code carom.game}, {@code carom.sim}, the JDK.

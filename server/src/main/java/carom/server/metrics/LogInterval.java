@@ -1,9 +1,9 @@
 package carom.server.metrics;
 
 /**
- * Limits the log about something that may happen in each tick, because a log must last for weeks:
- * to one line every ten seconds at first, and to fewer while it lasts, at last one a minute. One
- * thread.
+ * Limits the log about something that may happen in each tick, because a log must last for weeks.
+ * It allows one line every ten seconds at first, and fewer while it lasts, at last one a minute.
+ * One thread.
  */
 public final class LogInterval {
   /** Shortest time between two lines, ns. After a silence of this length it holds again. */

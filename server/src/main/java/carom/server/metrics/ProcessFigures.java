@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * What the system and the JVM say of this process at one moment. Immutable.
+ * The figures of this process at one moment, by the system and the JVM. Immutable.
  *
  * @param cpuNs time that processors have worked for the process, ns; 0 if the JVM can't tell
  * @param heapBytes the used part of the Java heap, with what the collector has yet to free

@@ -4,7 +4,7 @@ import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.function.LongSupplier;
 
 /**
- * How long the stages of a room's turns have taken since the start. The room's thread writes
+ * The times that the stages of a room's turns have taken since the start. The room's thread writes
  * without a lock or an allocation, and any other thread may read.
  */
 public final class StageTimes {

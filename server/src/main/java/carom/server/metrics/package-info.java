@@ -1,5 +1,5 @@
 /**
- * What a server counts: written by the thread that does the work and read by any other.
+ * The counters of a server: written by the thread that does the work and read by any other.
  *
  * <p>Allowed imports: HdrHistogram, the JDK. Read first: {@link carom.server.metrics.Counter},
  * {@link carom.server.metrics.Counters}.

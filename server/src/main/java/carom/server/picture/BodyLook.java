@@ -8,7 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What seldom changes about a body. Pictures hold the same object until it does. Immutable.
+ * The properties of a body that seldom change. Pictures hold the same object until it does.
+ * Immutable.
  *
  * @param slot the body's slot in the world; another body gets it when this one is gone
  * @param entity id of its entity, {@link Entity#LEVEL} for what the level placed for good

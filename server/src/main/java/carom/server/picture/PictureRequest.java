@@ -3,7 +3,7 @@ package carom.server.picture;
 import java.util.Set;
 
 /**
- * What a picture should show beside bodies and joints. Immutable.
+ * The things that a picture should show beside bodies and joints. Immutable.
  *
  * @param players what is known of each player and its line
  * @param cells the nodes of the broadphase's trees

@@ -57,7 +57,7 @@ final class ExactUpdate {
   private boolean underWay;
   private int baseTick;
 
-  /** Whether an update was replaced before all of it arrived, and no update told all since. */
+  /** True if an update was replaced before all of it arrived, and no update told all since. */
   private boolean incomplete;
 
   private int lossTick = -LOSSY_TICKS;

@@ -51,7 +51,7 @@ public final class PredictedSet {
 
   private long toldRulings;
 
-  /** Whether the next update must tell all, because the game interfered too long ago. */
+  /** True if the next update must tell all, because the game interfered too long ago. */
   private boolean mustTellAll;
 
   private boolean hasOutsideCause;
@@ -273,9 +273,9 @@ public final class PredictedSet {
   }
 
   /**
-   * Returns whether the state captured last has another cause than the state before and the inputs:
-   * an entity entered or left the set, the game interfered with one, or one was touched by an
-   * entity that isn't in the set.
+   * Returns whether the state captured last has another cause than the state before and the inputs.
+   * Such a cause is that an entity entered or left the set, the game interfered with one, or one
+   * was touched by an entity that isn't in the set.
    */
   public boolean hasOutsideCause() {
     return hasOutsideCause;

@@ -42,7 +42,10 @@ final class PredictedSetChooser {
   /** An entity enters within this distance of the body's origin, metres: what it may touch. */
   private static final float NEAR_METRES = 3;
 
-  /** The same for a client that takes as many entities as there is room for, metres. */
+  /**
+   * Distance as {@link #NEAR_METRES} for a client that takes as many entities as there is room for,
+   * metres.
+   */
   private static final float ALL_METRES = 15;
 
   /** An entity whose area ends this far away enters, metres: bodies move while it is told. */
@@ -72,16 +75,16 @@ final class PredictedSetChooser {
 
   private final Consumer<Joint<Entity>> jointVisitor = this::follow;
 
-  /** Whether the own body is being chosen, with all that joints tie to it. */
+  /** True while the own body is being chosen, with all that joints tie to it. */
   private boolean choosesOwn;
 
-  /** Whether what touches the own body is being chosen, directly or through others. */
+  /** True while what touches the own body is being chosen, directly or through others. */
   private boolean spreadsOwn;
 
-  /** Whether all that joints tie to an entity could be chosen so far. */
+  /** True if all that joints tie to an entity could be chosen so far. */
   private boolean fits;
 
-  /** Whether joints tie more to an entity than any set holds. */
+  /** True if joints tie more to an entity than any set holds. */
   private boolean isTooLarge;
 
   private boolean reachedFromOutside;

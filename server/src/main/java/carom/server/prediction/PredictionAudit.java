@@ -28,7 +28,7 @@ public final class PredictionAudit {
   private static final int BODY_INTS = Diverged.BODY_INTS;
   private static final String[] NAMES = {"x", "y", "cos", "sin", "vx", "vy", "omega"};
 
-  /** What a report turned out to be: among reasons, a later one outweighs an earlier one. */
+  /** The result of an examined report: among reasons, a later one outweighs an earlier one. */
   public enum Finding {
     /** Too old, of another body, or of ticks that were not kept. */
     UNKNOWN,

@@ -36,7 +36,7 @@ final class RulingDelivery {
     /** Copies that are still to be sent. */
     int due;
 
-    /** Whether the snapshot being prepared has it. */
+    /** True if the snapshot being prepared has the ruling. */
     boolean inPart;
 
     /** Ticks of the last two snapshots with it; -1 for none in flight. */

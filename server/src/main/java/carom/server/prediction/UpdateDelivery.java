@@ -33,10 +33,10 @@ final class UpdateDelivery {
   private int dueRows;
   private int totalRows;
 
-  /** Whether a snapshot has said that there is an update; one without rows says nothing else. */
+  /** True if a snapshot has said that there is an update; one without rows says nothing else. */
   private boolean announced;
 
-  /** Whether all of it has been sent, though perhaps not all has arrived. */
+  /** True if all of the update has been sent, though perhaps not all has arrived. */
   private boolean sentOnce;
 
   // The part in the snapshot that is being prepared.

@@ -12,9 +12,9 @@ import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
 /**
- * What an exact update holds: the state of the predicted set at one tick, the base, and which of it
- * is told. Told entities come first, in the order of the list, then the contacts of which at least
- * one end is told, then the fields of told entities.
+ * The content of an exact update: the state of the predicted set at one tick, the base, and which
+ * of it is told. Told entities come first, in the order of the list, then the contacts of which at
+ * least one end is told, then the fields of told entities.
  *
  * <p>The room's thread; allocates only to grow.
  */

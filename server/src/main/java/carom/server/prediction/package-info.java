@@ -1,6 +1,6 @@
 /**
- * What the server does for one client's prediction: it chooses the predicted set, tells the exact
- * state of it where the client can't compute it, and judges the client's reports of mispredictions.
+ * Serves one client's prediction: it chooses the predicted set, tells the exact state of it where
+ * the client can't compute it, and judges the client's reports of mispredictions.
  *
  * <pre>
  *   PredictedSet ──► PredictedSetChooser   which entities are near

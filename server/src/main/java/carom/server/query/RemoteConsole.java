@@ -29,6 +29,9 @@ public final class RemoteConsole implements AutoCloseable {
   /** Most connections at once. */
   static final int MAX_CONNECTIONS = 8;
 
+  /** Longest text of a message. */
+  static final int MAX_BODY_BYTES = 4_096;
+
   private static final Logger LOG = LoggerFactory.getLogger(RemoteConsole.class);
   private static final int AUTH = 3;
   private static final int AUTH_ANSWER = 2;
@@ -39,7 +42,6 @@ public final class RemoteConsole implements AutoCloseable {
   /** Bytes of id, type and the two zeros at the end. */
   private static final int FRAME_BYTES = 10;
 
-  private static final int MAX_BODY_BYTES = 4_096;
   private static final int STRANGER_MS = 10_000;
   private static final int SILENCE_MS = 600_000;
   private static final int BACKLOG = 8;
@@ -51,7 +53,7 @@ public final class RemoteConsole implements AutoCloseable {
   private final Set<Socket> connections = ConcurrentHashMap.newKeySet();
 
   /** A message of the protocol. */
-  private record Message(int id, int type, String body) {}
+  record Message(int id, int type, String body) {}
 
   /**
    * Opens the port.
@@ -160,7 +162,8 @@ public final class RemoteConsole implements AutoCloseable {
     return right;
   }
 
-  private static Message read(DataInputStream in) throws IOException {
+  /** Reads the next message; fails where the stream ends or the size is wrong. */
+  static Message read(DataInputStream in) throws IOException {
     int size = Integer.reverseBytes(in.readInt());
     if (size < FRAME_BYTES || size > FRAME_BYTES + MAX_BODY_BYTES) {
       throw new IOException("size=" + size);

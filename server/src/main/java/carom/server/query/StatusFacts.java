@@ -4,7 +4,7 @@ import carom.server.room.Room;
 import java.util.List;
 
 /**
- * What a status query tells about a server. Immutable.
+ * The facts that a status query tells about a server. Immutable.
  *
  * @param name the server's name
  * @param version version of the program

@@ -28,13 +28,13 @@ public final class DelayedRecording implements BlockSink, AutoCloseable {
   /** The type of each block. {@code ticks} guards it and the fields derived from it below. */
   private final List<Block> types = new ArrayList<>();
 
-  /** Where the header ends in the file, bytes. */
+  /** End of the header in the file, bytes. */
   private long headerEnd;
 
-  /** Where the last whole state begins in the file, bytes. */
+  /** Start of the last whole state in the file, bytes. */
   private long lastState;
 
-  /** Where the newest state begins in the file, bytes. Its last blocks may be missing. */
+  /** Start of the newest state in the file, bytes. Its last blocks may be missing. */
   private long begunState;
 
   private int delayTicks = Integer.MAX_VALUE;

@@ -61,7 +61,7 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
   private volatile boolean failed;
   private volatile long writtenBytes;
 
-  /** Where each written block ends in the file, bytes. Guarded by itself. */
+  /** Ends of the written blocks in the file, bytes. Guarded by itself. */
   private final List<Long> ends = new ArrayList<>();
 
   /**

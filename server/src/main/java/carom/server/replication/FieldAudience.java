@@ -11,8 +11,8 @@ import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 
 /**
- * What one player's client may know of joints, and of the fields of others: as each field's
- * audience says, by what the client sees, the player's team, and what the player owns. A player
+ * Decides what one player's client may know of joints, and of the fields of others. It goes by each
+ * field's audience, by what the client sees, the player's team, and what the player owns. A player
  * that sees all knows all but what stays on the server.
  *
  * <p>The room's thread; no allocation but to grow.

@@ -50,10 +50,10 @@ public final class FrameCapture {
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
 
-  /** How a block of bodies moves, column by column: small enough to stay in near caches. */
+  /** Motion of a block of bodies, column by column: small enough to stay in near caches. */
   private final float[][] numbers = new float[World.MOTION][2 * BLOCK];
 
-  /** The same block quantised: x, y, angle, and whether it stands still. */
+  /** The block of {@link #numbers} quantised: x, y, angle, and whether it stands still. */
   private final int[][] steps = new int[4][2 * BLOCK];
 
   /** The ids of all entities, as of {@link #roster}. */

@@ -1,8 +1,8 @@
 package carom.server.replication;
 
 /**
- * What a line and a client's predictions have done since the link began. Differences of two
- * readings tell what they do now. Immutable.
+ * Figures of what a line and a client's predictions have done since the link began. Differences of
+ * two readings tell what they do now. Immutable.
  *
  * @param roundTripMs round trip, ms; 0 while it isn't known
  * @param bytesSent payload bytes of snapshots

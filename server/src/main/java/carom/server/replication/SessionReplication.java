@@ -52,7 +52,10 @@ public final class SessionReplication {
   /** Null until a client of the session says that it predicts. */
   private PredictionAudit audit;
 
-  /** What the client wants to predict: one of {@link InputDatagram}'s {@code NEAR} constants. */
+  /**
+   * The set that the client wants to predict: one of {@link InputDatagram}'s {@code NEAR}
+   * constants.
+   */
   private int wanted = InputDatagram.NEAR_NONE;
 
   /** The newest tick at which the client says that it had another state, or -1. */

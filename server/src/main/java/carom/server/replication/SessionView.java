@@ -17,8 +17,9 @@ import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
 
 /**
- * What one player looks at: a rectangle around the own body, or around the place that a spectator's
- * client names. Entities enter at its border and leave a quarter further out.
+ * The part of the world that one player looks at: a rectangle around the own body, or around the
+ * place that a spectator's client names. Entities enter at its border and leave a quarter further
+ * out.
  *
  * <p>Everything is in sight in three cases: the level is no larger than the largest view; the world
  * has few entities and the operator has not set a view; or the player {@linkplain

@@ -42,7 +42,9 @@ public final class SnapshotSender {
   /** Least rate while the client's inputs come too late, because its clock learns from each. */
   private static final int LEAST_WHEN_LATE_HZ = 20;
 
-  /** How far exact state may get ahead of the records that wait, or fall behind them. */
+  /**
+   * Most bytes by which exact state may get ahead of the records that wait, or fall behind them.
+   */
   private static final int NEAR_CREDIT_BYTES = 2 * SnapshotEncoder.MAX_DATAGRAM_BYTES;
 
   /** Weight of the newest round trip in the smoothed one. */

@@ -14,9 +14,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Ends the sessions of a room whose time has come: the player leaves or is expelled, the link is
- * lost or silent, the grace period is over, or a newcomer needs the seat. The room's thread, but
- * for {@link #requests}.
+ * Ends the sessions of a room whose time has come. A session ends when the player leaves or is
+ * expelled, the link is lost or silent, the grace period is over, or a newcomer needs the seat. The
+ * room's thread, but for {@link #requests}.
  */
 final class Departures {
   private static final Logger LOG = LoggerFactory.getLogger(Departures.class);
@@ -88,16 +88,17 @@ final class Departures {
       requests.served();
       session.sayGoodbye(GoodbyeReason.IDLE, "");
       remove(session, "was idle, gave way to a newcomer", " was idle and gave way", nowNs);
-    } else if (session.departure() == Session.Departure.LEAVE) {
+    } else if (session.departure().leaves()) {
       room.counters().add(Counter.LEAVES, 1);
       session.sayGoodbye(GoodbyeReason.LEFT, "");
       remove(session, "left", " left", nowNs);
-    } else if (session.departure() == Session.Departure.EXPEL) {
+    } else if (session.departure().offence() != null) {
       room.counters().add(Counter.SESSIONS_EXPELLED, 1);
-      session.sayGoodbye(GoodbyeReason.PROTOCOL_ERROR, "Received " + session.offence() + ".");
-      remove(session, "expelled for " + session.offence(), " was removed", nowNs);
-    } else if (session.linkLost()) {
-      lose(session, "link lost: " + session.linkLostReason(), nowNs);
+      session.sayGoodbye(
+          GoodbyeReason.PROTOCOL_ERROR, "Received " + session.departure().offence() + ".");
+      remove(session, "expelled for " + session.departure().offence(), " was removed", nowNs);
+    } else if (session.departure().isLinkLost()) {
+      lose(session, "link lost: " + session.departure().linkLostReason(), nowNs);
     } else if (session.isTooSlow()) {
       lose(session, "has not loaded the match in " + room.config().loadTimeoutMs() + " ms", nowNs);
     } else if (session.isSilent()) {

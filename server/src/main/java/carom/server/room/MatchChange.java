@@ -57,7 +57,7 @@ final class MatchChange implements RoomCourse {
   private final RosterNews roster;
   private final Announcer announcer;
 
-  /** What the other thread brings back; null while it loads. */
+  /** The match that the other thread brings back; null while it loads. */
   private final AtomicReference<Loaded> loaded = new AtomicReference<>();
 
   /** The match that is being loaded, or that an earlier run of the room was loading; or null. */

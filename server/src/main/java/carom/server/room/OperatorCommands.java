@@ -34,8 +34,9 @@ import java.util.function.Function;
 import java.util.function.LongSupplier;
 
 /**
- * What an operator may ask of a room. Each command may be called from any thread but the room's. It
- * waits for the room's next turn, in which the room's thread carries it out, and answers in words.
+ * The commands that an operator may give to a room. Each command may be called from any thread but
+ * the room's. It waits for the room's next turn, in which the room's thread carries it out, and
+ * answers in words.
  */
 public final class OperatorCommands {
   /** Most commands that wait. */
@@ -62,22 +63,14 @@ public final class OperatorCommands {
    * @param number number of the room
    * @param closed returns whether the room is closed
    */
-  OperatorCommands(
-      RoomContext room,
-      int number,
-      RoomSessions sessions,
-      Departures departures,
-      RoomRecording recording,
-      MatchChange changes,
-      LongSupplier clock,
-      BooleanSupplier closed) {
-    this.room = room;
+  OperatorCommands(RoomParts parts, int number, BooleanSupplier closed) {
+    room = parts.context;
     this.number = number;
-    this.sessions = sessions;
-    this.departures = departures;
-    this.recording = recording;
-    this.changes = changes;
-    this.clock = clock;
+    sessions = parts.sessions;
+    departures = parts.departures;
+    recording = parts.recording;
+    changes = parts.changes;
+    clock = parts.clock;
     this.closed = closed;
   }
 

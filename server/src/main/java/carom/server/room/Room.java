@@ -1,11 +1,9 @@
 package carom.server.room;
 
 import carom.net.protocol.GoodbyeReason;
-import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.frame.FrameRing;
-import carom.net.transport.Broadcast;
 import carom.physics.Queries;
 import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
@@ -22,30 +20,17 @@ import carom.server.metrics.TurnStage;
 import carom.server.picture.RoomPictures;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
-import carom.server.room.match.Match;
-import carom.server.room.match.MatchLoader;
 import carom.server.room.match.RoomContext;
-import carom.server.room.recording.RoomRecording;
-import carom.server.schedule.LoadWarnings;
-import carom.server.schedule.TickLoad;
-import carom.server.schedule.TickLoop;
 import carom.server.session.Admission;
-import carom.server.session.PartingLinks;
-import carom.server.session.RosterNews;
 import carom.server.session.SeatRequests;
 import carom.server.session.Seats;
 import carom.server.session.Session;
-import carom.sim.MatchClock;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Executor;
-import java.util.function.BiConsumer;
-import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * A room: one match after the other at a fixed rate, and the sessions that steer and see them. All
@@ -53,21 +38,13 @@ import org.slf4j.LoggerFactory;
  * and links stay.
  *
  * <p>{@link #doWork} is one turn of the duty cycle: it takes what has arrived and runs the ticks
- * that are due. A tick, in order:
+ * that are due. {@link RoomParts} lists what a room consists of, {@link RoomTick} what a tick does
+ * in which order, and {@link RoomEnd} how a room ends.
  *
  * <pre>
- *   Arrivals            players from the lobby get a session
- *   Departures          sessions end, or begin their grace period
- *   RoomMoves           players see the other rooms, and go there
- *   Session             one input per player
- *   Simulation.step
- *   FrameCapture        the frame state, quantised once for all sessions
- *   SnapshotRound       each session's snapshot
- *   Post                messages of the game, which Session collected before the step
- *   Announcer           notices of the game
- *   RosterNews          players and scores that changed
- *   Counters, RoomRecording
- *   MatchChange         another match, if one is wanted and loaded
+ *   sockets ──► Session, Arrivals ──► RoomTick: Simulation ─► FrameCapture ──► Session ──► sockets
+ *                                        │
+ *                  recordings, checkpoints, MatchChange
  * </pre>
  *
  * <p>Only {@link #admit}, {@link #seatRequests}, {@link #operator}, {@link #number}, {@link #name},
@@ -76,51 +53,19 @@ import org.slf4j.LoggerFactory;
  * rest belongs to the thread that calls {@link #doWork}. A tick in the steady state allocates next
  * to nothing. A client can hurt only its own session, and a game only its own room: rooms share
  * nothing that changes.
- *
- * <p><b>Length.</b> Just above 500 lines: what a room does in a turn is told in one place, and each
- * part of it is a class of its own.
  */
 public final class Room {
-  /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
-  private static final int LAST_TICK = Integer.MAX_VALUE - (1 << 20);
-
-  private static final Logger LOG = LoggerFactory.getLogger(Room.class);
-
   /** Of several ticks that are made good in one turn, only so many of the last send snapshots. */
   private static final int MAX_SENDS_PER_BURST = 2;
 
+  private final RoomParts parts;
   private final RoomContext context;
   private final int number;
   private final RoomConfig settings;
-  private final LongSupplier clock;
-  private final Counters counters;
-  private final StageTimes stages;
   private final RoomPictures pictures = new RoomPictures();
-  private final RoomRecording recording;
-  private final TickLoop loop;
-  private final TickLoad load;
-  private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
-  private final RoomSessions sessions;
-  private final RosterNews roster;
-  private final Post post;
-  private final Departures departures;
-  private final MatchChange changes;
-  private final Arrivals arrivals;
-  private final RoomMoves moves;
-  private final LoadWarnings warnings;
-  private final SnapshotRound snapshots;
+  private final RoomEnd end;
+  private final RoomTick ticks;
   private final OperatorCommands operator;
-
-  /** Null if the room isn't kept. */
-  private volatile RoomCheckpoints checkpoints;
-
-  private final Consumer<String> sendNotice;
-  private final BiConsumer<Session, Broadcast> sendTo;
-  private int failedTicks;
-  private volatile int tick;
-  private volatile String phase;
-  private volatile boolean failed;
-  private volatile boolean closed;
   private volatile boolean paused;
 
   /**
@@ -150,42 +95,16 @@ public final class Room {
       RoomDirectory directory,
       Counters counters) {
     this.number = number;
-    this.counters = counters;
     this.settings = settings;
-    this.clock = clock;
-    stages = new StageTimes(clock);
     String label = alone ? "" : "room " + settings.name() + ": ";
-    MatchLoader loader = new MatchLoader(config, settings, library, label, counters);
-    context = new RoomContext(config, label, counters, seats, firstMatch(loader));
-    recording = new RoomRecording(context);
-    loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
-    load = new TickLoad(config.tickRateHz());
-    sessions = new RoomSessions(seats.count(), label, counters);
-    Announcer announcer = new Announcer(sessions, config.tickRateHz());
-    roster = new RosterNews(seats.count(), config.rosterIntervalMs());
-    departures = new Departures(context, sessions, roster, announcer, partings);
-    changes =
-        new MatchChange(context, loader, loads, settings, sessions, recording, roster, announcer);
-    arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
-    moves = new RoomMoves(context, this, directory, sessions, departures);
-    warnings = new LoadWarnings(label, counters, config.tickRateHz());
-    snapshots = new SnapshotRound(context, clock, sessions, departures, warnings);
-    operator =
-        new OperatorCommands(
-            context, number, sessions, departures, recording, changes, clock, () -> closed);
-    post = new Post(context, sessions, directory);
-    sendNotice = announcer::notice;
-    sendTo = sessions::sendTo;
+    parts =
+        new RoomParts(
+            config, label, settings, library, loads, clock, seats, directory, counters, this);
+    context = parts.context;
+    end = new RoomEnd(parts);
+    ticks = new RoomTick(parts, end);
+    operator = new OperatorCommands(parts, number, end::isClosed);
     context.match().capture().capture();
-    phase = presentPhase();
-  }
-
-  private static Match firstMatch(MatchLoader loader) {
-    try {
-      return loader.first();
-    } catch (MatchLoader.Unplayable e) {
-      throw new IllegalArgumentException(e.getMessage(), e);
-    }
   }
 
   /**
@@ -204,7 +123,7 @@ public final class Room {
    * @param sink takes the blocks, on the room's thread; stays the caller's to close
    */
   public void record(BlockSink sink) {
-    recording.begin(sink);
+    parts.recording.begin(sink);
   }
 
   /**
@@ -214,7 +133,7 @@ public final class Room {
    * @throws IOException when the first file can't be created
    */
   public void record(RecordingFiles files) throws IOException {
-    recording.begin(files);
+    parts.recording.begin(files);
   }
 
   /**
@@ -226,7 +145,7 @@ public final class Room {
    *     than its state, so that only one file can begin
    */
   public void record(RotatingRecording files) throws IOException {
-    recording.begin(files);
+    parts.recording.begin(files);
   }
 
   /**
@@ -246,13 +165,12 @@ public final class Room {
             settings,
             number,
             context.label(),
-            counters,
+            counters(),
             seats(),
-            sessions.bySeat());
-    checkpoints = new RoomCheckpoints(kept, disk, folder, seconds);
-    changes.keep(checkpoints, clock.getAsLong());
-    tick = context.simulation().tick();
-    phase = presentPhase();
+            parts.sessions.bySeat());
+    parts.checkpoints = new RoomCheckpoints(kept, disk, folder, seconds);
+    parts.changes.keep(parts.checkpoints, parts.clock.getAsLong());
+    ticks.show();
   }
 
   /**
@@ -262,11 +180,11 @@ public final class Room {
    *     the caller's
    */
   public boolean admit(Admission admission) {
-    if (closed || !arrivals.offer(admission)) {
+    if (end.isClosed() || !parts.arrivals.offer(admission)) {
       return false;
     }
     // A room that closes in between has either told this player goodbye, or never will.
-    return !closed || !arrivals.withdraw(admission);
+    return !end.isClosed() || !parts.arrivals.withdraw(admission);
   }
 
   /**
@@ -278,25 +196,19 @@ public final class Room {
    */
   public int doWork(long nowNs) {
     operator.serve();
-    if (closed) {
-      return partings.doWork(nowNs);
+    if (end.isClosed()) {
+      return parts.partings.doWork(nowNs);
     }
-    int work = pollAll(nowNs) + partings.doWork(nowNs);
+    int work = pollAll(nowNs) + parts.partings.doWork(nowNs);
     paused = isIdle();
-    if (paused) {
-      loop.pause();
-    }
-    int due = paused ? 0 : loop.due(nowNs);
-    counters.set(Counter.LOAD_PERCENT, load.percent());
-    warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
-    counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
-    for (int left = due; left > 0 && !closed; left--) {
-      guardedTick(nowNs, left <= MAX_SENDS_PER_BURST);
+    int due = parts.pace.due(paused, ticks.tick(), nowNs);
+    for (int left = due; left > 0 && !end.isClosed(); left--) {
+      ticks.run(nowNs, left <= MAX_SENDS_PER_BURST);
     }
     if ((due > 0 || paused) && pictures.isWanted()) {
-      stages.begin();
-      pictures.take(context.match().info(), context.simulation(), sessions.bySeat());
-      stages.end(TurnStage.PICTURE);
+      parts.stages.begin();
+      pictures.take(context.match().info(), context.simulation(), parts.sessions.bySeat());
+      parts.stages.end(TurnStage.PICTURE);
     }
     return work + due;
   }
@@ -304,111 +216,25 @@ public final class Room {
   private boolean isIdle() {
     return context.config().pausesIdleRooms()
         && context.age() > 0
-        && sessions.count() == 0
-        && arrivals.isEmpty()
-        && !recording.isOn();
-  }
-
-  /**
-   * Steps the room and guards it. An exception that gets through every inner guard is a bug.
-   * Counted by ticks, not by turns: most turns have no tick to do and succeed.
-   */
-  private void guardedTick(long nowNs, boolean sends) {
-    try {
-      tick(nowNs, sends);
-      failedTicks = 0;
-    } catch (RuntimeException | StackOverflowError e) {
-      failedTicks++;
-      if (failedTicks == 1) {
-        LOG.error("{}tick {} failed; the room goes on", context.label(), tick + 1, e);
-      }
-      if (failedTicks >= context.config().tickRateHz()) {
-        fail(failedTicks + " ticks in a row failed");
-      }
-    }
-    if (tick >= LAST_TICK) {
-      fail("it has run for as long as its ticks can be numbered; start the server again");
-    }
+        && parts.sessions.count() == 0
+        && parts.arrivals.isEmpty()
+        && !parts.recording.isOn();
   }
 
   /** Returns when the next tick is due; valid after the first {@link #doWork}. */
   public long nextDeadlineNs() {
-    return loop.nextDeadlineNs();
-  }
-
-  private void tick(long nowNs, boolean sends) {
-    long beginNs = clock.getAsLong();
-    stages.begin();
-    arrivals.admit(beginNs, nowNs);
-    departures.serve(nowNs);
-    moves.serve(nowNs);
-    Match match = context.match();
-    Simulation simulation = match.simulation();
-    int next = simulation.tick() + 1;
-    for (int i = sessions.count() - 1; i >= 0; i--) {
-      sessions.get(i).consumeInput(next);
-      sessions.get(i).tellPace(load.pacePercent());
-    }
-    post.collect();
-    stages.end(TurnStage.INPUTS);
-    boolean stepped = step();
-    stages.end(TurnStage.STEP);
-    if (stepped) {
-      match.capture().capture();
-      stages.end(TurnStage.CAPTURE);
-      counters.add(Counter.EVENTS_LOST, match.takeDroppedEvents());
-      if (sends) {
-        snapshots.run(beginNs, nowNs);
-        stages.end(TurnStage.SNAPSHOTS);
-      }
-      post.send();
-      simulation.outbox().drainNotices(sendNotice);
-      match.failures().tell(simulation.findings());
-      roster.send(sessions.bySeat(), nowNs, sendTo);
-    }
-    counters.add(Counter.TICKS, 1);
-    context.passTick();
-    recording.tickEnds();
-    if (stepped) {
-      changes.tickEnds(nowNs);
-      if (checkpoints != null) {
-        checkpoints.tickEnds(nowNs);
-      }
-    }
-    tick = context.simulation().tick();
-    phase = presentPhase();
-    stages.end(TurnStage.REST);
-    long tookNs = clock.getAsLong() - beginNs;
-    counters.tickTook(tookNs);
-    if (load.tickTook(tookNs)) {
-      loop.pace(load.pacePercent(), nowNs + tookNs);
-      warnings.paceChanged(load.pacePercent(), nowNs);
-    }
-    if (tookNs > loop.periodNs()) {
-      counters.add(Counter.TICKS_OVERRUN, 1);
-    }
-    int rate = context.config().tickRateHz();
-    if (match.failures().endTick() >= rate && !closed) {
-      String game = simulation.game().name();
-      fail("game " + game + " failed in each of the last " + rate + " ticks");
-    }
-  }
-
-  /** Returns the phase of the match for people, empty if the game has no clock. */
-  private String presentPhase() {
-    Simulation simulation = context.simulation();
-    return simulation.game().clock() == null ? "" : MatchClock.phase(simulation).text();
+    return parts.pace.nextDeadlineNs();
   }
 
   private int pollAll(long nowNs) {
     int work = 0;
-    for (int i = sessions.count() - 1; i >= 0; i--) {
-      Session session = sessions.get(i);
+    for (int i = parts.sessions.count() - 1; i >= 0; i--) {
+      Session session = parts.sessions.get(i);
       if (session.state() == SessionState.PLAYING || session.state() == SessionState.LOADING) {
         try {
           work += session.poll(nowNs);
         } catch (RuntimeException e) {
-          departures.fail(session, e, nowNs);
+          parts.departures.fail(session, e, nowNs);
         }
       }
     }
@@ -417,21 +243,7 @@ public final class Room {
 
   /** Returns the requests of newcomers for seats; any thread may ask. */
   public SeatRequests seatRequests() {
-    return departures.requests();
-  }
-
-  /** Returns false when the step itself threw; the callbacks of the game can't. */
-  private boolean step() {
-    Simulation simulation = context.simulation();
-    try {
-      simulation.step();
-      return true;
-    } catch (RuntimeException | AssertionError | StackOverflowError e) {
-      // The world is in the middle of a step now: nothing that follows would mean anything.
-      LOG.error("{}the step of tick {} failed", context.label(), simulation.tick() + 1, e);
-      fail("its physics failed");
-      return false;
-    }
+    return parts.departures.requests();
   }
 
   /**
@@ -440,10 +252,7 @@ public final class Room {
    * @param why for the log
    */
   public void fail(String why) {
-    String name = context.label().isEmpty() ? "room " : context.label();
-    LOG.error("{}closed at tick {}: {}", name, tick, why);
-    failed = true;
-    close(GoodbyeReason.SERVER_ERROR, "", clock.getAsLong());
+    end.fail(why, tick());
   }
 
   /**
@@ -451,16 +260,7 @@ public final class Room {
    * while {@link #doWork} is called, so that the goodbye arrives; {@link #closeLinks} ends that.
    */
   public void close(GoodbyeReason reason, String text, long nowNs) {
-    if (closed) {
-      return;
-    }
-    closed = true;
-    recording.end(reason.name());
-    if (checkpoints != null) {
-      checkpoints.end(!failed, nowNs);
-    }
-    departures.endAll(reason, text, nowNs);
-    arrivals.refuseAll(reason, text, nowNs);
+    end.close(reason, text, nowNs);
   }
 
   /**
@@ -470,22 +270,17 @@ public final class Room {
    * @param why for logs
    */
   public void abandon(String why) {
-    closed = true;
-    if (checkpoints != null) {
-      checkpoints.abandon(why);
-    }
-    arrivals.closeLinks(why);
-    sessions.closeLinks(why);
+    end.abandon(why);
   }
 
   /** Returns whether all links have said goodbye. */
   public boolean isDeserted() {
-    return sessions.count() == 0 && partings.isEmpty();
+    return parts.sessions.count() == 0 && parts.partings.isEmpty();
   }
 
   /** Closes the links that linger after {@link #close}. */
   public void closeLinks() {
-    partings.closeAll();
+    parts.partings.closeAll();
   }
 
   /** Returns what an operator may ask of the room; from any thread but the room's. */
@@ -497,7 +292,7 @@ public final class Room {
    * Waits until the recording that ended last is written, at most 5 s; when the room has closed.
    */
   public void awaitRecording() {
-    recording.awaitEnd();
+    parts.recording.awaitEnd();
   }
 
   /** Returns the room's number, from 1 on; from any thread. */
@@ -527,10 +322,10 @@ public final class Room {
         name(),
         match.game(),
         match.level().level().name(),
-        phase,
+        ticks.phase(),
         seats().takenCount(),
         seats().count(),
-        (int) counters.get(Counter.SPECTATORS),
+        (int) counters().get(Counter.SPECTATORS),
         settings.metadata());
   }
 
@@ -541,14 +336,14 @@ public final class Room {
 
   /** Returns the last tick of the present match that was computed; from any thread. */
   public int tick() {
-    return tick;
+    return ticks.tick();
   }
 
   /**
    * Returns whether the room closed itself because of an error, see {@link #fail}; from any thread.
    */
   public boolean hasFailed() {
-    return failed;
+    return end.hasFailed();
   }
 
   /**
@@ -566,7 +361,7 @@ public final class Room {
 
   /** Returns what the room counts; from any thread. */
   public Counters counters() {
-    return counters;
+    return context.counters();
   }
 
   /** Returns the number of ticks per second; from any thread. */
@@ -576,7 +371,7 @@ public final class Room {
 
   /** Returns how long the stages of its turns took; from any thread. */
   public StageTimes stages() {
-    return stages;
+    return parts.stages;
   }
 
   /** Returns the pictures of the room for people who watch it; from any thread. */
@@ -606,6 +401,6 @@ public final class Room {
 
   /** Returns the session on a seat, or null. */
   public Session session(int playerId) {
-    return sessions.onSeat(playerId);
+    return parts.sessions.onSeat(playerId);
   }
 }

@@ -3,6 +3,7 @@ package carom.server.schedule;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.LogInterval;
+import java.util.Arrays;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -13,6 +14,11 @@ import org.slf4j.LoggerFactory;
 public final class LoadWarnings {
   private static final Logger LOG = LoggerFactory.getLogger(LoadWarnings.class);
 
+  /** Fewest late ticks in a second that are worth a warning, at any tick rate. */
+  private static final int LEAST_LATE_TICKS = 3;
+
+  private static final long SECOND_NS = 1_000_000_000L;
+
   private final String label;
   private final Counters counters;
   private final int tickRateHz;
@@ -20,6 +26,11 @@ public final class LoadWarnings {
   private final LogInterval stoodStill = new LogInterval();
   private final LogInterval postponed = new LogInterval();
   private final LogInterval slowed = new LogInterval();
+
+  /** Times of the last ticks in which snapshots waited: a ring, the oldest at {@link #oldest}. */
+  private final long[] postponedAt;
+
+  private int oldest;
 
   /** Dropped ticks that no line has told of. */
   private long untold;
@@ -34,6 +45,8 @@ public final class LoadWarnings {
     this.counters = counters;
     this.tickRateHz = tickRateHz;
     counters.set(Counter.PACE_PERCENT, 100);
+    postponedAt = new long[Math.max(LEAST_LATE_TICKS, tickRateHz / 10)];
+    Arrays.fill(postponedAt, Long.MIN_VALUE / 2);
   }
 
   /**
@@ -88,17 +101,22 @@ public final class LoadWarnings {
 
   /**
    * Notes that snapshots wait for the next tick: the first sign that the machine gets too slow,
-   * while ticks are still on time.
+   * while ticks are still on time. A warning comes when that happens in a tenth of the ticks of a
+   * second: single late ticks, as when code is compiled at the first join, are only counted.
    *
    * @param snapshots how many wait
    * @param sessions of how many sessions
    */
   public void snapshotsPostponed(int snapshots, int sessions, int tick, long nowNs) {
     counters.add(Counter.SNAPSHOTS_POSTPONED, snapshots);
-    if (postponed.tryBegin(nowNs)) {
+    postponedAt[oldest] = nowNs;
+    oldest = (oldest + 1) % postponedAt.length;
+    if (nowNs - postponedAt[oldest] < SECOND_NS && postponed.tryBegin(nowNs)) {
       LOG.warn(
-          "{}ticks take too long at tick {}: {} of {} snapshots wait for the next one; {}",
+          "{}ticks take too long: in {} of the last second snapshots waited, at tick {} {} of {};"
+              + " {}",
           label,
+          postponedAt.length,
           tick,
           snapshots,
           sessions,

@@ -1,8 +1,8 @@
 package carom.server.schedule;
 
 /**
- * How much of its time a room's ticks take: the 95th percentile of the last ten seconds, and the
- * pace at which the room can keep its ticks apart. One thread; no allocation.
+ * Measures how much of its time a room's ticks take: the 95th percentile of the last ten seconds,
+ * and the pace at which the room can keep its ticks apart. One thread; no allocation.
  *
  * <p>A room that is too slow sheds load in this order. First it sends fewer snapshots ({@link
  * SendTurns}). When a tick without most of its snapshots still takes longer than its period, time
@@ -105,8 +105,8 @@ public final class TickLoad {
 
   /**
    * Returns the time that 95 of 100 ticks of the last {@value #SECONDS} s took at most, percent of
-   * their period at full pace, 0..300; of the ticks since the start while they are fewer, and 0
-   * before the first.
+   * their period at full pace, 0..300. It is that of the ticks since the start while they are
+   * fewer, and 0 before the first.
    */
   public int percent() {
     int left = (int) (Math.min(ticks, parts.length) * PERCENTILE + 99) / 100;

@@ -3,7 +3,7 @@ package carom.server.session;
 /** Takes lines of chat that are commands. */
 @FunctionalInterface
 public interface ChatCommands {
-  /** What a line of chat begins with to be a command. */
+  /** Prefix of a line of chat that is a command. */
   String BEGIN = "/";
 
   /** Takes none: all lines are chat. */

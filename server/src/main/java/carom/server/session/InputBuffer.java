@@ -21,20 +21,20 @@ import java.util.Arrays;
  * <p>Inputs are packed, see {@link Input#pack}; 0 is neutral. One thread; no allocation.
  */
 public final class InputBuffer {
-  /** What became of an offered input. */
+  /** The fate of an offered input. */
   public enum Arrival {
     /** Stored, will be consumed at its tick. */
     ACCEPTED,
     /** Already known; the usual fate of redundant copies. */
     DUPLICATE,
     /**
-     * Its tick was consumed already, with an equal input that the client had {@linkplain #hold
-     * held}.
+     * The input's tick was consumed already, with an equal input that the client had {@linkplain
+     * #hold held}.
      */
     CONFIRMED,
-    /** Its tick was consumed already. */
+    /** The input's tick was consumed already. */
     TOO_LATE,
-    /** Its tick lies beyond the window. */
+    /** The input's tick lies beyond the window. */
     TOO_EARLY
   }
 
@@ -45,7 +45,7 @@ public final class InputBuffer {
   private final long[] packed = new long[SIZE];
   private final int[] tickOf = new int[SIZE];
 
-  /** Whether a slot's input did not arrive but followed from one that was held; by slot. */
+  /** True if a slot's input did not arrive but followed from one that was held; by slot. */
   private final boolean[] isHeld = new boolean[SIZE];
 
   private int lastConsumedTick;

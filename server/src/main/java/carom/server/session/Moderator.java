@@ -5,8 +5,8 @@ import carom.sim.entity.Player;
 import carom.sim.message.PlayerRole;
 
 /**
- * What an operator does to a player in a room: mutes it, makes it a spectator. Each method answers
- * in one line. The room's thread.
+ * Carries out what an operator does to a player in a room: mutes it, makes it a spectator. Each
+ * method answers in one line. The room's thread.
  */
 public final class Moderator {
   private Moderator() {}

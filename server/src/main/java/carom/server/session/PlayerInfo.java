@@ -4,7 +4,7 @@ import carom.server.replication.LinkFigures;
 import java.util.Locale;
 
 /**
- * What an operator sees of a player. Immutable.
+ * The description of a player for an operator. Immutable.
  *
  * @param id the player's id, 0..1,023
  * @param name unique in the room

@@ -32,7 +32,7 @@ public final class RosterNews {
    */
   private static final int MAX_SENDS_PER_TICK = 64;
 
-  /** What the clients know of each seat; null for nobody. */
+  /** Entries of the roster as the clients know them, by seat; null for nobody. */
   private final RosterEntry[] told;
 
   private final int[] pings;

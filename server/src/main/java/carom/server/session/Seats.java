@@ -20,7 +20,7 @@ public final class Seats {
   private static final long RESUME_INTERVAL_MS = 1_500;
   private static final long NS_PER_MS = 1_000_000;
 
-  /** Where players come from that were restored and haven't come back, or sit down in tests. */
+  /** Origin of players that were restored and haven't come back, or sit down in tests. */
   private static final Origin UNKNOWN = new Origin("", "");
 
   private final Seat[] taken;

@@ -1,12 +1,9 @@
 package carom.server.session;
 
-import carom.net.codec.Sequence;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
-import carom.net.protocol.InputDatagram;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
-import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.frame.WaitingInputs;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
@@ -16,25 +13,32 @@ import carom.server.match.LevelUpload;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.replication.SessionReplication;
-import carom.sim.entity.Input;
 import carom.sim.entity.Player;
-import java.util.Locale;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The protocol's state of one player in a room: the state of the session, its link while there is
- * one, and its inputs. Its {@link SessionReplication} decides what the client is told.
+ * The protocol's state of one player in a room: the state of the session, and its link while there
+ * is one.
  *
  * <p>A session lives from the first Ready until the player leaves or the grace period ends. A
  * resumed session keeps this object and gets a new link. When the room begins another match, the
  * session gets another player and loads again over the same link.
  *
+ * <p>Data flows one way. What arrives goes to the part that owns the subject, and each part does
+ * one thing:
+ *
+ * <pre>
+ *               ┌─► MatchLoading        while the client loads a match
+ *               ├─► RoomRequests        other rooms
+ *   Link ─poll──┼─► SessionMessages     messages of the game ─┐
+ *               ├─► SessionInputs       one input per tick ───┴─► Simulation ─► frame ─┐
+ *               ├─► DivergenceReports   mispredictions                                 │
+ *               └─► SessionReplication  acknowledgements ──────────► snapshot ◄────────┘──► Link
+ * </pre>
+ *
  * <p>What a client sends can change this object only: a wrong message asks the room to expel the
  * session; a wrong datagram is counted and ignored, because anybody can forge a datagram.
- *
- * <p><b>Length.</b> Just above 500 lines: the ways from state to state are told where they are, and
- * inputs, messages and replication are classes of their own.
  *
  * <p>Owned by the room's thread. Polling and sending in the steady state allocate nothing.
  */
@@ -44,20 +48,6 @@ public final class Session implements LinkHandler {
 
   private static final Logger LOG = LoggerFactory.getLogger(Session.class);
   private static final long NS_PER_MS = 1_000_000;
-  private static final long NEUTRAL = new Input().pack();
-  private static final int MAX_HOLD_MS = 255;
-  private static final int MIN_MARGIN = -32;
-  private static final int MAX_MARGIN = 31;
-
-  /** Why the session should end at the next tick. */
-  public enum Departure {
-    /** It should not. */
-    NONE,
-    /** The player leaves. */
-    LEAVE,
-    /** The client broke the protocol. */
-    EXPEL
-  }
 
   private final Seats.Seat seat;
   private Player player;
@@ -65,37 +55,20 @@ public final class Session implements LinkHandler {
   private final Counters counters;
   private SessionReplication replication;
   private SessionMessages messages;
-  private final InputBuffer inputs;
-  private final InputDatagram datagram = new InputDatagram();
-  private final InputFeedback feedback = new InputFeedback();
+  private final SessionInputs inputs;
+  private final MatchLoading loading = new MatchLoading();
+  private final RoomRequests roomRequests = new RoomRequests();
+  private final Departure departure = new Departure();
   private SessionState state = SessionState.LOADING;
   private volatile Link link;
   private int epoch;
-  private int viewDelay;
   private final DivergenceReports reports;
   private long nowNs;
   private int silentTicks;
-  private long lastInput;
-  private int idleTicks;
   private int toldPace;
-  private long sequenceArrivalNs;
   private long graceEndNs;
-  private LevelUpload upload;
-  private long declarationsDigest;
-  private boolean loaded;
-  private int loadingTicks;
   private int playedTicks;
-  private boolean asksForRooms;
-  private int roomsToldTicks = Short.MAX_VALUE; // long ago
-  private String requestedRoom;
-  private boolean linkLost;
-  private String linkLostReason = "";
-  private Departure departure = Departure.NONE;
-  private String offence = "";
   private boolean knowsRoster;
-  private long missingSeen;
-  private long lateSeen;
-  private long earlySeen;
 
   /**
    * Creates a session without a link, in {@link SessionState#LOADING}; {@link #attach} and {@link
@@ -119,7 +92,7 @@ public final class Session implements LinkHandler {
     this.messages = messages;
     this.counters = counters;
     this.reports = new DivergenceReports(this, counters);
-    this.inputs = new InputBuffer(config.inputWindowTicks(), config.inputHoldTicks());
+    this.inputs = new SessionInputs(config, counters);
   }
 
   /**
@@ -131,9 +104,7 @@ public final class Session implements LinkHandler {
   public void attach(Link newLink, int lastEpoch) {
     link = newLink;
     epoch = lastEpoch;
-    linkLost = false;
-    linkLostReason = "";
-    departure = Departure.NONE;
+    departure.begin();
   }
 
   /**
@@ -143,17 +114,12 @@ public final class Session implements LinkHandler {
    */
   public void play(int tick) {
     state = state.become(SessionState.PLAYING);
-    upload = null;
-    loaded = false;
+    loading.end();
     playedTicks = 0;
     replication.begin(epoch);
     messages.attach(link, epoch);
-    inputs.reset(tick);
-    viewDelay = 0;
-    feedback.present = false;
-    feedback.consumedTick = tick;
+    inputs.begin(tick);
     silentTicks = 0;
-    idleTicks = 0;
     toldPace = 100;
     knowsRoster = false;
     seat.follows();
@@ -179,24 +145,21 @@ public final class Session implements LinkHandler {
    * Makes the client load the match. Until it {@linkplain #hasLoaded has}, the player's input is
    * neutral.
    *
-   * @param newUpload sends the level
+   * @param upload sends the level
    * @param welcome tells the client
    */
-  public void load(LevelUpload newUpload, ServerMessage.Welcome welcome) {
+  public void load(LevelUpload upload, ServerMessage.Welcome welcome) {
     if (state != SessionState.LOADING) {
       state = state.become(SessionState.LOADING);
     }
-    upload = newUpload;
     epoch = welcome.epoch();
-    declarationsDigest = welcome.declarationsDigest();
-    loaded = false;
-    loadingTicks = 0;
+    loading.begin(upload, welcome.declarationsDigest());
     send(welcome);
   }
 
   /** Returns whether the client has loaded the match, so that the session may {@link #play}. */
   public boolean hasLoaded() {
-    return state == SessionState.LOADING && loaded;
+    return state == SessionState.LOADING && loading.isDone();
   }
 
   /** Returns the epoch of the link's last Welcome. */
@@ -252,7 +215,7 @@ public final class Session implements LinkHandler {
   public int poll(long timeNs) {
     nowNs = timeNs;
     int work = link.poll(this, MAX_POLL);
-    if (work == 0 && !linkLost && link.state() == Link.State.CLOSED) {
+    if (work == 0 && !departure.isLinkLost() && link.state() == Link.State.CLOSED) {
       closed(link, link.closeReason()); // while it changed hands, the lobby was told
     }
     return work;
@@ -265,13 +228,16 @@ public final class Session implements LinkHandler {
     }
     silentTicks = 0;
     if (message instanceof ClientMessage.Leave) {
-      departure = Departure.LEAVE;
+      departure.leave();
     } else if (message instanceof ClientMessage.ListRooms) {
-      asksForRooms = true;
+      roomRequests.askForList();
     } else if (message instanceof ClientMessage.ChangeRoom change) {
-      requestedRoom = change.room();
+      roomRequests.goTo(change.room());
     } else if (state == SessionState.LOADING) {
-      loading(message);
+      String offence = loading.receive(message, link);
+      if (offence != null) {
+        departure.expel(offence);
+      }
     } else if (message instanceof ClientMessage.Look look) {
       replication.look(look);
     } else if (message instanceof ClientMessage.Diverged report) {
@@ -284,45 +250,7 @@ public final class Session implements LinkHandler {
     } else if (message instanceof ClientMessage.GameMessage m && messages.receive(m)) {
       return;
     } else if (!(message instanceof ClientMessage.Ready)) {
-      expelFor(message);
-    }
-  }
-
-  /** Takes a message while the client loads. What belongs to the last match may still arrive. */
-  private void loading(Object message) {
-    if (message instanceof ClientMessage.LevelRequest request) {
-      if (upload.answer(request, link) != null) {
-        expelFor(message);
-      }
-    } else if (message instanceof ClientMessage.Ready ready) {
-      boolean ofThisMatch = upload.isFinishedBy(ready);
-      if (ofThisMatch && ready.declarationsDigest() != declarationsDigest) {
-        expel("Ready with fields that differ from those of the match's game");
-      } else {
-        loaded |= ofThisMatch;
-      }
-    } else if (!(message instanceof ClientMessage.Look)
-        && !(message instanceof ClientMessage.Diverged)
-        && !(message instanceof ClientMessage.Heard)
-        && !(message instanceof ClientMessage.PoolRequest)
-        && !(message instanceof ClientMessage.GameMessage)) {
-      expelFor(message);
-    }
-  }
-
-  private void expelFor(Object message) {
-    expel(
-        message == null
-            ? "an undecodable message"
-            : message.getClass().getSimpleName()
-                + " while "
-                + state.name().toLowerCase(Locale.ROOT));
-  }
-
-  private void expel(String forOffence) {
-    if (departure == Departure.NONE) {
-      departure = Departure.EXPEL;
-      offence = forOffence;
+      departure.expel(Offence.of(message, state));
     }
   }
 
@@ -332,73 +260,39 @@ public final class Session implements LinkHandler {
       return;
     }
     counters.add(Counter.BYTES_IN, length);
+    boolean taken = true;
     if (messages.isOne(bytes, length)) {
-      counters.add(Counter.DATAGRAMS_IN, 1);
       messages.receive(bytes, length);
-      return;
+    } else if (inputs.receive(bytes, length, epoch, nowNs - from.waitedNs(), replication)) {
+      silentTicks = 0;
+    } else {
+      taken = false;
     }
-    if (!datagram.decode(bytes, 0, length) || datagram.epoch != epoch) {
-      counters.add(Counter.DATAGRAMS_REFUSED, 1);
-      return;
-    }
-    counters.add(Counter.DATAGRAMS_IN, 1);
-    silentTicks = 0;
-    if (!feedback.present || Sequence.isNewer(datagram.sequence, feedback.sequence)) {
-      feedback.present = true;
-      feedback.sequence = datagram.sequence;
-      sequenceArrivalNs = nowNs - from.waitedNs();
-      if (datagram.count > 0) {
-        viewDelay = datagram.viewDelay;
-      }
-      replication.receivePrediction(datagram);
-    }
-    if (datagram.hasAck) {
-      replication.receiveAck(datagram.ackSequence, datagram.ackBits);
-    }
-    for (int i = datagram.count - 1; i >= 0; i--) { // oldest first
-      int tick = datagram.newestTick - i;
-      if (inputs.offer(tick, datagram.inputs[i]) == InputBuffer.Arrival.CONFIRMED) {
-        replication.confirmInput(tick);
-      }
-    }
-    if (datagram.count > 0) {
-      inputs.hold(datagram.newestTick, datagram.inputs[0], datagram.holdTicks);
-    }
+    counters.add(taken ? Counter.DATAGRAMS_IN : Counter.DATAGRAMS_REFUSED, 1);
   }
 
   @Override
   public void closed(Link from, String reason) {
     if (from == link) {
-      linkLost = true;
-      linkLostReason = reason;
+      departure.loseLink(reason);
     }
   }
 
   /** Sets the player's input for a tick, which must be the one after the last consumed. */
   public void consumeInput(int tick) {
-    roomsToldTicks++;
+    roomRequests.tick();
     playedTicks++;
-    if (state != SessionState.PLAYING) {
-      player.input().clear();
-      player.viewDelay(0);
-      loadingTicks += state == SessionState.LOADING ? 1 : 0;
+    if (state == SessionState.PLAYING) {
+      silentTicks++;
+      reports.tick(inputs.buffer().newestTick(), replication, nowNs);
+      inputs.consume(tick, player);
       return;
     }
-    silentTicks++;
-    reports.tick(inputs.newestTick(), replication, nowNs);
-    long input = inputs.consume(tick);
-    idleTicks++;
-    if (!inputs.lastWasMissing() && input != lastInput) {
-      lastInput = input;
-      idleTicks = 0;
+    player.input().clear();
+    player.viewDelay(0);
+    if (state == SessionState.LOADING) {
+      loading.tick();
     }
-    player.viewDelay(player.isSpectator() ? 0 : viewDelay);
-    player.input().unpack(player.isSpectator() ? NEUTRAL : input);
-    if (!inputs.lastWasMissing()) {
-      feedback.consumedTick = tick;
-    }
-    feedback.margin = Math.max(MIN_MARGIN, Math.min(MAX_MARGIN, inputs.arrivalMarginTicks()));
-    countInputs();
   }
 
   /** Tells the client at which pace time passes, in percent, if it plays and doesn't know. */
@@ -411,39 +305,18 @@ public final class Session implements LinkHandler {
 
   /** Adds the inputs that wait for the next ticks, which clients of players near are told. */
   public void showWaiting(WaitingInputs to) {
-    int tick = inputs.lastConsumedTick() + 1;
-    while (inputs.isWaiting(tick) && to.add(player.id(), inputs.waiting(tick))) {
-      tick++;
-    }
-  }
-
-  private void countInputs() {
-    counters.add(Counter.INPUTS_DUE, 1);
-    if (inputs.missing() != missingSeen) {
-      counters.add(Counter.INPUTS_MISSING, inputs.missing() - missingSeen);
-      missingSeen = inputs.missing();
-    }
-    if (inputs.tooLate() != lateSeen) {
-      counters.add(Counter.INPUTS_LATE, inputs.tooLate() - lateSeen);
-      lateSeen = inputs.tooLate();
-    }
-    if (inputs.tooEarly() != earlySeen) {
-      counters.add(Counter.INPUTS_EARLY, inputs.tooEarly() - earlySeen);
-      earlySeen = inputs.tooEarly();
-    }
+    inputs.showWaiting(player.id(), to);
   }
 
   /** Prepares a snapshot of the newest frame; call once per tick while playing. */
   public void prepareSnapshot() {
-    boolean inputInTime = !inputs.lastWasMissing() && !inputs.lastWasHeld();
-    replication.prepareSnapshot(inputs.lastConsumedTick(), inputInTime, feedback.margin < 0);
+    replication.prepareSnapshot(
+        inputs.buffer().lastConsumedTick(), inputs.wasInTime(), inputs.areLate());
   }
 
   /** Sends the snapshot that was prepared, over the session's link. */
   public void sendSnapshot(long timeNs) {
-    long holdMs = (timeNs - sequenceArrivalNs) / NS_PER_MS;
-    feedback.holdMs = (int) Math.max(0, Math.min(MAX_HOLD_MS, holdMs));
-    replication.sendSnapshot(link, feedback);
+    replication.sendSnapshot(link, inputs.feedback(timeNs));
   }
 
   /**
@@ -511,14 +384,9 @@ public final class Session implements LinkHandler {
     return state;
   }
 
-  /** Returns whether and why the session should end. */
+  /** Returns why the session should end or lose its link, if it should. */
   public Departure departure() {
     return departure;
-  }
-
-  /** Returns what the client did if it should be {@linkplain Departure#EXPEL expelled}. */
-  public String offence() {
-    return offence;
   }
 
   /** Returns when the grace period is over; meaningful in {@link SessionState#GRACE}. */
@@ -526,19 +394,9 @@ public final class Session implements LinkHandler {
     return graceEndNs;
   }
 
-  /** Returns whether the link has closed. */
-  public boolean linkLost() {
-    return linkLost;
-  }
-
-  /** Returns why the link has closed. */
-  public String linkLostReason() {
-    return linkLostReason;
-  }
-
   /** Returns how many ticks the player has played since its input last changed. */
   public int idleTicks() {
-    return idleTicks;
+    return inputs.idleTicks();
   }
 
   /**
@@ -552,7 +410,7 @@ public final class Session implements LinkHandler {
   /** Returns whether the client takes longer to load the match than it may. */
   public boolean isTooSlow() {
     return state == SessionState.LOADING
-        && loadingTicks * 1_000L > (long) config.loadTimeoutMs() * config.tickRateHz();
+        && loading.ticks() * 1_000L > (long) config.loadTimeoutMs() * config.tickRateHz();
   }
 
   /** Returns whether the grace period is over; meaningful in grace. */
@@ -577,22 +435,17 @@ public final class Session implements LinkHandler {
    * @return whether there is one
    */
   public boolean takeRoomsRequest(int ticks) {
-    boolean takes = asksForRooms && roomsToldTicks >= ticks;
-    if (takes) {
-      asksForRooms = false;
-      roomsToldTicks = 0;
-    }
-    return takes;
+    return roomRequests.takeListRequest(ticks);
   }
 
   /** Returns the name of the room that the player wants to go to, or null. */
   public String requestedRoom() {
-    return requestedRoom;
+    return roomRequests.room();
   }
 
   /** Forgets the room that the player wanted to go to. */
   public void clearRequestedRoom() {
-    requestedRoom = null;
+    roomRequests.clearRoom();
   }
 
   /** Returns the number of ticks for which the session plays; meaningful while it does. */
@@ -602,7 +455,7 @@ public final class Session implements LinkHandler {
 
   /** Returns the input buffer, for inspection. */
   public InputBuffer inputs() {
-    return inputs;
+    return inputs.buffer();
   }
 
   @Override

@@ -25,7 +25,8 @@ public final class Watchdog implements AutoCloseable {
   private static final int LOOKS = FOUND_MS / LOOK_MS - 2;
 
   /**
-   * The same for a thread that neither computes nor waits, such as one that reads from a socket.
+   * Looks as {@link #LOOKS} for a thread that neither computes nor waits, such as one that reads
+   * from a socket.
    */
   private static final int PATIENT_LOOKS = 4 * LOOKS;
 
@@ -34,7 +35,7 @@ public final class Watchdog implements AutoCloseable {
 
   private static final int MAX_FRAMES = 40;
 
-  /** What a thread works for. The watchdog's thread calls every method. */
+  /** The work of a thread. The watchdog's thread calls every method. */
   public interface Watched {
     /** Returns a number that changes whenever the work gets on. */
     int progress();

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
- * Whether a server does its work: it has not failed, and each room that has not failed goes on or
- * is paused. Between two questions nothing is done. Any thread.
+ * Tells whether a server does its work: it has not failed, and each room that has not failed goes
+ * on or is paused. Between two questions nothing is done. Any thread.
  */
 final class Health {
   /** A room that has computed no tick for so long is stuck. */

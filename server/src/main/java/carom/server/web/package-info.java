@@ -1,6 +1,6 @@
 /**
- * What a server answers over HTTP: whether it is well, whether players may come, its metrics, and
- * the live page. It has a port of its own, and no tick waits for it.
+ * Answers over HTTP whether a server is well and whether players may come, with its metrics and the
+ * live page. It has a port of its own, and no tick waits for it.
  *
  * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.net.transport}, {@code
  * carom.server.command}, {@code carom.server.config}, {@code carom.server.console}, {@code

@@ -14,7 +14,6 @@ import carom.physics.Collision;
 import carom.physics.WorldDef;
 import carom.physics.math.Trig;
 import carom.sim.Game;
-import carom.sim.MatchClock;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
@@ -25,6 +24,7 @@ import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
 import carom.sim.gauge.Gauge;
 import carom.sim.level.Level;
+import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import java.util.List;
 

@@ -6,14 +6,14 @@ import static carom.game.arena.ArenaFields.TOUCHED;
 import static carom.game.arena.ArenaFields.TOUCHED_BEFORE;
 import static carom.sim.event.Audience.ALL;
 
-import carom.sim.MatchClock;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
+import carom.sim.match.MatchClock;
 
-/** Goals: whom they count for, the lamps that show them, and the winner. */
+/** Goals: the team that each counts for, the lamps that show them, and the winner. */
 final class Goals {
   private final Pitch pitch;
   private final Discs discs;

@@ -12,7 +12,10 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import java.util.List;
 
-/** What a match is played with and on: kinds of entities and events, and the level's zones. */
+/**
+ * Everything that a match of the arena is played with and on: kinds of entities and events, and the
+ * level's zones.
+ */
 final class Pitch {
   /** Number of teams; they are 1 and 2. */
   static final int TEAMS = 2;

@@ -14,7 +14,6 @@ import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.sim.Game;
-import carom.sim.MatchClock;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
@@ -31,6 +30,7 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import java.util.List;
 
@@ -431,7 +431,7 @@ public final class PlatformerGame implements Game {
   @Override
   public void phase(Simulation s, MatchPhase now) {
     if (now == MatchPhase.OVER) {
-      Player best = MatchClock.leader(s);
+      Player best = s.leader();
       CLOCK.decide(s, best, 0);
       s.notice(best == null ? "A draw!" : best.name() + " wins with " + best.score() + " points!");
     }

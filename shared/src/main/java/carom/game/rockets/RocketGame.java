@@ -13,7 +13,6 @@ import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.sim.Game;
-import carom.sim.MatchClock;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
@@ -30,6 +29,7 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.sim.spawn.Origin;
 import java.util.List;
@@ -287,7 +287,7 @@ public final class RocketGame implements Game {
   @Override
   public void phase(Simulation s, MatchPhase now) {
     if (now == MatchPhase.OVER) {
-      CLOCK.decide(s, MatchClock.leader(s), 0);
+      CLOCK.decide(s, s.leader(), 0);
     } else if (now == MatchPhase.PLAYING) {
       forgetPractice(s);
     }

@@ -21,7 +21,7 @@ import java.util.function.Consumer;
  * @param <T> a guest; equal only to itself
  */
 public final class Entrance<T extends Entrance.Guest> {
-  /** What a guest has proven. It only goes on. Any thread may change it. */
+  /** Stage of what a guest has proven. It only goes on. Any thread may change it. */
   public enum Stage {
     /** Nothing. */
     UNPROVEN,

@@ -9,7 +9,7 @@ import java.util.concurrent.ConcurrentHashMap;
  * connections; any thread may refuse a host.
  */
 public final class Hosts {
-  /** How long a host is refused, s. */
+  /** Time for which a host is refused, s. */
   public static final int REFUSAL_SECONDS = 30;
 
   private static final long NANOS_PER_SECOND = 1_000_000_000L;

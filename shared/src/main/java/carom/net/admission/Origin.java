@@ -6,8 +6,8 @@ import java.net.UnknownHostException;
 import java.util.HexFormat;
 
 /**
- * Where a connection comes from. Two addresses of one household have the same host, because a
- * household gets a whole IPv6 network. Immutable; equal for equal groups.
+ * The group of addresses that a connection comes from. Two addresses of one household have the same
+ * host, because a household gets a whole IPv6 network. Immutable; equal for equal groups.
  *
  * @param host an IPv4 address, or an IPv6 /64 network
  * @param network an IPv4 /24 network, or an IPv6 /64 network

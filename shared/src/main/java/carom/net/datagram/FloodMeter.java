@@ -5,10 +5,10 @@ package carom.net.datagram;
  * {@value #SECONDS} seconds in a row. Use it from one thread.
  */
 public final class FloodMeter {
-  /** How many times its budget a link may send before it counts as a flood. */
+  /** Multiple of its budget from which what a link sends counts as a flood. */
   public static final int FACTOR = 10;
 
-  /** How many full seconds in a row a flood lasts. */
+  /** Least length of a flood, full seconds in a row. */
   static final int SECONDS = 2;
 
   private static final long SECOND_NANOS = 1_000_000_000L;

@@ -1,7 +1,7 @@
 /**
- * The UDP sockets of both sides, and what bounds the datagrams of one link at the server: a budget,
- * a meter for floods, and the table from the number in a datagram to its link. It knows neither
- * frames nor KryoNet.
+ * The UDP sockets of both sides, and what bounds the datagrams of one link at the server. These
+ * bounds are a budget, a meter for floods, and the table from the number in a datagram to its link.
+ * It knows neither frames nor KryoNet.
  *
  * <p>Imports the JDK only.
  *

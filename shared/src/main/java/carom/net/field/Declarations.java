@@ -7,9 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What server and client of a game must declare alike: fields, and kinds of messages. The server
- * tells digest and declarations, and a client whose game has others leaves with a text that names
- * the first difference. Immutable; any thread.
+ * The declarations that server and client of a game must share: fields, and kinds of messages. The
+ * server tells digest and declarations, and a client whose game has others leaves with a text that
+ * names the first difference. Immutable; any thread.
  */
 public final class Declarations {
   private static final char LAST_ASCII = 0x7e;

@@ -9,10 +9,10 @@ import carom.sim.field.Scope;
 import java.util.List;
 
 /**
- * The tables of a game, in the order that server and client share: of joints, of the fields of
- * other players, of entities, and of the match, and of what acts on pools. Words that stay on the
- * server are in none of them. The own player's words are in the own section instead. Immutable; any
- * thread.
+ * The tables of a game, in the order that server and client share. There are tables of joints, of
+ * the fields of other players, of entities, and of the match, and of what acts on pools. Words that
+ * stay on the server are in none of them. The own player's words are in the own section instead.
+ * Immutable; any thread.
  */
 public final class FieldTables {
   /** Place of the table of players. */

@@ -1,5 +1,5 @@
 /**
- * How a game's fields are sent: the layouts of their tables, which server and client derive from
+ * Lays out the tables in which a game's fields are sent. Server and client derive the layouts from
  * the same declarations.
  *
  * <p>The one package of {@code carom.net} that knows of fields. May import {@code

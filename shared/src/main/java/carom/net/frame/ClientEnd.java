@@ -334,7 +334,9 @@ public abstract class ClientEnd extends FramedLink {
 
   /** Records that the server knows this client's UDP address, and offers a key. */
   protected final void udpRegistered() {
-    if (!udpRegistered && state() == State.CONNECTING) {
+    if (greeting == null) {
+      lose(notCarom()); // a server greets first
+    } else if (!udpRegistered && state() == State.CONNECTING) {
       udpRegistered = true;
       offerKey();
     }

@@ -4,7 +4,7 @@ import carom.net.seal.Encryption;
 import carom.net.seal.KnownServers;
 
 /**
- * What a client demands of a server before it plays there.
+ * The demands that a client makes of a server before it plays there.
  *
  * @param encryption whether links are encrypted; a server that differs is refused
  * @param servers the servers known so far, and what to do about others

@@ -46,8 +46,6 @@ import java.util.Map;
  * <p>Each message has its own serializer, so that this code defines the wire format, and each
  * length is checked before anything is allocated. Numbers are Kryo's: little-endian, lengths
  * variable. A string is a length in bytes followed by UTF-8.
- *
- * <p><b>Length.</b> A few lines for each message from the server, ordered by their first bytes.
  */
 public final class KryoMessageCodec implements MessageCodec {
   private static final int FIRST_SERVER_BYTE = 0x40;

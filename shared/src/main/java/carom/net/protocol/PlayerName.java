@@ -29,7 +29,7 @@ public final class PlayerName {
   }
 
   /**
-   * Returns a form of a name that is equal for names that look alike on a screen: letters of other
+   * Returns a form of a name that is equal for names that look alike on a screen. Letters of other
    * scripts count as the Latin ones that they resemble, and the differences between {@code I},
    * {@code l} and {@code 1}, {@code O} and {@code 0}, {@code m} and {@code rn} don't count.
    */

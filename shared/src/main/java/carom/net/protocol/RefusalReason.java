@@ -17,7 +17,7 @@ public enum RefusalReason {
   NAME_INVALID("The server can't show this name. Choose another one.", false),
   /** The client sent something other than a handshake, or sent it in the wrong state. */
   BAD_REQUEST("The server didn't understand this game. Is it a Carom server?", false),
-  /** The same address has too many connections. */
+  /** The client's address has too many connections. */
   TOO_MANY_CONNECTIONS("Too many players connect from your address.", true),
   /** The server stops. */
   SHUTTING_DOWN("The server is shutting down.", true),

@@ -1,6 +1,9 @@
 package carom.net.seal;
 
-/** Whether a link is encrypted. Both sides must agree; neither gives way to the other. */
+/**
+ * A side's choice whether a link is encrypted. Both sides must agree; neither gives way to the
+ * other.
+ */
 public enum Encryption {
   /**
    * Frames are in the clear. Each carries the key of its session as a tag, which keeps out senders

@@ -22,7 +22,7 @@ public final class ExchangeKey {
 
   private static final String NAME = "X25519";
 
-  /** What stands before the 32 bytes of a public key in the JDK's own format (RFC 8410). */
+  /** Bytes before the 32 bytes of a public key in the JDK's own format (RFC 8410). */
   private static final byte[] ENCODED_HEAD = HexFormat.of().parseHex("302a300506032b656e032100");
 
   /** The public key of the private key 1: agreeing with it computes a public key. */

@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * What the two sides of a link agreed on: a key for each direction of TCP and of UDP, and the
- * server's proof. No key serves two purposes.
+ * The keys on which the two sides of a link agreed: one for each direction of TCP and of UDP, and
+ * the server's proof. No key serves two purposes.
  *
  * @param streamOut seals what this side sends by TCP
  * @param streamIn opens what this side receives by TCP

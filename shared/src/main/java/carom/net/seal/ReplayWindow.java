@@ -5,7 +5,9 @@ package carom.net.seal;
  * {@value #SPAN} numbers; what is older counts as seen. Use it from one thread.
  */
 final class ReplayWindow {
-  /** How far back a late datagram is accepted: two seconds of 480 datagrams a second. */
+  /**
+   * Age up to which a late datagram is accepted, datagrams: two seconds of 480 datagrams a second.
+   */
   static final int SPAN = 1_024;
 
   private final long[] seen = new long[SPAN / Long.SIZE];

@@ -17,7 +17,7 @@ final class DatagramHead {
   private static final int MARGIN_BITS = 6;
   private static final int MIN_MARGIN = -(1 << (MARGIN_BITS - 1));
 
-  /** What the datagram carries, and the epoch. */
+  /** The datagram's epoch, and the sections that it carries. */
   int mark;
 
   /** Sequence number of the datagram, 16 bits. */
@@ -26,13 +26,13 @@ final class DatagramHead {
   /** Tick whose state the datagram tells. */
   int tick;
 
-  /** Whether the client is asked to ack soon. */
+  /** True if the client is asked to ack soon. */
   boolean news;
 
-  /** What the server tells about the client's inputs. */
+  /** The server's feedback about the client's inputs. */
   final InputFeedback feedback = new InputFeedback();
 
-  /** Whether an own section, inputs and a near section follow. */
+  /** True if an own section, inputs and a near section follow. */
   boolean hasOwn;
 
   /** Age of the baseline of the own section, ticks; 0 = none. */

@@ -42,7 +42,7 @@ public record Explanation(
   public enum Reason {
     /** There is no such entity, and the client doesn't show one. */
     FREE,
-    /** It is outside of the client's view, or the game hides it. */
+    /** The entity is outside of the client's view, or the game hides it. */
     OUT_OF_SIGHT,
     /** The client has the present state and has acked it. */
     UP_TO_DATE,
@@ -52,7 +52,7 @@ public record Explanation(
     UNACKED,
     /** Others had collected more priority, and the budget was used up. */
     OVER_BUDGET,
-    /** It changed after the last snapshot; the next one will tell. */
+    /** The entity changed after the last snapshot; the next one will tell. */
     NOT_DUE
   }
 

@@ -6,7 +6,7 @@ package carom.net.snapshot;
  */
 public final class InputFeedback {
 
-  /** Whether the server got any input datagram; if not, the other fields mean nothing. */
+  /** True if the server got any input datagram; if not, the other fields mean nothing. */
   public boolean present;
 
   /** Sequence number of the newest input datagram received, 16 bits. */

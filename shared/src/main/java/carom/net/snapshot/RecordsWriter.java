@@ -15,7 +15,9 @@ import carom.net.snapshot.selection.Selection;
  * thread, no allocation.
  */
 final class RecordsWriter {
-  /** What the end of the records takes at most: the surprise of three nodes, and rounding twice. */
+  /**
+   * Most bits that the end of the records takes: the surprise of three nodes, and rounding twice.
+   */
   static final int END_BITS = 35;
 
   /**
@@ -24,7 +26,10 @@ final class RecordsWriter {
    */
   private static final int MAX_PASSED_OVER = 8;
 
-  /** What a short run takes besides its deltas: what it is, and which slots; mostly less. */
+  /**
+   * Bits that a short run takes besides its deltas, to say that it is a run and of which slots;
+   * mostly less.
+   */
   private static final int RUN_BITS = 40;
 
   private final Deltas deltas;

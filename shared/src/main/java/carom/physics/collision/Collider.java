@@ -44,10 +44,10 @@ import carom.physics.math.Transform;
  * of a chain touches only what is in front of it, and at joints that aren't outward corners with
  * its own normal only; the point of a circle has id 0 here, too.
  *
- * <p><b>Length.</b> The class is longer than others because the steps of one manifold share a dozen
- * numbers in its fields. Split up, they would pass these as arguments in the hottest loop of the
- * engine. Round shapes and pairs of boxes have classes of their own: {@link RoundCollider}, {@link
- * BoxCollider}.
+ * <p><b>Length.</b> One idea: the manifold of two convex shapes. It stays whole, because its steps
+ * share a dozen numbers in its fields; parts would pass these as arguments in the hottest loop of
+ * the engine. Round shapes and pairs of boxes have classes of their own: {@link RoundCollider},
+ * {@link BoxCollider}.
  */
 public final class Collider {
   /**

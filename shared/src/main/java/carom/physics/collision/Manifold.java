@@ -1,7 +1,8 @@
 package carom.physics.collision;
 
 /**
- * Where two convex shapes A and B touch or are about to: one normal and up to two points.
+ * The place at which two convex shapes A and B touch or are about to: one normal and up to two
+ * points.
  *
  * <p>Points are in world axes but <b>relative to A's transform position</b>, so they stay exact far
  * from the world's origin and are A's lever arms when A's frame is centred at its mass. A point

@@ -126,7 +126,7 @@ final class RoundCollider {
   // ---------------------------------------------------------------- one-sided segments
 
   /**
-   * What to do with a normal that isn't the front's: take it, use the front's instead, or leave the
+   * Decision about a normal that isn't the front's: take it, use the front's instead, or leave the
    * contact to the neighbour.
    */
   private enum NormalUse {

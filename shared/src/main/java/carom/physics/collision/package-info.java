@@ -1,6 +1,6 @@
 /**
- * Where and how deep two shapes touch: contact manifolds for the solver, minimum translation
- * vectors for games. Distances between shapes are in {@code collision.distance}.
+ * Computes where and how deep two shapes touch: contact manifolds for the solver, minimum
+ * translation vectors for games. Distances between shapes are in {@code collision.distance}.
  *
  * <p>Normals point from A to B. Separations are negative if shapes overlap. An MTV moves A out of
  * B.

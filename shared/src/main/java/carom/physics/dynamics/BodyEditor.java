@@ -27,7 +27,7 @@ public final class BodyEditor {
   private final Refilter refilter;
   private final BodyMaker maker;
 
-  /** Whether a static body was ever moved by hand. */
+  /** True once a static body was moved by hand. */
   private boolean staticMoved;
 
   BodyEditor(

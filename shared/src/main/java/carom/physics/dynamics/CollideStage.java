@@ -32,7 +32,7 @@ final class CollideStage {
 
   private int vetoedCount;
 
-  /** Whether a veto of the step before decides if a sleeping body wakes. */
+  /** True if a veto of the step before decides whether a sleeping body wakes. */
   private boolean undecided;
 
   private int touching;

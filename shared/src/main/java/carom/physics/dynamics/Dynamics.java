@@ -64,8 +64,9 @@ import carom.physics.threads.Workers;
  *
  * <p>One thread at a time. A steady step allocates nothing.
  *
- * <p><b>Length.</b> A third of the class is what is said above and the documents of its accessors;
- * the stages themselves are elsewhere.
+ * <p><b>Length.</b> One idea: the order of the stages, and the state that they share. It stays
+ * whole, because that order must be read and kept in one place. The stages themselves are
+ * elsewhere.
  */
 public final class Dynamics {
   /** Rows to have room for per awake body before there are as many, so that few steps allocate. */
@@ -87,7 +88,7 @@ public final class Dynamics {
   private final BodyEditor editor;
   private final PartQueries queries;
 
-  /** Whether any joint ever could break. */
+  /** True once a joint could break. */
   private boolean breakable;
 
   private final ActiveBodies active = new ActiveBodies();

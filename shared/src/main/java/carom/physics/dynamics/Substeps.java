@@ -25,8 +25,8 @@ import carom.physics.settings.Settings;
  *              integrate velocities          v += h a; contacts start warm by the last substep
  *    n times   joints: warm start            the impulses of the last substep
  *              contacts: warm start          first substep only
- *              joints: push                  with bias: errors go away
- *              contacts: push                with bias: overlap goes away
+ *              joints: biased impulses       errors go away
+ *              contacts: biased impulses     overlap goes away
  *              integrate positions           x += h v
  *              joints, contacts: relax       rigid, without bias: the speed of the bias goes
  *   finish     store                         velocities, poses and impulses
@@ -111,11 +111,11 @@ final class Substeps {
       }
       if (jointsToo) {
         beforeJoints();
-        jointSolver.push();
+        jointSolver.applyBiasedImpulses();
         afterJoints();
       }
       begins(StepStage.SOLVE);
-      contactSolver.push(phases);
+      contactSolver.applyBiasedImpulses(phases);
       begins(StepStage.INTEGRATE);
       solverBodies.integratePositions(phases);
       if (jointsToo) {

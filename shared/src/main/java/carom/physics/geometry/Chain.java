@@ -31,7 +31,10 @@ public final class Chain extends Shape {
   private final float[] xy;
   private final boolean loop;
 
-  /** Where the line goes on beyond an open end: the point before the first, that after the last. */
+  /**
+   * Points beyond the open ends, to which the line goes on: that before the first, and in {@link
+   * #after} that after the last.
+   */
   private final float[] before;
 
   private final float[] after;

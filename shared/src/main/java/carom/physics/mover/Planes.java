@@ -26,7 +26,7 @@ final class Planes {
   /** Y of the answer. */
   double y;
 
-  /** How far the answer is on the wrong side of a plane, m; 0 if all planes are kept. */
+  /** Distance of the answer from the allowed side of a plane, m; 0 if all planes are kept. */
   double violation;
 
   private double bestSquare;

@@ -64,7 +64,7 @@ final class Surroundings<T> {
 
   double pointY;
 
-  /** Whether the nearest point is a sharp corner. */
+  /** True if the nearest point is a sharp corner. */
   boolean corner;
 
   /** Normal of the surface that the mover would stand on: of a corner, its uppermost face. */

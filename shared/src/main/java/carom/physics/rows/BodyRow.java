@@ -76,7 +76,7 @@ public final class BodyRow {
   public static final int STATE_INTS = LOADS + LOAD_INTS - MOTION;
 
   /**
-   * What the body was made after in the using program, such as the index of a blueprint; an int of
+   * Model after which the using program made the body, such as the index of a blueprint; an int of
    * its choice, as {@link #KEY} is.
    */
   public static final int ARCHETYPE = LOADS + LOAD_INTS;

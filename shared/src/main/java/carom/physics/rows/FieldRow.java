@@ -11,7 +11,7 @@ public final class FieldRow {
   /** Place of the body among the rows of bodies. */
   public static final int PLACE = 0;
 
-  /** Which eight of the body's words these are; 0..{@link #MAX_CHUNKS} - 1. */
+  /** Number of the group of eight among the body's words; 0..{@link #MAX_CHUNKS} - 1. */
   public static final int CHUNK = PLACE + 1;
 
   /** First of {@link #WORD_INTS} ints: the words. */

@@ -87,13 +87,13 @@ public final class JointDefRow {
   /** Ratio of gear, rack and pulley; angle between a ratchet's teeth, rad. */
   public static final int RATIO = BREAK_TORQUE + 1;
 
-  /** Where A's length or angle counts from: a point of the world, m, or a rotation. */
+  /** Origin from which A's length or angle counts: a point of the world, m, or a rotation. */
   public static final int BASE_AX = RATIO + 1;
 
   /** See {@link #BASE_AX}. */
   public static final int BASE_AY = BASE_AX + 1;
 
-  /** Where B's length or angle counts from; see {@link #BASE_AX}. */
+  /** Origin from which B's length or angle counts; see {@link #BASE_AX}. */
   public static final int BASE_BX = BASE_AY + 1;
 
   /** See {@link #BASE_BX}. */

@@ -3,8 +3,8 @@ package carom.physics.rows;
 import java.util.Arrays;
 
 /**
- * How many rows of each kind a sequence has that is ordered by kind, and so which kind a row is of.
- * Mutable, reused; one thread.
+ * Counts the rows of each kind in a sequence that is ordered by kind, and so tells which kind a row
+ * is of. Mutable, reused; one thread.
  */
 public final class RowCounts {
   private static final RowKind[] KINDS = RowKind.values();

@@ -68,7 +68,7 @@ final class KernelWarmup {
    */
   private volatile BooleanSupplier rehearsal;
 
-  /** What the kernels are called on; null until the first grant. */
+  /** Scratch numbers on which the kernels are called; null until the first grant. */
   private float[] numbers;
 
   /** Grants kernels some of the work; see {@link VectorKernels#grant}. */

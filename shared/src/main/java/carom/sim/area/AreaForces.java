@@ -69,7 +69,10 @@ public final class AreaForces<T> {
   private final boolean decides;
   private final Power<T> power;
 
-  /** Those of the level, then those that are carried, by id; behind them spare ones. */
+  /**
+   * Places of the level's areas, then those of the areas that are carried, by id; behind them spare
+   * ones.
+   */
   private Place<T>[] places;
 
   private final int ofLevel;

@@ -13,9 +13,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What the particles of pools collide with: the level's statics, and its kinematic bodies, which
- * are on their paths or spin whatever the game does with them. A function of the level and the tick
- * alone, in a world of its own.
+ * The bodies with which the particles of pools collide: the level's statics, and its kinematic
+ * bodies, which are on their paths or spin whatever the game does with them. A function of the
+ * level and the tick alone, in a world of its own.
  */
 public final class PoolGround {
   private final World<Object> world;

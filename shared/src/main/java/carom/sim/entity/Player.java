@@ -39,7 +39,7 @@ public final class Player extends FieldHolder<Entity, Player> {
   private boolean ready;
   Entity body;
 
-  /** Its entities with an origin, oldest first. */
+  /** The player's entities with an origin, oldest first. */
   private final List<Entity> spawned = new ArrayList<>(0);
 
   /**

@@ -74,6 +74,20 @@ public final class PlayerTable {
     return any;
   }
 
+  /** Returns the player with the highest score, or null if several have it. */
+  public Player leader() {
+    Player best = null;
+    boolean alone = false;
+    for (int id = 0; id < limit; id++) {
+      Player p = get(id);
+      if (p != null && (best == null || p.score() >= best.score())) {
+        alone = best == null || p.score() > best.score();
+        best = p;
+      }
+    }
+    return alone ? best : null;
+  }
+
   /** Returns a number above all ids of participants. */
   public int limit() {
     return limit;

@@ -30,7 +30,7 @@ public final class WorldSeal implements Seal<Entity> {
           + "constants by Game.world alone; let the entity become another archetype, or use an area"
           + " of another gravity";
 
-  /** Why calls are refused, and what to do instead. */
+  /** Reasons why calls are refused, and what to do instead. */
   private static final Map<String, String> REASONS =
       Map.ofEntries(
           Map.entry("setType", ANOTHER),
@@ -73,7 +73,9 @@ public final class WorldSeal implements Seal<Entity> {
           Map.entry("restore", "entities belong to its state; call Simulation.restore"),
           Map.entry("writeRows", "entities belong to its state; call Simulation.restore"));
 
-  /** What may be done in {@code Game.setUp} to static geometry: both sides do it alike. */
+  /**
+   * Calls that are allowed for static geometry in {@code Game.setUp}: both sides make them alike.
+   */
   private static final Set<String> OF_STATICS =
       Set.of("setMaterial", "setFilter", "setSensor", "setEnabled", "setPose", "setCenterPose");
 

@@ -1,6 +1,6 @@
 /**
- * What a simulation consists of besides its physics: entities, the players who own some of them,
- * and the input of each player.
+ * The content of a simulation besides its physics: entities, the players who own some of them, and
+ * the input of each player.
  *
  * <p>Games use {@link carom.sim.entity.Entity}, {@link carom.sim.entity.Player} and {@link
  * carom.sim.entity.Input}. The tables and their saved states are for {@code carom.sim}, which hands

@@ -9,6 +9,15 @@ public final class Countdown extends IntField<Countdown> {
     super(spec);
   }
 
+  /**
+   * Returns a time in ticks, rounded, and at least 1.
+   *
+   * @param tickRate ticks per second
+   */
+  public static int ticks(float seconds, int tickRate) {
+    return Math.max(1, Math.round(seconds * tickRate));
+  }
+
   @Override
   Countdown with(Spec changed) {
     return new Countdown(changed);

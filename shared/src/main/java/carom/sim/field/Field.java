@@ -40,7 +40,7 @@ public abstract class Field<F extends Field<F>> {
     this.spec = spec;
   }
 
-  /** What all kinds of fields have; the limits are those of a word. */
+  /** The properties that all kinds of fields have; the limits are those of a word. */
   record Spec(
       String name,
       String range,

@@ -7,9 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Finds fields that a game uses so that no client can predict them: rules write them again and
- * again, and {@code Game.input} or {@code Game.forces} reads them; or these read what clients, or
- * the clients of others, aren't told. Writes are noted always, reads in some ticks only. One
+ * Finds fields that a game uses so that no client can predict them. Either rules write them again
+ * and again, and {@code Game.input} or {@code Game.forces} reads them; or these read what clients,
+ * or the clients of others, aren't told. Writes are noted always, reads in some ticks only. One
  * thread; allocates for a finding, and for the first write of a rule to a word.
  */
 public final class FieldUse {

@@ -6,9 +6,9 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What a game does again and again although no client can predict it, each thing once, with advice:
- * {@code beforeStep pushes entity 17 (crate) every tick, so clients can't predict it; use
- * Game.forces. First seen at tick 311.} For developers: a finding changes nothing.
+ * The things that a game does again and again although no client can predict them, each once, with
+ * advice. An example: {@code beforeStep pushes entity 17 (crate) every tick, so clients can't
+ * predict it; use Game.forces. First seen at tick 311.} For developers: a finding changes nothing.
  *
  * <p>One thread. Allocates for a finding only.
  */

@@ -5,7 +5,7 @@ package carom.sim.finding;
  * time and sinks with each tick. One thread; no allocation.
  */
 public final class Habit {
-  /** How much the level rises with each time, usually. It sinks by 1 with each tick. */
+  /** Rise of the level with each time, usually. It sinks by 1 with each tick. */
   private static final int RISE = 4;
 
   /** The level of a habit: 20 times in as many ticks, or 60 times in every third tick. */

@@ -1,6 +1,6 @@
 /**
- * What a game does again and again although no client can predict it, told to its developer once,
- * with advice.
+ * Tells a game's developer, once and with advice, what the game does again and again although no
+ * client can predict it.
  *
  * <p>Allowed imports: the JDK. Read first: {@link carom.sim.finding.Findings}, {@link
  * carom.sim.finding.Habit}.

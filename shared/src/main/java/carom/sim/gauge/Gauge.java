@@ -26,7 +26,7 @@ import carom.sim.field.Scope;
  * @param field where the value is
  */
 public record Gauge(Kind kind, String label, Field<?> field) {
-  /** How a field is shown. */
+  /** The way in which a field is shown. */
   public enum Kind {
     /** A bar of the own player. */
     BAR,

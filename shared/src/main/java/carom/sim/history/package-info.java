@@ -1,5 +1,5 @@
 /**
- * Where bodies were in the last quarter of a second, for lag compensation.
+ * Keeps the poses of bodies in the last quarter of a second, for lag compensation.
  *
  * <p>Knows neither the simulation nor its entities: {@link carom.sim.history.TrackedBodies} says
  * which bodies are remembered.

@@ -14,8 +14,8 @@ import carom.sim.level.LevelJoint;
 import java.util.Arrays;
 
 /**
- * What a simulation knows of its joints beyond the physics: under which key the server knows each,
- * what it was made with, and which joint of which assembly it is.
+ * The simulation's knowledge of its joints beyond the physics: under which key the server knows
+ * each, what it was made with, and which joint of which assembly it is.
  *
  * <p>A joint's <em>key</em> is the same on server and clients: the joint's index in the server's
  * world and its generation, {@code index | generation << 16}. So the order of keys is the order in

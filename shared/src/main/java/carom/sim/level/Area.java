@@ -25,7 +25,7 @@ import carom.physics.math.Limits;
  * }</pre>
  */
 public final class Area implements Cloneable {
-  /** What an area does. */
+  /** The effect of an area. */
   public enum Kind {
     /** A fluid that lifts, brakes and carries. */
     WATER,
@@ -56,7 +56,7 @@ public final class Area implements Cloneable {
   private float rate;
   private float angularRate;
 
-  /** Whether a wind acts on edges, with the rates as its coefficients of drag and lift. */
+  /** True if a wind acts on edges, with the rates as its coefficients of drag and lift. */
   private boolean edges;
 
   private float strength;

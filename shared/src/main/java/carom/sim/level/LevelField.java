@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a level says of a field of its bodies. The level is read before its game is known, so the
- * name and the value are checked when the two meet.
+ * A field of a level's bodies with the value that the level gives it. The level is read before its
+ * game is known, so the name and the value are checked when the two meet.
  *
  * @param where file, line and place, for error messages
  * @param name of the field

@@ -1,6 +1,6 @@
 package carom.sim.match;
 
-/** What a match with a {@code MatchClock} is at. */
+/** What a match with a {@link MatchClock} is at. */
 public enum MatchPhase {
   /** The match waits for players. */
   WARM_UP("warm-up"),

@@ -3,8 +3,9 @@ package carom.sim.match;
 import java.util.Objects;
 
 /**
- * What a room plays after the present match, as a game asks for it by {@code Simulation.playNext}.
- * Players keep their ids and names. Team and score begin at 0 unless they are kept.
+ * The match that a room plays after the present one, as a game asks for it by {@code
+ * Simulation.playNext}. Players keep their ids and names. Team and score begin at 0 unless they are
+ * kept.
  *
  * @param game name of the game; empty for the one that the level is made for
  * @param level file or name of the level; empty for the default level of the game. If both are

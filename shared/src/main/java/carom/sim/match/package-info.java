@@ -1,7 +1,8 @@
 /**
- * What a match is at, and what follows it.
+ * What a match is at, the clock that says so, and what follows it.
  *
- * <p>Allowed imports: the JDK. Read first: {@link carom.sim.match.MatchPhase}, {@link
- * carom.sim.match.NextMatch}.
+ * <p>Allowed imports: {@code carom.sim.entity}, {@code carom.sim.event}, {@code carom.sim.field},
+ * the JDK. Read first: {@link carom.sim.match.MatchClock}, {@link carom.sim.match.MatchPhase},
+ * {@link carom.sim.match.NextMatch}.
  */
 package carom.sim.match;

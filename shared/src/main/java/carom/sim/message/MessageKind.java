@@ -32,7 +32,7 @@ public final class MessageKind {
   /** Largest number of messages a second, as many as there are ticks at the fastest rate. */
   public static final int MAX_PER_SECOND = 240;
 
-  /** Where messages of a kind come from. */
+  /** The direction in which messages of a kind go. */
   public enum Direction {
     /** From a client to the game. */
     FROM_CLIENT,

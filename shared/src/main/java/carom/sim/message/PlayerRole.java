@@ -1,6 +1,6 @@
 package carom.sim.message;
 
-/** What a client that has a seat does in the game. */
+/** The role in the game of a client that has a seat. */
 public enum PlayerRole {
   /** Plays: the game gives it a body. */
   PLAYER,

@@ -9,7 +9,7 @@ public interface JointDefinitions {
   /** The root of the joint's assembly, as {@link JointTable#root} returns it. */
   int ROOT = 0;
 
-  /** Which joint of its assembly it is. */
+  /** Number of the joint in its assembly. */
   int NUMBER = ROOT + 1;
 
   /** The first int of its {@link JointDefRow}. */

@@ -10,7 +10,7 @@ import java.util.Objects;
  * {@code to} nobody gets it. It never matters to the simulation.
  */
 public final class Delivery {
-  /** Who gets a message. */
+  /** The recipients of a message. */
   public enum Recipients {
     /** Nobody. */
     NOBODY,
@@ -20,7 +20,7 @@ public final class Delivery {
     TEAM,
     /** Everybody. */
     ALL,
-    /** Those who look at the entity {@link Delivery#id} and may know it. */
+    /** The participants who look at the entity {@link Delivery#id} and may know it. */
     NEAR
   }
 

@@ -8,9 +8,9 @@ import java.util.ArrayDeque;
 import java.util.function.Consumer;
 
 /**
- * What a game has said that waits for the program around the simulation: notices, events, messages,
- * and what to play next. No part of the state; {@code Simulation.restore} leaves it alone. Bounded.
- * One thread.
+ * Holds what a game has said until the program around the simulation takes it: notices, events,
+ * messages, and what to play next. No part of the state; {@code Simulation.restore} leaves it
+ * alone. Bounded. One thread.
  */
 public final class Outbox {
   /** Most notices that wait for {@link #drainNotices}. More are dropped and counted. */

@@ -1,6 +1,6 @@
 /**
- * What a game says to players and to the program around its simulation: events, messages, notices,
- * and what to play next. None of it is part of a simulation's state.
+ * Carries what a game says to players and to the program around its simulation: events, messages,
+ * notices, and what to play next. None of it is part of a simulation's state.
  *
  * <p>Allowed imports: {@code carom.physics}, {@code carom.sim.entity}, {@code carom.sim.level},
  * {@code carom.sim.event}, {@code carom.sim.match}, {@code carom.sim.message}, the JDK. Read first:

@@ -7,8 +7,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * What the particles of pools do to bodies, one after the other, and which of these stir them. One
- * thread; allocates only for the first body of an archetype.
+ * Applies the forces of pools' particles to bodies, one after the other, and finds which of these
+ * stir the particles. One thread; allocates only for the first body of an archetype.
  */
 final class BodyForces {
   /** Relative speed, m/s, from which a body stirs. */

@@ -3,9 +3,9 @@ package carom.sim.pool;
 import java.util.Arrays;
 
 /**
- * What acts on pools from outside, by periods of a tenth of a second. A row holds a period's
- * orders: which spouts are open, and up to {@value #MAX_ORDERS} places where a body stirs the
- * particles, where some are poured, or where they are taken away.
+ * The orders by which pools are changed from outside, by periods of a tenth of a second. A row
+ * holds a period's orders: which spouts are open, and up to {@value #MAX_ORDERS} places where a
+ * body stirs the particles, where some are poured, or where they are taken away.
  *
  * <p>The server closes the row of a period {@value #AHEAD} periods before it begins, so that
  * clients have it in time. A row is {@value #WORDS} words, which may hold anything: every order is

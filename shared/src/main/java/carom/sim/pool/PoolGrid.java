@@ -4,8 +4,8 @@ import carom.physics.particles.Particles;
 import java.util.Arrays;
 
 /**
- * What a pool does to bodies after one tick: how full each cell of its rectangle is, and how fast
- * that moves. Between the middles of cells, the values are interpolated. One thread; allocates
+ * The effect of a pool on bodies after one tick: how full each cell of its rectangle is, and how
+ * fast that moves. Between the middles of cells, the values are interpolated. One thread; allocates
  * nothing after its creation.
  */
 final class PoolGrid {

@@ -42,7 +42,7 @@ public final class Pools {
   private final boolean decides;
   private final OrderLog log = new OrderLog();
 
-  /** What the game ordered since the last row was closed. */
+  /** Orders of the game since the last row was closed. */
   private final int[] requests = new int[OrderLog.WORDS];
 
   private int open;

@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 
 /**
  * Checks now and then, one body at a time, that {@code Game.forces} changes no other body than the
- * one it is called for: a client that doesn't have the other one would compute something else. One
+ * one it is called for. A client that doesn't have the other one would compute something else. One
  * thread; allocates for a finding only.
  */
 public final class ForceCheck {

@@ -77,7 +77,7 @@ public final class InterferenceLog {
   private Entity[] watched = new Entity[16];
   private int watchedCount;
 
-  /** Whether the state before the rules is noted, and that after them isn't. */
+  /** True while the state before the rules is noted, and that after them isn't. */
   private boolean rulesRun;
 
   /**
@@ -142,9 +142,10 @@ public final class InterferenceLog {
   }
 
   /**
-   * Returns the last tick in which the game did something to an entity that is no {@link Ruling},
-   * while it was watched, or -1: it put it to sleep, changed fields of it or of its player outside
-   * of {@code Game.input}, or made, destroyed or changed one of its joints.
+   * Returns the last tick in which the game did something to an entity that no {@link Ruling}
+   * tells, while it was watched, or -1. Such things are to put it to sleep, to change fields of it
+   * or of its player outside of {@code Game.input}, and to make, destroy or change one of its
+   * joints.
    */
   public int lastUntoldTick(Entity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
@@ -192,8 +193,8 @@ public final class InterferenceLog {
 
   /**
    * Returns the last tick whose state of a player's body doesn't follow from input and physics
-   * alone, because the game moved, pushed or exchanged the body, or wrote the player's fields; or
-   * -1. A push in {@code Game.afterStep} shows a tick later, so it counts for the tick after.
+   * alone, or -1. The game then moved, pushed or exchanged the body, or wrote the player's fields.
+   * A push in {@code Game.afterStep} shows a tick later, so it counts for the tick after.
    */
   public int lastTick(Player player) {
     Mark mark = find(ofPlayers, player.id(), player);

@@ -4,8 +4,9 @@ import carom.physics.Joint;
 import carom.physics.JointType;
 
 /**
- * What a game may set about a joint while it exists, as ints: which of motor, limits and spring
- * there are, and their numbers by raw bits. An angle of a target isn't among them. Stateless.
+ * The settings of a joint that a game may change while it exists, as ints: which of motor, limits
+ * and spring there are, and their numbers by raw bits. An angle of a target isn't among them.
+ * Stateless.
  */
 final class JointSettings {
   private static final int FLAGS = 0;

@@ -9,15 +9,15 @@ import carom.sim.level.Archetypes;
 
 /**
  * A change that a game made to the state of one body or joint in a tick, and that a client can't
- * compute: in {@code Game.beforeStep} or {@code Game.afterStep}, or in a {@code Game.input} that
- * read what the client isn't told. It may be an impulse, a force, another velocity or place, or
- * another setting of a joint. It holds the new bits of each number that changed, so applying it to
- * the same state gives the same state.
+ * compute. The game made it in {@code Game.beforeStep} or {@code Game.afterStep}, or in a {@code
+ * Game.input} that read what the client isn't told. It may be an impulse, a force, another velocity
+ * or place, or another setting of a joint. It holds the new bits of each number that changed, so
+ * applying it to the same state gives the same state.
  *
  * <p>Mutable, reused; one thread.
  */
 public final class Ruling {
-  /** When in a tick a game changes bodies. */
+  /** The moment in a tick at which a game changes bodies. */
   public enum Moment {
     /** Before the inputs. */
     BEFORE_STEP,
@@ -39,7 +39,7 @@ public final class Ruling {
   /** The tick in which the game made the change. */
   public int tick;
 
-  /** When in the tick it made it. */
+  /** The moment in the tick at which the game made the change. */
   public Moment moment = Moment.BEFORE_STEP;
 
   /** Slot and generation of the entity: {@code slot | generation << 16}. */
@@ -49,9 +49,10 @@ public final class Ruling {
   public int joint = BODY;
 
   /**
-   * Bit i says that int {@code BodyRow.MOTION + i} of the body's row changed, or number i of the
-   * joint's settings: flags (1 driven, 2 limited, 4 sprung), motor speed and maximum, lower and
-   * upper limit, hertz, damping ratio, rest, target x and y.
+   * Bits that say which numbers changed. For a body, bit i stands for int {@code BodyRow.MOTION +
+   * i} of its row. For a joint it stands for number i of the settings: flags (1 driven, 2 limited,
+   * 4 sprung), motor speed and maximum, lower and upper limit, hertz, damping ratio, rest, target x
+   * and y.
    */
   public int mask;
 

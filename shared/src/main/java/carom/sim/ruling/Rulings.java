@@ -3,9 +3,9 @@ package carom.sim.ruling;
 import carom.sim.entity.Player;
 
 /**
- * What a predicted simulation knows of what the server computes and it can't: of rules, which it
- * doesn't run, and of inputs that read what it isn't told. It is asked at the moments at which the
- * server calls {@code Game.beforeStep}, {@code input} and {@code afterStep}.
+ * Tells a predicted simulation what the server computes and it can't: the effects of rules, which
+ * it doesn't run, and of inputs that read what it isn't told. It is asked at the moments at which
+ * the server calls {@code Game.beforeStep}, {@code input} and {@code afterStep}.
  */
 public interface Rulings {
   /** Applies what the rules of the tick being computed did before the inputs. */

@@ -1,10 +1,9 @@
 package carom.sim.spawn;
 
 /**
- * Where an entity comes from that {@code Game.input} of a player spawned: the tick, and the number
- * of the spawn in that call. Server and client compute the same origin, so it names the entity
- * before the client knows its id. Until then it is the entity's id there: origins are above all
- * ids.
+ * The origin of an entity that {@code Game.input} of a player spawned: the tick, and the number of
+ * the spawn in that call. Server and client compute the same origin, so it names the entity before
+ * the client knows its id. Until then it is the entity's id there: origins are above all ids.
  *
  * <pre>
  *  30 29                       6 5       0

@@ -1,8 +1,8 @@
 package carom.sim.spawn;
 
 /**
- * What a client knows of the entities that its own player's {@code Game.input} spawned. A predicted
- * simulation asks it whenever {@code Game.input} spawns.
+ * Tells what a client knows of the entities that its own player's {@code Game.input} spawned. A
+ * predicted simulation asks it whenever {@code Game.input} spawns.
  */
 public interface OwnSpawns {
   /** Value of {@link #key} of an entity that the server hasn't told. */

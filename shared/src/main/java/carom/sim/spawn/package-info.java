@@ -1,6 +1,6 @@
 /**
- * What ties an entity that {@code Game.input} spawned at a client to the same one at the server:
- * its origin.
+ * Ties an entity that {@code Game.input} spawned at a client to the same one at the server, by its
+ * origin.
  *
  * <p>Allowed imports: the JDK. Read first: {@link carom.sim.spawn.Origin}, {@link
  * carom.sim.spawn.OwnSpawns}.

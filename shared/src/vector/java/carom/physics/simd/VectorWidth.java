@@ -2,7 +2,7 @@ package carom.physics.simd;
 
 import jdk.incubator.vector.FloatVector;
 
-/** How many floats this processor's vectors have. */
+/** Tells how many floats this processor's vectors have. */
 public final class VectorWidth implements VectorModule.Width {
   private final int floats = FloatVector.SPECIES_PREFERRED.length();
 

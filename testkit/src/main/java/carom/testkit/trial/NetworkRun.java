@@ -1,7 +1,7 @@
 package carom.testkit.trial;
 
 /**
- * How a game felt to its players on one network.
+ * Measures of how a game felt to its players on one network.
  *
  * @param network name of the network
  * @param players how many played

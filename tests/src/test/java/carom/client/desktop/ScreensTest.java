@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
-import carom.sim.MatchClock;
+import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.testkit.Stepper;
 import carom.testkit.VirtualDisplay;

@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.GamesTest;
 import carom.physics.Body;
-import carom.sim.MatchClock;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
+import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.sim.match.NextMatch;
 import carom.sim.random.SimRandom;

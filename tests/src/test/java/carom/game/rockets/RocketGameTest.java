@@ -6,11 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.GamesTest;
-import carom.sim.MatchClock;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
+import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import org.junit.jupiter.api.Test;
 

@@ -53,7 +53,7 @@ class QuantizerTest {
   }
 
   @Test
-  void anAngleKnownAboutIsAStepOrUnsure() {
+  void anAngleKnownAboutIsAStepOrUnknown() {
     int step = 1 << 16;
     assertEquals(0, Quantizer.angleOfTurn(0, 100));
     assertEquals(1, Quantizer.angleOfTurn(step, 100));

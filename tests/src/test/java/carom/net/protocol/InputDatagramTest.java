@@ -99,7 +99,7 @@ class InputDatagramTest {
   }
 
   @Test
-  void aWishForWhatIsNearThatDoesNotExistIsRefused() {
+  void aRequestForAPredictedSetThatDoesNotExistIsRefused() {
     InputDatagram d = new InputDatagram();
     byte[] bytes = new byte[InputDatagram.MAX_BYTES];
     for (int near = 0; near <= InputDatagram.NEAR_ALL; near++) {

@@ -24,8 +24,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Goal: stock RCON clients work, and strangers get nowhere. Method: the bytes that the package
- * {@code rcon} 2.4.9 sends, which was checked by hand against a running server.
+ * Goal: every byte of RCON is as specified, and strangers get nowhere. Method: the bytes that the
+ * package {@code rcon} 2.4.9 sends, which {@link StockClientsTest} runs itself.
  */
 @Timeout(60)
 final class RemoteConsoleTest {

@@ -26,8 +26,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * Goal: stock tools read the answers, and nobody can use them against others. Method: the bytes of
- * python-a2s 1.4.2, which was checked by hand against a running server, and forged ones.
+ * Goal: every byte of an answer is as specified, and nobody can use answers against others. Method:
+ * the bytes of python-a2s 1.4.2, which {@link StockClientsTest} runs itself, and forged ones.
  */
 @Timeout(60)
 final class StatusQueryTest {

@@ -60,6 +60,39 @@ final class LoadWarningsTest {
     assertEquals(1, texts().size(), "what was told isn't told again");
   }
 
+  /** Lets snapshots wait in every n-th tick for some seconds, from a second on. */
+  private void postpone(int everyTicks, int second, int seconds) {
+    for (int tick = 60 * second; tick < 60 * (second + seconds); tick += everyTicks) {
+      warnings.snapshotsPostponed(2, 3, tick, tick * SECOND / 60);
+    }
+  }
+
+  @Test
+  void singleLateTicksAreCountedButNoWarning() {
+    for (int tick = 12; tick < 17; tick++) {
+      warnings.snapshotsPostponed(2, 3, tick, tick * SECOND / 60); // the first join: code compiles
+    }
+    postpone(13, 2, 60);
+    assertEquals(List.of(), texts());
+    assertEquals(2 * (5 + 277), counters.get(Counter.SNAPSHOTS_POSTPONED));
+  }
+
+  @Test
+  void aTenthOfTheTicksOfASecondIsAWarning() {
+    postpone(10, 0, 2);
+    assertEquals(
+        List.of(
+            "room 1: ticks take too long: in 6 of the last second snapshots waited, at tick 50 2 of"
+                + " 3; if this repeats, lower --snapshot-rate, --budget or --max-players"),
+        texts());
+  }
+
+  @Test
+  void aWarningThatLastsComesAgainNowAndThen() {
+    postpone(2, 0, 120);
+    assertTrue(texts().size() > 2 && texts().size() < 15, () -> "lines=" + texts().size());
+  }
+
   @Test
   void everyDroppedTickIsToldOnceAndCounted() {
     int told = 0;

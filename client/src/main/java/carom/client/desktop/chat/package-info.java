@@ -1,5 +1,5 @@
 /**
- * What players say and show in the window: lines of chat, the line that is being written, emotes.
+ * Shows in the window what players say: lines of chat, the line that is being written, emotes.
  *
  * <p>Allowed imports: {@code carom.client..}, {@code carom.sim.message}, libGDX, the JDK.
  *

@@ -8,7 +8,7 @@ import carom.client.desktop.paint.Theme;
 import carom.client.field.FieldView;
 import carom.client.view.ClientView;
 import carom.net.protocol.ServerMessage.RosterEntry;
-import carom.sim.MatchClock;
+import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;

@@ -1,8 +1,8 @@
 package carom.client.desktop.hud;
 
 /**
- * Gives each part of the HUD a place of its own in a picture: the first of the spots that it may
- * have which is free of other parts and of the own body. A part stays at its spot until something
+ * Gives each part of the HUD a place of its own in a picture. A part gets the first of its possible
+ * spots that is free of other parts and of the own body. A part stays at its spot until something
  * comes near, so that it doesn't jump to and fro. Points, origin bottom left. Render thread only;
  * no allocation per picture.
  */

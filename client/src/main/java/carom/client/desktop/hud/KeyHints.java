@@ -8,12 +8,12 @@ import com.badlogic.gdx.graphics.Color;
 import java.util.List;
 
 /**
- * What a game is about and its keys, in a corner. They show for the first seconds of a visit and
- * fade; a key brings them back. Render thread only.
+ * The keys of a game and what it is about, in a corner. They show for the first seconds of a visit
+ * and fade; a key brings them back. Render thread only.
  */
 public final class KeyHints {
   /**
-   * What a key does.
+   * A key and what it does.
    *
    * @param key its name
    * @param does what it does, in a word or two

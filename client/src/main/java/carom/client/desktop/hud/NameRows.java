@@ -14,7 +14,7 @@ final class NameRows {
 
   private static final float GAP = 6;
 
-  /** How much more room on each side a name needs to come down. */
+  /** Additional room on each side that a name needs to come down. */
   private static final float TO_SPARE = 10;
 
   private final FreePlaces places;

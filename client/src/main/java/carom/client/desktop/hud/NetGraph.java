@@ -19,7 +19,7 @@ import java.util.Locale;
  * only.
  */
 public final class NetGraph {
-  /** How much is shown. */
+  /** The amount of detail. */
   public enum Size {
     /** Nothing. */
     OFF,

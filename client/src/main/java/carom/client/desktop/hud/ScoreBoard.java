@@ -12,9 +12,9 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The table of all who are here, while Tab is held and when a match is over: each team in its
- * colour with its score, its players with score, standing and ping, then spectators. Render thread
- * only.
+ * The table of all who are here, while Tab is held and when a match is over. It has each team in
+ * its colour with its score, its players with score, standing and ping, then spectators. Render
+ * thread only.
  */
 public final class ScoreBoard {
   private static final float PAD = 14;

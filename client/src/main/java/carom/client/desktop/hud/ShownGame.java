@@ -4,14 +4,14 @@ import carom.client.desktop.paint.Theme;
 import carom.client.view.ClientView;
 import carom.game.Games;
 import carom.sim.Game;
-import carom.sim.MatchClock;
 import carom.sim.field.Scope;
 import carom.sim.gauge.Gauge;
+import carom.sim.match.MatchClock;
 import com.badlogic.gdx.graphics.Color;
 import java.util.List;
 
 /**
- * What the game of the picture says of itself: its teams, their colours, its clock and gauges. Asks
+ * The picture's game as it describes itself: its teams, their colours, its clock and gauges. Asks
  * the game once, not in each picture. Render thread only.
  */
 public final class ShownGame {

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Which key does what, as the player has set it. One for the window; it changes with the settings.
- * Render thread only.
+ * The action of each key, as the player has set it. One for the window; it changes with the
+ * settings. Render thread only.
  */
 public final class KeyMap {
   private final Map<KeyAction, int[]> codes = new EnumMap<>(KeyAction.class);

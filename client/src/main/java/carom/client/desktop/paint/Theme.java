@@ -20,8 +20,9 @@ public final class Theme {
   public static final Color SHADOW = new Color(0, 0, 0, 0.28f);
 
   /**
-   * Hues below a limit, degrees, and the colour that stands for them: those by Okabe and Ito, which
-   * people with any kind of colour blindness tell apart, and a red that is still called so.
+   * Hues below a limit, degrees, and the colour that stands for them. The colours are those by
+   * Okabe and Ito, which people with any kind of colour blindness tell apart, and a red that is
+   * still called so.
    */
   private static final int[][] HUES = {
     {12, 0xee3333},

@@ -6,9 +6,9 @@ import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector3;
 
 /**
- * The part of the level that the window shows: the whole level if it fits at a readable size, or
- * else a part that follows the player and stops at the level's edges. World units are metres, y up.
- * Render thread only.
+ * The part of the level that the window shows. It is the whole level if that fits at a readable
+ * size, or else a part that follows the player and stops at the level's edges. World units are
+ * metres, y up. Render thread only.
  */
 public final class ViewCamera {
   /** Smallest height shown while following, metres. */

@@ -14,7 +14,7 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * What the server told of what the game did to near bodies and this client can't compute. The
+ * Keeps what the server told of what the game did to near bodies and this client can't compute. The
  * predicted simulation asks for it in every step, also when it computes a tick again. One
  * prediction's; allocates only to grow.
  */

@@ -21,8 +21,8 @@ import carom.sim.near.JointDefinitions;
 import carom.sim.near.Neighbourhood;
 
 /**
- * What the decoded snapshots tell a prediction: the identity of entities, their quantised states,
- * and the relayed inputs of other players. One prediction's; allocates nothing.
+ * Gives a prediction the content of decoded snapshots: the identity of entities, their quantised
+ * states, and the relayed inputs of other players. One prediction's; allocates nothing.
  */
 public final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions {
   /** Longest time that the newest state is extrapolated in a straight line, ticks. */

@@ -7,7 +7,7 @@ import carom.sim.spawn.Origin;
 import carom.sim.spawn.OwnSpawns;
 
 /**
- * Which entity of the server each of the own player's spawns is, as far as snapshots have told. An
+ * Matches the own player's spawns with entities of the server, as far as snapshots have told. An
  * entity that the server doesn't count as near stays provisional: it is told, but has no exact
  * state. The last {@value #MOST} are kept, longer than any rollback needs them. One prediction's;
  * allocates nothing.

@@ -8,7 +8,8 @@ import carom.sim.Simulation;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * What the parts of a room share. The room's thread, but for {@link #match} and what never changes.
+ * The context that the parts of a room share. The room's thread, but for {@link #match} and what
+ * never changes.
  */
 public final class RoomContext {
   private final ServerConfig config;

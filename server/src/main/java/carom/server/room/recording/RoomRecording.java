@@ -41,7 +41,7 @@ public final class RoomRecording {
   private int begunAt;
   private boolean toldLeftOut;
 
-  /** What an operator records beside a recording that spectators watch; null before the first. */
+  /** The recording of an operator beside one that spectators watch; null before the first. */
   private volatile RoomRecording beside;
 
   /** The last file that was ended, perhaps still being written; null without. */

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * What the live page is about. Immutable.
+ * The server behind the live page, as the page knows it. Immutable.
  *
  * @param title name and version of the server
  * @param commands carried out for those who know the secret

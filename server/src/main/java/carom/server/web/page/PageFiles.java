@@ -21,7 +21,7 @@ final class PageFiles {
           "charts.js", "text/javascript; charset=utf-8",
           "icon.svg", "image/svg+xml");
 
-  /** What browsers may do with the answers: nothing but what the page itself needs. */
+  /** Headers that limit what browsers may do with the answers to what the page itself needs. */
   private static final Map<String, String> HEADERS =
       Map.of(
           "Content-Security-Policy",

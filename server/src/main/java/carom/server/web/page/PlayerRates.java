@@ -7,7 +7,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What players' lines and predictions do now, from readings of the last seconds. One thread. */
+/**
+ * Computes what players' lines and predictions do now, from readings of the last seconds. One
+ * thread.
+ */
 final class PlayerRates {
   private static final int READINGS = 6;
   private static final double NS_PER_S = 1e9;
@@ -18,7 +21,7 @@ final class PlayerRates {
   private record Reading(long timeNs, Map<Integer, PlayerPicture> players) {}
 
   /**
-   * What a player's line does. NaN for what isn't known.
+   * The present rates of a player's line. NaN for what isn't known.
    *
    * @param player the newest reading
    * @param kbitPerSecond payload of snapshots

@@ -69,7 +69,7 @@ final class Viewer {
       };
 
   /**
-   * What a viewer looks at. Immutable.
+   * The room and the details that a viewer looks at. Immutable.
    *
    * @param room name of the room, or null for none
    * @param cells whether it shows the broadphase's trees

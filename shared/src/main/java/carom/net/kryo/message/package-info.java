@@ -1,5 +1,5 @@
 /**
- * How Kryo writes messages: the fields that several have in common ({@link
+ * Writes messages with Kryo: the fields that several have in common ({@link
  * carom.net.kryo.message.MessageSerializer}), and messages that came later.
  */
 package carom.net.kryo.message;

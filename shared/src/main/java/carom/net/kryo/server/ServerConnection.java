@@ -35,8 +35,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
  * otherwise keeps dead connections. A message is sent only if it fits. A datagram that can't be
  * sent is lost and closes nothing.
  *
- * <p><b>Length.</b> The steps from an unknown client to an open link, and what each may do, share
- * the connection's phase, keys and addresses.
+ * <p><b>Length.</b> One idea: the steps of one connection from an unknown client to an open link.
+ * They stay together, because each step checks and changes the same phase, keys and addresses, on
+ * threads that must agree about them.
  */
 final class ServerConnection extends Connection implements Entrance.Guest {
 

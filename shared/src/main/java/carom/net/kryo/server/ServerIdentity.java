@@ -5,7 +5,7 @@ import carom.net.seal.ExchangeKey;
 import carom.net.seal.ServerKey;
 
 /**
- * What clients know a server by.
+ * The encryption and the key by which clients know a server.
  *
  * @param encryption whether links are encrypted; a client that differs is refused
  * @param key the lasting pair of keys

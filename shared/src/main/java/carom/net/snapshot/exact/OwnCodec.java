@@ -6,9 +6,9 @@ import carom.net.snapshot.relay.RelayCodec;
 import java.util.Arrays;
 
 /**
- * Codes the own section: the exact state of the player's own body, the words of the player's
- * fields, the set of relayed players and the list of spawned entities, as a difference from a
- * baseline. One description serves writing and reading.
+ * Codes the own section as a difference from a baseline. The section holds the exact state of the
+ * player's own body, the words of the player's fields, the set of relayed players and the list of
+ * spawned entities. One description serves writing and reading.
  */
 public final class OwnCodec {
   private static final int SLOT_BITS = 16;

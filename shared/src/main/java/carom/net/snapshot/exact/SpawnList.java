@@ -3,8 +3,8 @@ package carom.net.snapshot.exact;
 import carom.net.codec.BitPass;
 
 /**
- * Which living entities a player's own inputs have spawned: the <em>origin</em> of each, by which
- * the client knows its provisional one, and its key. What isn't listed at a tick after its origin
+ * The living entities that a player's own inputs have spawned: the origin of each, by which the
+ * client knows its provisional one, and its key. What isn't listed at a tick after its origin
  * doesn't exist, or was never spawned. Sorted by origin. Mutable, reused; allocates once, when it
  * is first used.
  */

@@ -30,7 +30,10 @@ public final class FrameRing {
   private final SlotSet asLevel = new SlotSet();
   private final ChangedSlots changes = new ChangedSlots(this);
 
-  /** When slots changed last, up to the newest frame, and up to those that have left the ring. */
+  /**
+   * Ticks at which slots changed last, up to the newest frame; {@link #oldTicks} has those up to
+   * the frames that have left the ring.
+   */
   private final SlotTicks changedTicks = new SlotTicks();
 
   private final SlotTicks oldTicks = new SlotTicks();

@@ -30,7 +30,7 @@ public final class FrameState {
   private long hash;
   private Identities identities;
 
-  /** Whether another frame holds {@link #identities}, too, so that no entity can be added. */
+  /** True if another frame holds {@link #identities}, too, so that no entity can be added. */
   private boolean shared;
 
   private final PoseTable poses = new PoseTable();

@@ -4,8 +4,8 @@ import carom.net.codec.BitCoder;
 import carom.net.protocol.PlayerId;
 
 /**
- * Whose an entity is, as an int: -1 for nobody's, else a player's id, with {@link #NOT_BODY} if the
- * entity belongs to that player without being the player's body.
+ * The owner of an entity as an int: -1 for nobody, else a player's id, with {@link #NOT_BODY} if
+ * the entity belongs to that player without being the player's body.
  */
 public final class Ownership {
   /** Added to the id of a player whose body the entity isn't. */

@@ -12,7 +12,7 @@ public final class QuantizedPose {
   public int y;
   public int angle;
 
-  /** Whether the body stands still, as {@link Quantizer#isStill} says; no part of a difference. */
+  /** True if the body stands still, as {@link Quantizer#isStill} says; no part of a difference. */
   public boolean still;
 
   /** Creates the pose at the origin, which moves. */

@@ -3,9 +3,9 @@ package carom.net.snapshot.frame;
 import java.util.Arrays;
 
 /**
- * A set of entity slots, walked in ascending order: bits, and above each 64 words a word that says
- * which of them aren't empty, so that a walk costs what is in the set and not what could be. Grows
- * as needed; nothing else allocates. One thread.
+ * A set of entity slots, walked in ascending order. It is an array of bits, and above each 64 words
+ * a word that says which of them aren't empty, so that a walk costs what is in the set and not what
+ * could be. Grows as needed; nothing else allocates. One thread.
  */
 public final class SlotSet {
 

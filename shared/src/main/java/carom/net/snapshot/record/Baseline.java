@@ -3,10 +3,10 @@ package carom.net.snapshot.record;
 import carom.net.snapshot.frame.FrameRing;
 
 /**
- * What a delta is coded against, as an int: how old the state is that both sides know, how many
- * earlier poses of the body they know, too, and how far those are apart. A baseline of three poses
- * has those after tick T, T - stride and T - 2 stride, where T is <em>age</em> ticks before the
- * delta's tick.
+ * The state against which a delta is coded, as an int. It tells how old the state is that both
+ * sides know, how many earlier poses of the body they know, too, and how far those are apart. A
+ * baseline of three poses has those after tick T, T - stride and T - 2 stride, where T is
+ * <em>age</em> ticks before the delta's tick.
  */
 public final class Baseline {
 

@@ -22,7 +22,7 @@ public final class Predictor {
   /** Number of shares of a profile: two for each class of a way's bends, and of a turn's. */
   static final int SHARES = 4 * BEND_SHARES;
 
-  /** What stands for a whole share. */
+  /** Value of a whole share. */
   static final int WHOLE = 256;
 
   private static final int BEND_CLASSES = 11;
@@ -42,7 +42,7 @@ public final class Predictor {
 
   private final int tickRate;
 
-  /** What bodies gain in a tick by falling, steps per tick. */
+  /** Speed that bodies gain in a tick by falling, steps per tick. */
   private long fallX;
 
   private long fallY;

@@ -8,11 +8,11 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Holds how likely the symbols of a delta are, by head and tree of {@link DeltaCodec}: one set of
- * tables for each of a few kinds of scenes, as bodies that roll apart on a plane and a heap that
- * settles differ in almost every bit. The server finds out which one fits its world best, tick by
- * tick, and says so in each datagram. Counted over records of scenes by {@code ProfileTraining} in
- * the tests; other tables are another protocol.
+ * Holds how likely the symbols of a delta are, by head and tree of {@link DeltaCodec}. There is one
+ * set of tables for each of a few kinds of scenes, because bodies that roll apart on a plane and a
+ * heap that settles differ in almost every bit. The server finds out which one fits its world best,
+ * tick by tick, and says so in each datagram. Counted over records of scenes by {@code
+ * ProfileTraining} in the tests; other tables are another protocol.
  *
  * <p>The file {@code profiles.txt} has one line for each profile: how likely each bit of a delta is
  * a 1, by node. A letter is a probability on a scale of log odds. The file {@code shares.txt} has

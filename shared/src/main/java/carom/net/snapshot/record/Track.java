@@ -37,7 +37,7 @@ public final class Track {
   int bendY;
   int bendTurn;
 
-  /** Whether gravity alone explains how the way bends. */
+  /** True if gravity alone explains how the way bends. */
   boolean falls;
 
   // How far it falls beyond the straight way in the time of the baseline's age.

@@ -9,8 +9,9 @@ import carom.net.snapshot.record.RecordSizes;
 import java.util.Arrays;
 
 /**
- * What the server knows of one client's knowledge: which entities are in its sight, which tick of
- * each it has acked, and so which entities there is something to say about, the candidates.
+ * The server's knowledge of what one client knows. It tells which entities are in the client's
+ * sight, which tick of each it has acked, and so which entities there is something to say about,
+ * the candidates.
  *
  * <p>Work per tick is for entities that changed and are in sight, and for those that wait; entities
  * at rest cost nothing, and neither do entities out of sight. An entity that leaves the client's
@@ -40,7 +41,7 @@ public final class ClientKnowledge {
   private final SlotTicks acked = new SlotTicks();
   private final SlotTicks lastSent = new SlotTicks();
 
-  /** What the client holds of the ticks before those in {@link #acked}, too. */
+  /** Ticks before those in {@link #acked} that the client holds, too. */
   private final HeldTicks heldTicks;
 
   /** Tick at which the slot came into sight or left it: acks of older records mean nothing. */
@@ -162,7 +163,7 @@ public final class ClientKnowledge {
 
   /**
    * Returns those slots of a layer that have not changed up to a tick, so that they need not have
-   * been sent: what the client holds of them is true of that tick and those before, too, and they
+   * been sent. What the client holds of them is true of that tick and those before, too, and they
    * stay with the others.
    */
   private long steady(int word, long slots, int tick) {

@@ -8,9 +8,9 @@ import carom.net.snapshot.record.RecordSizes;
 import java.util.Arrays;
 
 /**
- * Which entities one client is told about in a tick, and in which order. It chooses among the
- * candidates of {@link ClientKnowledge} by priority; the encoder writes what it gives, run by run
- * and single by single, and reports what was written.
+ * Selects the entities that one client is told about in a tick, and their order. It chooses among
+ * the candidates of {@link ClientKnowledge} by priority; the encoder writes what it gives, run by
+ * run and single by single, and reports what was written.
  *
  * <p>One thread, no allocation in the steady state.
  */

@@ -1,5 +1,5 @@
 /**
- * What a snapshot should have: what a client knows of each entity, and which entities it is sent.
+ * Selects the content of a snapshot from what a client knows of each entity.
  *
  * <p>{@code ClientKnowledge} answers which entities are news for the client and against which tick
  * they are coded. {@code Selection} orders them by the priority that they have collected.

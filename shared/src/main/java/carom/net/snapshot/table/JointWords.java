@@ -30,7 +30,7 @@ public final class JointWords {
   /** Id of the root of the assembly that the joint belongs to; negative for none. */
   public static final int ROOT = END_B + 1;
 
-  /** Which joint of its assembly, or of the level, it is. */
+  /** Number of the joint in its assembly, or in the level. */
   public static final int NUMBER = ROOT + 1;
 
   /** First of the ints of {@link JointDefRow}. */

@@ -4,10 +4,10 @@ import carom.net.snapshot.frame.SlotSet;
 import java.util.Arrays;
 
 /**
- * What one client knows of one table: which tick of each row it has acked as a member of its class
- * of audience, and so which rows there is something to say about. A look costs a few operations per
- * 64 keys, and more only for rows that are unlike the start, in sight, and not acked. One thread;
- * allocates only to grow with the highest key.
+ * The server's knowledge of what one client knows of one table. It tells which tick of each row the
+ * client has acked as a member of its class of audience, and so which rows there is something to
+ * say about. A look costs a few operations per 64 keys, and more only for rows that are unlike the
+ * start, in sight, and not acked. One thread; allocates only to grow with the highest key.
  */
 final class RowKnowledge {
   private static final int NEVER = -1;

@@ -30,10 +30,10 @@ final class TableCodec {
   /** Key of the row. */
   int key;
 
-  /** Whether the row doesn't build on what the client has acked. */
+  /** True if the row doesn't build on what the client has acked. */
   boolean whole;
 
-  /** Whether a whole row exists; if not, the key is empty. */
+  /** True if a whole row exists; if not, the key is empty. */
   boolean present;
 
   /** Identity of a whole row that exists. */

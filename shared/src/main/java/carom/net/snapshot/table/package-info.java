@@ -1,6 +1,6 @@
 /**
  * The table section of a datagram: small state by key, such as the fields of players and entities
- * or the definitions of joints, which each client is told as far as it may know and lacks it.
+ * or the definitions of joints. Each client is told what it lacks of what it may know.
  *
  * <p>A {@link carom.net.snapshot.table.Table} has rows by key. A row has an identity and a fixed
  * number of int words, each of a fixed width, and begins at start values that both sides know. The

@@ -40,9 +40,9 @@ import java.util.Arrays;
  *       [ ]   [ ]   [ ]   [ ]       up to {@value #SLOTS} boxes side by side, ids beside them
  * </pre>
  *
- * <p><b>Length.</b> This class is longer than others because the arrays above are one structure
- * that each of its methods keeps consistent. Work that only reads or replaces them is in classes of
- * its own: {@link KdBuilder}, {@link KdRefit}, {@link KdJoin}, {@link KdCast}, {@link KdBounds}.
+ * <p><b>Length.</b> One idea: a tree in arrays. It stays whole, because each of its methods keeps
+ * all of these arrays consistent. Work that only reads or replaces them is in classes of its own:
+ * {@link KdBuilder}, {@link KdRefit}, {@link KdJoin}, {@link KdCast}, {@link KdBounds}.
  *
  * <p><b>Threads.</b> As for every {@link SpatialIndex}; in addition, {@link #query} only reads, so
  * between updates any number of threads may query.
@@ -102,7 +102,7 @@ public final class KdTree implements SpatialIndex {
   /** Split coordinate by inner node, in the frame that moves along. */
   float[] split = new float[1];
 
-  /** Whether an inner node splits y, by inner node. */
+  /** True if an inner node splits y, by inner node. */
   boolean[] splitsY = new boolean[1];
 
   /** Cell by leaf (minX, minY, maxX, maxY), slack included, in the frame that moves along. */
@@ -128,7 +128,7 @@ public final class KdTree implements SpatialIndex {
   /** Slot by id, or -1 if the box isn't in the tree. */
   int[] slotOf = new int[0];
 
-  /** How far the frame of the cells has moved since they were made, m. */
+  /** Distance that the frame of the cells has moved since they were made, m. */
   double frameX;
 
   double frameY;
@@ -138,7 +138,9 @@ public final class KdTree implements SpatialIndex {
 
   double meanY;
 
-  /** Whether the frame is expected to move by that much in the next refit, or to stay. */
+  /**
+   * True if the frame is expected to move by the mean motion in the next refit, false if it stays.
+   */
   boolean riding;
 
   private final KdBuilder builder = new KdBuilder(this);

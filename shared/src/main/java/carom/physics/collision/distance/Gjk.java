@@ -17,7 +17,7 @@ public final class Gjk {
   /** Fraction of the coordinates' size by which a vertex must be nearer to count. */
   private static final double PROGRESS = 1e-14;
 
-  /** Whether the polygons share a point; then distance and normal are 0. */
+  /** True if the polygons share a point; then distance and normal are 0. */
   boolean overlap;
 
   /** Smallest distance of the polygons, m, not counting their radii. */

@@ -41,9 +41,9 @@ import java.util.Arrays;
  *   damping gravityScale sleepSpeed cold   nobody                     Body
  * </pre>
  *
- * <p><b>Length.</b> A third of the class declares the arrays with their units, another third makes
- * them grow, copies and hashes them and passes them through archives. Holders in between would cost
- * every kernel a load per array, and the pose of a body isn't used without its velocity and mass.
+ * <p><b>Length.</b> One idea: the bodies as arrays, each with its unit. It stays whole, because
+ * holders in between would cost every kernel a load per array, and the pose of a body isn't used
+ * without its velocity and mass.
  *
  * <p>In a step, workers write different slots side by side; that is why methods below that find
  * nothing to do write nothing.
@@ -206,7 +206,7 @@ public final class BodyStore {
   /** Distance from the centre of mass that no point of the body exceeds, m. */
   public float[] reach = new float[FIRST_CAPACITY];
 
-  /** Whether any body ever had a locked axis; if not, nobody looks for some. */
+  /** True once a body had a locked axis. Until then, no stage looks for locks. */
   private boolean locks;
 
   private float[][] floats = gather();

@@ -23,7 +23,7 @@ public final class MaterialMixing {
   /** The {@link #code} of each part's own rules. */
   private byte[] own;
 
-  /** Whether any part ever had a rule of its own; if not, nobody looks at them. */
+  /** True once a part had a mixing rule of its own. Until then, the rules of parts are not read. */
   private boolean any;
 
   MaterialMixing(Settings settings, int capacity) {

@@ -53,7 +53,10 @@ public final class ShapeTable {
   /** The speed of each part's surface, m/s. */
   public float[] tangentSpeed = new float[FIRST_CAPACITY];
 
-  /** How friction and restitution of parts are mixed, and which parts have rules of their own. */
+  /**
+   * The rules that mix friction and restitution of parts, with those that parts have for
+   * themselves.
+   */
   public final MaterialMixing mixing;
 
   /** The part's category; see {@code carom.physics.Filter}. */
@@ -62,22 +65,25 @@ public final class ShapeTable {
   int[] mask = new int[FIRST_CAPACITY];
   int[] group = new int[FIRST_CAPACITY];
 
-  /** Whether each part is a sensor. */
+  /** True if the part is a sensor, by part. */
   public boolean[] sensor = new boolean[FIRST_CAPACITY];
 
-  /** Whether any part ever was a sensor or had a filter; if not, nobody looks at them. */
+  /** True once a part was a sensor or had a filter. Until then, pairs are not filtered. */
   private boolean selective;
 
-  /** Whether any part ever was a sensor; if not, nobody looks for some. */
+  /** True once a part was a sensor. Until then, no stage looks for sensors. */
   private boolean sensors;
 
-  /** Whether the box changed since pairs were last searched. */
+  /** True if the box changed since pairs were last searched, by part. */
   public boolean[] moved = new boolean[FIRST_CAPACITY];
 
-  /** Whether the box changed together with those of most neighbours, which are searched as one. */
+  /**
+   * True if the box changed together with those of most neighbours, which are searched as one, by
+   * part.
+   */
   public boolean[] together = new boolean[FIRST_CAPACITY];
 
-  /** Whether the part is queued for insertion into a tree. */
+  /** True if the part is queued for insertion into a tree, by part. */
   public boolean[] pending = new boolean[FIRST_CAPACITY];
 
   /** The boxes in the broadphase; never restored, only widened when they no longer contain. */

@@ -6,8 +6,8 @@ import carom.physics.dynamics.domain.Domains;
 import java.util.Arrays;
 
 /**
- * Remembers what the colours of the last step followed from, to tell whether those of this step are
- * the same: rows, their numbers of points, which bodies are active, their domains, and their
+ * Remembers the inputs of the last colouring, to tell whether this step's colours are the same. The
+ * inputs are the rows, their numbers of points, which bodies are active, their domains, and their
  * masses.
  *
  * <p>A memo isn't state. It only says that colouring anew would give the same colours, since

@@ -155,18 +155,18 @@ public abstract class ContactColumns {
   /** The impulse against rolling that each row starts the next step with, N m s per substep. */
   public float[] roll;
 
-  /** Where the search for the best face ended, per row. Changes no result, so it isn't saved. */
+  /** Face where the last search ended, by row. Changes no result, so it isn't saved. */
   public int[] hint = new int[FIRST_CAPACITY];
 
   /** The manifolds of earlier steps. They change no result, so they aren't saved. */
   public final KeptManifolds kept = new KeptManifolds();
 
-  /** Whether any row ever resisted rolling, or had restitution. */
+  /** True once a row resisted rolling; {@link #bouncy} is true once one had restitution. */
   boolean rolls;
 
   boolean bouncy;
 
-  /** How rows move while others come or go. */
+  /** The moves of rows that make room for others or close gaps. */
   final RowMoves moves = new RowMoves();
 
   /** The arrays that change when rows come or go. Copies share them. */

@@ -1,8 +1,8 @@
 package carom.physics.dynamics.contact;
 
 /**
- * What {@code Dynamics.step} tells its owner. The argument is a row of the contact table, valid
- * during the call; order and rules are those of {@code carom.physics.CollisionListener}.
+ * Receives the contact events of {@code Dynamics.step}. The argument is a row of the contact table,
+ * valid during the call; order and rules are those of {@code carom.physics.CollisionListener}.
  */
 public interface ContactEvents {
   /**

@@ -56,9 +56,9 @@ public final class KeptManifolds {
   private static final int UNIT_SIN = 5;
 
   /**
-   * Place of the bits of an integer: number of points or {@link #CORNERS}; + {@link #OF_B} if the
-   * normal is B's; + {@link #CLOSE} for corners so close that the true pose may turn their
-   * direction round; + id of the first point, shifted.
+   * Place of an integer whose bits describe the manifold. It is the number of points or {@link
+   * #CORNERS}; + {@link #OF_B} if the normal is B's; + {@link #CLOSE} for corners so close that the
+   * true pose may turn their direction round; + id of the first point, shifted.
    */
   private static final int KIND = 6;
 

@@ -7,8 +7,8 @@ import carom.physics.dynamics.store.RowMoves;
 import java.util.Arrays;
 
 /**
- * Plans how the rows of a contact table move when pairs are merged in: which rows leave, because
- * they neither touch nor have overlapping fat boxes, and where new rows come in between.
+ * Plans how the rows of a contact table move when pairs are merged in. Rows leave if they neither
+ * touch nor have overlapping fat boxes, and new rows come in between.
  *
  * <p>Few rows come or go in a step, but all must be looked at. So each worker lists the changes in
  * a range of rows, together with the pairs whose keys belong there. One thread then turns the lists

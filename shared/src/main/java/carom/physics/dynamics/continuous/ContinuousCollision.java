@@ -44,8 +44,8 @@ import carom.physics.settings.Settings;
  */
 public final class ContinuousCollision {
   /**
-   * Motion in one step up to which a body isn't swept, in inner radii of its thinnest part; 0.5: it
-   * then is still on the near side of what it runs into, and contacts push it back.
+   * Motion in one step up to which a body isn't swept, in inner radii of its thinnest part; 0.5.
+   * The body is then still on the near side of what it runs into, and contacts push it back.
    */
   public static final float GATE = 0.5f;
 
@@ -63,19 +63,21 @@ public final class ContinuousCollision {
    */
   public static final float RIM = 0.25f;
 
-  /** How near the core comes to a surface, in rims; 0.25. */
+  /** Least distance of the core from a surface, in rims; 0.25. */
   public static final float CORE_GAP = 0.25f;
 
   /**
-   * How near a body comes to what it is stopped at, in speculative distances; 0.5, so that the next
-   * step has a contact, with room for rounding.
+   * Distance at which a body is stopped, in speculative distances; 0.5, so that the next step has a
+   * contact, with room for rounding.
    */
   public static final float GAP = 0.5f;
 
-  /** How many rims a core may lack that has got into something; 3. Beyond is the middle. */
+  /** Number of rims that a core which has got into something may lack; 3. Beyond is the middle. */
   public static final int MOST_RIMS = 3;
 
-  /** How near the middle of a shape comes to a surface, in inner radii; 0.1, if need be nearer. */
+  /**
+   * Least distance of the middle of a shape from a surface, in inner radii; 0.1, if need be less.
+   */
   public static final float CENTRE_GAP = 0.1f;
 
   private final PairFinder pairs;

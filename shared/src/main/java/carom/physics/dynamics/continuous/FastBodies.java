@@ -45,7 +45,7 @@ final class FastBodies {
 
   private boolean anyDeep;
 
-  /** Whether anything that moves may be a target. */
+  /** True if a body that moves may be a target. */
   private boolean moving;
 
   /** The kinematic bodies that may pass over slow bodies in this step. */
@@ -126,8 +126,8 @@ final class FastBodies {
   }
 
   /**
-   * Notes that a dynamic body overlaps a static or kinematic one when the step begins: one that
-   * overlaps deeply is swept however slow it is, or it could be squeezed through bit by bit.
+   * Notes that a dynamic body overlaps a static or kinematic one when the step begins. A body that
+   * overlaps deeply is swept however slow it is, because it could be squeezed through bit by bit.
    *
    * @param overlap how deep, m
    */

@@ -38,7 +38,7 @@ public final class DomainPhases implements Workers.Task {
   private Workers workers;
   private int domains = 1;
 
-  /** What each phase does. */
+  /** The work of each phase. */
   private Phase[] phase = new Phase[64];
 
   /** The number that each phase was added with. */

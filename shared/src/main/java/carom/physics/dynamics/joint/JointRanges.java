@@ -3,7 +3,7 @@ package carom.physics.dynamics.joint;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.math.Limits;
 
-/** What the numbers of a joint may be, for joints that come from elsewhere. */
+/** Checks the numbers of joints that come from elsewhere. */
 final class JointRanges {
   /** All flags of a joint. */
   static final byte FLAGS =

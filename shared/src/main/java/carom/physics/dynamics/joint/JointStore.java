@@ -19,8 +19,9 @@ import java.util.Arrays;
  * <p>What a step changes, impulses and forces, is copied whenever the state is; all else only if
  * something of it changed; the code that writes it must call {@link #coldChanged}.
  *
- * <p><b>Length.</b> More than 500 lines, because it has 46 columns, each declared, documented,
- * grown and copied.
+ * <p><b>Length.</b> One idea: the joints as columns, each with its unit. It stays whole, because a
+ * joint is made, grown and copied in all columns at once, and a column that another class kept
+ * would be forgotten there.
  */
 public final class JointStore {
   /** Type of a free slot. */
@@ -190,15 +191,15 @@ public final class JointStore {
   public float[] ratio = new float[FIRST_CAPACITY];
 
   /**
-   * Where A's length or angle counts from: of a pulley a point of the world, m; of a gear the
-   * rotation that counts as angle 0.
+   * Origin from which A's length or angle counts: of a pulley a point of the world, m; of a gear
+   * the rotation that counts as angle 0.
    */
   public float[] baseAx = new float[FIRST_CAPACITY];
 
   /** See {@link #baseAx}. */
   public float[] baseAy = new float[FIRST_CAPACITY];
 
-  /** Where B's length or angle counts from; see {@link #baseAx}. */
+  /** Origin from which B's length or angle counts; see {@link #baseAx}. */
   public float[] baseBx = new float[FIRST_CAPACITY];
 
   /** See {@link #baseBx}. */

@@ -98,7 +98,7 @@ public final class JointSolver {
   private final ParallelFor.Range packing = this::packJoints;
   private final ParallelFor.Range warming =
       (from, to, worker) -> visits[worker].warmStart(from, to);
-  private final ParallelFor.Range pushing =
+  private final ParallelFor.Range biasing =
       (from, to, worker) -> visits[worker].solve(from, to, true);
   private final ParallelFor.Range relaxing =
       (from, to, worker) -> visits[worker].solve(from, to, false);
@@ -281,12 +281,12 @@ public final class JointSolver {
   }
 
   /** Visits each joint once before bodies move: errors are corrected and springs act. */
-  public void push() {
+  public void applyBiasedImpulses() {
     for (int c = 0; c < colours; c++) {
-      revolutes.push(revoluteStart[c], revoluteStart[c + 1]);
-      run(c, pushing);
+      revolutes.applyBiasedImpulses(revoluteStart[c], revoluteStart[c + 1]);
+      run(c, biasing);
     }
-    treeSolver.push();
+    treeSolver.applyBiasedImpulses();
   }
 
   /** Visits each joint once after bodies moved, rigid. */

@@ -25,7 +25,8 @@ public abstract class RevoluteLanes extends VectorKernels {
   public abstract void warmStart(RevoluteSolver solver, float[] v, float[] scratch, int block);
 
   /** Visits a block's joints once, with bias. */
-  public abstract void push(RevoluteSolver solver, float[] v, float[] scratch, int block);
+  public abstract void applyBiasedImpulses(
+      RevoluteSolver solver, float[] v, float[] scratch, int block);
 
   /** Visits a block's joints once, rigid, after bodies moved. */
   public abstract void relax(RevoluteSolver solver, float[] v, float[] scratch, int block);

@@ -22,8 +22,9 @@ import java.util.Arrays;
  *
  * <p>The joints of one block share no body that can be moved; {@link JointSolver} sees to it by
  * colours. Their lever arms are those after bodies last moved, so {@link #relax}, which comes right
- * after that, finds them, and {@link #warmStart} and {@link #push} of the next substep find them
- * where it left them, with the inverse of the mass; in the first substep {@link #ready} did.
+ * after that, finds them, and {@link #warmStart} and {@link #applyBiasedImpulses} of the next
+ * substep find them where it left them, with the inverse of the mass; in the first substep {@link
+ * #ready} did.
  *
  * <p>Laid out as {@link ContactBlocks} lays out contacts: all quantities of a block follow each
  * other, each for all its lanes.
@@ -156,7 +157,7 @@ public final class RevoluteSolver {
   // The stages, made once so that a step allocates nothing.
   private final ParallelFor.Range measuring = this::measureBlocks;
   private final ParallelFor.Range warming = this::warmBlocks;
-  private final ParallelFor.Range pushing = this::pushBlocks;
+  private final ParallelFor.Range biasing = this::biasBlocks;
   private final ParallelFor.Range relaxing = this::relaxBlocks;
   private final ParallelFor.Range storing = (from, to, worker) -> storeBlocks(from, to);
 
@@ -266,8 +267,8 @@ public final class RevoluteSolver {
   }
 
   /** Visits each joint once before bodies move, with bias, which draws anchors together. */
-  void push(int from, int to) {
-    parallel.run(from, to, GRAIN, pushing);
+  void applyBiasedImpulses(int from, int to) {
+    parallel.run(from, to, GRAIN, biasing);
   }
 
   /** Visits each joint once after bodies moved, rigid. */
@@ -301,10 +302,10 @@ public final class RevoluteSolver {
     }
   }
 
-  private void pushBlocks(int from, int to, int worker) {
+  private void biasBlocks(int from, int to, int worker) {
     for (int block = from; block < to; block++) {
       if (wide[block]) {
-        lanes.push(this, v, scratch[worker], block);
+        lanes.applyBiasedImpulses(this, v, scratch[worker], block);
         continue;
       }
       for (int i = 0; i < used[block]; i++) {

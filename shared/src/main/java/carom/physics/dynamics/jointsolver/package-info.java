@@ -1,5 +1,5 @@
 /**
- * How joints are solved: plain revolutes in lanes, heavy trees as a whole, all others one by one.
+ * Solves joints: plain revolutes in lanes, heavy trees as a whole, all others one by one.
  *
  * <p>May import {@code carom.physics.math} and {@code simd}, and {@code dynamics.body}, {@code
  * joint}, {@code jointtree}, {@code solver} and {@code parallel}. Read first: {@code JointSolver},

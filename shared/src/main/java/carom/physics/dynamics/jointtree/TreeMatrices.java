@@ -51,7 +51,7 @@ import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
  *
  * <p>Nothing fills in, so a visit takes time in proportion to the joints. All that is added is
  * positive, hence mass ratios of a million cost no digits. Elimination is done once per substep,
- * when the lever arms change, and serves relaxing and the next push.
+ * when the lever arms change, and serves relaxing and the next biased impulses.
  *
  * <p><b>Pull.</b> A link under tension T swings about its own centre with the frequency {@code
  * sqrt(T l / I)}; beyond {@code 2 / h} no explicit step follows it, and a chain under 1,000 times

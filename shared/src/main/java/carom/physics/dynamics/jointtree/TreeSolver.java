@@ -77,7 +77,7 @@ public final class TreeSolver {
   // The stages, made once so that a step allocates nothing.
   private final ParallelFor.Range measuring = (from, to, worker) -> measureTrees(from, to);
   private final ParallelFor.Range warming = (from, to, worker) -> warmTrees(from, to);
-  private final ParallelFor.Range pushing = (from, to, worker) -> pushTrees(from, to);
+  private final ParallelFor.Range biasing = (from, to, worker) -> biasTrees(from, to);
   private final ParallelFor.Range relaxing = (from, to, worker) -> relaxTrees(from, to);
 
   /** Makes a solver of these trees, which threads share. */
@@ -113,8 +113,8 @@ public final class TreeSolver {
   }
 
   /** Solves all joints before bodies move, with bias, which draws anchors together. */
-  public void push() {
-    parallel.run(0, trees.count, 1, pushing);
+  public void applyBiasedImpulses() {
+    parallel.run(0, trees.count, 1, biasing);
   }
 
   /** Solves all joints after bodies moved, rigid. */
@@ -150,7 +150,7 @@ public final class TreeSolver {
     solve(t, false);
   }
 
-  private void pushTrees(int from, int to) {
+  private void biasTrees(int from, int to) {
     for (int t = from; t < to; t++) {
       solve(t, true);
     }

@@ -73,7 +73,7 @@ public final class NarrowPhase {
     /** Rows of boxes that wait until there are enough; null without a kernel for them. */
     private BoxRows boxes;
 
-    /** How many times the kernel may be used in this step, and was. */
+    /** Number of times that the kernel may be used in this step; {@link #used} counts them. */
     private int granted;
 
     private int used;

@@ -10,8 +10,9 @@ import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**
- * Ends contacts with edges that nothing can reach, because the ground goes on beyond them: the
- * sides of tiles that lie next to each other, and the ends of chains that others continue.
+ * Ends contacts with edges that nothing can reach because the ground goes on beyond them. Such
+ * edges are the sides of tiles that lie next to each other, and the ends of chains that others
+ * continue.
  *
  * <pre>
  *        the slider --&gt;
@@ -42,13 +43,13 @@ public final class Seams {
   /** Least tolerance for how well pieces fit, m. */
   private static final float LEAST_TOLERANCE = 1e-4f;
 
-  /** How far a surface must go on beyond a corner, in tolerances. */
+  /** Least length by which a surface must go on beyond a corner, in tolerances. */
   private static final float BEYOND = 4;
 
-  /** How far a normal must lean, as the sine of the angle. */
+  /** Least lean of a normal towards the other surface, as the sine of the angle. */
   private static final float LEAN = 1e-4f;
 
-  /** How far a normal that is set upright may lean at most, as the sine of the angle. */
+  /** Most lean of a normal that is set upright, as the sine of the angle. */
   private static final float MOST_LEAN = 0.1f;
 
   private final Settings settings;
@@ -76,7 +77,7 @@ public final class Seams {
   private float nx;
   private float ny;
 
-  /** Whether all points of the last contact found covered are. */
+  /** True if all points of the last contact that was found covered are covered, too. */
   private boolean allCovered;
 
   /** Makes the stage of a world without bodies. */
@@ -271,8 +272,8 @@ public final class Seams {
   }
 
   /**
-   * Returns whether the corner v of S, and all points of the contact, are on or in T, whose surface
-   * goes on beyond v, out of S, where the contact's normal leans to.
+   * Returns whether the corner v of S is on or in T, and T's surface goes on beyond v, out of S,
+   * where the contact's normal leans to.
    */
   private boolean isCovered(
       int rowOfS, Convex s, int v, Convex t, float upX, float upY, float outX, float outY) {

@@ -23,12 +23,12 @@ final class BoxRefresh {
   private static final int LONG_STEP = 4_096;
 
   /**
-   * When more than this fraction (1 / n) of the parts left their fat boxes, all get new ones. The
-   * search then costs hardly more than for those that left, and the next steps need none.
+   * Share (1 / n) of the parts that must have left their fat boxes before all parts get new ones.
+   * The search then costs hardly more than for those that left, and the next steps need none.
    */
   private static final int RENEW_SHARE = 10;
 
-  /** The same in a crowd, where new boxes soon are left again. */
+  /** Share as {@link #RENEW_SHARE}, but in a crowd, where new boxes soon are left again. */
   private static final int CROWD_SHARE = 4;
 
   /** Number of bodies in a piece of a worker's work. */

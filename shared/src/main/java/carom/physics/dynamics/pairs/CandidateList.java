@@ -28,7 +28,7 @@ final class CandidateList implements PairVisitor, IntVisitor {
   /** The part whose surroundings are searched. */
   private int around;
 
-  /** Whether pairs count of which neither part moved. */
+  /** True if pairs count of which neither part moved. */
   private boolean all;
 
   CandidateList(ShapeTable parts, PairFilter filter) {

@@ -8,9 +8,9 @@ import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;
 
 /**
- * Searches the two trees for pairs with a part that moved, in one of two ways, or in both: it looks
- * up the surroundings of each moved part, which is best if few moved; or it walks the trees
- * wherever a box is marked, which is best if many moved, or neighbours moved together.
+ * Searches the two trees for pairs with a part that moved, in one of two ways, or in both. Looking
+ * up the surroundings of each moved part is best if few moved. Walking the trees wherever a box is
+ * marked is best if many moved, or neighbours moved together.
  *
  * <p>Workers share the search. Each collects what it finds in a list of its own.
  */
@@ -34,10 +34,10 @@ final class CandidateSearch {
   /** One per worker. */
   private CandidateList[] lists;
 
-  /** Whether all pairs are searched, not only those with a part that moved. */
+  /** True if all pairs are searched, false if only those with a part that moved. */
   private boolean all;
 
-  /** Whether moved parts are looked up one by one, except those that moved together. */
+  /** True if moved parts are looked up one by one, except those that moved together. */
   private boolean each;
 
   CandidateSearch(

@@ -9,9 +9,9 @@ import carom.physics.math.Transform;
 import carom.physics.settings.Settings;
 
 /**
- * Computes the two boxes of each part: the <b>tight</b> box at the pose of its body, with half the
- * speculative distance around, and the <b>fat</b> box, which contains the tight one with a margin
- * and is what the trees hold.
+ * Computes the two boxes of each part. The tight box is that at the pose of the part's body, with
+ * half the speculative distance around. The fat box contains the tight one with a margin, and the
+ * trees hold it.
  *
  * <pre>
  *   +--------------- fat -----------------+

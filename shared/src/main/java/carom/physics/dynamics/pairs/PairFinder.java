@@ -51,10 +51,10 @@ public final class PairFinder {
   /** The length of the last step, s; before the first one that of most games. */
   private float lastStep = 1 / 60f;
 
-  /** Whether poses changed since fat boxes were refreshed. */
+  /** True if poses changed since fat boxes were refreshed. */
   private boolean boxesStale;
 
-  /** Whether the next search looks at all pairs, for instance because a static body is new. */
+  /** True if the next search looks at all pairs, for instance because a static body is new. */
   private boolean searchAll;
 
   /** Makes the broadphase of a world without bodies. */

@@ -48,7 +48,7 @@ final class PartTrees {
   /** Scratch: parts that enter or leave a tree. */
   private final IntList batch = new IntList();
 
-  /** Whether boxes in the moving tree changed since it was refitted. */
+  /** True if boxes in the moving tree changed since it was refitted. */
   private boolean stale;
 
   PartTrees(

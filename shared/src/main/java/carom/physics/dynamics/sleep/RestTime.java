@@ -17,7 +17,7 @@ final class RestTime {
   private final BodyStore bodies;
   private final ActiveBodies active;
 
-  /** Whether a step has seen a body that was put elsewhere by hand. */
+  /** True once a step has seen a body that was put elsewhere by hand. */
   private boolean anyMoved;
 
   RestTime(Settings settings, BodyStore bodies, ActiveBodies active) {

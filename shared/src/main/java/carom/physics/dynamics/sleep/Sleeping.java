@@ -54,7 +54,7 @@ public final class Sleeping {
   /** Changes whenever a body falls asleep or wakes. */
   private final Stamp stamp = new Stamp();
 
-  /** Whether callbacks run, in which bodies neither wake nor fall asleep. */
+  /** True while callbacks run, in which bodies neither wake nor fall asleep. */
   private boolean suspended;
 
   /** Makes the sleep of a world without bodies. */
@@ -218,7 +218,7 @@ public final class Sleeping {
     wake(joints.bodyB[joint]);
   }
 
-  /** Wakes what a moving kinematic body holds by joints, or may strike in a step of dt seconds. */
+  /** Wakes what a moving kinematic body holds by joints, or may hit in a step of dt seconds. */
   public void wakeDriven(int body, float dt) {
     if (!drives(body)) {
       return;

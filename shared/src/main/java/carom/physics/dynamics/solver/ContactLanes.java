@@ -25,7 +25,8 @@ public abstract class ContactLanes extends VectorKernels {
   public abstract void warmStart(ContactSolver solver, float[] v, float[] scratch, int block);
 
   /** Visits a block's contacts once, with their springs. */
-  public abstract void push(ContactSolver solver, float[] v, float[] scratch, int block);
+  public abstract void applyBiasedImpulses(
+      ContactSolver solver, float[] v, float[] scratch, int block);
 
   /** Visits a block's contacts once, rigid. */
   public abstract void relax(ContactSolver solver, float[] v, float[] scratch, int block);

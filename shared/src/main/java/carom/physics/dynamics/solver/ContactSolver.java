@@ -147,7 +147,7 @@ public final class ContactSolver {
 
   // The stages, made once so that a step allocates nothing.
   private final DomainPhases.Phase warming;
-  private final DomainPhases.Phase pushing;
+  private final DomainPhases.Phase biasing;
   private final DomainPhases.Phase relaxing;
 
   private SolverBodies solverBodies;
@@ -187,7 +187,7 @@ public final class ContactSolver {
     this.parallel = parallel;
     blocks = new ContactBlocks();
     warming = blocks.phase(this::warmBlocks);
-    pushing = blocks.phase(this::pushBlocks);
+    biasing = blocks.phase(this::biasBlocks);
     relaxing = blocks.phase(this::relaxBlocks);
     scalar = new ScalarContacts(this, blocks);
     packer = new ContactPacker(blocks, scalar, lanes);
@@ -266,18 +266,18 @@ public final class ContactSolver {
   }
 
   /** Adds the phases that visit each contact once, with its spring. */
-  public void push(DomainPhases phases) {
-    blocks.addColours(phases, pushing);
+  public void applyBiasedImpulses(DomainPhases phases) {
+    blocks.addColours(phases, biasing);
   }
 
-  private void pushBlocks(int from, int to, int worker) {
+  private void biasBlocks(int from, int to, int worker) {
     for (int block = from; block < to; block++) {
       if ((blocks.traits[block] & WIDE) != 0) {
-        lanes.push(this, v, scratch[worker], block);
+        lanes.applyBiasedImpulses(this, v, scratch[worker], block);
         continue;
       }
       for (int i = 0; i < blocks.used[block]; i++) {
-        scalar.push(block, i);
+        scalar.applyBiasedImpulses(block, i);
       }
     }
   }

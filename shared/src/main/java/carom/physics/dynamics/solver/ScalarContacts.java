@@ -121,7 +121,7 @@ final class ScalarContacts {
    * Visits a contact once: friction, then the normals with their springs. The gaps are those of the
    * last {@link #relax}.
    */
-  void push(int block, int i) {
+  void applyBiasedImpulses(int block, int i) {
     float[] d = blocks.data;
     int lane = block * LANES + i;
     int at = block * RECORD + i;

@@ -27,8 +27,8 @@ import java.util.Arrays;
  * whatever is added to it (which is zero). Moving bodies follow, see {@link SolverSlots}. Positions
  * are differences, so the solver works with small numbers wherever in the world it is.
  *
- * <p><b>Length.</b> Loading, integrating and storing read the same eight numbers per body, which
- * are declared here; each stage is a loop of its own, with its reasons.
+ * <p><b>Length.</b> One idea: the packed bodies of the solver. It stays whole, because loading,
+ * integrating and storing are loops over the same eight numbers of a body, which are declared here.
  */
 public final class SolverBodies {
   /** Floats per slot. */
@@ -413,9 +413,9 @@ public final class SolverBodies {
   }
 
   /**
-   * Does the second half: x += h v, and the rotation by the angle a = h w: (cos, sin) to the fourth
-   * order, then normalised; the error of the angle is below a^5 / 120, and no trigonometry is
-   * needed.
+   * Does the second half of a substep: x += h v, and the rotation by the angle a = h w. It computes
+   * (cos, sin) to the fourth order, then normalises; the error of the angle is below a^5 / 120, and
+   * no trigonometry is needed.
    *
    * <p>Constraints that were pulled far apart may ask for any speed here; what is absurd or not a
    * number is cut, so that it never gets into a pose.

@@ -68,7 +68,7 @@ public final class ShapeReader {
   }
 
   /**
-   * What one body of an item is made of.
+   * The shapes and the colour of one body of an item.
    *
    * @param shapes in the body's frame
    * @param rgb the colour of their material, 0xRRGGBB, or -1 for none

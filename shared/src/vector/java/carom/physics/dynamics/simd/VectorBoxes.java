@@ -21,8 +21,8 @@ import jdk.incubator.vector.VectorSpecies;
  * <p>Where these choose, both are worked out and blended. Small methods that pass each other
  * arrays, never vectors: these would be boxed.
  *
- * <p><b>Length.</b> More than 500 lines, because one set of kernels shares one private scratch
- * layout.
+ * <p><b>Length.</b> One idea: the manifolds of several pairs of boxes at once. It stays whole,
+ * because its kernels pass each other values in one private scratch layout.
  */
 public final class VectorBoxes extends BoxLanes {
   private static final VectorSpecies<Float> LANE =
@@ -78,7 +78,7 @@ public final class VectorBoxes extends BoxLanes {
   private static final int AXIS_X = CENTER_Y + LANES;
   private static final int AXIS_Y = AXIS_X + LANES;
 
-  /** The other box in the frame of the reference box. */
+  /** Place of the second box in the frame of the reference box. */
   private static final int OTHER_X = AXIS_Y + LANES;
 
   private static final int OTHER_Y = OTHER_X + LANES;

@@ -68,8 +68,8 @@ import jdk.incubator.vector.VectorSpecies;
  * without helpers in between. The JIT compiler boxes a vector that crosses a call which it didn't
  * inline (40 MB per step of the 5,050-box pyramid, and no gain).
  *
- * <p><b>Length.</b> More than 500 lines, because one set of kernels shares one private scratch
- * layout.
+ * <p><b>Length.</b> One idea: the contacts of a block, solved at once. It stays whole, because its
+ * kernels pass each other values in one private scratch layout.
  */
 public final class VectorContacts extends ContactLanes {
   private static final VectorSpecies<Float> LANE =
@@ -229,7 +229,7 @@ public final class VectorContacts extends ContactLanes {
   }
 
   @Override
-  public void push(ContactSolver solver, float[] v, float[] s, int block) {
+  public void applyBiasedImpulses(ContactSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.blocks.data;
     int at = block * RECORD;
     int traits = solver.blocks.traits[block];

@@ -118,7 +118,7 @@ public final class VectorRevolutes extends RevoluteLanes {
   }
 
   @Override
-  public void push(RevoluteSolver solver, float[] v, float[] s, int block) {
+  public void applyBiasedImpulses(RevoluteSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);

@@ -81,7 +81,7 @@ public class ContactSolverBenchmark {
     }
     for (int i = 0; i < 400; i++) {
       prepare(); // the first steps of a process use the kernels sparingly
-      push();
+      applyBiasedImpulses();
       relax();
       warmStart();
     }
@@ -122,8 +122,8 @@ public class ContactSolverBenchmark {
 
   /** The pass with bias. */
   @Benchmark
-  public void push() {
-    solver.push(phases);
+  public void applyBiasedImpulses() {
+    solver.applyBiasedImpulses(phases);
     phases.run();
   }
 

@@ -1,13 +1,13 @@
-package carom.sim;
+package carom.sim.match;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import carom.sim.Role;
+import carom.sim.Simulation;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
-import carom.sim.match.MatchPhase;
-import carom.sim.match.NextMatch;
 import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -111,6 +111,16 @@ class MatchClockTest {
     assertNull(s.outbox().takeNextMatch());
     run(s, 2);
     assertEquals(next, s.outbox().takeNextMatch());
+  }
+
+  @Test
+  void anEarlyEndShowsTheResultForItsFullTime() throws Exception {
+    Simulation s = start(MatchClock.playing(10).countdown(1).over(3), Role.AUTHORITY);
+    s.join("Ann");
+    run(s, 1 * 60 + 4 * 60);
+    clock.finish(s);
+    assertEquals(MatchPhase.OVER, MatchClock.phase(s));
+    assertEquals(3 * 60, MatchClock.ticksLeft(s));
   }
 
   @Test

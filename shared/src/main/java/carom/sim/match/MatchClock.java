@@ -1,6 +1,7 @@
-package carom.sim;
+package carom.sim.match;
 
 import carom.sim.entity.Player;
+import carom.sim.entity.PlayerTable;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
@@ -8,15 +9,12 @@ import carom.sim.field.Field;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.Flag;
 import carom.sim.field.Scope;
-import carom.sim.match.MatchPhase;
-import carom.sim.match.NextMatch;
-import java.util.ArrayList;
 import java.util.List;
 
 /**
  * The phases of a match: it waits for players, counts down, is played for some time, and shows its
  * result before the next match begins, if anybody is there to play it. A game returns one from
- * {@link Game#clock}; the simulation drives it.
+ * {@code Game.clock}; the simulation drives it.
  *
  * <pre>
  *              enough players,              time over,
@@ -29,7 +27,8 @@ import java.util.List;
  * tick that it predicts, without a message. Only a match that {@linkplain #finish ends early}
  * reaches it a moment later.
  *
- * <p>Immutable; a constant of a game's class may hold it.
+ * <p>Where a method takes a match, a game passes its {@code Simulation}, and a client the fields
+ * that it shows. Immutable; a constant of a game's class may hold it.
  */
 public final class MatchClock {
   private static final int ENDLESS = Integer.MAX_VALUE / 4;
@@ -40,7 +39,7 @@ public final class MatchClock {
   private static final Countdown UNTIL_OVER = countdown("clockOver");
   private static final Countdown UNTIL_NEXT = countdown("clockNext");
   private static final Count WINNER =
-      Field.count("clockWinner", NOBODY, Simulation.MAX_PLAYERS - 1)
+      Field.count("clockWinner", NOBODY, PlayerTable.MAX_PLAYERS - 1)
           .of(Scope.MATCH)
           .to(Audience.ALL)
           .startsAt(NOBODY);
@@ -98,7 +97,7 @@ public final class MatchClock {
    * @param enough number of players, 1..1,024
    */
   public MatchClock warmUp(int enough) {
-    require("enough", enough, Simulation.MAX_PLAYERS);
+    require("enough", enough, PlayerTable.MAX_PLAYERS);
     return new MatchClock(enough, waitsForReady, countdownSeconds, playSeconds, overSeconds, next);
   }
 
@@ -142,7 +141,7 @@ public final class MatchClock {
 
   // ---- asked by games and clients
 
-  /** Returns the phase; from a simulation of either role, or the fields that a client shows. */
+  /** Returns the phase. */
   public static MatchPhase phase(FieldHolder<?, ?> match) {
     if (!match.get(BEGUN)) {
       return MatchPhase.WARM_UP;
@@ -178,20 +177,6 @@ public final class MatchClock {
     return match.get(WINNING_TEAM);
   }
 
-  /** Returns the player with the highest score, or null if several have it. */
-  public static Player leader(Simulation s) {
-    Player best = null;
-    boolean alone = false;
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
-      if (p != null && (best == null || p.score() >= best.score())) {
-        alone = best == null || p.score() > best.score();
-        best = p;
-      }
-    }
-    return alone ? best : null;
-  }
-
   /** Returns the number of players for which the warm-up waits; 0 = there is none. */
   public int playersToBegin() {
     return players;
@@ -205,83 +190,98 @@ public final class MatchClock {
   // ---- told by games
 
   /** Ends a match that is played without a winner. Does nothing in another phase. */
-  public void finish(Simulation s) {
-    finish(s, NOBODY, 0);
+  public void finish(FieldHolder<?, ?> match) {
+    finish(match, NOBODY, 0);
   }
 
   /** Ends a match that is played, won by a player. Does nothing in another phase. */
-  public void finish(Simulation s, Player winner) {
-    finish(s, winner.id(), 0);
+  public void finish(FieldHolder<?, ?> match, Player winner) {
+    finish(match, winner.id(), 0);
   }
 
   /** Ends a match that is played, won by a team. Does nothing in another phase. */
-  public void finish(Simulation s, int winningTeam) {
-    finish(s, NOBODY, winningTeam);
+  public void finish(FieldHolder<?, ?> match, int winningTeam) {
+    finish(match, NOBODY, winningTeam);
   }
 
-  private void finish(Simulation s, int winner, int winningTeam) {
-    if (isPlaying(s)) {
-      s.set(UNTIL_OVER, 0);
-      s.set(UNTIL_NEXT, s.ticks(overSeconds));
-      decide(s, winner, winningTeam);
+  private static void finish(FieldHolder<?, ?> match, int winner, int winningTeam) {
+    if (isPlaying(match)) {
+      int over = match.get(UNTIL_NEXT) - match.get(UNTIL_OVER); // how long the result is shown
+      match.set(UNTIL_OVER, 0);
+      match.set(UNTIL_NEXT, over);
+      decide(match, winner, winningTeam);
     }
   }
 
   /**
-   * Says who has won a match that ended by its time; in {@link Game#phase} for {@link
+   * Says who has won a match that ended by its time; in {@code Game.phase} for {@link
    * MatchPhase#OVER}.
    *
    * @param winner null for none
    * @param winningTeam 0 for none
    */
-  public void decide(Simulation s, Player winner, int winningTeam) {
-    decide(s, winner == null ? NOBODY : winner.id(), winningTeam);
+  public void decide(FieldHolder<?, ?> match, Player winner, int winningTeam) {
+    decide(match, winner == null ? NOBODY : winner.id(), winningTeam);
   }
 
-  private static void decide(Simulation s, int winner, int winningTeam) {
-    s.set(WINNER, winner);
-    s.set(WINNING_TEAM, winningTeam);
+  private static void decide(FieldHolder<?, ?> match, int winner, int winningTeam) {
+    match.set(WINNER, winner);
+    match.set(WINNING_TEAM, winningTeam);
   }
 
   // ---- driven by the simulation
 
-  /** Returns the fields of a game and, if it has one, of its clock. */
-  static List<Field<?>> fieldsOf(Game game) {
-    List<Field<?>> fields = new ArrayList<>(game.fields());
-    if (game.clock() != null) {
-      fields.addAll(FIELDS);
-    }
-    return fields;
+  /** Returns the fields of a match that has a clock; unmodifiable. */
+  public static List<Field<?>> fields() {
+    return FIELDS;
   }
 
-  /** Begins a match without warm-up; when the game has been set up, in both roles. */
-  void setUp(Simulation s) {
+  /**
+   * Begins a match without warm-up; when the game has been set up, in both roles.
+   *
+   * @param tickRate ticks per second
+   */
+  public void setUp(FieldHolder<?, ?> match, int tickRate) {
     if (players == 0) {
-      begin(s);
+      begin(match, tickRate);
     }
   }
 
-  private void begin(Simulation s) {
-    int playing = countdownSeconds == 0 ? 0 : s.ticks(countdownSeconds);
-    int over = playSeconds == 0 ? ENDLESS : playing + s.ticks(playSeconds);
-    s.set(BEGUN, true);
-    s.set(UNTIL_PLAYING, playing);
-    s.set(UNTIL_OVER, over);
-    s.set(UNTIL_NEXT, over + s.ticks(overSeconds));
+  private void begin(FieldHolder<?, ?> match, int tickRate) {
+    int playing = countdownSeconds == 0 ? 0 : Countdown.ticks(countdownSeconds, tickRate);
+    int over = playSeconds == 0 ? ENDLESS : playing + Countdown.ticks(playSeconds, tickRate);
+    match.set(BEGUN, true);
+    match.set(UNTIL_PLAYING, playing);
+    match.set(UNTIL_OVER, over);
+    match.set(UNTIL_NEXT, over + Countdown.ticks(overSeconds, tickRate));
   }
 
-  /** Goes on to the next phase if it is time, and tells the game; on the server, in each tick. */
-  void beforeStep(Simulation s) {
-    if (!s.get(BEGUN) && s.playerCount() >= players && (!waitsForReady || s.allReady())) {
-      begin(s);
+  /**
+   * Goes on to the next phase if it is time; on the server, in each tick.
+   *
+   * @param present the players of the match
+   * @param tickRate ticks per second
+   * @return the phase that begins, of which the game should be told, or null for none
+   */
+  public MatchPhase beforeStep(FieldHolder<?, ?> match, PlayerTable present, int tickRate) {
+    if (!match.get(BEGUN) && present.count() >= players && (!waitsForReady || present.allReady())) {
+      begin(match, tickRate);
     }
-    MatchPhase phase = phase(s);
-    if (phase != PHASES[s.get(TOLD)]) {
-      s.set(TOLD, phase.ordinal());
-      s.game().phase(s, phase);
+    MatchPhase phase = phase(match);
+    if (phase == PHASES[match.get(TOLD)]) {
+      return null;
     }
-    if (phase == MatchPhase.OVER && s.get(UNTIL_NEXT) == 0 && s.playerCount() > 0) {
-      s.playNext(next);
-    }
+    match.set(TOLD, phase.ordinal());
+    return phase;
+  }
+
+  /** Returns whether the result was shown for long enough and a player waits for the next match. */
+  public boolean isDone(FieldHolder<?, ?> match, PlayerTable present) {
+    return phase(match) == MatchPhase.OVER && match.get(UNTIL_NEXT) == 0 && present.count() > 0;
+  }
+
+  /** Returns what the room plays after the match. */
+  public NextMatch next() {
+    return next;
   }
 }

@@ -1,0 +1,75 @@
+package carom.server.room;
+
+import carom.net.protocol.GoodbyeReason;
+import carom.server.checkpoint.RoomCheckpoints;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Ends a room: in good order, for an error that it can't go on after, or because its thread doesn't
+ * come back from the game. The room's thread, but for {@link #abandon} and the questions.
+ */
+final class RoomEnd {
+  private static final Logger LOG = LoggerFactory.getLogger(RoomEnd.class);
+
+  private final RoomParts parts;
+  private volatile boolean failed;
+  private volatile boolean closed;
+
+  /** Creates the end of a room that is open. */
+  RoomEnd(RoomParts parts) {
+    this.parts = parts;
+  }
+
+  /**
+   * Closes the room for an error, and tells its players.
+   *
+   * @param why for the log
+   * @param tick the last tick that was computed
+   */
+  void fail(String why, int tick) {
+    String label = parts.context.label();
+    LOG.error("{}closed at tick {}: {}", label.isEmpty() ? "room " : label, tick, why);
+    failed = true;
+    close(GoodbyeReason.SERVER_ERROR, "", parts.clock.getAsLong());
+  }
+
+  /** Tells all players why the game ends. The links stay open for a moment, see {@link Room}. */
+  void close(GoodbyeReason reason, String text, long nowNs) {
+    if (closed) {
+      return;
+    }
+    closed = true;
+    parts.recording.end(reason.name());
+    if (parts.checkpoints != null) {
+      parts.checkpoints.end(!failed, nowNs);
+    }
+    parts.departures.endAll(reason, text, nowNs);
+    parts.arrivals.refuseAll(reason, text, nowNs);
+  }
+
+  /**
+   * Closes all links, and makes the room keep nothing more; from any thread.
+   *
+   * @param why for logs
+   */
+  void abandon(String why) {
+    closed = true;
+    RoomCheckpoints checkpoints = parts.checkpoints;
+    if (checkpoints != null) {
+      checkpoints.abandon(why);
+    }
+    parts.arrivals.closeLinks(why);
+    parts.sessions.closeLinks(why);
+  }
+
+  /** Returns whether the room has ended; from any thread. */
+  boolean isClosed() {
+    return closed;
+  }
+
+  /** Returns whether the room closed itself because of an error; from any thread. */
+  boolean hasFailed() {
+    return failed;
+  }
+}

@@ -1,0 +1,100 @@
+package carom.server.room;
+
+import carom.net.protocol.Limits;
+import carom.server.checkpoint.RoomCheckpoints;
+import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
+import carom.server.match.MatchLibrary;
+import carom.server.metrics.Counters;
+import carom.server.metrics.StageTimes;
+import carom.server.room.match.Match;
+import carom.server.room.match.MatchLoader;
+import carom.server.room.match.RoomContext;
+import carom.server.room.recording.RoomRecording;
+import carom.server.schedule.LoadWarnings;
+import carom.server.schedule.TickPace;
+import carom.server.session.PartingLinks;
+import carom.server.session.RosterNews;
+import carom.server.session.Seats;
+import java.util.concurrent.Executor;
+import java.util.function.LongSupplier;
+
+/**
+ * What a room consists of. Each part does one thing.
+ *
+ * <pre>
+ *   Room ──► RoomTick ──► RoomEnd ──► RoomParts
+ *     └────► OperatorCommands ────────────┘
+ * </pre>
+ *
+ * <p>Each of these sees what is right of it. The room's thread, but for what a part says itself.
+ */
+final class RoomParts {
+  final RoomContext context;
+
+  /** Nanoseconds, to measure how long ticks take. */
+  final LongSupplier clock;
+
+  final StageTimes stages;
+  final TickPace pace;
+  final RoomSessions sessions;
+  final Announcer announcer;
+  final RosterNews roster;
+  final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
+  final Departures departures;
+  final RoomRecording recording;
+  final MatchChange changes;
+  final Arrivals arrivals;
+  final RoomMoves moves;
+  final SnapshotRound snapshots;
+  final Post post;
+
+  /** Null if the room isn't kept. */
+  volatile RoomCheckpoints checkpoints;
+
+  /**
+   * Builds the level and sets up the game of the first match; the parameters are those of {@link
+   * Room}.
+   *
+   * @param label begins each log line: the room's name, or empty if there is only one room
+   * @param self the room that has these parts
+   * @throws IllegalArgumentException when the first match can't be played; the message says why
+   */
+  RoomParts(
+      ServerConfig config,
+      String label,
+      RoomConfig settings,
+      MatchLibrary library,
+      Executor loads,
+      LongSupplier clock,
+      Seats seats,
+      RoomDirectory directory,
+      Counters counters,
+      Room self) {
+    this.clock = clock;
+    stages = new StageTimes(clock);
+    MatchLoader loader = new MatchLoader(config, settings, library, label, counters);
+    context = new RoomContext(config, label, counters, seats, firstMatch(loader));
+    recording = new RoomRecording(context);
+    sessions = new RoomSessions(seats.count(), label, counters);
+    announcer = new Announcer(sessions, config.tickRateHz());
+    roster = new RosterNews(seats.count(), config.rosterIntervalMs());
+    departures = new Departures(context, sessions, roster, announcer, partings);
+    changes =
+        new MatchChange(context, loader, loads, settings, sessions, recording, roster, announcer);
+    arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
+    moves = new RoomMoves(context, self, directory, sessions, departures);
+    LoadWarnings warnings = new LoadWarnings(label, counters, config.tickRateHz());
+    pace = new TickPace(config.tickRateHz(), config.catchUpTicks(), warnings, counters);
+    snapshots = new SnapshotRound(context, clock, sessions, departures, warnings);
+    post = new Post(context, sessions, directory);
+  }
+
+  private static Match firstMatch(MatchLoader loader) {
+    try {
+      return loader.first();
+    } catch (MatchLoader.Unplayable e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+}

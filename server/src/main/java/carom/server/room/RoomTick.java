@@ -1,0 +1,184 @@
+package carom.server.room;
+
+import carom.net.transport.Broadcast;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.metrics.StageTimes;
+import carom.server.metrics.TurnStage;
+import carom.server.room.match.Match;
+import carom.server.room.match.RoomContext;
+import carom.server.session.Session;
+import carom.sim.Simulation;
+import carom.sim.match.MatchClock;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One tick of a room, in order:
+ *
+ * <pre>
+ *   Arrivals            players from the lobby get a session
+ *   Departures          sessions end, or begin their grace period
+ *   RoomMoves           players see the other rooms, and go there
+ *   Session             one input per player
+ *   Simulation.step
+ *   FrameCapture        the frame state, quantised once for all sessions
+ *   SnapshotRound       each session's snapshot
+ *   Post                messages of the game, which Session collected before the step
+ *   Announcer           notices of the game
+ *   RosterNews          players and scores that changed
+ *   Counters, RoomRecording
+ *   MatchChange         another match, if one is wanted and loaded
+ * </pre>
+ *
+ * <p>A tick that throws is logged, and the room goes on; a second of such ticks closes it. The
+ * room's thread, but for {@link #tick} and {@link #phase}. The steady state allocates next to
+ * nothing.
+ */
+final class RoomTick {
+  /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
+  private static final int LAST_TICK = Integer.MAX_VALUE - (1 << 20);
+
+  private static final Logger LOG = LoggerFactory.getLogger(RoomTick.class);
+
+  private final RoomParts parts;
+  private final RoomContext context;
+  private final RoomSessions sessions;
+  private final Counters counters;
+  private final StageTimes stages;
+  private final RoomEnd end;
+  private final Consumer<String> sendNotice;
+  private final BiConsumer<Session, Broadcast> sendTo;
+  private int failedTicks;
+  private volatile int tick;
+  private volatile String phase;
+
+  /** Creates the tick of a room whose first match has begun. */
+  RoomTick(RoomParts parts, RoomEnd end) {
+    this.parts = parts;
+    this.end = end;
+    context = parts.context;
+    sessions = parts.sessions;
+    counters = context.counters();
+    stages = parts.stages;
+    sendNotice = parts.announcer::notice;
+    sendTo = sessions::sendTo;
+    show();
+  }
+
+  /** Lets other threads see the tick and phase of the present match. */
+  void show() {
+    Simulation simulation = context.simulation();
+    tick = simulation.tick();
+    phase = simulation.game().clock() == null ? "" : MatchClock.phase(simulation).text();
+  }
+
+  /** Returns the last tick of the present match that was computed; from any thread. */
+  int tick() {
+    return tick;
+  }
+
+  /** Returns the phase of the match for people, empty if the game has no clock; any thread. */
+  String phase() {
+    return phase;
+  }
+
+  /**
+   * Does a tick and guards it. An exception that gets through every inner guard is a bug. Counted
+   * by ticks, not by turns: most turns have no tick to do and succeed.
+   *
+   * @param sends whether the tick sends snapshots
+   */
+  void run(long nowNs, boolean sends) {
+    try {
+      tick(nowNs, sends);
+      failedTicks = 0;
+    } catch (RuntimeException | StackOverflowError e) {
+      failedTicks++;
+      if (failedTicks == 1) {
+        LOG.error("{}tick {} failed; the room goes on", context.label(), tick + 1, e);
+      }
+      if (failedTicks >= context.config().tickRateHz()) {
+        fail(failedTicks + " ticks in a row failed");
+      }
+    }
+    if (tick >= LAST_TICK) {
+      fail("it has run for as long as its ticks can be numbered; start the server again");
+    }
+  }
+
+  private void fail(String why) {
+    end.fail(why, tick);
+  }
+
+  private void tick(long nowNs, boolean sends) {
+    long beginNs = parts.clock.getAsLong();
+    stages.begin();
+    parts.arrivals.admit(beginNs, nowNs);
+    parts.departures.serve(nowNs);
+    parts.moves.serve(nowNs);
+    Match match = context.match();
+    Simulation simulation = match.simulation();
+    takeInputs(simulation.tick() + 1);
+    stages.end(TurnStage.INPUTS);
+    boolean stepped = step(simulation);
+    stages.end(TurnStage.STEP);
+    if (stepped) {
+      match.capture().capture();
+      stages.end(TurnStage.CAPTURE);
+      counters.add(Counter.EVENTS_LOST, match.takeDroppedEvents());
+      send(match, beginNs, nowNs, sends);
+    }
+    counters.add(Counter.TICKS, 1);
+    context.passTick();
+    parts.recording.tickEnds();
+    if (stepped) {
+      parts.changes.tickEnds(nowNs);
+      if (parts.checkpoints != null) {
+        parts.checkpoints.tickEnds(nowNs);
+      }
+    }
+    show();
+    stages.end(TurnStage.REST);
+    parts.pace.tickTook(parts.clock.getAsLong() - beginNs, nowNs);
+    int rate = context.config().tickRateHz();
+    if (match.failures().endTick() >= rate && !end.isClosed()) {
+      String game = simulation.game().name();
+      fail("game " + game + " failed in each of the last " + rate + " ticks");
+    }
+  }
+
+  private void takeInputs(int next) {
+    for (int i = sessions.count() - 1; i >= 0; i--) {
+      sessions.get(i).consumeInput(next);
+      sessions.get(i).tellPace(parts.pace.percent());
+    }
+    parts.post.collect();
+  }
+
+  /** Returns false when the step itself threw; the callbacks of the game can't. */
+  private boolean step(Simulation simulation) {
+    try {
+      simulation.step();
+      return true;
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      // The world is in the middle of a step now: nothing that follows would mean anything.
+      LOG.error("{}the step of tick {} failed", context.label(), simulation.tick() + 1, e);
+      fail("its physics failed");
+      return false;
+    }
+  }
+
+  private void send(Match match, long beginNs, long nowNs, boolean snapshots) {
+    if (snapshots) {
+      parts.snapshots.run(beginNs, nowNs);
+      stages.end(TurnStage.SNAPSHOTS);
+    }
+    parts.post.send();
+    match.simulation().outbox().drainNotices(sendNotice);
+    match.failures().tell(match.simulation().findings());
+    parts.roster.send(sessions.bySeat(), nowNs, sendTo);
+  }
+}

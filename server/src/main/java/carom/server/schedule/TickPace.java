@@ -1,0 +1,79 @@
+package carom.server.schedule;
+
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+
+/**
+ * How fast time passes in a room: which ticks are due, how long they take, and the pace at which
+ * the room can keep them apart. It counts what is late, and warns the operator. One thread; no
+ * allocation.
+ *
+ * <pre>
+ *   due ◄── TickLoop ◄── pace ── TickLoad ◄── tickTook
+ *              └── dropped ──► LoadWarnings ◄──┘
+ * </pre>
+ */
+public final class TickPace {
+  private final TickLoop loop;
+  private final TickLoad load;
+  private final LoadWarnings warnings;
+  private final Counters counters;
+
+  /**
+   * Creates the pace of a room whose clock doesn't run yet.
+   *
+   * @param rateHz ticks per second, at least 1
+   * @param catchUpTicks the most ticks that are due at once, at least 1
+   * @param warnings the room's
+   */
+  public TickPace(int rateHz, int catchUpTicks, LoadWarnings warnings, Counters counters) {
+    loop = new TickLoop(rateHz, catchUpTicks);
+    load = new TickLoad(rateHz);
+    this.warnings = warnings;
+    this.counters = counters;
+  }
+
+  /**
+   * Returns the number of ticks to run now; call once per turn.
+   *
+   * @param paused stops the clock: no tick is due, and none is made good later
+   * @param tick the last tick that ran
+   * @param nowNs monotonic time
+   */
+  public int due(boolean paused, int tick, long nowNs) {
+    if (paused) {
+      loop.pause();
+    }
+    int due = paused ? 0 : loop.due(nowNs);
+    counters.set(Counter.LOAD_PERCENT, load.percent());
+    warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
+    counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
+    return due;
+  }
+
+  /**
+   * Notes how long a tick took, ns, which may change the pace.
+   *
+   * @param nowNs when the turn began
+   */
+  public void tickTook(long tookNs, long nowNs) {
+    counters.tickTook(tookNs);
+    if (load.tickTook(tookNs)) {
+      loop.pace(load.pacePercent(), nowNs + tookNs);
+      warnings.paceChanged(load.pacePercent(), nowNs);
+    }
+    if (tookNs > loop.periodNs()) {
+      counters.add(Counter.TICKS_OVERRUN, 1);
+    }
+  }
+
+  /** Returns the pace, percent of the tick rate, {@value TickLoad#SLOWEST_PERCENT}..100. */
+  public int percent() {
+    return load.pacePercent();
+  }
+
+  /** Returns when the next tick is due; valid after the first call of {@link #due}. */
+  public long nextDeadlineNs() {
+    return loop.nextDeadlineNs();
+  }
+}

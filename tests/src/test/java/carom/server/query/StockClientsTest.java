@@ -1,0 +1,212 @@
+package carom.server.query;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import carom.client.bots.Bot;
+import carom.net.transport.Impairment;
+import carom.server.command.Command;
+import carom.server.command.CommandRegistry;
+import carom.server.command.RoomCommands;
+import carom.server.config.DataFolder;
+import carom.server.login.LoginThrottle;
+import carom.server.login.Secret;
+import carom.testkit.Stepper;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: clients that others wrote speak with the server. Method: the Python packages python-a2s and
+ * rcon, installed by pip into the build folder, ask a running arena with two bots.
+ */
+@Timeout(400)
+final class StockClientsTest {
+  private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
+  private static final List<String> PACKAGES = List.of("python-a2s==1.4.2", "rcon==2.4.9");
+  private static final Path ENVIRONMENT = Path.of("build/stock-clients").toAbsolutePath();
+  private static final Path PYTHON = ENVIRONMENT.resolve("bin/python");
+  private static final String PASSWORD = "a long password";
+  private static final long INSTALL_S = 240;
+  private static final long RUN_S = 60;
+
+  @TempDir private Path folder;
+  private Stepper stepper;
+  private StatusQuery query;
+  private RemoteConsole console;
+  private Thread play;
+
+  /** A program's exit code and what it printed. */
+  private record Ran(int status, String text) {}
+
+  private Ran run(long seconds, List<String> command) throws Exception {
+    Path output = folder.resolve("output.txt");
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().put("PYTHONIOENCODING", "utf-8");
+    Process process = builder.redirectErrorStream(true).redirectOutput(output.toFile()).start();
+    if (!process.waitFor(seconds, TimeUnit.SECONDS)) {
+      process.destroyForcibly().waitFor();
+      throw new IOException(command + " takes more than " + seconds + " s");
+    }
+    return new Ran(process.exitValue(), Files.readString(output));
+  }
+
+  /** Installs the packages, once in each build folder; skips the test where there is no Python. */
+  private void install() throws Exception {
+    Path done = ENVIRONMENT.resolve("packages.txt");
+    if (Files.exists(done) && Files.readAllLines(done).equals(PACKAGES)) {
+      return;
+    }
+    Ran ran;
+    try {
+      ran = run(INSTALL_S, List.of("python3", "-m", "venv", "--clear", ENVIRONMENT.toString()));
+    } catch (IOException e) {
+      ran = new Ran(-1, e.getMessage());
+    }
+    if (ran.status != 0) {
+      assertFalse(System.getenv("CI") != null, "CI has no Python: .ci/run installs it: " + ran);
+      System.err.println("SKIPPED: no python3 with venv and pip here, so no stock client asks");
+    }
+    assumeTrue(ran.status == 0, "no python3 with venv and pip: " + ran.text);
+    Stream<String> pip = Stream.of(PYTHON.toString(), "-m", "pip", "install", "-q");
+    ran = run(INSTALL_S, Stream.concat(pip, PACKAGES.stream()).toList());
+    assertEquals(0, ran.status, ran.text);
+    Files.write(done, PACKAGES);
+  }
+
+  @BeforeEach
+  void start() throws Exception {
+    install();
+    stepper = Stepper.of("arena");
+    stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
+    stepper.join("Zoë", Impairment.NONE, new Bot(Stepper.SEED));
+    stepper.run(2);
+    StatusFacts facts =
+        new StatusFacts("My server", "1.2", 54_555, 54_777, stepper.server().rooms());
+    query = new StatusQuery(LOOPBACK, 0, facts);
+    CommandRegistry commands = new CommandRegistry();
+    RoomCommands.add(commands, stepper.server().rooms(), new DataFolder(folder));
+    commands.add(
+        new Command("long", "", "", words -> "0123456789".repeat(1_000) + "end", Command.NONE));
+    Path file = Files.writeString(folder.resolve("rcon.password"), PASSWORD);
+    console =
+        new RemoteConsole(
+            LOOPBACK, 0, commands, Secret.of(file), new LoginThrottle(System::nanoTime));
+    play =
+        new Thread(
+            () -> {
+              while (!Thread.interrupted()) {
+                stepper.run(0.01);
+              }
+            });
+    play.start();
+  }
+
+  @AfterEach
+  void stop() throws InterruptedException {
+    if (play != null) {
+      play.interrupt();
+      play.join();
+      console.close();
+      query.close();
+      stepper.close();
+    }
+  }
+
+  /** Runs lines of Python with the arguments in {@code argv[1:]} and returns what they print. */
+  private String python(String lines, Object... arguments) throws Exception {
+    Path script = folder.resolve("client.py");
+    Files.writeString(script, "from sys import argv\n" + lines, StandardCharsets.UTF_8);
+    Stream<String> words = Arrays.stream(arguments).map(String::valueOf);
+    Ran ran =
+        run(RUN_S, Stream.concat(Stream.of(PYTHON.toString(), script.toString()), words).toList());
+    assertEquals(0, ran.status, ran.text);
+    return ran.text;
+  }
+
+  @Test
+  void pythonA2sReadsInfoPlayersAndRules() throws Exception {
+    String text =
+        python(
+            """
+            import a2s
+            server = (argv[1], int(argv[2]))
+            info = a2s.info(server, timeout=20)
+            print(info.server_name, info.map_name, info.folder, info.game, sep="|")
+            print(info.player_count, info.max_players, info.bot_count, info.server_type, sep="|")
+            print(info.password_protected, info.vac_enabled, info.version, info.port, sep="|")
+            print(info.keywords)
+            for player in a2s.players(server, timeout=20):
+                print(player.name, player.score, player.duration > 1, sep="|")
+            for name, value in a2s.rules(server, timeout=20).items():
+                print(name, value, sep="=")
+            """,
+            LOOPBACK.getHostAddress(),
+            query.port());
+    List<String> lines = text.lines().toList();
+    assertEquals("My server|Corner Pocket|carom|arena", lines.get(0));
+    assertEquals("2|64|0|d", lines.get(1));
+    assertEquals("False|False|1.2|54555", lines.get(2));
+    assertTrue(lines.get(3).startsWith("carom,tcp=54555,udp=54777,protocol="), lines.get(3));
+    assertEquals(List.of("Ann|0|True", "Zoë|0|True"), lines.subList(4, 6));
+    assertTrue(lines.contains("room_1=arena, Corner Pocket, 2/64"), text);
+  }
+
+  @Test
+  void rconRunsCommands() throws Exception {
+    String text =
+        python(
+            """
+            from rcon.source import Client
+            with Client(argv[1], int(argv[2]), timeout=20, passwd=argv[3]) as client:
+                for command in ("rooms", "list", "say hello", "kick Zoë", "lost"):
+                    print(client.run(command))
+                text = client.run("long")
+                print(len(text), text[-13:])
+            """,
+            LOOPBACK.getHostAddress(),
+            console.port(),
+            PASSWORD);
+    List<String> lines = text.lines().toList();
+    assertTrue(lines.get(0).matches("room +players +game +level .*"), text);
+    assertTrue(lines.get(1).matches("@1 +2/64 +arena +Corner Pocket .*"), text);
+    assertTrue(lines.get(2).matches("id +name +room .*"), text);
+    assertTrue(lines.get(3).matches("\\d+ +Ann +1 .*"), text);
+    assertTrue(lines.get(4).matches("\\d+ +Zoë +1 .*"), text);
+    assertEquals("said to 2 players", lines.get(5));
+    assertTrue(lines.get(6).contains("Zoë"), text);
+    assertTrue(lines.get(7).startsWith("unknown command=lost; did you mean \"list\"?"), text);
+    assertEquals("10003 0123456789end", lines.get(8));
+  }
+
+  @Test
+  void rconIsToldThatAPasswordIsWrong() throws Exception {
+    String text =
+        python(
+            """
+            from rcon.exceptions import WrongPassword
+            from rcon.source import Client
+            try:
+                with Client(argv[1], int(argv[2]), timeout=20, passwd="guess") as client:
+                    print(client.run("rooms"))
+            except WrongPassword:
+                print("refused")
+            """,
+            LOOPBACK.getHostAddress(),
+            console.port());
+    assertEquals("refused", text.strip());
+  }
+}
