@@ -33,6 +33,12 @@ enum Call {
   REFUSE_CONTACT(""),
   /** A listener sets a number of its contact; i: which, f: the number. */
   SET_CONTACT("if"),
+  /** The collision filter changes; i: 1 if there is one. */
+  COLLISION_FILTER("i"),
+  /** The filter's answer about two shapes is no, and was yes; body, shape, body, shape. */
+  REFUSE_PAIR("iiii"),
+  /** The filter's answer about two shapes is yes, and was no. */
+  ALLOW_PAIR("iiii"),
   /** {@link Body#wake}. */
   WAKE("b"),
   /** {@link Body#sleep}. */

@@ -20,8 +20,7 @@ package carom.physics;
  * never change: a game sets it in its set-up on server and clients, and its world refuses {@link
  * Body#refilter}. What changes belongs to the game's {@code collision}, which both sides ask.
  *
- * <p>A world with a filter can't be recorded by {@link WorldRecorder}, which records calls and not
- * answers.
+ * <p>A {@link WorldRecorder} records the answers by pair of shapes. Its replay needs no filter.
  *
  * <p>It is called on the thread that steps the world, whatever {@linkplain World#workers workers}
  * there are. It must change nothing and make no query. It is no part of the world's state: worlds

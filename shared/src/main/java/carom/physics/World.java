@@ -58,10 +58,6 @@ public final class World<T> {
 
   private static final JointType[] JOINT_TYPES = JointType.values();
 
-  /** Text that says why a recorder and a collision filter exclude each other, and what to do. */
-  private static final String INSTEAD =
-      "its answers are no calls; set a Filter on shapes, or return false from preSolve";
-
   /** The constants that the world was made with. */
   private final WorldDef firstDef;
 
@@ -85,11 +81,14 @@ public final class World<T> {
 
   private float stepSeconds;
 
-  /** True if the program decides which shapes meet. */
-  private boolean filtered;
+  /** Rule of the program that decides which shapes meet; null for none. */
+  private CollisionFilter<T> filter;
 
   /** Records calls that change this world; null (the default) records nothing. */
   private WorldRecorder recorder;
+
+  /** True if a state was restored since the last step. */
+  private boolean restored;
 
   private boolean stepping;
   private boolean querying;
@@ -602,7 +601,11 @@ public final class World<T> {
     refuseShared("step", null);
     if (recorder != null) {
       recorder.noteStep(dtSeconds);
+      if (restored && filter != null) {
+        askAboutSleeping();
+      }
     }
+    restored = false;
     stepping = true;
     stepSeconds = dtSeconds;
     try {
@@ -666,30 +669,45 @@ public final class World<T> {
    * asleep.
    *
    * @param newFilter the filter, null (the default) for none
-   * @throws IllegalStateException during a step or a query, or while calls are recorded
+   * @throws IllegalStateException during a step or a query
    */
   public void collisionFilter(CollisionFilter<T> newFilter) {
     refuseDuringStep("collisionFilter");
     refuseShared("collisionFilter", null);
-    if (recorder != null && newFilter != null) {
-      throw new IllegalStateException(
-          "collisionFilter is not possible while calls are recorded, because " + INSTEAD);
-    }
-    filtered = newFilter != null;
-    dynamics.customRule(
-        newFilter == null ? null : (partA, partB) -> shouldCollide(newFilter, partA, partB));
-    forEachBody(Body::wake);
+    note(Call.COLLISION_FILTER, newFilter == null ? 0 : 1);
+    askAbout(newFilter);
+    forEachBody(body -> dynamics.wake(body.index()));
   }
 
-  private boolean shouldCollide(CollisionFilter<T> filter, int partA, int partB) {
+  /** Has a filter asked about all pairs in the next step, and from then on; wakes nothing. */
+  void askAbout(CollisionFilter<T> newFilter) {
+    filter = newFilter;
+    dynamics.customRule(newFilter == null ? null : this::shouldCollide);
+  }
+
+  /** Asks about sleeping contacts, which a state has brought and no step asks about. */
+  private void askAboutSleeping() {
+    ContactTable rows = dynamics.sleepingContacts();
+    for (int row = 0; row < rows.count(); row++) {
+      if (!rows.unused(row)) {
+        shouldCollide(rows.partA(row), rows.partB(row));
+      }
+    }
+  }
+
+  private boolean shouldCollide(int partA, int partB) {
+    int shapeA = parts.shapeOf(partA);
+    int shapeB = parts.shapeOf(partB);
+    Body<T> a = body(parts.bodyOf(partA));
+    Body<T> b = body(parts.bodyOf(partB));
     boolean before = querying;
     querying = true;
     try {
-      return filter.shouldCollide(
-          body(parts.bodyOf(partA)),
-          parts.shapeOf(partA),
-          body(parts.bodyOf(partB)),
-          parts.shapeOf(partB));
+      boolean meet = filter.shouldCollide(a, shapeA, b, shapeB);
+      if (recorder != null) {
+        recorder.noteAnswer(a.index(), shapeA, b.index(), shapeB, meet);
+      }
+      return meet;
     } finally {
       querying = before;
     }
@@ -757,6 +775,7 @@ public final class World<T> {
     take(s.def);
     dynamics.restore(s.dynamics, handles.sameBodies(s.handles));
     s.handles.copyTo(handles, store.slots(), joints.slots());
+    restored = true;
   }
 
   /**
@@ -1207,11 +1226,15 @@ public final class World<T> {
   /** Sets the recorder of calls; null for none. */
   void recorder(WorldRecorder newRecorder) {
     refuseDuringStep("recording");
-    if (filtered && newRecorder != null) {
-      throw new IllegalStateException(
-          "a world with a collisionFilter can't be recorded, because " + INSTEAD);
-    }
     recorder = newRecorder;
+    if (newRecorder != null && filter != null) {
+      askAbout(filter); // as the replay's world will, which begins with restoring
+    }
+  }
+
+  /** Returns whether a collision filter is set. */
+  boolean isFiltered() {
+    return filter != null;
   }
 
   /** Returns which listeners there are: 1 for collisions, 2 for joints, added up. */

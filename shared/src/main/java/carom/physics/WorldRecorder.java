@@ -1,6 +1,7 @@
 package carom.physics;
 
 import carom.physics.archive.ArchiveWriter;
+import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.math.StateHash;
 import java.util.Arrays;
 
@@ -18,6 +19,10 @@ import java.util.Arrays;
  * are recorded with the callback in which they were made. A call that is refused with an exception
  * is recorded, too, and refused again. A call takes 2 to 20 bytes, a step 5 and 8 for its hash.
  *
+ * <p>Of a {@link CollisionFilter} the recording has its answers, by pair of shapes: each one that
+ * is another than the last about that pair, 6 to 16 bytes. When a recording begins, the next step
+ * asks the filter about all pairs.
+ *
  * <p>A world without a recorder pays nothing but a comparison in each call. A recorder is no part
  * of the state. It is of the world's one thread.
  */
@@ -30,6 +35,9 @@ public final class WorldRecorder {
 
   /** Bit of the byte of a call that a callback made. */
   static final int NESTED = 0x80;
+
+  /** Bit beside those of listeners: at the beginning there is a collision filter. */
+  static final int FILTERED = 4;
 
   /** Byte of a hash of the state, among those of calls. */
   static final int HASH = 0x7f;
@@ -52,6 +60,11 @@ public final class WorldRecorder {
   private int callbacks;
 
   private int depth;
+
+  /** True if the last call from outside is noted; false while one runs that is noted at its end. */
+  private boolean noted;
+
+  private final PairAnswers answers = new PairAnswers();
 
   /**
    * Begins to record a world, in place of any recorder that it has.
@@ -78,7 +91,7 @@ public final class WorldRecorder {
     CallValues.passDef(values, world.firstDef());
     world.save(null).write(values);
     putValues();
-    putInt(world.listeners());
+    putInt(world.listeners() | (world.isFiltered() ? FILTERED : 0));
     putLong(world.stateHash());
     if (length + TAIL > maxBytes) {
       throw new IllegalArgumentException(
@@ -232,11 +245,38 @@ public final class WorldRecorder {
   }
 
   /**
+   * Notes what a collision filter answered about two shapes, if its last answer about them was
+   * another.
+   */
+  void noteAnswer(int bodyA, int shapeA, int bodyB, int shapeB, boolean meet) {
+    if (full || !answers.set(ContactKey.of(bodyA, shapeA, bodyB, shapeB), !meet)) {
+      return;
+    }
+    int at = length;
+    Call call = meet ? Call.ALLOW_PAIR : Call.REFUSE_PAIR;
+    if (noted) {
+      put(NESTED | call.ordinal());
+      putVar(callbacks);
+    } else {
+      put(call.ordinal());
+    }
+    putVar(bodyA);
+    putVar(shapeA);
+    putVar(bodyB);
+    putVar(shapeB);
+    end(at);
+  }
+
+  /**
    * Puts down the hash that the last call from outside left, if it is due. The next call does so
    * first; a call that is noted when it has begun to change the world has this done before.
    */
   void settle() {
-    if (depth > 0 || !hashDue) {
+    if (depth > 0) {
+      return;
+    }
+    noted = false;
+    if (!hashDue) {
       return;
     }
     hashDue = false;
@@ -258,6 +298,7 @@ public final class WorldRecorder {
     settle();
     at = length;
     callbacks = 0;
+    noted = true;
     put(call.ordinal());
     steps += call == Call.STEP ? 1 : 0;
     hashDue = stepsPerHash == 0 || (call == Call.STEP && steps % stepsPerHash == 0);

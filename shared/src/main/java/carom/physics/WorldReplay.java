@@ -2,6 +2,8 @@ package carom.physics;
 
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.contact.ContactKey;
 import java.util.Arrays;
 
 /**
@@ -14,6 +16,8 @@ import java.util.Arrays;
  *   System.out.println(replay.difference()); // null if all is the same, bit for bit
  * </pre>
  *
+ * <p>A {@link CollisionFilter} isn't needed: the recording has its answers.
+ *
  * <p>The bytes need not be trusted. What isn't a whole recording of this format and physics version
  * is refused with the reason; what is damaged otherwise ends in an exception of the same kind.
  */
@@ -24,6 +28,9 @@ public final class WorldReplay {
   private final int end;
   private final World<Object> world;
   private final Listener listener = new Listener();
+  private final PairAnswers answers = new PairAnswers();
+  private final CollisionFilter<Object> filter =
+      (self, i, other, j) -> !answers.refuses(ContactKey.of(self.index(), i, other.index(), j));
   private int at;
   private long calls;
   private long steps;
@@ -35,7 +42,7 @@ public final class WorldReplay {
   private Call call = Call.END;
   private boolean nested;
   private int event;
-  private final int[] ints = new int[2];
+  private final int[] ints = new int[4];
   private int intCount;
   private final float[] floats = new float[4];
   private int floatCount;
@@ -86,7 +93,11 @@ public final class WorldReplay {
     } catch (IllegalArgumentException e) {
       throw refused(e.getMessage());
     }
-    listen(readInt());
+    int set = readInt();
+    listen(set);
+    if ((set & WorldRecorder.FILTERED) != 0) {
+      world.askAbout(filter);
+    }
     compare(readLong());
   }
 
@@ -155,9 +166,12 @@ public final class WorldReplay {
       compare(readLong());
       return;
     }
+    callbacks = 0;
+    if (takeAnswer(0)) {
+      return;
+    }
     read();
     require(!nested, "a call of a callback outside of one");
-    callbacks = 0;
     calls++;
     last = describe();
     boolean isStep = call == Call.STEP;
@@ -193,6 +207,7 @@ public final class WorldReplay {
 
   /** Makes the call that was read last. What was refused then is refused now. */
   private void perform() {
+    while (takeAnswer(WorldRecorder.NESTED)) {}
     try {
       switch (call.layout.isEmpty() ? 'w' : call.layout.charAt(0)) {
         case 'b' -> perform(body(ints[0]));
@@ -219,6 +234,7 @@ public final class WorldReplay {
       case REDEFINE -> world.redefine(is(WorldDef.class));
       case STATE -> world.restore(state);
       case LISTENERS -> listen(ints[0]);
+      case COLLISION_FILTER -> world.collisionFilter(ints[0] == 0 ? null : filter);
       case SET_CONTACT -> {
         require(contact != null, "call=" + call + " outside of preSolve");
         contact.repeat(ints[0], floats[0]);
@@ -298,6 +314,7 @@ public final class WorldReplay {
   private boolean callback() {
     callbacks++;
     boolean accepts = true;
+    while (takeAnswer(WorldRecorder.NESTED)) {}
     while (at < end && bytes[at] != WorldRecorder.HASH && (bytes[at] & WorldRecorder.NESTED) != 0) {
       int before = at;
       read();
@@ -310,8 +327,41 @@ public final class WorldReplay {
       } else {
         perform();
       }
+      while (takeAnswer(WorldRecorder.NESTED)) {}
     }
     return accepts;
+  }
+
+  /**
+   * Takes over what the filter answers from here on about a pair, if that is what comes next.
+   *
+   * @param mark {@link WorldRecorder#NESTED} if it came within a call, 0 if before one
+   */
+  private boolean takeAnswer(int mark) {
+    int next = at < end ? bytes[at] & 0xff : WorldRecorder.HASH;
+    boolean refused = next == (mark | Call.REFUSE_PAIR.ordinal());
+    if (!refused && next != (mark | Call.ALLOW_PAIR.ordinal())) {
+      return false;
+    }
+    int before = at++;
+    if (mark != 0 && readVar() > callbacks) {
+      at = before;
+      return false;
+    }
+    int bodyA = readVar();
+    int shapeA = readVar();
+    int bodyB = readVar();
+    int shapeB = readVar();
+    require(
+        bodyA >= 0 && bodyB > bodyA && bodyB < BodyStore.MAX_BODIES,
+        "bodies=" + bodyA + " and " + bodyB + " of a pair");
+    require(
+        shapeA >= 0 && shapeB >= 0 && Math.max(shapeA, shapeB) < BodyStore.MAX_PARTS,
+        "shapes=" + shapeA + " and " + shapeB + " of a pair");
+    if (answers.set(ContactKey.of(bodyA, shapeA, bodyB, shapeB), refused) && world.isFiltered()) {
+      world.askAbout(filter); // again: the broadphase may have found this pair sooner here
+    }
+    return true;
   }
 
   /** Makes what the recorded listeners made, callback by callback. */

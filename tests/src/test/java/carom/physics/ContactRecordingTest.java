@@ -3,7 +3,6 @@ package carom.physics;
 import static carom.physics.Scenes.steps;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.settings.MixingRule;
@@ -38,24 +37,5 @@ final class ContactRecordingTest {
     assertNull(replay.run());
     assertEquals(120, replay.steps());
     assertEquals(w.stateHash(), replay.world().stateHash());
-  }
-
-  @Test
-  void aCollisionFilterAndARecorderExcludeEachOtherByName() {
-    World<String> w = Scenes.pile(4, 8);
-    w.collisionFilter((self, i, other, j) -> true);
-    String cannot =
-        assertThrows(IllegalStateException.class, () -> new WorldRecorder(w, 1 << 20, 1))
-            .getMessage();
-    assertTrue(cannot.startsWith("a world with a collisionFilter can't be recorded"), cannot);
-    assertTrue(cannot.endsWith("set a Filter on shapes, or return false from preSolve"), cannot);
-    w.collisionFilter(null);
-    new WorldRecorder(w, 1 << 20, 1);
-    String late =
-        assertThrows(
-                IllegalStateException.class, () -> w.collisionFilter((self, i, other, j) -> true))
-            .getMessage();
-    assertTrue(late.startsWith("collisionFilter is not possible while calls are recorded"), late);
-    assertTrue(late.endsWith("set a Filter on shapes, or return false from preSolve"), late);
   }
 }

@@ -399,7 +399,7 @@ class WorldReplayTest {
   }
 
   /** Gives changed bytes the hash that belongs to them. */
-  private static byte[] sealed(byte[] bytes) {
+  static byte[] sealed(byte[] bytes) {
     long hash = WorldRecorder.hashOf(bytes, bytes.length - 8);
     for (int i = 0; i < 8; i++) {
       bytes[bytes.length - 1 - i] = (byte) (hash >>> 8 * i);

@@ -36,7 +36,7 @@ import java.util.function.LongSupplier;
  *
  * <ol>
  *   <li>If an input of another player was mispredicted, a {@linkplain ReceivedRulings ruling} of
- *       the game came, or an {@linkplain NearUpdate update} of exact states is complete, the
+ *       the game came, or an {@linkplain carom.client.prediction.received.NearUpdate update} of exact states is complete, the
  *       simulation rolls back to the tick before. It applies the update and resimulates up to T
  *       with the real inputs and rulings.
  *   <li>If the hash of T is now the server's, T is right.

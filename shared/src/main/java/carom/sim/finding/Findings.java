@@ -53,4 +53,10 @@ public final class Findings {
   public String get(int index) {
     return texts.get(index);
   }
+
+  /** Returns all texts, one a line; empty if nothing was found. */
+  @Override
+  public String toString() {
+    return String.join("\n", texts);
+  }
 }
