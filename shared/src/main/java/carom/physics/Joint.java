@@ -654,6 +654,9 @@ public final class Joint<T> {
   private void raise(byte flag) {
     if ((store.flags[index] & flag) == 0) {
       store.flags[index] |= flag;
+      if (type == JointType.DISTANCE || type == JointType.PULLEY) {
+        store.impulseX[index] = 0; // of a length that was rigid, which nothing solves any more
+      }
       changed();
     }
   }

@@ -395,4 +395,21 @@ final class JointLifeTest {
     String message = assertThrows(IllegalArgumentException.class, call::run).getMessage();
     assertTrue(message.contains(part), message);
   }
+
+  /** What a rod pulled before it got limits, a motor or a spring isn't pulled any more. */
+  @ParameterizedTest
+  @ValueSource(strings = {"limits", "motor", "spring"})
+  void aRodThatIsNoneAnyMoreLetsGo(String what) {
+    World<String> w = new World<>(new WorldDef());
+    Body<String> ball = disc(w, 0, -1, .2f, Material.DEFAULT);
+    Joint<String> rod = w.createJoint(JointDef.distance(null, ball, 0, 0, 0, -1));
+    steps(w, 30);
+    switch (what) {
+      case "limits" -> rod.setLimits(0, 9);
+      case "motor" -> rod.setMotor(0, 0);
+      default -> rod.setSpring(0, 0);
+    }
+    steps(w, 30);
+    assertEquals(-1 - .5 * 10 * .25, ball.y(), .02);
+  }
 }

@@ -417,6 +417,31 @@ public final class JointStore {
     return (flags[slot] & WINDS) != 0;
   }
 
+  /** Returns whether a joint is a rod: a distance joint that keeps its length, and does no more. */
+  public boolean isRod(int slot) {
+    return type[slot] == DISTANCE
+        && (flags[slot] & (DRIVEN | SPRUNG)) == 0
+        && ((flags[slot] & LIMITED) == 0 || lower[slot] == upper[slot]);
+  }
+
+  /** Returns the length of a rod, m. */
+  public float rodLength(int slot) {
+    return (flags[slot] & LIMITED) == 0 ? rest[slot] : lower[slot];
+  }
+
+  /** Returns the impulse that a rod exerted in the last substep, N s; pressure is positive. */
+  public float rodImpulse(int slot) {
+    return impulseX[slot] + lowerImpulse[slot] - upperImpulse[slot];
+  }
+
+  /** Sets the impulse that a rod exerted in the last substep, N s; pressure is positive. */
+  public void setRodImpulse(int slot, float impulse) {
+    boolean limited = (flags[slot] & LIMITED) != 0;
+    impulseX[slot] = limited ? 0 : impulse;
+    lowerImpulse[slot] = limited ? Math.max(impulse, 0) : 0;
+    upperImpulse[slot] = limited ? Math.max(-impulse, 0) : 0;
+  }
+
   /** Returns whether a joint turns in one direction only. */
   public boolean isRatchet(int slot) {
     return type[slot] == REVOLUTE && ratio[slot] != 0;

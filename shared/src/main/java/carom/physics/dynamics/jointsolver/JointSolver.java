@@ -209,7 +209,7 @@ public final class JointSolver {
     for (int i = 0; i < count; i++) {
       int slot = found[i];
       boolean plain = isPlainRevolute(slot);
-      if (plain && trees.has(slot)) {
+      if ((plain || store.isRod(slot)) && trees.has(slot)) {
         group[i] = NO_GROUP;
         continue;
       }

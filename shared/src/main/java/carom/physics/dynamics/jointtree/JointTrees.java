@@ -5,13 +5,15 @@ import carom.physics.dynamics.joint.JointStore;
 import java.util.Arrays;
 
 /**
- * Finds the trees of revolute joints that carry too much to be solved joint by joint: a wrecking
- * ball on a chain, a long bridge.
+ * Finds the trees of revolute joints and rods that carry too much to be solved joint by joint: a
+ * wrecking ball on a chain, a long bridge.
  *
- * <p>Bodies that can be moved and the revolute joints between them are a graph. What can't be moved
- * is no part of it, so a bridge between two rocks is a tree as well. A joint's <i>load</i> is the
- * mass that hangs on its lighter side (all of the tree's, where both sides are held), in masses of
- * its lighter body. Solved one by one, a joint opens in proportion to it.
+ * <p>Bodies that can be moved and the joints between them are a graph. What can't be moved is no
+ * part of it, so a bridge between two rocks is a tree as well. Revolute joints come first: a rod
+ * that would close a cycle, or that is with one, stays out, and is solved by itself. So no rod
+ * takes the tree of a chain of hinges away. A joint's <i>load</i> is the mass that hangs on its
+ * lighter side (all of the tree's, where both sides are held), in masses of its lighter body.
+ * Solved one by one, a joint opens in proportion to it.
  *
  * <pre>
  *   rock --- 1 kg --- 1 kg --- 1 kg --- 100 kg     loads: 103, 102, 101, 100
@@ -137,8 +139,7 @@ public final class JointTrees {
       return;
     }
     ensure(n, b.slots(), j.slots());
-    int revolutes = findComponents(list, n);
-    if (revolutes < 2) {
+    if (findComponents(list, n) < 2) {
       return;
     }
     for (int i = 0; i < n; i++) {
@@ -182,23 +183,43 @@ public final class JointTrees {
 
   /** Finds the components of the graph, and returns the number of its joints. */
   private int findComponents(int[] list, int n) {
-    int revolutes = 0;
+    int size = 0;
     for (int i = 0; i < n; i++) {
       int k = list[i];
-      if (joints.type[k] != JointStore.REVOLUTE) {
-        continue;
-      }
-      revolutes++;
-      found[k] = search;
-      int a = movable(joints.bodyA[k]);
-      int b = movable(joints.bodyB[k]);
-      if (a < 0 || b < 0) {
-        held[leader(Math.max(a, b))]++;
-      } else {
-        join(leader(a), leader(b));
+      if (joints.type[k] == JointStore.REVOLUTE) {
+        connect(k);
+        size++;
       }
     }
-    return revolutes;
+    for (int i = 0; i < n; i++) {
+      int k = list[i];
+      if (joints.isRod(k) && keepsTrees(k)) {
+        connect(k);
+        size++;
+      }
+    }
+    return size;
+  }
+
+  private void connect(int k) {
+    found[k] = search;
+    int a = movable(joints.bodyA[k]);
+    int b = movable(joints.bodyB[k]);
+    if (a < 0 || b < 0) {
+      held[leader(Math.max(a, b))]++;
+    } else {
+      join(leader(a), leader(b));
+    }
+  }
+
+  /** Returns whether a joint closes no cycle, and is with none. */
+  private boolean keepsTrees(int k) {
+    int a = movable(joints.bodyA[k]);
+    int b = movable(joints.bodyB[k]);
+    if (a < 0 || b < 0) {
+      return !cyclic[leader(Math.max(a, b))];
+    }
+    return leader(a) != leader(b) && !cyclic[leader(a)] && !cyclic[leader(b)];
   }
 
   /** Returns a body, -1 if it can't be moved. */
@@ -235,7 +256,7 @@ public final class JointTrees {
     }
   }
 
-  /** Returns whether a joint is a revolute one without a cycle that no search has come to yet. */
+  /** Returns whether a joint has no cycle, and no search has come to it yet. */
   private boolean isOpen(int k) {
     return found[k] == search && !cyclic[leader(anyBody(k))] && number[anyBody(k)] < 0;
   }

@@ -17,6 +17,9 @@ final class TreeRecords {
    */
   private static final double LOCKED = 1e9;
 
+  /** Least distance of a rod's ends at which it has a direction, m. */
+  static final double LEAST_LENGTH = 1e-9;
+
   // Numbers of a joint.
   static final int ARM_AX = 0;
   static final int ARM_AY = 1;
@@ -55,7 +58,19 @@ final class TreeRecords {
   static final int QX = 18;
 
   static final int QY = 19;
-  static final int JOINT = 20;
+
+  /** Direction of a rod, from A to B. */
+  static final int NX = 20;
+
+  static final int NY = 21;
+
+  /** Impulse across a rod per speed across it, kg. */
+  static final int ACROSS = 22;
+
+  /** Length of a rod, m. */
+  static final int LENGTH = 23;
+
+  static final int JOINT = 24;
 
   // Numbers of a body. A and its inverse are symmetric: xx, xy, xw, yy, yw, ww.
 
@@ -88,6 +103,12 @@ final class TreeRecords {
   /** Per joint: whether B is the child. */
   boolean[] childIsB = new boolean[0];
 
+  /** Per joint: whether it is a rod. */
+  boolean[] rod = new boolean[0];
+
+  /** Per tree: whether it has a rod. */
+  boolean[] hasRods = new boolean[0];
+
   /** Per body: its offset in the solver's state. */
   int[] offset = new int[0];
 
@@ -109,19 +130,25 @@ final class TreeRecords {
   void load(JointStore j, BodyStore bodies, int[] slotOf) {
     ensure(trees.start[trees.count], trees.bodyStart[trees.count]);
     for (int t = 0; t < trees.count; t++) {
+      hasRods[t] = false;
       for (int i = trees.start[t]; i < trees.start[t + 1]; i++) {
         frame.load(trees.slot[i], j, bodies, slotOf);
         pack(i, j, bodies, trees.closed[t]);
+        hasRods[t] |= rod[i];
       }
     }
   }
 
   private void ensure(int joints, int bodyCount) {
+    if (hasRods.length < trees.count) {
+      hasRods = new boolean[Math.max(trees.count, 2 * hasRods.length)];
+    }
     if (bodyA.length < joints) {
       int capacity = Math.max(joints, 2 * bodyA.length);
       bodyA = new int[capacity];
       bodyB = new int[capacity];
       childIsB = new boolean[capacity];
+      rod = new boolean[capacity];
       joint = new double[capacity * JOINT];
     }
     if (offset.length < bodyCount) {
@@ -147,11 +174,34 @@ final class TreeRecords {
     d[at + ARM_BY] = f.armBy;
     d[at + GAP_X] = f.gapX;
     d[at + GAP_Y] = f.gapY;
-    d[at + PX] = j.impulseX[f.slot];
-    d[at + PY] = j.impulseY[f.slot];
+    rod[i] = j.isRod(f.slot);
+    if (rod[i]) {
+      packRod(at, j);
+    } else {
+      d[at + PX] = j.impulseX[f.slot];
+      d[at + PY] = j.impulseY[f.slot];
+    }
     d[at + SOFT] = closed ? CLOSED_SOFTNESS * ((double) f.massA + f.massB) : 0;
     loadBody(childIsB[i] ? p : c, f.offsetA, f.massA, f.inertiaA, bodies);
     loadBody(childIsB[i] ? c : p, f.offsetB, f.massB, f.inertiaB, bodies);
+  }
+
+  private void packRod(int at, JointStore j) {
+    JointFrame f = frame;
+    double x = (double) f.gapX + ((double) f.armBx - f.armAx);
+    double y = (double) f.gapY + ((double) f.armBy - f.armAy);
+    point(at, x, y, Math.sqrt(x * x + y * y));
+    double p = j.rodImpulse(f.slot);
+    joint[at + LENGTH] = j.rodLength(f.slot);
+    joint[at + PX] = p * joint[at + NX];
+    joint[at + PY] = p * joint[at + NY];
+  }
+
+  /** Points a rod from A to B, which are that far apart. */
+  void point(int at, double x, double y, double length) {
+    boolean apart = length > LEAST_LENGTH;
+    joint[at + NX] = apart ? x / length : 1;
+    joint[at + NY] = apart ? y / length : 0;
   }
 
   private void loadBody(int b, int at, float inverseMass, float inverseInertia, BodyStore bodies) {
@@ -185,8 +235,17 @@ final class TreeRecords {
         j.forget(slot);
         continue;
       }
-      j.impulseX[slot] = x;
-      j.impulseY[slot] = y;
+      if (rod[i]) {
+        double nx = joint[i * JOINT + NX];
+        double ny = joint[i * JOINT + NY];
+        float p = (float) (x * nx + y * ny);
+        j.setRodImpulse(slot, p);
+        x = (float) (p * nx);
+        y = (float) (p * ny);
+      } else {
+        j.impulseX[slot] = x;
+        j.impulseY[slot] = y;
+      }
       j.forceX[slot] = x * inverseH;
       j.forceY[slot] = y * inverseH;
       j.torque[slot] = 0;
