@@ -88,8 +88,6 @@ public final class PlatformerGame implements Game {
   private static final float RESPAWN_SECONDS = 1;
   private static final float COIN_SECONDS = 10;
   private static final float FLAG_SECONDS = 4;
-  private static final float REACH_X = 0.8f;
-  private static final float REACH_Y = 1.05f;
   private static final int[] COLORS = {
     0xef476f, 0xffd166, 0x06d6a0, 0x4cc9f0, 0xb388eb, 0xf78c6b, 0x9ef01a, 0xff9ebb
   };
@@ -360,9 +358,6 @@ public final class PlatformerGame implements Game {
       if (p == null || p.body() == null) {
         continue;
       }
-      if (MatchClock.isPlaying(s)) {
-        collect(s, p);
-      }
       Body<Entity> body = p.body().body();
       if (!insideSidesAndFloor(s, body)) {
         int place = nearestPlace(body.x(), body.y());
@@ -392,28 +387,35 @@ public final class PlatformerGame implements Game {
     return body.x() >= b.minX() && body.x() <= b.maxX() && body.y() >= b.minY();
   }
 
-  private void collect(Simulation s, Player p) {
-    Body<Entity> body = p.body().body();
-    for (int i = 0; i < coins.size(); i++) {
-      if (s.get(COIN, i) != null && reaches(body, coins.get(i))) {
-        s.emit(coinEvent).at(coins.get(i).x(), coins.get(i).y()).of(p.body()).by(p).data(i);
-        s.despawn(s.get(COIN, i));
-        s.set(COIN_WAIT, i, s.ticks(COIN_SECONDS));
-        award(s, p, 1);
-      }
+  @Override
+  public void entered(Simulation s, Entity sensor, Entity visitor) {
+    Player p = s.owner(visitor);
+    if (p == null || p.body() != visitor || !MatchClock.isPlaying(s)) {
+      return;
     }
-    Level.Spawn spot = flags.get(s.get(FLAG_PLACE));
-    if (s.get(FLAG) != null && reaches(body, spot)) {
-      s.emit(flagEvent).at(spot.x(), spot.y()).of(p.body()).by(p).to(ALL);
-      s.despawn(s.get(FLAG));
+    float x = sensor.body().x();
+    float y = sensor.body().y();
+    if (sensor.archetype() == coin) {
+      int place = placeOf(s, sensor);
+      s.emit(coinEvent).at(x, y).of(visitor).by(p).data(place);
+      s.despawn(sensor);
+      s.set(COIN_WAIT, place, s.ticks(COIN_SECONDS));
+      award(s, p, 1);
+    } else if (sensor.archetype() == flag) {
+      s.emit(flagEvent).at(x, y).of(visitor).by(p).to(ALL);
+      s.despawn(sensor);
       s.set(FLAG_WAIT, s.ticks(FLAG_SECONDS));
       s.notice(p.name() + " got the flag: +" + FLAG_POINTS);
       award(s, p, FLAG_POINTS);
     }
   }
 
-  private static boolean reaches(Body<Entity> body, Level.Spawn spot) {
-    return Math.abs(body.x() - spot.x()) < REACH_X && Math.abs(body.y() - spot.y()) < REACH_Y;
+  private int placeOf(Simulation s, Entity coin) {
+    int place = 0;
+    while (s.get(COIN, place) != coin) {
+      place++;
+    }
+    return place;
   }
 
   private static void award(Simulation s, Player p, int points) {
