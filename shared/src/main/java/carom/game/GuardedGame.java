@@ -211,6 +211,16 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public void entered(Simulation s, Entity sensor, Entity visitor) {
+    call("entered", s, sensor, visitor, Game::entered);
+  }
+
+  @Override
+  public void left(Simulation s, Entity sensor, Entity visitor) {
+    call("left", s, sensor, visitor, Game::left);
+  }
+
+  @Override
   public void beforeStep(Simulation s) {
     call("beforeStep", s, null, null, (g, sim, no, none) -> g.beforeStep(sim));
   }

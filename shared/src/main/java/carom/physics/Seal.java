@@ -20,4 +20,13 @@ public interface Seal<T> {
    * @return the reason and what to do instead, for the error's text; null if the call is possible
    */
   String refusal(String call, Body<T> body);
+
+  /**
+   * Receives that somebody asked by {@link Body#forEachOverlap} and was told of a body. It may
+   * advise, and must change nothing.
+   *
+   * @param asked the body that was asked about
+   * @param other the one that overlaps it
+   */
+  default void overlapRead(Body<T> asked, Body<T> other) {}
 }

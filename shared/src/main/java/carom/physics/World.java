@@ -1128,6 +1128,9 @@ public final class World<T> {
       for (int i = first; i < end; i++) {
         int other = t.other(i);
         if (t.sensor(i) && other != last) {
+          if (seal != null) {
+            seal.overlapRead(body(slot), body(other));
+          }
           if (!visitor.visit(body(other))) {
             return;
           }

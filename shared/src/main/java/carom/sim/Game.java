@@ -243,6 +243,27 @@ public interface Game {
    */
   default void forces(Simulation s, Entity e) {}
 
+  /**
+   * Handles an entity that has entered a sensor, of the level or spawned; {@link Role#AUTHORITY}
+   * only, once per visit, after the physics and before {@link #afterStep}, in the order of the
+   * bodies in the world. It may do anything. What a player should notice at once belongs into
+   * {@link #input}, which may ask {@link Simulation#isInside}.
+   *
+   * @param sensor an entity of an archetype that is a {@linkplain
+   *     carom.sim.level.Archetype#sensor() sensor}; it notices solid dynamic bodies, and if it is
+   *     dynamic itself, all solid ones, the level's statics too
+   * @param visitor the entity in it; {@link Simulation#owner} is the player it belongs to
+   */
+  default void entered(Simulation s, Entity sensor, Entity visitor) {}
+
+  /**
+   * Handles an entity that has left a sensor, as {@link #entered}. If one of both was despawned or
+   * became another archetype in the visit, that is told here, too, in the same tick; of what {@link
+   * #afterStep} despawns, after it. Of a despawned entity only archetype, id, owner and fields can
+   * be asked.
+   */
+  default void left(Simulation s, Entity sensor, Entity visitor) {}
+
   /** Applies the rules of a tick before the players' inputs. */
   default void beforeStep(Simulation s) {}
 

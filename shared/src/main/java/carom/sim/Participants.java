@@ -112,6 +112,13 @@ final class Participants {
     parts.allFields.forgetPlayer(id);
   }
 
+  /** Tells who left sensors by going between two ticks; what happens in a tick, that tells. */
+  void tellVisits() {
+    if (parts.triggers != null && !parts.inTick && inGame == 0) {
+      parts.triggers.tell();
+    }
+  }
+
   /** Lets a player into the game. */
   private void enter(Player player) {
     parts.interference.beginRules();
@@ -121,6 +128,7 @@ final class Participants {
     } finally {
       inGame--;
     }
+    tellVisits();
   }
 
   /** Takes a player out of the game, with everything the player owns. */
@@ -138,5 +146,6 @@ final class Participants {
         spawner.despawn(entity);
       }
     }
+    tellVisits();
   }
 }

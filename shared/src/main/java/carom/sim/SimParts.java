@@ -32,6 +32,8 @@ import carom.sim.random.SimRandom;
 import carom.sim.ruling.InterferenceLog;
 import carom.sim.ruling.Rulings;
 import carom.sim.spawn.OwnSpawns;
+import carom.sim.trigger.LevelSensors;
+import carom.sim.trigger.Triggers;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -81,6 +83,12 @@ final class SimParts {
 
   final Findings findings = new Findings();
   final InterferenceLog interference;
+
+  /** The visits of entities to sensors; null on PREDICTION, and until the step is made. */
+  Triggers triggers;
+
+  /** Answers about the level's sensors; null until the level is built. */
+  LevelSensors sensors;
 
   /** Notes how the game uses its fields; null on PREDICTION. */
   final FieldUse fieldUse;
@@ -151,6 +159,7 @@ final class SimParts {
       }
       connectLevel();
     }
+    sensors = new LevelSensors(world, level, archetypes);
     for (PoolDef def : level.pools()) {
       pools.add(def);
     }

@@ -86,6 +86,9 @@ public final class SimState {
     owner.players.restore(players);
     owner.entities.restore(entities);
     owner.joints.restore(joints);
+    if (owner.triggers != null) {
+      owner.triggers.restore();
+    }
     if (pools != null) {
       owner.pools.restore(pools);
     }

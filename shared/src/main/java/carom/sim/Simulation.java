@@ -54,7 +54,8 @@ import java.util.List;
  * <p>Tick 0 is the state after set-up. {@link #step} computes the next tick in this order: paths of
  * kinematic bodies, players' {@linkplain Game#message messages}, {@link Game#beforeStep}, each
  * player's {@link Game#input} by player id, areas and {@link Game#forces} on each awake body, the
- * physics, {@link Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
+ * physics, {@link Game#entered} and {@link Game#left}, {@link Game#afterStep}. While a step runs,
+ * {@link #tick} is the tick being computed.
  *
  * <p>Games call most of this class. What only the program around it calls is in parts: {@link
  * #mirror} for a client, {@link #outbox} for what goes to players. {@link SimParts} draws how the
@@ -253,6 +254,19 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return parts.messageKinds;
   }
 
+  /**
+   * Returns whether an entity overlaps or touches a sensor of the level; both roles, {@link
+   * Game#input} and {@link Game#forces} included. It follows from where the entity is now.
+   *
+   * @param entity an entity that exists; in {@link Game#input} the player's body, or what the
+   *     player fired
+   * @param sensor the name of {@code statics} of the level that are sensors
+   * @throws IllegalArgumentException if the level has none of that name
+   */
+  public boolean isInside(Entity entity, String sensor) {
+    return parts.sensors.contain(entity, sensor);
+  }
+
   /** Returns the static geometry of the level, in file order; unmodifiable. */
   public List<Entity> statics() {
     return Collections.unmodifiableList(parts.statics);
@@ -395,6 +409,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    */
   public void despawn(Entity entity) {
     spawner.despawn(entity);
+    participants.tellVisits();
   }
 
   /** Returns a number above all entity ids. It never shrinks, except by {@link #restore}. */

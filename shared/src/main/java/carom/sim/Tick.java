@@ -18,6 +18,8 @@ import carom.sim.message.Message;
 import carom.sim.message.WaitingMessages;
 import carom.sim.pool.Pools;
 import carom.sim.ruling.ForceCheck;
+import carom.sim.trigger.OverlapUse;
+import carom.sim.trigger.Triggers;
 import java.util.function.Consumer;
 
 /**
@@ -25,8 +27,9 @@ import java.util.function.Consumer;
  * each of them may do meanwhile.
  *
  * <pre>
- *   AUTHORITY    paths  message  beforeStep   input...  forces...  physics: collision, hit  afterStep
- *   PREDICTION   paths  rulings of the server input...  forces...  physics: collision, hit  rulings
+ *   AUTHORITY    paths  message  beforeStep   input...  forces...  physics  entered, left  afterStep
+ *   PREDICTION   paths  rulings of the server input...  forces...  physics  rulings
+ *                                                                  └ collision, hit, broke
  * </pre>
  *
  * <p>It allocates nothing of its own.
@@ -41,6 +44,7 @@ final class Tick {
   private final Pools pools;
   private final float seconds;
   private final ForceCheck forceCheck;
+  private final OverlapUse overlapUse;
   private final Aabb moving = new Aabb();
   private final QueryFilter<Entity> geometry = (body, shape) -> body.user().isLevel();
   private final Consumer<Body<Entity>> forces = this::applyForces;
@@ -60,6 +64,11 @@ final class Tick {
     pools = parts.pools;
     seconds = 1f / parts.tickRate;
     forceCheck = new ForceCheck(parts.world, parts.findings);
+    overlapUse = new OverlapUse(parts.findings);
+    if (parts.role == Role.AUTHORITY) {
+      parts.triggers = new Triggers(parts.entities, parts.statics, new Visits());
+      parts.seal.overlapReader(overlapUse::read);
+    }
     parts.world.listener(new Collisions());
     parts.world.jointListener(new Joints());
   }
@@ -99,6 +108,9 @@ final class Tick {
     }
     fields.end();
     applyForces();
+    if (parts.triggers != null) {
+      parts.triggers.settle();
+    }
     during("hit");
     calls.inPhysics(true);
     try {
@@ -141,8 +153,10 @@ final class Tick {
   private void ruleAfterStep() {
     if (parts.role == Role.AUTHORITY) {
       parts.interference.beginRules();
+      parts.triggers.tell();
       during("afterStep");
       game.afterStep(simulation);
+      parts.triggers.tell();
       during("a callback between two steps");
       parts.interference.endRulesAfterStep(parts.tick);
     } else if (parts.rulings != null) {
@@ -163,11 +177,13 @@ final class Tick {
     }
     fields.beginInput(player, player.fieldValues(), player.body().fieldValues());
     calls.inInput(true);
+    overlapUse.inputOf(player);
     spawner.beginInput(player);
     try {
       game.input(simulation, player, player.input());
     } finally {
       spawner.endInput();
+      overlapUse.inputOf(null);
       calls.inInput(false);
     }
     if (parts.role == Role.PREDICTION) {
@@ -232,7 +248,35 @@ final class Tick {
     }
   }
 
+  private final class Visits implements Triggers.Listener {
+    @Override
+    public void entered(Entity sensor, Entity visitor) {
+      during("entered");
+      game.entered(simulation, sensor, visitor);
+    }
+
+    @Override
+    public void left(Entity sensor, Entity visitor) {
+      during("left");
+      game.left(simulation, sensor, visitor);
+    }
+  }
+
   private final class Collisions implements CollisionListener<Entity> {
+    @Override
+    public void begin(Collision<Entity> c) {
+      if (parts.triggers != null) {
+        parts.triggers.begin(c);
+      }
+    }
+
+    @Override
+    public void end(Collision<Entity> c) {
+      if (parts.triggers != null) {
+        parts.triggers.end(c);
+      }
+    }
+
     @Override
     public boolean preSolve(Collision<Entity> c) {
       fields.beginCollision();

@@ -243,6 +243,12 @@ final class ArchitectureTest {
         "carom.sim.finding",
         "carom.sim.level");
     allow(
+        "carom.sim.trigger",
+        "carom.physics..",
+        "carom.sim.entity",
+        "carom.sim.finding",
+        "carom.sim.level");
+    allow(
         "carom.sim",
         "carom.physics..",
         "carom.sim.level",
@@ -260,7 +266,8 @@ final class ArchitectureTest {
         "carom.sim.entity",
         "carom.sim.finding",
         "carom.sim.match",
-        "carom.sim.outbox");
+        "carom.sim.outbox",
+        "carom.sim.trigger");
     allow(
         "carom.sim.near",
         "carom.physics..",

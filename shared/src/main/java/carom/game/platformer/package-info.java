@@ -5,6 +5,7 @@
  * of the simulation hold here too: no clock, no thread, no {@code Math.sin} or {@code
  * java.util.Random}, no iteration over a hash map.
  *
- * <p>Read first: {@link carom.game.platformer.PlatformerGame}.
+ * <p>Read first: {@link carom.game.platformer.PlatformerGame}, {@link
+ * carom.game.platformer.Runners}.
  */
 package carom.game.platformer;

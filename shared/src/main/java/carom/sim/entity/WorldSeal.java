@@ -5,6 +5,7 @@ import carom.physics.Seal;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.function.BiConsumer;
 
 /**
  * Keeps games from changing the shared world in ways that clients never learn of. Clients know a
@@ -81,6 +82,7 @@ public final class WorldSeal implements Seal<Entity> {
 
   private boolean isSetUp;
   private String permitted;
+  private BiConsumer<Entity, Entity> overlapReader = (asked, other) -> {};
 
   /** Creates a seal of a world that is being set up. */
   public WorldSeal() {}
@@ -88,6 +90,16 @@ public final class WorldSeal implements Seal<Entity> {
   /** Notes that the game's set-up has ended. */
   public void endSetUp() {
     isSetUp = true;
+  }
+
+  /** Sets what receives each overlap that is read. */
+  public void overlapReader(BiConsumer<Entity, Entity> reader) {
+    overlapReader = reader;
+  }
+
+  @Override
+  public void overlapRead(Body<Entity> asked, Body<Entity> other) {
+    overlapReader.accept(asked.user(), other.user());
   }
 
   /**

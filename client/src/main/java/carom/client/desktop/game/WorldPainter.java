@@ -60,6 +60,7 @@ final class WorldPainter {
   private final AreaPainter areas;
   private final PoolPainter pools;
   private final Impacts impacts = new Impacts();
+  private final Splashes splashes = new Splashes();
   private final CooldownRings cooldowns = new CooldownRings();
   private final float[] streak = new float[6];
   private final Color fill = new Color();
@@ -90,6 +91,7 @@ final class WorldPainter {
     Level level = view.level();
     gather(level);
     impacts.update(view, deltaSeconds);
+    splashes.update(view, deltaSeconds);
     flashes.age(deltaSeconds);
     canvas.begin(camera.combined, pixelsPerMetre);
     backdrop(level, camera);
@@ -127,6 +129,7 @@ final class WorldPainter {
     joints(view, pixelsPerMetre);
     areasBefore(view, seconds);
     cooldowns.draw(view, canvas, deltaSeconds);
+    splashes.draw(canvas);
     impacts.draw(canvas);
     flashes.draw(canvas);
     canvas.end();
@@ -226,6 +229,7 @@ final class WorldPainter {
     sceneryOf = level;
     scenery.clear();
     impacts.clear();
+    splashes.clear();
     Simulation still =
         new Simulation(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
     still.world().forEachBody(this::gather);

@@ -1,0 +1,223 @@
+package carom.client.desktop.game;
+
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.Theme;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
+import carom.physics.BodyType;
+import carom.physics.particles.ParticleDef;
+import carom.sim.level.Archetype;
+import carom.sim.level.Area;
+import carom.sim.pool.Pool;
+import carom.sim.pool.PoolDef;
+import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.math.MathUtils;
+import com.badlogic.gdx.math.Vector2;
+import java.util.Arrays;
+
+/**
+ * Spray where bodies hit water, in pools and in areas of the level. It belongs to the picture
+ * alone: it begins with the frame that shows the hit, while a pool's particles are stirred 0.4 s
+ * later, and nothing is sent for it. Render thread only; no allocation per frame in steady state.
+ */
+final class Splashes {
+  /** Says where water is. */
+  @FunctionalInterface
+  interface Water {
+    /** Returns the colour of the water at a point, 0xRRGGBB, or {@link #NONE}. */
+    int rgbAt(float x, float y);
+  }
+
+  /** Answer where there is no water. */
+  static final int NONE = -1;
+
+  /** Least speed of a hit that shows, m/s. */
+  private static final float LEAST_M_S = 3;
+
+  /** Fullness of a pool from which it counts as water. */
+  private static final float FULL = 0.5f;
+
+  private static final float QUIET_SECONDS = 0.35f; // between two hits of one body
+  private static final float DROP_SECONDS = 1.1f;
+  private static final float LEAST_DROP_SECONDS = 0.2f; // before water takes a drop back
+  private static final int DROPS = 400;
+  private static final int MOST_OF_A_HIT = 48;
+
+  // What each entity did a frame ago.
+  private int[] generation = new int[0];
+  private boolean[] wet = new boolean[0];
+  private double[] quietUntil = new double[0];
+
+  private final float[] dropX = new float[DROPS];
+  private final float[] dropY = new float[DROPS];
+  private final float[] dropVx = new float[DROPS];
+  private final float[] dropVy = new float[DROPS];
+  private final float[] dropAge = new float[DROPS];
+  private final float[] dropSize = new float[DROPS];
+  private final int[] dropRgb = new int[DROPS];
+  private int nextDrop;
+
+  private final Color color = new Color();
+  private final Water ofView = this::waterOfView;
+  private ClientView seen;
+  private float upX;
+  private float upY;
+  private double now;
+
+  Splashes() {
+    Arrays.fill(dropAge, DROP_SECONDS);
+  }
+
+  /** Forgets everything, for another level. */
+  void clear() {
+    Arrays.fill(generation, -1);
+    Arrays.fill(dropAge, DROP_SECONDS);
+  }
+
+  /** Lets time pass and detects hits; call it once per frame. */
+  void update(ClientView view, float seconds) {
+    seen = view;
+    age(ofView, view.level().gravityX(), view.level().gravityY(), seconds);
+    for (int i = 0; i < view.entityCount() && hasWater(view); i++) {
+      Drawn d = view.entity(i);
+      Archetype kind = d.archetype();
+      if (!kind.sensor() && kind.type() != BodyType.STATIC) {
+        float extent = WorldPainter.extent(kind);
+        watch(ofView, d.id(), d.generation(), extent, d.x(), d.y(), d.velocityX(), d.velocityY());
+      }
+    }
+    seen = null;
+  }
+
+  private static boolean hasWater(ClientView view) {
+    return (view.pools() != null && view.pools().count() > 0) || !view.level().areas().isEmpty();
+  }
+
+  private int waterOfView(float x, float y) {
+    for (int i = 0; seen.pools() != null && i < seen.pools().count(); i++) {
+      Pool pool = seen.pools().get(i);
+      if (pool.def().kind() == ParticleDef.Kind.WATER
+          && isIn(pool.def().box(), x, y)
+          && pool.fullness(x, y) > FULL) {
+        return pool.def().rgb();
+      }
+    }
+    for (int i = 0; i < seen.level().areas().size(); i++) {
+      Area area = seen.level().areas().get(i);
+      if (area.kind() == Area.Kind.WATER
+          && x > area.minX()
+          && x < area.maxX()
+          && y > area.minY()
+          && y < area.maxY()) {
+        return area.rgb();
+      }
+    }
+    return NONE;
+  }
+
+  private static boolean isIn(PoolDef.Box box, float x, float y) {
+    return x >= box.minX() && x <= box.maxX() && y >= box.minY() && y <= box.maxY();
+  }
+
+  /** Moves the drops; those that fall back into water are gone. */
+  void age(Water water, float gravityX, float gravityY, float seconds) {
+    now += seconds;
+    float gravity = Vector2.len(gravityX, gravityY);
+    upX = gravity == 0 ? 0 : -gravityX / gravity;
+    upY = gravity == 0 ? 0 : -gravityY / gravity;
+    for (int i = 0; i < DROPS; i++) {
+      if (dropAge[i] >= DROP_SECONDS) {
+        continue;
+      }
+      dropAge[i] += seconds;
+      dropVx[i] += gravityX * seconds;
+      dropVy[i] += gravityY * seconds;
+      dropX[i] += dropVx[i] * seconds;
+      dropY[i] += dropVy[i] * seconds;
+      boolean falls = dropVx[i] * upX + dropVy[i] * upY < 0;
+      if (falls && dropAge[i] > LEAST_DROP_SECONDS && water.rgbAt(dropX[i], dropY[i]) != NONE) {
+        dropAge[i] = DROP_SECONDS;
+      }
+    }
+  }
+
+  /**
+   * Compares whether an entity's front is in water with the last frame.
+   *
+   * @param id its slot
+   * @param instance tells it from an earlier entity in the same slot
+   * @param extent radius of its shapes, metres
+   * @param x position, metres
+   * @param y position, metres
+   * @param vx velocity, m/s
+   * @param vy velocity, m/s
+   */
+  void watch(
+      Water water, int id, int instance, float extent, float x, float y, float vx, float vy) {
+    grow(id);
+    float speed = Vector2.len(vx, vy);
+    float ahead = speed == 0 ? 0 : 0.7f * extent / speed;
+    int rgb = water.rgbAt(x + vx * ahead, y + vy * ahead);
+    boolean isNew = generation[id] != instance;
+    if (isNew) {
+      generation[id] = instance;
+      quietUntil[id] = 0;
+    } else if (rgb != NONE && !wet[id] && speed > LEAST_M_S && now >= quietUntil[id]) {
+      quietUntil[id] = now + QUIET_SECONDS;
+      splash(x + vx * ahead, y + vy * ahead, vx, vy, speed, extent, rgb);
+    }
+    wet[id] = rgb != NONE;
+  }
+
+  /** Throws drops up, wider than the body, most of them low. */
+  private void splash(float x, float y, float vx, float vy, float speed, float extent, int rgb) {
+    int count = Math.min(MOST_OF_A_HIT, 6 + Math.round(4 * extent * speed));
+    float along = -upY * vx + upX * vy; // along the surface
+    for (int i = 0; i < count; i++) {
+      float aside = MathUtils.random(-1f, 1f);
+      float out = aside * 0.55f * speed + 0.3f * along;
+      float rise = (1.1f - Math.abs(aside)) * MathUtils.random(0.25f, 0.95f) * speed;
+      dropX[nextDrop] = x - upY * aside * extent;
+      dropY[nextDrop] = y + upX * aside * extent;
+      dropVx[nextDrop] = upX * rise - upY * out;
+      dropVy[nextDrop] = upY * rise + upX * out;
+      dropAge[nextDrop] = MathUtils.random(0, 0.3f) * DROP_SECONDS;
+      dropSize[nextDrop] = MathUtils.random(0.05f, 0.13f);
+      dropRgb[nextDrop] = rgb;
+      nextDrop = (nextDrop + 1) % DROPS;
+    }
+  }
+
+  /** Returns how many drops show. */
+  int showing() {
+    int n = 0;
+    for (float age : dropAge) {
+      n += age < DROP_SECONDS ? 1 : 0;
+    }
+    return n;
+  }
+
+  /** Draws the drops. */
+  void draw(Canvas canvas) {
+    for (int i = 0; i < DROPS; i++) {
+      float left = 1 - dropAge[i] / DROP_SECONDS;
+      if (left > 0) {
+        Theme.shade(dropRgb[i], 1, Math.min(1, 2.5f * left), color);
+        color.lerp(1, 1, 1, color.a, 0.55f);
+        canvas.disc(dropX[i], dropY[i], dropSize[i] * (0.4f + 0.6f * left), color);
+      }
+    }
+  }
+
+  private void grow(int id) {
+    int size = generation.length;
+    if (id < size) {
+      return;
+    }
+    int larger = Math.max(64, Math.max(id + 1, 2 * size));
+    generation = Arrays.copyOf(generation, larger);
+    Arrays.fill(generation, size, larger, -1);
+    wet = Arrays.copyOf(wet, larger);
+    quietUntil = Arrays.copyOf(quietUntil, larger);
+  }
+}

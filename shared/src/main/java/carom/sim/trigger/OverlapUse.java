@@ -1,0 +1,54 @@
+package carom.sim.trigger;
+
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
+import carom.sim.finding.Findings;
+
+/**
+ * Finds games whose {@code Game.input} reads overlaps that clients can't know: of sensors that they
+ * don't simulate, and of the level's, which are no part of exact states. One thread; allocates for
+ * a finding only.
+ */
+public final class OverlapUse {
+  private final Findings findings;
+
+  /** The player whose input runs; null outside of inputs. */
+  private Player player;
+
+  /** Creates it; what it finds goes to a list. */
+  public OverlapUse(Findings findings) {
+    this.findings = findings;
+  }
+
+  /** Notes that a player's input begins, or with null that it has ended. */
+  public void inputOf(Player value) {
+    player = value;
+  }
+
+  /** Receives that somebody asked for overlaps and was told of this one. */
+  public void read(Entity asked, Entity other) {
+    if (player == null || asked == null || other == null) {
+      return;
+    }
+    Entity sensor = asked.archetype().sensor() ? asked : other;
+    boolean isSimulated = sensor.ownerId() == player.id() || sensor.archetype().area() != null;
+    String id = "overlaps " + sensor.archetype().index();
+    if (isSimulated || !findings.isNew(id)) {
+      return;
+    }
+    String name = sensor.archetype().name();
+    findings.add(
+        id,
+        sensor.isLevel()
+            ? "input reads overlaps with the level's sensor \""
+                + name
+                + "\" by Body.forEachOverlap, which a client with a new exact state knows a tick"
+                + " later; ask Simulation.isInside, which both sides compute alike."
+            : "input reads overlaps with entity "
+                + sensor.id()
+                + " ("
+                + name
+                + ") by Body.forEachOverlap, a sensor that clients don't simulate, so they can't"
+                + " predict what follows; use Game.entered and left.");
+  }
+}
