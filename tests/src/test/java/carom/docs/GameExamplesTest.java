@@ -63,12 +63,13 @@ final class GameExamplesTest {
         static final Count HEALTH = Field.count("health", 0, 100);
         static final Countdown RELOAD = Field.countdown("reload");
         static final Countdown FUEL = Field.countdown("fuel");
+        static final Ratio NITRO = Field.ratio("nitro");
         static final Flag LEVER = Field.flag("lever");
         static final Choice<Phase> PHASE = Field.choice("phase", Phase.class);
         Simulation s;
         Player player, shooter, scorer;
         Entity ball, crate;
-        Archetype spikes, balloon, hovercraft, fan, rocketKind, crouched, standing, ice;
+        Archetype coin, spikes, balloon, hovercraft, fan, rocketKind, crouched, standing, ice;
         carom.sim.joint.Assembly car;
         Material rubber, metal;
         EventKind knock, boom, shot, goal;
