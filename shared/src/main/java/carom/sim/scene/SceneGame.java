@@ -45,7 +45,7 @@ public final class SceneGame implements Game {
   private final Scene scene;
   private final Map<String, Archetype> kinds = new TreeMap<>();
   private Archetype dot;
-  private Stage<Entity> stage;
+  private SceneWorld<Entity> stage;
 
   /**
    * Creates the game of a scene.
@@ -119,8 +119,8 @@ public final class SceneGame implements Game {
   @Override
   public void setUp(Simulation s) {
     World<Entity> still = new World<>(world(s.level()));
-    Stage<Entity> preview =
-        new Stage<>(
+    SceneWorld<Entity> preview =
+        new SceneWorld<>(
             still,
             def -> {
               kinds.computeIfAbsent(look(def), key -> s.archetypes().add(kind(def)));
@@ -133,7 +133,7 @@ public final class SceneGame implements Game {
     dot =
         s.archetypes().add(new ArchetypeDef("dot").shape(new Circle(0.1f), new Material(1, 0, 0)));
     if (s.role() == Role.AUTHORITY) {
-      stage = new Stage<>(s.world(), def -> enter(s, def), body -> leave(s, body));
+      stage = new SceneWorld<>(s.world(), def -> enter(s, def), body -> leave(s, body));
       scene.build(stage);
     }
   }
