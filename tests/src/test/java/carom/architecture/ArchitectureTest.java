@@ -293,7 +293,8 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.entity",
         "carom.sim.level",
-        "carom.sim.event");
+        "carom.sim.event",
+        "carom.sim.pool");
     allow(
         "carom.sim.scene.catalog",
         "carom.physics..",
