@@ -3,11 +3,11 @@ package carom.replay;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.BigWorlds;
 import carom.game.Games;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.level.Level;
-import carom.testkit.BigWorlds;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -76,7 +76,7 @@ class CheckpointCostTest {
           inSinkNs[0] += cpuNs() - beginNs;
           return taken;
         };
-    Recorder recorder = new Recorder(s, header, timed, Recorder.Pace.LOG);
+    Recorder recorder = new Recorder(s, header, timed, Recorder.Intervals.LOG);
     s.addJournal(recorder);
     long[] tookNs = new long[CHECKPOINTS];
     long bytes = 0;

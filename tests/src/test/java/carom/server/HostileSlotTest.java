@@ -3,10 +3,10 @@ package carom.server;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Folders;
 import carom.replay.RecordingReader;
 import carom.server.metrics.Counter;
 import carom.sim.SimState;
-import carom.testkit.Folders;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
@@ -95,14 +95,14 @@ class HostileSlotTest {
     int first = -1;
     int tick = -1;
     try (RecordingReader reader = RecordingReader.open(original.resolve(slot + ".log"))) {
-      for (RecordingReader.Event e = reader.next();
-          e != RecordingReader.Event.WAIT && e != RecordingReader.Event.END;
+      for (RecordingReader.Entry e = reader.next();
+          e != RecordingReader.Entry.WAIT && e != RecordingReader.Entry.END;
           e = reader.next()) {
-        if (e == RecordingReader.Event.STATE) {
+        if (e == RecordingReader.Entry.STATE) {
           first = reader.stateTick();
           tick = first;
           hashes.put(tick, reader.hash());
-        } else if (e == RecordingReader.Event.STEPPED) {
+        } else if (e == RecordingReader.Entry.STEPPED) {
           hashes.put(++tick, reader.hash());
         }
       }

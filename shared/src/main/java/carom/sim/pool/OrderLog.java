@@ -93,6 +93,29 @@ public final class OrderLog {
     return row[NUMBER] == period ? row : null;
   }
 
+  /** Returns whether the known rows of some periods order nothing and leave the spouts as is. */
+  boolean isQuiet(int from, int to, int spouts) {
+    for (int period = from; period < to; period++) {
+      int[] row = row(period);
+      if (row != null && (row[COUNT] > 0 || row[OPEN] != spouts)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Mixes the known rows of a period and the {@link #AHEAD} after it into a hash. */
+  long hash(long before, int period) {
+    long h = before;
+    for (int i = 0; i <= AHEAD; i++) {
+      int[] row = row(period + i);
+      for (int word = 0; row != null && word < WORDS; word++) {
+        h = h * 31 + row[word];
+      }
+    }
+    return h;
+  }
+
   /** Returns a place of the log, 0..{@link #KEPT} - 1; its period is negative if it is empty. */
   int[] slot(int index) {
     return rows[index];
@@ -153,7 +176,7 @@ public final class OrderLog {
    */
   static boolean add(
       int[] row,
-      PoolDef.Box in,
+      PoolDef.Rectangle in,
       int kind,
       int pool,
       float x,
@@ -189,7 +212,7 @@ public final class OrderLog {
   }
 
   /** Reads an order into the fields of this log. */
-  void read(int[] row, int order, PoolDef.Box in) {
+  void read(int[] row, int order, PoolDef.Rectangle in) {
     int place = row[HEAD + 2 * order];
     int what = row[HEAD + 2 * order + 1];
     kind = what >>> 30;

@@ -21,7 +21,10 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.sim.pool.ParticleWorld;
+import carom.sim.pool.ShownParticles;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
@@ -32,7 +35,8 @@ import java.util.TreeMap;
  * bit.
  *
  * <p>Every body is an entity, and bodies that look the same share an archetype. Joints are sent as
- * in any game. Particles are not; clients see their effects. Both sides learn the archetypes by
+ * in any game. A client of a scene with particles runs the scene, too, from a state of the
+ * server's, and shows the particles of that. Both sides learn the archetypes by
  * running the scene's actions {@value #PREVIEW_TICKS} ticks ahead in a world that stands still. A
  * body that first appears later, with a look of its own, is seen as a dot.
  */
@@ -45,7 +49,7 @@ public final class SceneGame implements Game {
   private final Scene scene;
   private final Map<String, Archetype> kinds = new TreeMap<>();
   private Archetype dot;
-  private Stage<Entity> stage;
+  private SceneWorld<Entity> stage;
 
   /**
    * Creates the game of a scene.
@@ -119,8 +123,8 @@ public final class SceneGame implements Game {
   @Override
   public void setUp(Simulation s) {
     World<Entity> still = new World<>(world(s.level()));
-    Stage<Entity> preview =
-        new Stage<>(
+    SceneWorld<Entity> preview =
+        new SceneWorld<>(
             still,
             def -> {
               kinds.computeIfAbsent(look(def), key -> s.archetypes().add(kind(def)));
@@ -133,8 +137,26 @@ public final class SceneGame implements Game {
     dot =
         s.archetypes().add(new ArchetypeDef("dot").shape(new Circle(0.1f), new Material(1, 0, 0)));
     if (s.role() == Role.AUTHORITY) {
-      stage = new Stage<>(s.world(), def -> enter(s, def), body -> leave(s, body));
+      stage = new SceneWorld<>(s.world(), def -> enter(s, def), body -> leave(s, body));
       scene.build(stage);
+    }
+    if (!preview.particles().isEmpty()) {
+      boolean tells = s.role() == Role.AUTHORITY;
+      s.pools().follow(tells ? new Told(s, stage) : scene.with(world(s.level())).start());
+    }
+  }
+
+  /** The scene that the server's simulation runs. */
+  private record Told(Simulation simulation, SceneWorld<Entity> stage) implements ParticleWorld {
+    @Override
+    public List<ShownParticles> particles() {
+      return stage.particles();
+    }
+
+    @Override
+    public State save(State reuse) {
+      return SceneState.save(
+          simulation.world(), particles(), simulation.tick(), (SceneState) reuse);
     }
   }
 

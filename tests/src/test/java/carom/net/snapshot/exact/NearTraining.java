@@ -3,11 +3,11 @@ package carom.net.snapshot.exact;
 import carom.client.ClientConfig;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
+import carom.fixtures.MachineGame;
 import carom.net.codec.BitCoder;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
-import carom.testkit.MachineGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -34,7 +34,7 @@ final class NearTraining {
     private final double[][] seen = new double[NearTables.LINES][NearTables.SYMBOLS];
 
     @Override
-    int symbol(BitCoder c, NearTables.Row row, int context, int symbol) {
+    int symbol(BitCoder c, NearTables.Quantity row, int context, int symbol) {
       seen[NearTables.line(row, context)][symbol]++;
       return symbol;
     }

@@ -8,6 +8,7 @@ import carom.physics.JointDef;
 import carom.physics.World;
 import carom.physics.particles.ParticleDef;
 import carom.physics.particles.Particles;
+import carom.sim.pool.ShownParticles;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -20,12 +21,12 @@ import java.util.function.Function;
  *
  * @param <T> the world's user type
  */
-public final class Stage<T> {
+public final class SceneWorld<T> {
   private final World<T> world;
   private final Function<BodyDef, Body<T>> maker;
   private final Consumer<Body<T>> remover;
   private final List<TickAction> actions = new ArrayList<>();
-  private final List<SceneParticles> particles = new ArrayList<>();
+  private final List<ShownParticles> particles = new ArrayList<>();
   private CollisionListener<T> listener;
 
   /**
@@ -33,7 +34,7 @@ public final class Stage<T> {
    *
    * @param world where to build
    */
-  public Stage(World<T> world) {
+  public SceneWorld(World<T> world) {
     this(world, def -> world.createBody(def, null));
   }
 
@@ -43,7 +44,7 @@ public final class Stage<T> {
    * @param world where to build
    * @param maker makes the bodies in that world and gives them their users
    */
-  public Stage(World<T> world, Function<BodyDef, Body<T>> maker) {
+  public SceneWorld(World<T> world, Function<BodyDef, Body<T>> maker) {
     this(world, maker, world::destroyBody);
   }
 
@@ -54,7 +55,7 @@ public final class Stage<T> {
    * @param maker makes the bodies in that world and gives them their users
    * @param remover removes them from it
    */
-  public Stage(World<T> world, Function<BodyDef, Body<T>> maker, Consumer<Body<T>> remover) {
+  public SceneWorld(World<T> world, Function<BodyDef, Body<T>> maker, Consumer<Body<T>> remover) {
     this.world = world;
     this.maker = maker;
     this.remover = remover;
@@ -99,7 +100,9 @@ public final class Stage<T> {
   }
 
   /**
-   * Makes a system of particles. It moves by itself before every step, after the actions.
+   * Makes a system of particles. It moves by itself before every step, after the actions. Actions
+   * of a scene with particles must be functions of the tick: clients that come late run them from
+   * the server's state on.
    *
    * @param def its definition, copied
    * @param rgb their colour, 0xRRGGBB
@@ -107,7 +110,7 @@ public final class Stage<T> {
    */
   public Particles particles(ParticleDef def, int rgb) {
     Particles made = new Particles(def);
-    particles.add(new SceneParticles(made, rgb));
+    particles.add(new ShownParticles(made, rgb));
     return made;
   }
 
@@ -116,7 +119,7 @@ public final class Stage<T> {
    *
    * @return in the order they were made, unmodifiable, live
    */
-  public List<SceneParticles> particles() {
+  public List<ShownParticles> particles() {
     return Collections.unmodifiableList(particles);
   }
 
