@@ -90,6 +90,11 @@ public final class DuelGame implements Game {
   }
 
   @Override
+  public boolean ownColours() {
+    return false;
+  }
+
+  @Override
   public void setUp(Simulation s) {
     disc =
         s.archetypes()

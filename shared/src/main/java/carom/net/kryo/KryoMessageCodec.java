@@ -263,6 +263,7 @@ public final class KryoMessageCodec implements MessageCodec {
     private static final int SPECTATOR = 1;
     private static final int READY = 1 << 1;
     private static final int ALIVE = 1 << 2;
+    private static final int COLOUR_SHIFT = 3;
 
     @Override
     protected void write(Output out, Roster m) {
@@ -280,7 +281,8 @@ public final class KryoMessageCodec implements MessageCodec {
       int spectator = entry.spectator() ? SPECTATOR : 0;
       int ready = entry.ready() ? READY : 0;
       int alive = entry.alive() ? ALIVE : 0;
-      out.writeByte(spectator | ready | alive);
+      int colour = inRange("colour", entry.colour(), 0, RosterEntry.MAX_COLOUR);
+      out.writeByte(spectator | ready | alive | colour << COLOUR_SHIFT);
       out.writeVarInt(entry.team(), false);
       out.writeVarInt(entry.score(), false);
       out.writeVarInt(inRange("ping", entry.pingMs(), 0, RosterEntry.MAX_PING_MS), true);
@@ -304,7 +306,7 @@ public final class KryoMessageCodec implements MessageCodec {
       if (name.isEmpty()) {
         return RosterEntry.gone(id);
       }
-      int standing = inRange("standing", in.readByteUnsigned(), 0, SPECTATOR | READY | ALIVE);
+      int standing = in.readByteUnsigned();
       return new RosterEntry(
           id,
           name,
@@ -313,7 +315,8 @@ public final class KryoMessageCodec implements MessageCodec {
           (standing & SPECTATOR) != 0,
           (standing & READY) != 0,
           (standing & ALIVE) != 0,
-          inRange("ping", in.readVarInt(true), 0, RosterEntry.MAX_PING_MS));
+          inRange("ping", in.readVarInt(true), 0, RosterEntry.MAX_PING_MS),
+          standing >> COLOUR_SHIFT);
     }
   }
 
