@@ -252,7 +252,8 @@ final class JoinedGame {
     sender.add(tick, packed, view.view().tick());
     view.tick(tick);
     sender.sendIfDue(tick, renderClock.started() ? tick - renderClock.tick() : 0, nowNs);
-    boolean known = pools.advance(tick, nowNs);
+    int seen = renderClock.started() ? (int) renderClock.tick() : 0;
+    boolean known = pools.advance(tick, seen, nowNs);
     if (prediction != null) {
       if (!known) {
         divergence.guessed(tick);

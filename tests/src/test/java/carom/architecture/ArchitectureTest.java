@@ -28,7 +28,8 @@ final class ArchitectureTest {
   static final JavaClasses CAROM =
       new ClassFileImporter()
           .withImportOption(new ImportOption.DoNotIncludeTests())
-          .withImportOption(location -> !location.contains("testkit"))
+          .withImportOption(location -> !location.contains("carom/testkit/"))
+          .withImportOption(location -> !location.contains("carom/fixtures/"))
           .withImportOption(location -> !location.contains("carom/lab/"))
           .importPackages("carom");
 
@@ -292,7 +293,8 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.entity",
         "carom.sim.level",
-        "carom.sim.event");
+        "carom.sim.event",
+        "carom.sim.pool");
     allow(
         "carom.sim.scene.catalog",
         "carom.physics..",
@@ -543,7 +545,7 @@ final class ArchitectureTest {
     noClasses()
         .should()
         .dependOnClassesThat()
-        .resideInAnyPackage("carom.lab..", "carom.testkit..")
+        .resideInAnyPackage("carom.lab..", "carom.testkit..", "carom.fixtures..")
         .check(CAROM);
   }
 

@@ -1,6 +1,6 @@
 package carom.fuzz;
 
-import carom.testkit.Folders;
+import carom.fixtures.Folders;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;

@@ -1,10 +1,10 @@
 package carom.fuzz;
 
+import carom.fixtures.PlainGame;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
-import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,5 +1,7 @@
 package carom.fuzz;
 
+import carom.fixtures.Levels;
+import carom.fixtures.Stranger;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.DatagramMark;
@@ -9,9 +11,7 @@ import carom.net.protocol.Protocol;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.testkit.Levels;
 import carom.testkit.Stepper;
-import carom.testkit.Stranger;
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;

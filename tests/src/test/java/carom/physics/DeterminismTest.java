@@ -9,9 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import carom.fixtures.Allocations;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
-import carom.testkit.Allocations;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

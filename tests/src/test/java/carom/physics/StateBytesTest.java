@@ -20,8 +20,8 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;
 import carom.physics.geometry.Polygon;
 import carom.physics.particles.Particles;
+import carom.sim.pool.ShownParticles;
 import carom.sim.scene.Scene;
-import carom.sim.scene.SceneParticles;
 import carom.sim.scene.SceneRun;
 import java.util.ArrayList;
 import java.util.List;
@@ -137,7 +137,7 @@ class StateBytesTest {
       }
       for (int tick = 0; tick < 15; tick++) {
         for (SceneRun each : List.of(run, other)) {
-          for (SceneParticles some : each.particles()) {
+          for (ShownParticles some : each.particles()) {
             some.particles().step(each.world(), DT);
           }
           each.world().step(DT);

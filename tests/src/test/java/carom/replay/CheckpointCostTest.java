@@ -3,11 +3,11 @@ package carom.replay;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.BigWorlds;
 import carom.game.Games;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.level.Level;
-import carom.testkit.BigWorlds;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;

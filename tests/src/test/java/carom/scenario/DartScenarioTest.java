@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
+import carom.fixtures.SpawnWatch;
 import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
@@ -27,7 +28,6 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.testkit.SimulatedClient;
-import carom.testkit.SpawnWatch;
 import carom.testkit.Stepper;
 import java.nio.charset.StandardCharsets;
 import java.util.List;

@@ -5,13 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.field.FieldView;
 import carom.client.view.ClientView;
+import carom.fixtures.FieldGame;
+import carom.fixtures.FieldGame.Phase;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
-import carom.testkit.FieldGame;
-import carom.testkit.FieldGame.Phase;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

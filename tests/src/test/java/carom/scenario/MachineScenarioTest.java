@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.view.ClientView;
 import carom.client.view.JointView;
+import carom.fixtures.AnchorGaps;
+import carom.fixtures.MachineGame;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
 import carom.net.transport.Impairment;
@@ -23,8 +25,6 @@ import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.catalog.Scenes;
-import carom.testkit.AnchorGaps;
-import carom.testkit.MachineGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

@@ -3,6 +3,7 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.PlainGame;
 import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
@@ -21,7 +22,6 @@ import carom.sim.finding.Findings;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
-import carom.testkit.PlainGame;
 import carom.testkit.Scripts;
 import carom.testkit.Stepper;
 import java.nio.charset.StandardCharsets;

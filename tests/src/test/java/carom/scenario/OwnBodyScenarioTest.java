@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
+import carom.fixtures.Levels;
 import carom.server.config.ServerConfig;
 import carom.server.session.InputBuffer;
 import carom.sim.Journal;
@@ -11,7 +12,6 @@ import carom.sim.Simulation;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.testkit.Condition;
-import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
 import carom.client.view.ClientView;
+import carom.fixtures.Levels;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.server.config.ServerConfig;
@@ -12,7 +13,6 @@ import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
 import carom.sim.level.Appearance.Look;
 import carom.testkit.Condition;
-import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
+import carom.fixtures.Levels;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.server.config.ServerConfig;
@@ -14,7 +15,6 @@ import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
 import carom.testkit.Condition;
-import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

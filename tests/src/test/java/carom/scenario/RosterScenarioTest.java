@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
 import carom.client.message.MessageListener;
+import carom.fixtures.DuelGame;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
@@ -18,7 +19,6 @@ import carom.sim.entity.Player;
 import carom.sim.match.NextMatch;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
-import carom.testkit.DuelGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

@@ -10,18 +10,25 @@ import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
+import carom.sim.pool.Pools;
+import carom.sim.pool.ShownParticles;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.catalog.Scenes;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Goal: players watch a scene over the network. Method: two spectators, one of them on a bad line,
  * of a scene that moves and of one that makes bodies while it runs; every snapshot must be the
- * server's frame, and every body must be drawn where it was within the last half second.
+ * server's frame, and every body must be drawn where it was within the last half second. Particles must be the server's,
+ * bit for bit.
  */
 final class SceneScenarioTest {
   @ParameterizedTest
@@ -53,6 +60,48 @@ final class SceneScenarioTest {
         assertTrue(seen >= bodies - 1, name + " seen=" + seen + " of " + bodies);
       }
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"dam_break", "water_wheel", "hourglass"})
+  void spectatorsSeeTheServersParticlesAlsoIfTheyComeLate(String name) {
+    try (Stepper stepper = Stepper.of(SceneGame.level(Scenes.get(name)), ServerConfig.defaults())) {
+      SimulatedClient near = stepper.add("near", Impairment.NONE, InputSource.IDLE);
+      stepper.run(4);
+      SimulatedClient late =
+          stepper.add("late", Impairment.NONE.withLatency(75, 5).withLoss(2), InputSource.IDLE);
+      Map<Integer, Long> told = new HashMap<>();
+      Map<SimulatedClient, Set<Integer>> compared = new HashMap<>();
+      while (stepper.room().simulation().tick() < 12 * 60) {
+        stepper.step();
+        Pools server = stepper.room().simulation().pools();
+        told.put(server.tick(), hash(server));
+        for (SimulatedClient client : stepper.clients()) {
+          Pools pools = client.view().pools();
+          if (pools != null && pools.isKnown() && told.containsKey(pools.tick())) {
+            assertEquals(told.get(pools.tick()), hash(pools), name + " tick=" + pools.tick());
+            compared.computeIfAbsent(client, c -> new HashSet<>()).add(pools.tick());
+          }
+        }
+      }
+      for (SimulatedClient client : stepper.clients()) {
+        int ticks = compared.get(client).size();
+        assertTrue(ticks > 350, name + " compared=" + ticks);
+        double behind = client.view().renderTick() - client.view().pools().tick();
+        assertTrue(behind >= 0 && behind < 2, name + " behind its bodies: " + behind);
+        assertTrue(client.view().pools().shown().get(0).particles().count() > 300, name);
+      }
+      assertTrue(near.view().pools().tick() > late.view().pools().tick(), "on a shorter line");
+    }
+  }
+
+  /** Returns a hash of all particles. */
+  private static long hash(Pools pools) {
+    long hash = pools.shown().size();
+    for (ShownParticles some : pools.shown()) {
+      hash = 31 * hash + some.particles().stateHash();
+    }
+    return hash;
   }
 
   /** Runs for half a second and returns each body's ways: x and y of every tick, by id. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
 import carom.client.link.ConnectionPhase;
+import carom.fixtures.BigWorlds;
 import carom.net.protocol.PackedLevel;
 import carom.net.snapshot.EntityHistory;
 import carom.net.transport.Impairment;
@@ -12,7 +13,6 @@ import carom.options.NetworkConditions;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
-import carom.testkit.BigWorlds;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

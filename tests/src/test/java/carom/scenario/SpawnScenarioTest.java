@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
+import carom.fixtures.SpawnWatch;
 import carom.game.Games;
 import carom.game.rockets.RocketGame;
 import carom.net.transport.Impairment;
@@ -18,7 +19,6 @@ import carom.sim.spawn.Origin;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
-import carom.testkit.SpawnWatch;
 import carom.testkit.Stepper;
 import java.io.PrintWriter;
 import java.io.StringWriter;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.fixtures.PlainGame;
 import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.physics.Material;
@@ -28,7 +29,6 @@ import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
-import carom.testkit.PlainGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

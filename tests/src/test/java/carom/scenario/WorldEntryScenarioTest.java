@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
 import carom.client.link.ConnectionPhase;
+import carom.fixtures.BigWorlds;
 import carom.net.protocol.PackedLevel;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.frame.FrameRing;
@@ -13,7 +14,6 @@ import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
-import carom.testkit.BigWorlds;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.CrouchGame;
+import carom.fixtures.CrouchGame.Rule;
 import carom.net.protocol.SessionState;
 import carom.replay.RecordingReader;
 import carom.server.checkpoint.RoomCheckpoints;
@@ -21,8 +23,6 @@ import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.LevelException;
 import carom.sim.match.NextMatch;
-import carom.testkit.CrouchGame;
-import carom.testkit.CrouchGame.Rule;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;

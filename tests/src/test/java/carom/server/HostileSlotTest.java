@@ -3,10 +3,10 @@ package carom.server;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Folders;
 import carom.replay.RecordingReader;
 import carom.server.metrics.Counter;
 import carom.sim.SimState;
-import carom.testkit.Folders;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;

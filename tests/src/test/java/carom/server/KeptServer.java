@@ -2,6 +2,7 @@ package carom.server;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Folders;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.InProcessNetwork;
 import carom.server.config.RoomConfig;
@@ -11,7 +12,6 @@ import carom.server.match.MatchLibrary;
 import carom.server.room.Room;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
-import carom.testkit.Folders;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;

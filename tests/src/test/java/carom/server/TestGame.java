@@ -1,5 +1,6 @@
 package carom.server;
 
+import carom.fixtures.PlainGame;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.sim.Role;
@@ -15,7 +16,6 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
-import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Random;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.PlainGame;
 import carom.game.Games;
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -26,7 +27,6 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
-import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
+import carom.fixtures.PlainGame;
 import carom.game.Games;
 import carom.physics.Material;
 import carom.physics.archive.ArchiveReader;
@@ -28,7 +29,6 @@ import carom.sim.message.BuiltInKinds;
 import carom.sim.message.MessageKind;
 import carom.sim.message.PlayerRole;
 import carom.sim.outbox.Delivery;
-import carom.testkit.PlainGame;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

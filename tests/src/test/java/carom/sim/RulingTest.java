@@ -5,14 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.ForceGame;
+import carom.fixtures.PlainGame;
 import carom.physics.Body;
 import carom.physics.rows.BodyRow;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.ruling.Ruling;
 import carom.sim.ruling.RulingLog;
-import carom.testkit.ForceGame;
-import carom.testkit.PlainGame;
 import java.util.Random;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.PlainGame;
 import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.MotionLocks;
@@ -31,7 +32,6 @@ import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.level.ScriptedMotion;
 import carom.sim.outbox.Outbox;
-import carom.testkit.PlainGame;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 
+import carom.fixtures.PlainGame;
 import carom.physics.Material;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
@@ -20,7 +21,6 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
-import carom.testkit.PlainGame;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.PlainGame;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Material;
@@ -18,7 +19,6 @@ import carom.sim.entity.Player;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
-import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;

@@ -54,7 +54,7 @@ public final class PoolFollower {
 
   /** Takes in the rows of the datagram that was received last. */
   public void receive() {
-    for (int i = 0; i < tables.touchedCount() && pools.count() > 0; i++) {
+    for (int i = 0; i < tables.touchedCount() && !pools.isEmpty(); i++) {
       int key = tables.touchedKey(i);
       if (tables.touchedTable(i) == FieldTables.POOLS && tables.isPresent(FieldTables.POOLS, key)) {
         for (int word = 0; word < row.length; word++) {
@@ -68,11 +68,14 @@ public final class PoolFollower {
   /**
    * Moves the pools on, and asks for a state when they need one.
    *
-   * @param tick the tick that is predicted next
+   * @param predicted the tick that is predicted next
+   * @param seen the tick in which the picture shows what isn't predicted, as the bodies of a world
+   *     of particles
    * @return whether the particles of this tick are known, and those of all ticks before it were
    */
-  public boolean advance(int tick, long nowNs) {
-    if (pools.count() == 0) {
+  public boolean advance(int predicted, int seen, long nowNs) {
+    int tick = pools.followsWorld() ? seen : predicted;
+    if (pools.isEmpty()) {
       return true;
     }
     boolean wentBack = pools.tick() < lastTick;
@@ -91,7 +94,7 @@ public final class PoolFollower {
 
   /** Takes in a piece of a state. Pieces that don't fit are passed over. */
   public void add(ServerMessage.PoolChunk chunk) {
-    if (!asked || pools.count() == 0) {
+    if (!asked || pools.isEmpty()) {
       return;
     }
     if (chunk.offset() == 0) {

@@ -9,8 +9,8 @@ import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
-import carom.sim.pool.Pool;
 import carom.sim.pool.Pools;
+import carom.sim.pool.ShownParticles;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -147,14 +147,13 @@ public final class RoomPictures {
   }
 
   private static List<PoolPicture> particles(Pools pools) {
-    List<PoolPicture> all = new ArrayList<>(pools.count());
-    for (int i = 0; i < pools.count(); i++) {
-      Pool pool = pools.get(i);
-      Particles particles = pool.particles();
+    List<PoolPicture> all = new ArrayList<>(pools.shown().size());
+    for (ShownParticles some : pools.shown()) {
+      Particles particles = some.particles();
       if (particles.count() > 0) {
         float[] xy = new float[2 * particles.count()];
         particles.copyPositions(xy);
-        all.add(new PoolPicture(pool.def().rgb(), particles.spacing(), xy));
+        all.add(new PoolPicture(some.rgb(), particles.spacing(), xy));
       }
     }
     return List.copyOf(all);

@@ -33,10 +33,10 @@ final class PoolCapture {
 
   /**
    * Returns the state of the pools, at most half a second old, so that any number of clients cost
-   * two a second; null if there are no pools.
+   * two a second; null if there are no particles.
    */
   byte[] state() {
-    if (simulation.pools().count() == 0) {
+    if (simulation.pools().isEmpty()) {
       return null;
     }
     if (state == null || simulation.tick() - saved.tick() > simulation.tickRate() / 2) {

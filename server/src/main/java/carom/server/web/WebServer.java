@@ -24,6 +24,9 @@ public final class WebServer implements AutoCloseable {
   private static final int IDLE_MS = 30_000;
   private static final long MAX_REQUEST_BYTES = 4_096;
 
+  /** What a request that hangs may hold the server's stop. */
+  private static final int STOP_MS = 1_000;
+
   private final Undertow undertow;
   private final LivePage page;
   private final HttpHandler answers = new BlockingHandler(this::answer);
@@ -54,6 +57,7 @@ public final class WebServer implements AutoCloseable {
             .setBufferSize(BUFFER_BYTES)
             .setServerOption(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MS)
             .setServerOption(UndertowOptions.MAX_ENTITY_SIZE, MAX_REQUEST_BYTES)
+            .setServerOption(UndertowOptions.SHUTDOWN_TIMEOUT, STOP_MS)
             .setWorkerOption(Options.THREAD_DAEMON, true)
             .setHandler(this::route)
             .build();

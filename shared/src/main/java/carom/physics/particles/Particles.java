@@ -73,6 +73,15 @@ public final class Particles {
   }
 
   /**
+   * Returns the kind of all particles.
+   *
+   * @return water or sand
+   */
+  public ParticleDef.Kind kind() {
+    return def.kind;
+  }
+
+  /**
    * Returns a particle's diameter.
    *
    * @return m

@@ -93,6 +93,29 @@ public final class OrderLog {
     return row[NUMBER] == period ? row : null;
   }
 
+  /** Returns whether the known rows of some periods order nothing and leave the spouts as is. */
+  boolean isQuiet(int from, int to, int spouts) {
+    for (int period = from; period < to; period++) {
+      int[] row = row(period);
+      if (row != null && (row[COUNT] > 0 || row[OPEN] != spouts)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Mixes the known rows of a period and the {@link #AHEAD} after it into a hash. */
+  long hash(long before, int period) {
+    long h = before;
+    for (int i = 0; i <= AHEAD; i++) {
+      int[] row = row(period + i);
+      for (int word = 0; row != null && word < WORDS; word++) {
+        h = h * 31 + row[word];
+      }
+    }
+    return h;
+  }
+
   /** Returns a place of the log, 0..{@link #KEPT} - 1; its period is negative if it is empty. */
   int[] slot(int index) {
     return rows[index];

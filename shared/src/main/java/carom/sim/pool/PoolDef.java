@@ -203,6 +203,12 @@ public final class PoolDef implements Cloneable {
     return List.copyOf(longer);
   }
 
+  static void limit(String what, int value, int most) {
+    if (value > most) {
+      throw new IllegalArgumentException(what + "=" + value + " is more than " + most);
+    }
+  }
+
   private PoolDef copy() {
     try {
       return (PoolDef) clone();

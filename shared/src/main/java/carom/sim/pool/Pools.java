@@ -50,12 +50,13 @@ public final class Pools {
   private int spouts;
   private int particles;
   private boolean begun;
+  private ParticleWorld own;
+  private List<ShownParticles> shown = List.of();
   private World<?> ground;
   private IntConsumer drive;
   private boolean groundMoves;
   private int tick;
 
-  // A client's.
   private boolean known;
   private boolean wrong;
   private int stillSince;
@@ -63,8 +64,7 @@ public final class Pools {
   /** The first period that began after the state that was restored last. */
   private int firstPeriod;
 
-  private final int[] hashPeriod = new int[OrderLog.KEPT];
-  private final int[] hash = new int[OrderLog.KEPT];
+  private final PeriodHashes hashes = new PeriodHashes();
 
   private final BodyForces forces = new BodyForces();
 
@@ -80,7 +80,6 @@ public final class Pools {
     dt = 1f / tickRate;
     this.decides = decides;
     known = decides;
-    forgetHashes();
   }
 
   /**
@@ -95,9 +94,9 @@ public final class Pools {
     if (begun) {
       throw new IllegalStateException("pool " + def.name() + " must be added in Game.setUp");
     }
-    limit("pools", pools.size() + 1, OrderLog.MAX_POOLS);
-    limit("spouts", spouts + def.spouts().size(), PoolDef.MAX_SPOUTS);
-    limit("particles of all pools", particles + def.most(), PoolDef.MAX_PARTICLES);
+    PoolDef.limit("pools", pools.size() + 1, OrderLog.MAX_POOLS);
+    PoolDef.limit("spouts", spouts + def.spouts().size(), PoolDef.MAX_SPOUTS);
+    PoolDef.limit("particles of all pools", particles + def.most(), PoolDef.MAX_PARTICLES);
     if (find(def.name()) != null) {
       throw new IllegalArgumentException(
           "pool " + def.name() + " is declared twice; give one another name");
@@ -113,10 +112,17 @@ public final class Pools {
     return pool;
   }
 
-  private static void limit(String what, int value, int most) {
-    if (value > most) {
-      throw new IllegalArgumentException(what + "=" + value + " is more than " + most);
+  /**
+   * Adds a world whose particles nobody acts on, in {@code setUp}, on both sides: at a client a
+   * {@link ParticleWorld.Copy}. The server's is stepped by its game.
+   *
+   * @throws IllegalStateException if there is one already
+   */
+  public void follow(ParticleWorld world) {
+    if (own != null) {
+      throw new IllegalStateException("worlds of particles=2 is more than 1");
     }
+    own = world;
   }
 
   /**
@@ -132,6 +138,24 @@ public final class Pools {
     ground = newGround;
     drive = newDrive;
     groundMoves = moves;
+    List<ShownParticles> all = new ArrayList<>(own == null ? List.of() : own.particles());
+    pools.forEach(pool -> all.add(new ShownParticles(pool.particles(), pool.def().rgb())));
+    shown = List.copyOf(all);
+  }
+
+  /** Returns whether there are no particles at all: neither pools nor a world of particles. */
+  public boolean isEmpty() {
+    return pools.isEmpty() && own == null;
+  }
+
+  /** Returns whether clients follow a world of particles; what they see of its bodies is older. */
+  public boolean followsWorld() {
+    return own != null;
+  }
+
+  /** Returns all particles, in the order in which pictures draw them; unmodifiable. */
+  public List<ShownParticles> shown() {
+    return shown;
   }
 
   /** Returns the number of pools. */
@@ -196,7 +220,7 @@ public final class Pools {
    * @param newTick the tick after the last one
    */
   public void step(int newTick) {
-    if (!pools.isEmpty()) {
+    if (!isEmpty()) {
       forces.begin();
       compute(newTick, log.row(newTick / ticksPerPeriod));
     }
@@ -204,7 +228,7 @@ public final class Pools {
 
   /** Closes a row of orders at the server, if it is time; after bodies were acted on. */
   public void close() {
-    if (pools.isEmpty() || tick % ticksPerPeriod != 0) {
+    if (isEmpty() || tick % ticksPerPeriod != 0) {
       return;
     }
     int period = tick / ticksPerPeriod + OrderLog.AHEAD;
@@ -219,7 +243,7 @@ public final class Pools {
 
   /** Returns the row that the last tick of the server closed, or null. */
   public int[] closedRow() {
-    boolean closes = !pools.isEmpty() && tick % ticksPerPeriod == 0;
+    boolean closes = !isEmpty() && tick % ticksPerPeriod == 0;
     return closes ? log.row(tick / ticksPerPeriod + OrderLog.AHEAD) : null;
   }
 
@@ -231,17 +255,11 @@ public final class Pools {
         || requestedOpen != open) {
       return false;
     }
-    for (int p = period - OrderLog.AHEAD; p < period; p++) {
-      int[] row = log.row(p);
-      if (row != null && (OrderLog.orders(row) > 0 || OrderLog.open(row) != open)) {
-        return false;
-      }
-    }
-    return true;
+    return log.isQuiet(period - OrderLog.AHEAD, period, open);
   }
 
   private boolean areStill() {
-    boolean still = !groundMoves;
+    boolean still = !groundMoves && own == null;
     for (int i = 0; still && i < pools.size(); i++) {
       still = pools.get(i).isStill();
     }
@@ -265,9 +283,7 @@ public final class Pools {
       stillSince = still && stillSince >= 0 ? stillSince : still ? tick : -1;
       compute(tick + 1, row);
       if (tick % ticksPerPeriod == 0) {
-        int at = tick / ticksPerPeriod & OrderLog.KEPT - 1;
-        hashPeriod[at] = tick / ticksPerPeriod;
-        hash[at] = particleHash();
+        hashes.put(tick / ticksPerPeriod, particleHash());
         compare(tick / ticksPerPeriod);
       }
     }
@@ -294,7 +310,7 @@ public final class Pools {
       // Still particles are today what they were then, so time can be turned back.
       if (stillSince >= 0 && stillSince < begin) {
         tick = begin - 1;
-        forgetHashes();
+        hashes.forget();
       } else {
         wrong = true;
       }
@@ -304,14 +320,9 @@ public final class Pools {
 
   private void compare(int period) {
     int[] row = log.row(period + OrderLog.AHEAD);
-    int at = period & OrderLog.KEPT - 1;
-    if (known && row != null && period >= firstPeriod && hashPeriod[at] == period) {
-      wrong |= hash[at] != OrderLog.hash(row);
+    if (known && row != null && period >= firstPeriod) {
+      wrong |= hashes.differs(period, OrderLog.hash(row));
     }
-  }
-
-  private void forgetHashes() {
-    Arrays.fill(hashPeriod, -1);
   }
 
   /**
@@ -321,7 +332,7 @@ public final class Pools {
    * @param now the tick that the client predicts
    */
   public boolean needsState(int now) {
-    return !pools.isEmpty() && (!known || wrong || now - tick > 12 * ticksPerPeriod);
+    return !isEmpty() && (!known || wrong || now - tick > 12 * ticksPerPeriod);
   }
 
   /** Returns whether there is a state of the server's to follow. */
@@ -348,6 +359,9 @@ public final class Pools {
     }
     for (Pool pool : pools) {
       pool.step(ground, groundMoves, newTick, dt);
+    }
+    if (own instanceof ParticleWorld.Copy) {
+      ((ParticleWorld.Copy) own).step();
     }
   }
 
@@ -398,8 +412,8 @@ public final class Pools {
 
   private int particleHash() {
     long h = 0;
-    for (Pool pool : pools) {
-      h = h * 31 + pool.particles().stateHash();
+    for (int i = 0; i < shown.size(); i++) {
+      h = h * 31 + shown.get(i).particles().stateHash();
     }
     return (int) (h ^ h >>> 32);
   }
@@ -415,13 +429,7 @@ public final class Pools {
       h = h * 31 + pool.particles().stateHash();
       h = h * 31 + pool.stillTicks();
     }
-    for (int i = 0; i <= OrderLog.AHEAD; i++) {
-      int[] row = log.row(tick / ticksPerPeriod + i);
-      for (int word = 0; row != null && word < OrderLog.WORDS; word++) {
-        h = h * 31 + row[word];
-      }
-    }
-    return h;
+    return log.hash(h, tick / ticksPerPeriod);
   }
 
   /**
@@ -436,6 +444,7 @@ public final class Pools {
     s.requestedOpen = requestedOpen;
     s.copyRequests(requests);
     s.log.copy(log);
+    s.own = own == null ? null : own.save(s.own);
     for (int i = 0; i < pools.size(); i++) {
       s.particles[i] = pools.get(i).particles().save(s.particles[i]);
       s.copyStill(i, pools.get(i).stillTicks());
@@ -462,11 +471,14 @@ public final class Pools {
       pools.get(i).particles().restore(s.particles[i]);
       pools.get(i).restored(tick, s.stillTicks[i]);
     }
+    if (own instanceof ParticleWorld.Copy) {
+      ((ParticleWorld.Copy) own).restore(s.own);
+    }
     known = true;
     wrong = false;
     stillSince = -1;
     firstPeriod = tick / ticksPerPeriod + 1;
-    forgetHashes();
+    hashes.forget();
   }
 
   /**
@@ -476,7 +488,9 @@ public final class Pools {
    * @throws ArchiveException if the bytes are damaged or of other pools
    */
   public PoolsState read(ArchiveReader archive) {
-    return PoolsState.read(this, archive);
+    PoolsState s = PoolsState.read(this, archive);
+    s.own = own instanceof ParticleWorld.Copy ? ((ParticleWorld.Copy) own).read(archive) : null;
+    return s;
   }
 
   @Override

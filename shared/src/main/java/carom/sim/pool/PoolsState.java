@@ -15,6 +15,7 @@ public final class PoolsState {
   final int[] stillTicks;
   final OrderLog log = new OrderLog();
   final int[] requests = new int[OrderLog.WORDS];
+  ParticleWorld.State own;
   int tick;
   int open;
   int requestedOpen;
@@ -34,6 +35,9 @@ public final class PoolsState {
     pass(archive);
     for (ParticleState p : particles) {
       p.write(archive);
+    }
+    if (own != null) {
+      own.write(archive);
     }
   }
 

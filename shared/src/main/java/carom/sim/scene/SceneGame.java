@@ -21,7 +21,10 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.sim.pool.ParticleWorld;
+import carom.sim.pool.ShownParticles;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
@@ -32,7 +35,8 @@ import java.util.TreeMap;
  * bit.
  *
  * <p>Every body is an entity, and bodies that look the same share an archetype. Joints are sent as
- * in any game. Particles are not; clients see their effects. Both sides learn the archetypes by
+ * in any game. A client of a scene with particles runs the scene, too, from a state of the
+ * server's, and shows the particles of that. Both sides learn the archetypes by
  * running the scene's actions {@value #PREVIEW_TICKS} ticks ahead in a world that stands still. A
  * body that first appears later, with a look of its own, is seen as a dot.
  */
@@ -135,6 +139,24 @@ public final class SceneGame implements Game {
     if (s.role() == Role.AUTHORITY) {
       stage = new Stage<>(s.world(), def -> enter(s, def), body -> leave(s, body));
       scene.build(stage);
+    }
+    if (!preview.particles().isEmpty()) {
+      boolean tells = s.role() == Role.AUTHORITY;
+      s.pools().follow(tells ? new Told(s, stage) : scene.with(world(s.level())).start());
+    }
+  }
+
+  /** The scene that the server's simulation runs. */
+  private record Told(Simulation simulation, Stage<Entity> stage) implements ParticleWorld {
+    @Override
+    public List<ShownParticles> particles() {
+      return stage.particles();
+    }
+
+    @Override
+    public State save(State reuse) {
+      return SceneState.save(
+          simulation.world(), particles(), simulation.tick(), (SceneState) reuse);
     }
   }
 

@@ -2,13 +2,16 @@ package carom.sim.scene;
 
 import carom.physics.World;
 import carom.physics.WorldDef;
+import carom.physics.archive.ArchiveReader;
+import carom.sim.pool.ParticleWorld;
+import carom.sim.pool.ShownParticles;
 import java.util.List;
 
 /**
  * A scene that is running: its world and the number of steps made. One thread at a time. A steady
  * step allocates nothing unless the scene makes bodies.
  */
-public final class SceneRun {
+public final class SceneRun implements ParticleWorld.Copy {
   private final Scene scene;
   private final World<String> world;
   private final Stage<String> stage;
@@ -47,7 +50,8 @@ public final class SceneRun {
    *
    * @return in the order they were made, unmodifiable; none in most scenes
    */
-  public List<SceneParticles> particles() {
+  @Override
+  public List<ShownParticles> particles() {
     return stage.particles();
   }
 
@@ -70,6 +74,7 @@ public final class SceneRun {
   }
 
   /** Advances the scene by one tick. */
+  @Override
   public void step() {
     stage.beforeStep(tick, tickSeconds);
     world.step(tickSeconds);
@@ -94,7 +99,7 @@ public final class SceneRun {
    */
   public long stateHash() {
     long h = world.stateHash() ^ tick;
-    for (SceneParticles system : particles()) {
+    for (ShownParticles system : particles()) {
       h = Long.rotateLeft(h * 0x9e3779b97f4a7c15L, 29) ^ system.particles().stateHash();
     }
     return h;
@@ -106,22 +111,30 @@ public final class SceneRun {
    * @param reuseOrNull a state of this run to overwrite, or null for a new one
    * @return the state
    */
-  public SceneState save(SceneState reuseOrNull) {
-    SceneState s = reuseOrNull == null ? new SceneState(particles().size()) : reuseOrNull;
-    s.world = world.save(s.world);
+  @Override
+  public SceneState save(ParticleWorld.State reuseOrNull) {
+    return SceneState.save(world, particles(), tick, (SceneState) reuseOrNull);
+  }
+
+  @Override
+  public SceneState read(ArchiveReader archive) {
+    SceneState s = new SceneState(particles().size());
+    s.world = world.read(archive, i -> null);
     for (int i = 0; i < s.particles.length; i++) {
-      s.particles[i] = particles().get(i).particles().save(s.particles[i]);
+      s.particles[i] = particles().get(i).particles().read(archive);
     }
-    s.tick = tick;
+    s.readTick(archive);
     return s;
   }
 
   /**
    * Returns to a saved state, earlier or later than the present one.
    *
-   * @param state of this run; stays as it is
+   * @param saved a {@link SceneState} of this run; stays as it is
    */
-  public void restore(SceneState state) {
+  @Override
+  public void restore(ParticleWorld.State saved) {
+    SceneState state = (SceneState) saved;
     world.restore(state.world);
     for (int i = 0; i < state.particles.length; i++) {
       particles().get(i).particles().restore(state.particles[i]);

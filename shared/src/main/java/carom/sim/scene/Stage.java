@@ -8,6 +8,7 @@ import carom.physics.JointDef;
 import carom.physics.World;
 import carom.physics.particles.ParticleDef;
 import carom.physics.particles.Particles;
+import carom.sim.pool.ShownParticles;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -25,7 +26,7 @@ public final class Stage<T> {
   private final Function<BodyDef, Body<T>> maker;
   private final Consumer<Body<T>> remover;
   private final List<TickAction> actions = new ArrayList<>();
-  private final List<SceneParticles> particles = new ArrayList<>();
+  private final List<ShownParticles> particles = new ArrayList<>();
   private CollisionListener<T> listener;
 
   /**
@@ -99,7 +100,9 @@ public final class Stage<T> {
   }
 
   /**
-   * Makes a system of particles. It moves by itself before every step, after the actions.
+   * Makes a system of particles. It moves by itself before every step, after the actions. Actions
+   * of a scene with particles must be functions of the tick: clients that come late run them from
+   * the server's state on.
    *
    * @param def its definition, copied
    * @param rgb their colour, 0xRRGGBB
@@ -107,7 +110,7 @@ public final class Stage<T> {
    */
   public Particles particles(ParticleDef def, int rgb) {
     Particles made = new Particles(def);
-    particles.add(new SceneParticles(made, rgb));
+    particles.add(new ShownParticles(made, rgb));
     return made;
   }
 
@@ -116,7 +119,7 @@ public final class Stage<T> {
    *
    * @return in the order they were made, unmodifiable, live
    */
-  public List<SceneParticles> particles() {
+  public List<ShownParticles> particles() {
     return Collections.unmodifiableList(particles);
   }
 

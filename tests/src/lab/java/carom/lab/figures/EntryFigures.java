@@ -1,12 +1,12 @@
 package carom.lab.figures;
 
 import carom.client.InputSource;
+import carom.fixtures.BigWorlds;
 import carom.lab.measure.Figure;
 import carom.net.protocol.PackedLevel;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
-import carom.testkit.BigWorlds;
 import carom.testkit.Scripts;
 import carom.testkit.Stepper;
 import java.util.List;

@@ -1,11 +1,11 @@
 package carom.lab.figures;
 
 import carom.client.stats.NetStats;
+import carom.fixtures.AnchorGaps;
+import carom.fixtures.MachineGame;
 import carom.lab.measure.Figure;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
-import carom.testkit.AnchorGaps;
-import carom.testkit.MachineGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

@@ -1,12 +1,12 @@
 package carom.lab.figures;
 
 import carom.client.InputSource;
+import carom.fixtures.BigWorlds;
 import carom.lab.measure.Figure;
 import carom.net.protocol.Limits;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.testkit.BigWorlds;
 import carom.testkit.Stepper;
 import java.util.List;
 

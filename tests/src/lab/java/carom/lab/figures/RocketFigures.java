@@ -1,11 +1,11 @@
 package carom.lab.figures;
 
 import carom.client.InputSource;
+import carom.fixtures.SpawnWatch;
 import carom.lab.measure.Figure;
 import carom.net.transport.Impairment;
 import carom.sim.entity.Input;
 import carom.testkit.SimulatedClient;
-import carom.testkit.SpawnWatch;
 import carom.testkit.Stepper;
 import java.util.List;
 

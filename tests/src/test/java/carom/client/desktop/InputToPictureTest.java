@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import carom.fixtures.VirtualDisplay;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
-import carom.testkit.VirtualDisplay;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -104,7 +104,12 @@ final class KeyWatcher {
         ((GameScreen) ((CaromWindow) Gdx.app.getApplicationListener()).screen()).view();
     int tick = view.tick();
     long frame = Gdx.graphics.getFrameId();
-    while (Gdx.graphics.getFrameId() < frame + 3 || view.tick() < tick + 2) {
+    while (view.tick() < tick + 2) {
+      Thread.onSpinWait();
+    }
+    // A tick begins before its frame is drawn: that frame has ended when the next one begins.
+    long end = Math.max(frame + 3, Gdx.graphics.getFrameId() + 1);
+    while (Gdx.graphics.getFrameId() < end) {
       Thread.onSpinWait();
     }
   }

@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.bots.Bot;
+import carom.fixtures.VirtualDisplay;
 import carom.net.transport.Impairment;
 import carom.server.CaromMain;
 import carom.testkit.Stepper;
-import carom.testkit.VirtualDisplay;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.PrintWriter;

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.app.ClientMain;
+import carom.fixtures.VirtualDisplay;
 import carom.sim.scene.catalog.Scenes;
-import carom.testkit.VirtualDisplay;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.File;

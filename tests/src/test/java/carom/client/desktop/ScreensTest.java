@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.bots.Bot;
+import carom.fixtures.VirtualDisplay;
 import carom.net.transport.Impairment;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.testkit.Stepper;
-import carom.testkit.VirtualDisplay;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.app.ClientMain;
 import carom.client.bots.Bot;
+import carom.fixtures.VirtualDisplay;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
 import carom.net.transport.Impairment;
@@ -13,7 +14,6 @@ import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
 import carom.testkit.Stepper;
-import carom.testkit.VirtualDisplay;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;

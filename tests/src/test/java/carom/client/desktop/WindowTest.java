@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.app.ClientMain;
 import carom.client.desktop.paint.ViewCamera;
+import carom.fixtures.VirtualDisplay;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
 import carom.server.Server;
@@ -14,7 +15,6 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
-import carom.testkit.VirtualDisplay;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 import java.awt.image.BufferedImage;
 import java.io.File;

@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.IslandRig;
+import carom.fixtures.RollbackFigure;
 import carom.sim.Journal;
 import carom.sim.Simulation;
-import carom.testkit.IslandRig;
-import carom.testkit.RollbackFigure;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -5,12 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Allocations;
 import carom.lab.broadphase.BroadphaseScene;
 import carom.physics.broadphase.Boxes.Layout;
 import carom.physics.broadphase.index.BruteForce;
 import carom.physics.broadphase.index.PairVisitor;
 import carom.physics.broadphase.kd.KdTree;
-import carom.testkit.Allocations;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;

@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Allocations;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Polygon;
 import carom.physics.math.Transform;
-import carom.testkit.Allocations;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 

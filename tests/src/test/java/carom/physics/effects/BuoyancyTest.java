@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Allocations;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
@@ -16,7 +17,6 @@ import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
-import carom.testkit.Allocations;
 import org.junit.jupiter.api.Test;
 
 /** Floating bodies against closed forms. */

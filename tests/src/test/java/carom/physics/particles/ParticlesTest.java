@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Allocations;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
@@ -21,7 +22,6 @@ import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import carom.physics.particles.ParticleDef.Kind;
-import carom.testkit.Allocations;
 import org.junit.jupiter.api.Test;
 
 /** Water and sand, alone and among bodies. */

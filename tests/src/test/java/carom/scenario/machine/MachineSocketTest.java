@@ -6,13 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
 import carom.client.view.ClientView;
+import carom.fixtures.AnchorGaps;
+import carom.fixtures.MachineGame;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
-import carom.testkit.AnchorGaps;
-import carom.testkit.MachineGame;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import org.junit.jupiter.api.Test;

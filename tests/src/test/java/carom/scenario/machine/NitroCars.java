@@ -2,6 +2,7 @@ package carom.scenario.machine;
 
 import static carom.sim.field.Scope.PLAYER;
 
+import carom.fixtures.PlainGame;
 import carom.physics.Body;
 import carom.physics.Joint;
 import carom.physics.JointDef;
@@ -21,7 +22,6 @@ import carom.sim.joint.AssemblyDef;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
-import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 

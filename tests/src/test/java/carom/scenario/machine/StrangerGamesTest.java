@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
+import carom.fixtures.AnchorGaps;
 import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
@@ -12,7 +13,6 @@ import carom.sim.Game;
 import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
-import carom.testkit.AnchorGaps;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.nio.charset.StandardCharsets;

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.bots.Bot;
+import carom.fixtures.PlainGame;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -30,7 +31,6 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.pool.Pools;
-import carom.testkit.PlainGame;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.List;

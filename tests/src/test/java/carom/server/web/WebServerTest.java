@@ -2,6 +2,7 @@ package carom.server.web;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.Protocol;
@@ -22,9 +23,11 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.CountDownLatch;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
@@ -82,6 +85,34 @@ final class WebServerTest {
             .POST(HttpRequest.BodyPublishers.ofString("x"))
             .build();
     assertEquals(405, client.send(post, HttpResponse.BodyHandlers.discarding()).statusCode());
+  }
+
+  @Test
+  void aRequestThatHangsDoesNotHoldTheStop() throws Exception {
+    CountDownLatch asked = new CountDownLatch(1);
+    CountDownLatch answer = new CountDownLatch(1);
+    NetworkCounter hangs =
+        new NetworkCounter(
+            "hangs",
+            "Hangs.",
+            () -> {
+              asked.countDown();
+              try {
+                answer.await();
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+              return 0;
+            });
+    WebServer other = new WebServer(LOOPBACK, 0, subject(List.of(hangs)), null);
+    try {
+      HttpRequest metrics = HttpRequest.newBuilder(URI.create(other.url() + "/metrics")).build();
+      client.sendAsync(metrics, HttpResponse.BodyHandlers.ofString());
+      asked.await();
+      assertTimeoutPreemptively(Duration.ofSeconds(20), other::close);
+    } finally {
+      answer.countDown();
+    }
   }
 
   private static int health(StringWriter said, String... args) {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.MachineGame;
 import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.archive.ArchiveReader;
@@ -21,7 +22,6 @@ import carom.sim.entity.Player;
 import carom.sim.near.JointDefinitions;
 import carom.sim.near.Neighbourhood;
 import carom.sim.random.SimRandom;
-import carom.testkit.MachineGame;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -4,11 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import carom.fixtures.PlainGame;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
-import carom.testkit.PlainGame;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.PlainGame;
 import carom.game.GuardedGame;
 import carom.sim.Game;
 import carom.sim.Role;
@@ -15,7 +16,6 @@ import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.outbox.Delivery;
 import carom.sim.outbox.Delivery.Recipients;
-import carom.testkit.PlainGame;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -4,8 +4,8 @@ import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Theme;
 import carom.physics.particles.ParticleDef;
 import carom.physics.particles.Particles;
-import carom.sim.pool.Pool;
 import carom.sim.pool.Pools;
+import carom.sim.pool.ShownParticles;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 
@@ -48,16 +48,16 @@ final class PoolPainter {
     right = camera.position.x + halfWidth;
     low = camera.position.y - halfHeight;
     high = camera.position.y + halfHeight;
-    for (int i = 0; i < pools.count(); i++) {
-      Pool pool = pools.get(i);
-      paint(pool, RIM, 0.62f, false);
-      paint(pool, SIZE, 1, true);
+    for (int i = 0; i < pools.shown().size(); i++) {
+      ShownParticles some = pools.shown().get(i);
+      paint(some, RIM, 0.62f, false);
+      paint(some, SIZE, 1, true);
     }
   }
 
-  private void paint(Pool pool, float spacings, float brightness, boolean foams) {
-    Particles all = pool.particles();
-    boolean water = pool.def().kind() == ParticleDef.Kind.WATER;
+  private void paint(ShownParticles some, float spacings, float brightness, boolean foams) {
+    Particles all = some.particles();
+    boolean water = all.kind() == ParticleDef.Kind.WATER;
     float size = spacings * all.spacing();
     boolean small = size * pixelsPerMetre < SMALL_PX;
     for (int i = 0; i < all.count(); i++) {
@@ -66,12 +66,12 @@ final class PoolPainter {
       if (x < left - size || x > right + size || y < low - size || y > high + size) {
         continue;
       }
-      Theme.shade(pool.def().rgb(), brightness, 1, color);
+      Theme.shade(some.rgb(), brightness, 1, color);
       if (foams && water) {
         float speed = Math.abs(all.velocityX(i)) + Math.abs(all.velocityY(i));
         color.lerp(1, 1, 1, 1, Math.min(MOST_FOAM, speed / FOAM_M_S));
       } else if (foams && all.id(i) % 3 == 0) {
-        Theme.shade(pool.def().rgb(), 0.88f, 1, color); // grains
+        Theme.shade(some.rgb(), 0.88f, 1, color); // grains
       }
       if (small) {
         canvas.rect(x - size / 2, y - size / 2, size, size, color);

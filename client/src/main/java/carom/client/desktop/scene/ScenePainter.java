@@ -15,8 +15,8 @@ import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.particles.Particles;
+import carom.sim.pool.ShownParticles;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.SceneParticles;
 import carom.sim.scene.SceneRun;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
@@ -117,7 +117,7 @@ final class ScenePainter {
   }
 
   /** Draws particles; fast ones are lighter, like foam. */
-  private void particles(SceneParticles some) {
+  private void particles(ShownParticles some) {
     Particles all = some.particles();
     float size = PARTICLE * all.spacing();
     boolean small = size * pixelsPerMetre < SMALL_PX;

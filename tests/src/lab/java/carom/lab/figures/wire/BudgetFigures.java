@@ -1,11 +1,11 @@
 package carom.lab.figures.wire;
 
+import carom.fixtures.BigWorlds;
 import carom.lab.measure.Figure;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.testkit.BigWorlds;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

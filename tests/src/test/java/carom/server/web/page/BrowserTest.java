@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import carom.fixtures.CrouchGame;
+import carom.fixtures.CrouchGame.Rule;
 import carom.server.config.ServerConfig;
-import carom.testkit.CrouchGame;
-import carom.testkit.CrouchGame.Rule;
 import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;

@@ -1,11 +1,11 @@
-package carom.sim.scene;
+package carom.sim.pool;
 
 import carom.physics.particles.Particles;
 
 /**
- * A system of particles of a scene, with its colour.
+ * A system of particles as a picture shows it.
  *
  * @param particles the system; all its particles are of one kind
  * @param rgb their colour, 0xRRGGBB
  */
-public record SceneParticles(Particles particles, int rgb) {}
+public record ShownParticles(Particles particles, int rgb) {}
