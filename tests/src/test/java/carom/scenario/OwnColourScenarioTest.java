@@ -55,6 +55,9 @@ class OwnColourScenarioTest {
     }
     try (ReplayClient replay = new ReplayClient(file)) {
       replay.seek(2 * 60);
+      while (replay.seeking()) {
+        replay.update(0);
+      }
       assertEquals(PlayerColour.VIOLET.number(), replay.view().participant(0).colour());
     }
   }
