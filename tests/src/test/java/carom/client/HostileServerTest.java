@@ -11,8 +11,8 @@ import carom.net.frame.Frame;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.server.KryoServerTransport;
 import carom.net.protocol.GoodbyeReason;
-import carom.net.protocol.Limits;
 import carom.net.protocol.PackedLevel;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.Encryption;
@@ -336,7 +336,7 @@ final class HostileServerTest {
       @Override
       void level(ScriptedServer.Guest guest, int offset) {
         int from = onlyTheFirst ? 0 : offset;
-        int to = Math.min(packed.length, from + Limits.MAX_LEVEL_CHUNK_BYTES);
+        int to = Math.min(packed.length, from + ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
         guest.link.send(new ServerMessage.LevelChunk(from, Arrays.copyOfRange(packed, from, to)));
       }
     };
@@ -433,7 +433,7 @@ final class HostileServerTest {
   void aFloodOfMessagesLeavesTheClientWithinItsMemory() throws Exception {
     ScriptedServer.Guest guest = startToPlay(new ScriptedServer.Script());
     long before = usedBytes();
-    byte[] bytes = new byte[Limits.MAX_GAME_MESSAGE_BYTES];
+    byte[] bytes = new byte[ProtocolLimits.MAX_GAME_MESSAGE_BYTES];
     for (int i = 0; i < 300 && client.view().phase() == ConnectionPhase.PLAYING; i++) {
       for (int k = 0; k < 20; k++) {
         guest.link.send(new ServerMessage.Notice("n" + i + "." + k + "x".repeat(400)));

@@ -4,11 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.client.InputSource;
 import carom.client.replay.ReplayClient;
+import carom.fixtures.DuelGame;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.sim.match.NextMatch;
 import carom.sim.message.PlayerColour;
-import carom.testkit.DuelGame;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.nio.file.Path;

@@ -163,7 +163,7 @@ final class GameScreen extends ScreenAdapter {
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
   }
 
-  private final class PauseChoice implements PauseMenu.Choice {
+  private final class PauseChoice implements PauseMenu.Actions {
     @Override
     public void resume() {
       show();

@@ -159,8 +159,8 @@ public final class Room {
    * @throws IOException if the folder can't be used
    */
   public void checkpoint(SlotDisk disk, Path folder, int seconds) throws IOException {
-    RoomCheckpoints.Setting kept =
-        new RoomCheckpoints.Setting(
+    RoomCheckpoints.KeptRoom kept =
+        new RoomCheckpoints.KeptRoom(
             context.config(),
             settings,
             number,

@@ -1,6 +1,6 @@
 package carom.server.room;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
@@ -40,7 +40,7 @@ final class RoomParts {
   final RoomSessions sessions;
   final Announcer announcer;
   final RosterNews roster;
-  final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
+  final PartingLinks partings = new PartingLinks(ProtocolLimits.MAX_PLAYERS);
   final Departures departures;
   final RoomRecording recording;
   final MatchChange changes;

@@ -3,7 +3,7 @@ package carom.client.desktop.game;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.ShapePainter;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.client.view.JointView;
@@ -233,7 +233,7 @@ final class WorldPainter {
       streak[3] = drawn.y() - vy * STREAK_SECONDS * layer;
       streak[4] = drawn.x() - nx;
       streak[5] = drawn.y() - ny;
-      canvas.convex(streak, 3, Theme.shade(rgb, 1.2f, 0.22f * share * drawn.alpha(), fill));
+      canvas.convex(streak, 3, UiColours.shade(rgb, 1.2f, 0.22f * share * drawn.alpha(), fill));
     }
   }
 
@@ -266,10 +266,10 @@ final class WorldPainter {
         bottom,
         camera.viewportWidth,
         camera.viewportHeight,
-        Theme.shade(level.theme().background(), 1, 1, fill),
-        Theme.shade(level.theme().sky(), 1, 1, edge));
+        UiColours.shade(level.theme().background(), 1, 1, fill),
+        UiColours.shade(level.theme().sky(), 1, 1, edge));
     Level.Bounds b = level.bounds();
-    Color grid = Theme.shade(level.theme().grid(), 1, 0.4f, fill);
+    Color grid = UiColours.shade(level.theme().grid(), 1, 0.4f, fill);
     canvas.grid(b.minX(), b.minY(), b.maxX(), b.maxY(), GRID_M, grid);
     for (Level.Zone zone : level.zones()) {
       if (zone.rgb() >= 0) {
@@ -281,8 +281,9 @@ final class WorldPainter {
   private void zone(Level.Zone zone) {
     float width = zone.maxX() - zone.minX();
     float height = zone.maxY() - zone.minY();
-    canvas.rect(zone.minX(), zone.minY(), width, height, Theme.shade(zone.rgb(), 1, 0.22f, fill));
-    Theme.shade(zone.rgb(), 1, 0.7f, fill);
+    canvas.rect(
+        zone.minX(), zone.minY(), width, height, UiColours.shade(zone.rgb(), 1, 0.22f, fill));
+    UiColours.shade(zone.rgb(), 1, 0.7f, fill);
     canvas.frame(zone.minX(), zone.minY(), width, height, EDGE_M, fill);
   }
 
@@ -292,7 +293,7 @@ final class WorldPainter {
   }
 
   private void shadow(Archetype archetype, float alpha) {
-    fill.set(Theme.SHADOW).a *= alpha;
+    fill.set(UiColours.SHADOW).a *= alpha;
     for (Shape shape : archetype.shapes()) {
       shapes.fill(shape, fill);
     }
@@ -311,7 +312,7 @@ final class WorldPainter {
 
   /** Draws a rim in the colour of a player whose body has that of the team. */
   private void rim(Drawn drawn, int rgb) {
-    Theme.shade(rgb, 1, drawn.alpha(), detail);
+    UiColours.shade(rgb, 1, drawn.alpha(), detail);
     for (Shape shape : drawn.archetype().shapes()) {
       shapes.outline(shape, RIM_M, detail);
     }
@@ -322,8 +323,8 @@ final class WorldPainter {
     if (archetype.sensor() && look.look() == Appearance.Look.PLAIN) {
       alpha *= SENSOR;
     }
-    Theme.shade(rgb, 1 + 0.6f * glow, alpha, fill);
-    Theme.shade(look.outlineRgb(), 1, alpha, edge);
+    UiColours.shade(rgb, 1 + 0.6f * glow, alpha, fill);
+    UiColours.shade(look.outlineRgb(), 1, alpha, edge);
     for (Shape shape : archetype.shapes()) {
       shapes.paint(shape, fill, EDGE_M, edge);
     }
@@ -332,7 +333,7 @@ final class WorldPainter {
       for (Convex part : archetype.shapes().get(i).parts()) {
         detail(look, part, alpha, seconds);
         if (speed != 0 && part instanceof Box box) {
-          Theme.shade(look.rgb(), 1.5f, alpha, detail);
+          UiColours.shade(look.rgb(), 1.5f, alpha, detail);
           belt(box, speed * seconds, 1);
           belt(box, -speed * seconds, -1);
         }
@@ -362,7 +363,7 @@ final class WorldPainter {
 
   private void detail(Appearance look, Convex part, float alpha, float seconds) {
     float radius = extent(part);
-    Theme.shade(look.rgb(), 1.35f, alpha, detail);
+    UiColours.shade(look.rgb(), 1.35f, alpha, detail);
     float x = shapes.worldX(0, 0);
     float y = shapes.worldY(0, 0);
     switch (look.look()) {
@@ -420,12 +421,12 @@ final class WorldPainter {
     for (int side = -1; side <= 1; side += 2) {
       float px = drawn.x() + radius * (0.42f * cos - 0.3f * side * sin);
       float py = drawn.y() + radius * (0.42f * sin + 0.3f * side * cos);
-      canvas.disc(px, py, radius * 0.24f, Theme.shade(0xffffff, 1, drawn.alpha(), detail));
+      canvas.disc(px, py, radius * 0.24f, UiColours.shade(0xffffff, 1, drawn.alpha(), detail));
       canvas.disc(
           px + radius * 0.09f * cos,
           py + radius * 0.09f * sin,
           radius * 0.12f,
-          Theme.shade(0x10141c, 1, drawn.alpha(), detail));
+          UiColours.shade(0x10141c, 1, drawn.alpha(), detail));
     }
     if (own) {
       halo(drawn, radius, seconds);
@@ -433,7 +434,7 @@ final class WorldPainter {
   }
 
   private void halo(Drawn drawn, float radius, float seconds) {
-    Theme.shade(0xffffff, 1, 0.7f + 0.25f * MathUtils.sin(seconds * 4), detail);
+    UiColours.shade(0xffffff, 1, 0.7f + 0.25f * MathUtils.sin(seconds * 4), detail);
     for (Shape shape : drawn.archetype().shapes()) {
       if (shape instanceof Circle) {
         canvas.ring(drawn.x(), drawn.y(), radius * 1.3f, EDGE_M, detail);

@@ -129,7 +129,7 @@ final class CreatePage implements Page {
   public void submit() {
     try {
       problem = "";
-      target.create(new LocalGames.Choice(level, bots, open));
+      target.create(new LocalGames.GameChoice(level, bots, open));
     } catch (IllegalStateException e) {
       problem = e.getMessage();
       rebuild.run();
