@@ -24,7 +24,7 @@ final class InputSender {
   private static final int MASK = RING - 1;
 
   /** Datagrams per second while the input holds and there is nothing to acknowledge. */
-  private static final int QUIET_PER_SECOND = 6;
+  private static final int QUIET_PER_SECOND = 4;
 
   /** Quiet intervals for which an input holds, so that a lost datagram changes nothing. */
   private static final int HOLD_INTERVALS = 3;

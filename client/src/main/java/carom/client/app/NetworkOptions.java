@@ -29,13 +29,13 @@ import picocli.CommandLine.Option;
 public final class NetworkOptions {
   /** Amount of logging to standard error. */
   public enum LogLevel {
-    /** Failures. */
+    /** The log has failures only. */
     ERROR,
-    /** Failures, and suspicious things. */
+    /** The log has failures and suspicious things. */
     WARN,
-    /** Warnings, and what happens. */
+    /** The log also has what happens. */
     INFO,
-    /** All of that, and why it happens. */
+    /** The log also has why things happen. */
     DEBUG
   }
 

@@ -30,7 +30,7 @@ final class LevelDownload {
     LOADING,
     /** The level is complete. */
     DONE,
-    /** Pieces don't fit or were damaged; another attempt may work. */
+    /** The pieces don't fit or were damaged; another attempt may work. */
     DAMAGED,
     /** The level is of a kind that this client can't read. */
     UNREADABLE

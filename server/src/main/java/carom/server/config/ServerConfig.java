@@ -179,7 +179,7 @@ public record ServerConfig(
         /* inputWindowTicks= */ 32,
         /* inputHoldTicks= */ 30,
         /* snapshotRateHz= */ 60,
-        /* keepAliveRateHz= */ 6,
+        /* keepAliveRateHz= */ 5,
         /* snapshotBitsPerSecond= */ 512_000,
         /* viewMetres= */ 0,
         /* rosterIntervalMs= */ 250,

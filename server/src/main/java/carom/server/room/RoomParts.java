@@ -20,7 +20,7 @@ import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 
 /**
- * What a room consists of. Each part does one thing.
+ * The parts that a room consists of. Each part does one thing.
  *
  * <pre>
  *   Room ──► RoomTick ──► RoomEnd ──► RoomParts

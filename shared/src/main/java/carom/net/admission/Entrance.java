@@ -23,11 +23,11 @@ import java.util.function.Consumer;
 public final class Entrance<T extends Entrance.Guest> {
   /** Tells what a guest has proven. It only goes on. Any thread may change it. */
   public enum Standing {
-    /** Nothing. */
+    /** The guest has proven nothing. */
     UNPROVEN,
-    /** Something: that it can be reached, has worked, or knows what to say. */
+    /** The guest has proven that it can be reached, has worked, or knows what to say. */
     PROVEN,
-    /** All there is to prove; the guest doesn't wait any more. */
+    /** The guest has proven all there is to prove, and waits no longer. */
     IN
   }
 

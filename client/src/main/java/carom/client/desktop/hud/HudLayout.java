@@ -9,17 +9,17 @@ package carom.client.desktop.hud;
 public final class HudLayout {
   /** A place at the window's edge. Parts at one spot stand below or above each other. */
   public enum Spot {
-    /** Upper edge, in the middle. */
+    /** The upper edge, in the middle. */
     TOP,
-    /** Upper left corner. */
+    /** The upper left corner. */
     TOP_LEFT,
-    /** Upper right corner. */
+    /** The upper right corner. */
     TOP_RIGHT,
-    /** Lower edge, in the middle. */
+    /** The lower edge, in the middle. */
     BOTTOM,
-    /** Lower left corner. */
+    /** The lower left corner. */
     BOTTOM_LEFT,
-    /** Lower right corner. */
+    /** The lower right corner. */
     BOTTOM_RIGHT;
 
     boolean isTop() {

@@ -21,11 +21,11 @@ import java.util.Locale;
 public final class NetGraph {
   /** The amount of detail. */
   public enum Size {
-    /** Nothing. */
+    /** The net graph is hidden. */
     OFF,
-    /** A few lines. */
+    /** The net graph shows a few lines. */
     SMALL,
-    /** All figures and bars. */
+    /** The net graph shows all figures and bars. */
     FULL
   }
 
