@@ -135,6 +135,11 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public boolean ownColours() {
+    return game.ownColours();
+  }
+
+  @Override
   public List<Gauge> gauges() {
     return game.gauges();
   }

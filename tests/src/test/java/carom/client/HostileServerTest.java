@@ -401,7 +401,8 @@ final class HostileServerTest {
     guest.link.send(
         new ServerMessage.Roster(
             List.of(
-                new ServerMessage.RosterEntry(3, "Eve" + "\u202e", 0, 1, false, false, true, 1))));
+                new ServerMessage.RosterEntry(
+                    3, "Eve" + "\u202e", 0, 1, false, false, true, 1, 31))));
     guest.link.send(new ServerMessage.Notice("notice" + EVIL));
     guest.link.send(
         new ServerMessage.RoomList(
@@ -442,7 +443,7 @@ final class HostileServerTest {
             new ServerMessage.Roster(
                 List.of(
                     new ServerMessage.RosterEntry(
-                        (i * 20 + k) % 1_024, "P" + k, 0, i, false, false, true, 1))));
+                        (i * 20 + k) % 1_024, "P" + k, 0, i, false, false, true, 1, 0))));
         guest.link.send(welcome(1_000, 900, "r" + k));
       }
       turn();

@@ -221,7 +221,7 @@ class ProtocolDocTest {
         codec.encode(
             new ServerMessage.Roster(
                 List.of(
-                    new ServerMessage.RosterEntry(0, "Zoë", 2, -3, false, true, true, 85),
+                    new ServerMessage.RosterEntry(0, "Zoë", 2, -3, false, true, true, 85, 3),
                     ServerMessage.RosterEntry.gone(1000)))));
     golden.put(
         "room-list",

@@ -136,6 +136,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     GameScreen game = new GameScreen(canvas, fonts, sounds, keys, widgets, this, this::leave);
     ClientTransport transport = local == null ? sockets : local.transport();
     game.client(new GameClient(visit, transport, game.devices()));
+    game.colour(settings().colour());
     game.netGraph(options.netGraph());
     game.debug(options.debug());
     game.adviceAlone(
@@ -371,6 +372,12 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     keys.set(changed.keys());
     if (changed.volume() != before.volume()) {
       sounds.volume(changed.volume() / 100f);
+    }
+    if (changed.vsync() != before.vsync()) {
+      Gdx.graphics.setVSync(changed.vsync());
+    }
+    if (screen instanceof GameScreen game) {
+      game.colour(changed.colour());
     }
     UiColours.palette(changed.palette());
     fonts.textSize(changed.textSize() / 100f);

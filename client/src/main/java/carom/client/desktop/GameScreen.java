@@ -25,6 +25,7 @@ import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.entity.Input;
+import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
@@ -103,6 +104,11 @@ final class GameScreen extends ScreenAdapter {
     client.events(picture.events(client.view()));
     conversation = new Conversation(client, keys, fonts);
     picture.labels(conversation::drawEmotes);
+  }
+
+  /** Chooses the colour of the own body. */
+  void colour(PlayerColour colour) {
+    client.colour(colour);
   }
 
   /** Shows the net graph's few lines, or nothing of it. */

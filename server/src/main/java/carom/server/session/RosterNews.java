@@ -128,6 +128,7 @@ public final class RosterNews {
         && entry.ready() == p.isReady()
         && entry.alive() == p.isAlive()
         && entry.pingMs() == pings[id]
+        && entry.colour() == p.colour().number()
         && entry.name().equals(session.seat().name());
   }
 
@@ -167,7 +168,8 @@ public final class RosterNews {
         p.isSpectator(),
         p.isReady(),
         p.isAlive(),
-        pingMs);
+        pingMs,
+        p.colour().number());
   }
 
   private static List<Broadcast> messages(List<RosterEntry> entries) {

@@ -270,6 +270,7 @@ public final class KryoMessageCodec implements MessageCodec {
     private static final int SPECTATOR = 1;
     private static final int READY = 1 << 1;
     private static final int ALIVE = 1 << 2;
+    private static final int COLOUR = 3;
 
     @Override
     protected void write(Output out, Roster m) {
@@ -284,10 +285,9 @@ public final class KryoMessageCodec implements MessageCodec {
     }
 
     private static void writeStanding(Output out, RosterEntry entry) {
-      int spectator = entry.spectator() ? SPECTATOR : 0;
-      int ready = entry.ready() ? READY : 0;
-      int alive = entry.alive() ? ALIVE : 0;
-      out.writeByte(spectator | ready | alive);
+      int flags = (entry.spectator() ? SPECTATOR : 0) | (entry.ready() ? READY : 0);
+      flags |= entry.alive() ? ALIVE : 0;
+      out.writeByte(flags | inRange("colour", entry.colour(), 0, RosterEntry.MAX_COLOUR) << COLOUR);
       out.writeVarInt(entry.team(), false);
       out.writeVarInt(entry.score(), false);
       writeInt(out, "ping", entry.pingMs(), 0, RosterEntry.MAX_PING_MS);
@@ -312,7 +312,7 @@ public final class KryoMessageCodec implements MessageCodec {
       if (name.isEmpty()) {
         return RosterEntry.gone(id);
       }
-      int standing = inRange("standing", in.readByteUnsigned(), 0, SPECTATOR | READY | ALIVE);
+      int standing = in.readByteUnsigned();
       return new RosterEntry(
           id,
           name,
@@ -321,7 +321,8 @@ public final class KryoMessageCodec implements MessageCodec {
           (standing & SPECTATOR) != 0,
           (standing & READY) != 0,
           (standing & ALIVE) != 0,
-          readInt(in, "ping", 0, RosterEntry.MAX_PING_MS));
+          readInt(in, "ping", 0, RosterEntry.MAX_PING_MS),
+          standing >> COLOUR);
     }
   }
 

@@ -164,6 +164,8 @@ public sealed interface ServerMessage {
    * @param alive whether the player has a body
    * @param pingMs round trip as the server measures it, 0..{@value #MAX_PING_MS} ms, roughly; 0
    *     while it isn't known or there is no link
+   * @param colour number of the colour that the player has chosen, 0..{@value #MAX_COLOUR}; 0 for
+   *     none
    */
   record RosterEntry(
       int playerId,
@@ -173,13 +175,17 @@ public sealed interface ServerMessage {
       boolean spectator,
       boolean ready,
       boolean alive,
-      int pingMs) {
+      int pingMs,
+      int colour) {
     /** Longest round trip that is told. */
     public static final int MAX_PING_MS = 9_999;
 
+    /** Largest number of a colour, as many as a message has room for. */
+    public static final int MAX_COLOUR = 31;
+
     /** Returns the entry of a participant that has gone. */
     public static RosterEntry gone(int playerId) {
-      return new RosterEntry(playerId, "", 0, 0, false, false, false, 0);
+      return new RosterEntry(playerId, "", 0, 0, false, false, false, 0, 0);
     }
 
     /** Returns whether the player has gone and the id is free. */

@@ -38,7 +38,8 @@ final class KryoMessageCodecTest {
               true,
               true,
               true,
-              RosterEntry.MAX_PING_MS));
+              RosterEntry.MAX_PING_MS,
+              RosterEntry.MAX_COLOUR));
     }
     byte[] chunk = new byte[ProtocolLimits.MAX_LEVEL_CHUNK_BYTES];
     Arrays.fill(chunk, (byte) 0xa5);
@@ -162,7 +163,7 @@ final class KryoMessageCodecTest {
         hex.formatHex(
             codec.encode(
                 new ServerMessage.Roster(
-                    List.of(new RosterEntry(5, "Ab", 1, -7, false, false, true, 200))))));
+                    List.of(new RosterEntry(5, "Ab", 1, -7, false, false, true, 200, 0))))));
     assertEquals("440148", hex.formatHex(codec.encode(new ServerMessage.Notice("H"))));
     assertEquals(
         "450000", hex.formatHex(codec.encode(new ServerMessage.Goodbye(GoodbyeReason.LEFT, ""))));
@@ -176,7 +177,7 @@ final class KryoMessageCodecTest {
     assertEquals(
         new ServerMessage.Goodbye(GoodbyeReason.KICKED, clean),
         again(new ServerMessage.Goodbye(GoodbyeReason.KICKED, evil)));
-    RosterEntry row = new RosterEntry(5, evil, 1, -7, false, false, true, 200);
+    RosterEntry row = new RosterEntry(5, evil, 1, -7, false, false, true, 200, 0);
     ServerMessage.Roster roster =
         (ServerMessage.Roster) again(new ServerMessage.Roster(List.of(row)));
     assertEquals(clean, roster.entries().get(0).name());

@@ -8,6 +8,7 @@ import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.client.view.JointView;
 import carom.game.Games;
+import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.physics.Body;
 import carom.physics.JointType;
 import carom.physics.geometry.Box;
@@ -22,6 +23,7 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.Area;
 import carom.sim.level.Level;
+import carom.sim.message.PlayerColour;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.math.MathUtils;
@@ -34,6 +36,9 @@ final class WorldPainter {
   private static final float SHADOW_X_M = 0.10f;
   private static final float SHADOW_Y_M = -0.14f;
   private static final float EDGE_M = 0.07f;
+
+  /** Width of the rim in a player's own colour, metres. */
+  private static final float RIM_M = 0.16f;
 
   /** Distance between the marks of a conveyor belt, and their size, metres. */
   private static final float BELT_STEP_M = 0.8f;
@@ -68,6 +73,7 @@ final class WorldPainter {
   private final Color detail = new Color();
   private final List<Scenery> scenery = new ArrayList<>();
   private Level sceneryOf;
+  private boolean hasTeams;
 
   WorldPainter(Canvas canvas) {
     this.canvas = canvas;
@@ -111,18 +117,27 @@ final class WorldPainter {
     for (Scenery s : scenery) {
       shapes.pose(s.x, s.y, s.cos, s.sin);
       boolean glows = s.archetype.appearance().look() == Appearance.Look.BUMPER;
-      paint(s.archetype, 1, seconds, glows ? glow(s.archetype, s.x, s.y) : 0);
+      paint(
+          s.archetype,
+          s.archetype.appearance().rgb(),
+          1,
+          seconds,
+          glows ? glow(s.archetype, s.x, s.y) : 0);
     }
     for (int i = 0; i < view.entityCount(); i++) {
-      streak(view.entity(i));
+      streak(view.entity(i), view);
     }
     Drawn own = view.own();
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
       pose(drawn, 0, 0);
-      paint(
-          drawn.archetype(), drawn.alpha(), seconds, glow(drawn.archetype(), drawn.x(), drawn.y()));
+      float glow = glow(drawn.archetype(), drawn.x(), drawn.y());
+      int chosen = chosenRgb(view, drawn);
+      paint(drawn.archetype(), bodyRgb(chosen, drawn), drawn.alpha(), seconds, glow);
       if (drawn.archetype().appearance().look() == Appearance.Look.PLAYER) {
+        if (chosen >= 0 && hasTeams) {
+          rim(drawn, chosen);
+        }
         face(drawn, drawn == own, view, seconds);
       }
     }
@@ -197,7 +212,7 @@ final class WorldPainter {
   }
 
   /** Draws a fading wedge behind a fast ball or a dashing player. */
-  private void streak(Drawn drawn) {
+  private void streak(Drawn drawn, ClientView view) {
     Appearance look = drawn.archetype().appearance();
     float vx = drawn.velocityX();
     float vy = drawn.velocityY();
@@ -206,6 +221,7 @@ final class WorldPainter {
     if (!shows || speed < STREAK_M_S) {
       return;
     }
+    int rgb = bodyRgb(chosenRgb(view, drawn), drawn);
     float radius = 0.9f * extent(drawn.archetype());
     float nx = -vy / speed * radius;
     float ny = vx / speed * radius;
@@ -217,8 +233,7 @@ final class WorldPainter {
       streak[3] = drawn.y() - vy * STREAK_SECONDS * layer;
       streak[4] = drawn.x() - nx;
       streak[5] = drawn.y() - ny;
-      canvas.convex(
-          streak, 3, UiColours.shade(look.rgb(), 1.2f, 0.22f * share * drawn.alpha(), fill));
+      canvas.convex(streak, 3, UiColours.shade(rgb, 1.2f, 0.22f * share * drawn.alpha(), fill));
     }
   }
 
@@ -234,6 +249,7 @@ final class WorldPainter {
     Simulation still =
         new Simulation(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
     still.world().forEachBody(this::gather);
+    hasTeams = !still.game().teams().isEmpty();
   }
 
   private void gather(Body<Entity> body) {
@@ -283,12 +299,31 @@ final class WorldPainter {
     }
   }
 
-  private void paint(Archetype archetype, float alpha, float seconds, float glow) {
+  /** Returns the colour that a body's player has chosen for it; -1 if it has none. */
+  private static int chosenRgb(ClientView view, Drawn drawn) {
+    boolean isPlayer = drawn.archetype().appearance().look() == Appearance.Look.PLAYER;
+    RosterEntry player = isPlayer ? view.participant(drawn.ownerId()) : null;
+    return player == null ? -1 : PlayerColour.of(player.colour()).rgb();
+  }
+
+  private int bodyRgb(int chosen, Drawn drawn) {
+    return chosen >= 0 && !hasTeams ? chosen : drawn.archetype().appearance().rgb();
+  }
+
+  /** Draws a rim in the colour of a player whose body has that of the team. */
+  private void rim(Drawn drawn, int rgb) {
+    UiColours.shade(rgb, 1, drawn.alpha(), detail);
+    for (Shape shape : drawn.archetype().shapes()) {
+      shapes.outline(shape, RIM_M, detail);
+    }
+  }
+
+  private void paint(Archetype archetype, int rgb, float alpha, float seconds, float glow) {
     Appearance look = archetype.appearance();
     if (archetype.sensor() && look.look() == Appearance.Look.PLAIN) {
       alpha *= SENSOR;
     }
-    UiColours.shade(look.rgb(), 1 + 0.6f * glow, alpha, fill);
+    UiColours.shade(rgb, 1 + 0.6f * glow, alpha, fill);
     UiColours.shade(look.outlineRgb(), 1, alpha, edge);
     for (Shape shape : archetype.shapes()) {
       shapes.paint(shape, fill, EDGE_M, edge);

@@ -43,7 +43,7 @@ public final class StartScreen extends ScreenAdapter {
     this.target = target;
     Runnable rebuild = () -> stale = true;
     join = new JoinPage(widgets, host, target, server, rebuild);
-    create = games == null ? null : new CreatePage(widgets, target, games, rebuild);
+    create = games == null ? null : new CreatePage(widgets, host, target, games, rebuild);
     if (create != null) {
       pages.put("Play here", create);
     }

@@ -8,6 +8,7 @@ import com.badlogic.gdx.graphics.Texture;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.NinePatch;
 import com.badlogic.gdx.scenes.scene2d.Actor;
+import com.badlogic.gdx.scenes.scene2d.ui.Image;
 import com.badlogic.gdx.scenes.scene2d.ui.Label;
 import com.badlogic.gdx.scenes.scene2d.ui.ScrollPane;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
@@ -46,6 +47,7 @@ public final class Widgets implements Disposable {
   private final Drawable selection;
   private final Drawable bar;
   private final Drawable caret;
+  private final Drawable white;
 
   /** Creates the drawables. The fonts stay the property of the caller. */
   public Widgets(Fonts fonts) {
@@ -62,6 +64,7 @@ public final class Widgets implements Disposable {
     selection = box(UiColours.rgb(0x2f4d78), UiColours.rgb(0x2f4d78));
     bar = box(UiColours.PANEL_LINE, UiColours.PANEL_LINE);
     caret = line(UiColours.ACCENT);
+    white = box(Color.WHITE, Color.WHITE);
   }
 
   /** Returns how many pixels a point has. */
@@ -186,6 +189,13 @@ public final class Widgets implements Disposable {
     made.setMaxLength(maxLength);
     made.setFocusTraversal(false);
     return made;
+  }
+
+  /** Returns a square of a colour, as the player's palette shows it. */
+  Image swatch(int rgb) {
+    Image square = new Image(white);
+    UiColours.shade(rgb, 1, 1, square.getColor());
+    return square;
   }
 
   /** Returns an empty panel. */
