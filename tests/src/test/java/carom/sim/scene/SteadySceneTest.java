@@ -94,7 +94,7 @@ final class SteadySceneTest {
   private static long[] run(Scene scene) {
     var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     World<String> world = new World<>(scene.def());
-    Stage<String> stage = new Stage<>(world);
+    SceneWorld<String> stage = new SceneWorld<>(world);
     scene.build(stage);
     world.listener(stage.listener());
     float dt = 1f / scene.tickRate();

@@ -3,10 +3,10 @@ package carom.sim.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import carom.fixtures.Allocations;
 import carom.physics.Body;
 import carom.sim.scene.catalog.BenchmarkScenes;
 import carom.sim.scene.catalog.Scenes;
-import carom.testkit.Allocations;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
