@@ -1,7 +1,7 @@
 package carom.client;
 
 import carom.client.link.ServerAddress;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
 import carom.values.Records;
 
@@ -60,8 +60,8 @@ public record ClientConfig(
     if (problem != null) {
       throw new IllegalArgumentException(problem);
     }
-    require("token.length", token.length(), 0, Limits.MAX_TOKEN_BYTES);
-    require("game.length", game.length(), 0, Limits.MAX_GAME_NAME_BYTES);
+    require("token.length", token.length(), 0, ProtocolLimits.MAX_TOKEN_BYTES);
+    require("game.length", game.length(), 0, ProtocolLimits.MAX_GAME_NAME_BYTES);
   }
 
   /** Returns the defaults for a player of this name on this machine's server. */

@@ -28,6 +28,7 @@ import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
+import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import carom.sim.outbox.Event;
 import java.util.List;
@@ -92,6 +93,8 @@ public final class GameClient implements AutoCloseable {
   private JoinedGame game;
 
   private long declarationsDigest;
+  private PlayerColour colour = PlayerColour.OF_THE_GAME;
+  private boolean colourIsDue;
 
   private long nowNs;
   private long lastUpdateNs;
@@ -156,6 +159,7 @@ public final class GameClient implements AutoCloseable {
         interest.follow(watched.id());
         view.watched(watched.id());
         interest.sendIfDue(connection, nowNs);
+        colourIsDue = colourIsDue && !send(BuiltInKinds.COLOUR.of(colour));
       }
     }
     describe();
@@ -247,6 +251,7 @@ public final class GameClient implements AutoCloseable {
   private void join(ServerMessage.Welcome welcome, Level level, Simulation simulation) {
     interest.reset();
     watched.reset();
+    colourIsDue = colour != PlayerColour.OF_THE_GAME;
     messages.begin(welcome, simulation.messageKinds());
     game =
         new JoinedGame(
@@ -338,6 +343,15 @@ public final class GameClient implements AutoCloseable {
    */
   public boolean team(int team) {
     return send(BuiltInKinds.TEAM.of(team));
+  }
+
+  /**
+   * Chooses the colour of the own body, in this match and in those that follow. If the game doesn't
+   * let players choose, nothing happens.
+   */
+  public void colour(PlayerColour chosen) {
+    colourIsDue |= chosen != colour;
+    colour = chosen;
   }
 
   /** Asks to play or to watch, see {@link #send}. If the game refuses, the server says why. */

@@ -5,7 +5,7 @@ import carom.client.link.Connection;
 import carom.client.prediction.Prediction;
 import carom.client.stats.NetStatsRecorder;
 import carom.net.protocol.InputDatagram;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.sim.entity.Player;
@@ -24,7 +24,7 @@ final class InputSender {
   private static final int MASK = RING - 1;
 
   /** Datagrams per second while the input holds and there is nothing to acknowledge. */
-  private static final int QUIET_PER_SECOND = 6;
+  private static final int QUIET_PER_SECOND = 4;
 
   /** Quiet intervals for which an input holds, so that a lost datagram changes nothing. */
   private static final int HOLD_INTERVALS = 3;
@@ -155,7 +155,7 @@ final class InputSender {
     int available = tick - inputs.firstTick() + 1;
     int pending = Math.min(tick - ackedTick, available);
     int least = Math.min(ticksPerDatagram, available);
-    datagram.count = Math.max(least, Math.min(Limits.MAX_INPUTS, pending));
+    datagram.count = Math.max(least, Math.min(ProtocolLimits.MAX_INPUTS, pending));
     for (int i = 0; i < datagram.count; i++) {
       datagram.inputs[i] = inputs.at(tick - i);
     }

@@ -13,7 +13,7 @@ import carom.client.prediction.Prediction;
 import carom.client.stats.NetStatsRecorder;
 import carom.client.view.ViewComposer;
 import carom.client.view.ViewWriter;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.frame.FrameState;
@@ -97,7 +97,7 @@ final class JoinedGame {
     fields = new RemoteFields(simulation.schema(), () -> view.view().tick());
     decoder =
         new SnapshotDecoder(
-            Limits.MAX_ENTITIES,
+            ProtocolLimits.MAX_ENTITIES,
             welcome.epoch(),
             welcome.tick(),
             welcome.tickRate(),
@@ -105,7 +105,8 @@ final class JoinedGame {
             fields.inbox());
     placeJoints(level, fields.inbox());
     decoder.gravity(level.gravityX(), level.gravityY());
-    decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
+    decoder.level(
+        FrameState.of(ProtocolLimits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
     inbox = new SnapshotInbox(decoder, stats);
     clock = new TickClock(tickRate);
     renderClock = new RenderClock(tickRate);

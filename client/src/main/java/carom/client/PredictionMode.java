@@ -5,11 +5,20 @@ import java.util.Locale;
 
 /** The things that a client simulates ahead of the server. */
 public enum PredictionMode {
-  /** Nothing. The own body is interpolated like all others; for spectators and cheap bots. */
+  /**
+   * The client predicts nothing. The own body is interpolated like all others; for spectators and
+   * cheap bots.
+   */
   NONE,
-  /** The own body, the bodies it touches, directly or through others, or may touch soon. */
+  /**
+   * The client predicts its own body and the bodies that this one touches, directly or through
+   * others, or may touch soon.
+   */
   ISLAND,
-  /** As many bodies around the own one as the server can send exactly, the closest first. */
+  /**
+   * The client predicts as many bodies around its own one as the server can send exactly, the
+   * closest first.
+   */
   ALL;
 
   /** Returns the value of this mode in an {@link InputDatagram}. */

@@ -34,12 +34,12 @@ public final class LocalServers implements LocalGames {
   }
 
   @Override
-  public LocalGame start(Choice choice) {
+  public LocalGame start(GameChoice choice) {
     return start(choice, TCP_PORT, UDP_PORT);
   }
 
   /** Starts a server on other ports, of which 0 are any; they count only if others may join. */
-  static LocalServer start(Choice choice, int tcpPort, int udpPort) {
+  static LocalServer start(GameChoice choice, int tcpPort, int udpPort) {
     if (choice.bots() < 0 || choice.bots() > MAX_BOTS) {
       throw new IllegalArgumentException("bots=" + choice.bots() + " is outside 0.." + MAX_BOTS);
     }
@@ -63,7 +63,7 @@ public final class LocalServers implements LocalGames {
     }
   }
 
-  private static KryoServerTransport open(Choice choice, int tcpPort, int udpPort) {
+  private static KryoServerTransport open(GameChoice choice, int tcpPort, int udpPort) {
     try {
       return choice.open() ? new KryoServerTransport(tcpPort, udpPort) : null;
     } catch (PortUnavailableException e) {

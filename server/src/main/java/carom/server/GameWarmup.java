@@ -3,8 +3,8 @@ package carom.server;
 import carom.net.field.FieldTables;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
-import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.table.TableInbox;
@@ -122,10 +122,11 @@ final class GameWarmup {
       if (message instanceof ServerMessage.Welcome welcome) {
         datagram.epoch = welcome.epoch();
         declarationsDigest = welcome.declarationsDigest();
-        FieldTables tables = new FieldTables(schema, Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
+        FieldTables tables =
+            new FieldTables(schema, ProtocolLimits.MAX_PLAYERS, ProtocolLimits.MAX_ENTITIES);
         decoder =
             new SnapshotDecoder(
-                Limits.MAX_ENTITIES,
+                ProtocolLimits.MAX_ENTITIES,
                 welcome.epoch(),
                 welcome.tick(),
                 welcome.tickRate(),

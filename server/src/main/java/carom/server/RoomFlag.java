@@ -1,6 +1,6 @@
 package carom.server;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
 import java.util.List;
 import java.util.Map;
@@ -46,10 +46,10 @@ record RoomFlag(String name, List<String> levels, int places) {
     if (withPlaces.matches()) {
       levels = withPlaces.group(1);
       places = number(withPlaces.group(2));
-      if (places < 1 || places > Limits.MAX_PLAYERS) {
+      if (places < 1 || places > ProtocolLimits.MAX_PLAYERS) {
         throw new IllegalArgumentException(
             "--room=%s: players=%s is outside 1..%d"
-                .formatted(text, withPlaces.group(2), Limits.MAX_PLAYERS));
+                .formatted(text, withPlaces.group(2), ProtocolLimits.MAX_PLAYERS));
       }
     }
     return new RoomFlag(name, levels("--room=" + text, levels), places);

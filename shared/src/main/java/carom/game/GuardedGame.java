@@ -31,7 +31,7 @@ import java.util.Objects;
 public final class GuardedGame implements Game {
   /** Receives failures. */
   @FunctionalInterface
-  public interface Watch {
+  public interface FailureListener {
     /**
      * Receives the failure of a callback.
      *
@@ -61,7 +61,7 @@ public final class GuardedGame implements Game {
       (game, s, e, none) -> Objects.requireNonNull(game.audience(s, e), "audience");
 
   private final Game game;
-  private final Watch watch;
+  private final FailureListener watch;
 
   /**
    * Guards a game.
@@ -69,7 +69,7 @@ public final class GuardedGame implements Game {
    * @param game the game to guard
    * @param watch receives each failure, during the step
    */
-  public GuardedGame(Game game, Watch watch) {
+  public GuardedGame(Game game, FailureListener watch) {
     this.game = game;
     this.watch = watch;
   }
@@ -132,6 +132,11 @@ public final class GuardedGame implements Game {
   @Override
   public int teamRgb(int team) {
     return game.teamRgb(team);
+  }
+
+  @Override
+  public boolean ownColours() {
+    return game.ownColours();
   }
 
   @Override

@@ -16,7 +16,7 @@ public final class NetworkConditions {
 
   /** A typical network. Delays and losses are one way. */
   public enum Preset {
-    /** No simulated impairment. */
+    /** The network as it is, without simulated impairment. */
     NONE(Impairment.NONE),
     /** A busy wireless network at home. */
     WIFI(

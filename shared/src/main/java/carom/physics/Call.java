@@ -11,7 +11,7 @@ import carom.physics.rows.BodyRow;
  * passes.
  */
 enum Call {
-  /** A step; f: its length. */
+  /** The world makes a step; f: its length. */
   STEP("f"),
   /** A body is created; v: its definition. */
   CREATE_BODY("v"),
@@ -97,7 +97,7 @@ enum Call {
   SET_TARGET("jff"),
   /** {@link Joint#setTargetAngle}. */
   SET_TARGET_ANGLE("jf"),
-  /** The end of a recording; no call. */
+  /** The recording ends; this is no call. */
   END("");
 
   /** Number of ints of a body's row. */

@@ -39,14 +39,14 @@ public final class Recorder implements Journal {
    * @param stateSeconds time between whole states, s; 0 = only one, with which it always begins
    * @param mostStateBytes largest state that is written, bytes, 1..{@link #MOST_STATE_BYTES}
    */
-  public record Pace(
+  public record Intervals(
       int blocksPerSecond, int keyframeSeconds, int stateSeconds, int mostStateBytes) {
     /** The pace of a recording that people play and search. */
-    public static final Pace RECORDING =
-        new Pace(1, KEYFRAME_SECONDS, STATE_SECONDS, MOST_STATE_BYTES);
+    public static final Intervals RECORDING =
+        new Intervals(1, KEYFRAME_SECONDS, STATE_SECONDS, MOST_STATE_BYTES);
 
     /** The pace of a log behind a checkpoint, which is read once, from its beginning. */
-    public static final Pace LOG = new Pace(4, 0, 0, MOST_STATE_BYTES);
+    public static final Intervals LOG = new Intervals(4, 0, 0, MOST_STATE_BYTES);
   }
 
   /** Largest number of bytes of a state before the part that the simulation writes. */
@@ -57,7 +57,7 @@ public final class Recorder implements Journal {
 
   private static final int FULL_BLOCK = 1 << 16;
 
-  private final Pace pace;
+  private final Intervals pace;
   private final ByteSink out = new ByteSink();
   private final ByteSink keyframe = new ByteSink();
   private final Fingerprint now = new Fingerprint();
@@ -91,11 +91,11 @@ public final class Recorder implements Journal {
    *     large
    */
   public Recorder(Simulation s, RecordingHeader header, BlockSink sink) {
-    this(s, header, sink, Pace.RECORDING);
+    this(s, header, sink, Intervals.RECORDING);
   }
 
   /** Begins a recording as above, with another pace. */
-  public Recorder(Simulation s, RecordingHeader header, BlockSink sink, Pace pace) {
+  public Recorder(Simulation s, RecordingHeader header, BlockSink sink, Intervals pace) {
     this.pace = pace;
     begin(s, header, sink);
   }

@@ -34,7 +34,7 @@ public final class RecordingReader implements AutoCloseable {
   private static final int MAX_REASON_BYTES = 1_024;
 
   /** An event in a recording. */
-  public enum Event {
+  public enum Entry {
     /** The player {@link #playerId} with the name {@link #playerName} joins. */
     JOIN,
     /** The spectator {@link #playerId} with the name {@link #playerName} comes. */
@@ -62,14 +62,14 @@ public final class RecordingReader implements AutoCloseable {
   private record StatePlace(int tick, long position) {}
 
   /** A place between two blocks to which a reader can return, with what the reader knew there. */
-  public static final class Mark {
+  public static final class Position {
     private final long position;
     private final long[] inputs;
     private final int[] viewDelays;
     private final Fingerprint sums = new Fingerprint();
     private final int[] keyStates;
 
-    private Mark(RecordingReader r) {
+    private Position(RecordingReader r) {
       position = r.position;
       inputs = r.inputs.clone();
       viewDelays = r.viewDelays.clone();
@@ -184,15 +184,15 @@ public final class RecordingReader implements AutoCloseable {
    *
    * @throws RecordingException when the file is damaged here; earlier events stay valid
    */
-  public Event next() throws IOException {
+  public Entry next() throws IOException {
     if (ended) {
-      return Event.END;
+      return Entry.END;
     }
-    Event event = null;
+    Entry event = null;
     while (event == null) {
       while (block.isEmpty()) {
         if (!nextBlock()) {
-          return Event.WAIT;
+          return Entry.WAIT;
         }
       }
       try {
@@ -202,7 +202,7 @@ public final class RecordingReader implements AutoCloseable {
               case TICKS -> readTicks();
               case KEYFRAME -> readKeyframe();
               case END -> readEnd();
-              case STATE -> readState() ? Event.STATE : null;
+              case STATE -> readState() ? Entry.STATE : null;
             };
       } catch (RecordingException e) {
         throw damaged(e.getMessage());
@@ -247,7 +247,7 @@ public final class RecordingReader implements AutoCloseable {
     return true;
   }
 
-  private Event readTicks() throws RecordingException {
+  private Entry readTicks() throws RecordingException {
     int tag = block.u8();
     switch (tag) {
       case Block.JOIN, Block.WATCH:
@@ -255,18 +255,18 @@ public final class RecordingReader implements AutoCloseable {
         playerName = block.text("player name", MAX_NAME_BYTES);
         inputs[playerId] = 0;
         viewDelays[playerId] = 0;
-        return tag == Block.JOIN ? Event.JOIN : Event.WATCH;
+        return tag == Block.JOIN ? Entry.JOIN : Entry.WATCH;
       case Block.ROLE:
         playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
         role = PlayerRole.values()[block.varint("role", 0, PlayerRole.values().length - 1)];
-        return Event.ROLE;
+        return Entry.ROLE;
       case Block.LEAVE:
         playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
-        return Event.LEAVE;
+        return Entry.LEAVE;
       case Block.MESSAGE:
         playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
         message = block.bytes(block.varint("bytes of a message", 1, MessageKind.MAX_BYTES));
-        return Event.MESSAGE;
+        return Entry.MESSAGE;
       case Block.TICK:
         changedCount = block.varint("changed inputs", 0, Simulation.MAX_PLAYERS);
         for (int i = 0; i < changedCount; i++) {
@@ -276,7 +276,7 @@ public final class RecordingReader implements AutoCloseable {
           long delay = block.varint();
           viewDelays[id] += (int) (delay >>> 1) ^ -((int) delay & 1);
         }
-        return Event.TICK;
+        return Entry.TICK;
       case Block.STEPPED:
         hash = block.i64();
         sums.weight ^= block.varint();
@@ -284,13 +284,13 @@ public final class RecordingReader implements AutoCloseable {
         for (int f = 0; f < Fingerprint.FIELDS; f++) {
           sums.fields[f] ^= (int) block.varint();
         }
-        return Event.STEPPED;
+        return Entry.STEPPED;
       default:
         throw new RecordingException("damaged: unknown entry=" + tag);
     }
   }
 
-  private Event readKeyframe() throws RecordingException {
+  private Entry readKeyframe() throws RecordingException {
     keyframeTick = block.varint("tick", 0, Integer.MAX_VALUE);
     hash = block.i64();
     keyframeLimit = block.varint("entities", 0, Simulation.MAX_ENTITIES);
@@ -313,14 +313,14 @@ public final class RecordingReader implements AutoCloseable {
     if (!block.isEmpty()) {
       throw new RecordingException("damaged: a keyframe has bytes left over");
     }
-    return Event.KEYFRAME;
+    return Entry.KEYFRAME;
   }
 
-  private Event readEnd() throws RecordingException {
+  private Entry readEnd() throws RecordingException {
     cut = block.u8() != 0;
     reason = block.text("reason", MAX_REASON_BYTES);
     ended = true;
-    return Event.END;
+    return Entry.END;
   }
 
   /** Reads the next block as a whole. Returns false when the file ends before the block does. */
@@ -454,7 +454,7 @@ public final class RecordingReader implements AutoCloseable {
     return message;
   }
 
-  /** Returns how many players' inputs or view delays changed at {@link Event#TICK}. */
+  /** Returns how many players' inputs or view delays changed at {@link Entry#TICK}. */
   public int changedCount() {
     return changedCount;
   }
@@ -513,7 +513,7 @@ public final class RecordingReader implements AutoCloseable {
   }
 
   /**
-   * Goes to the state that {@link #findState} finds for a tick; {@link Event#STATE} comes next.
+   * Goes to the state that {@link #findState} finds for a tick; {@link Entry#STATE} comes next.
    *
    * @return false when there is none; nothing has changed then
    */
@@ -615,7 +615,7 @@ public final class RecordingReader implements AutoCloseable {
     return reason;
   }
 
-  /** Returns the number of bytes after the last whole block, at {@link Event#WAIT}. */
+  /** Returns the number of bytes after the last whole block, at {@link Entry#WAIT}. */
   public long tornBytes() throws IOException {
     return file.size() - position;
   }
@@ -635,15 +635,15 @@ public final class RecordingReader implements AutoCloseable {
    *
    * @throws IllegalStateException when the reader is within a block
    */
-  public Mark mark() {
+  public Position mark() {
     if (!block.isEmpty()) {
       throw new IllegalStateException("a mark can be set between two blocks only");
     }
-    return new Mark(this);
+    return new Position(this);
   }
 
   /** Goes back to a mark of this reader. */
-  public void reset(Mark mark) {
+  public void reset(Position mark) {
     goTo(mark.position);
     System.arraycopy(mark.inputs, 0, inputs, 0, inputs.length);
     System.arraycopy(mark.viewDelays, 0, viewDelays, 0, viewDelays.length);

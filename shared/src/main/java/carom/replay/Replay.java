@@ -75,7 +75,7 @@ public final class Replay {
   public Replay(RecordingReader reader, Simulation simulation) throws IOException {
     this.reader = reader;
     this.simulation = simulation;
-    if (reader.isStateNext() && reader.next() == RecordingReader.Event.STATE) {
+    if (reader.isStateNext() && reader.next() == RecordingReader.Entry.STATE) {
       state();
     }
   }
@@ -91,7 +91,7 @@ public final class Replay {
    */
   public static void restoreFirstState(RecordingReader reader, Simulation simulation)
       throws IOException {
-    if (!reader.isStateNext() || reader.next() != RecordingReader.Event.STATE) {
+    if (!reader.isStateNext() || reader.next() != RecordingReader.Entry.STATE) {
       throw new RecordingException("it begins with no whole state");
     }
     try {
@@ -333,7 +333,7 @@ public final class Replay {
     computing = false;
     inTick = false;
     divergence = null;
-    if (reader.next() != RecordingReader.Event.STATE) {
+    if (reader.next() != RecordingReader.Entry.STATE) {
       throw contradicts("a state is cut off");
     }
     state();
@@ -392,12 +392,12 @@ public final class Replay {
   }
 
   /** A tick to which the replay can return. It takes as much memory as the world's state. */
-  public static final class Mark {
+  public static final class SavedTick {
     private final SimState state;
-    private final RecordingReader.Mark place;
+    private final RecordingReader.Position place;
     private final Divergence divergence;
 
-    private Mark(SimState state, RecordingReader.Mark place, Divergence divergence) {
+    private SavedTick(SimState state, RecordingReader.Position place, Divergence divergence) {
       this.state = state;
       this.place = place;
       this.divergence = divergence;
@@ -419,12 +419,12 @@ public final class Replay {
    *
    * @throws IllegalStateException when {@link #canMark} is false
    */
-  public Mark mark() {
-    return new Mark(simulation.save(null), reader.mark(), divergence);
+  public SavedTick mark() {
+    return new SavedTick(simulation.save(null), reader.mark(), divergence);
   }
 
   /** Goes to a marked tick of this replay, backwards or forwards. Divergences found are kept. */
-  public void reset(Mark mark) {
+  public void reset(SavedTick mark) {
     simulation.restore(mark.state);
     reader.reset(mark.place);
     divergence = mark.divergence;

@@ -126,6 +126,15 @@ public interface Game {
     return usual[(team - 1) % usual.length];
   }
 
+  /**
+   * Returns whether players may choose a colour. Clients then draw a player's body in it, or only
+   * the body's rim if there are {@link #teams}. A game in which colours of bodies have a meaning of
+   * their own returns false. The same at every call.
+   */
+  default boolean ownColours() {
+    return true;
+  }
+
   /** Returns the fields that clients show to players. The same at every call. */
   default List<Gauge> gauges() {
     return List.of();

@@ -1,5 +1,6 @@
 package carom.sim;
 
+import static carom.sim.message.BuiltInKinds.COLOUR;
 import static carom.sim.message.BuiltInKinds.EMOTE;
 import static carom.sim.message.BuiltInKinds.EMOTED;
 import static carom.sim.message.BuiltInKinds.MAX_CHAT;
@@ -13,6 +14,7 @@ import static carom.sim.message.BuiltInKinds.TEAM;
 import carom.sim.entity.Player;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
+import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import java.util.List;
 
@@ -35,6 +37,9 @@ final class Talk {
       team(s, p, m.count("team"));
     } else if (m.is(READY)) {
       p.ready(m.flag("ready"));
+    } else if (m.is(COLOUR)) {
+      boolean lets = s.game().ownColours();
+      p.colour(lets ? m.choice("colour", PlayerColour.class) : PlayerColour.OF_THE_GAME);
     } else if (!p.isSpectator()) {
       s.game().message(s, p, m);
     }

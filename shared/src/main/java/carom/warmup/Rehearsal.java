@@ -22,7 +22,10 @@ final class Rehearsal {
   /** Steps until the pile sleeps, about. */
   private static final int STEPS = 240;
 
-  /** With the net more than 512 bodies: kernels hash no shorter columns. */
+  /**
+   * Number of columns of the pile; with the net, more than 512 bodies, because kernels hash no
+   * shorter columns.
+   */
   private static final int COLUMNS = 16;
 
   private static final int ROWS = 24;

@@ -95,8 +95,8 @@ final class ConnectionTest {
         .send(
             new ServerMessage.Roster(
                 List.of(
-                    new ServerMessage.RosterEntry(0, "tester", 0, 3, false, false, true, 0),
-                    new ServerMessage.RosterEntry(4, "Ada", 0, 1, false, false, true, 0))));
+                    new ServerMessage.RosterEntry(0, "tester", 0, 3, false, false, true, 0, 0),
+                    new ServerMessage.RosterEntry(4, "Ada", 0, 1, false, false, true, 0, 0))));
     for (int i = 0; i < 10; i++) {
       guest(0).link.send(new ServerMessage.Notice("line " + i));
     }

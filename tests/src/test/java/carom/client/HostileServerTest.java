@@ -11,8 +11,8 @@ import carom.net.frame.Frame;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.server.KryoServerTransport;
 import carom.net.protocol.GoodbyeReason;
-import carom.net.protocol.Limits;
 import carom.net.protocol.PackedLevel;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.Encryption;
@@ -336,7 +336,7 @@ final class HostileServerTest {
       @Override
       void level(ScriptedServer.Guest guest, int offset) {
         int from = onlyTheFirst ? 0 : offset;
-        int to = Math.min(packed.length, from + Limits.MAX_LEVEL_CHUNK_BYTES);
+        int to = Math.min(packed.length, from + ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
         guest.link.send(new ServerMessage.LevelChunk(from, Arrays.copyOfRange(packed, from, to)));
       }
     };
@@ -401,7 +401,8 @@ final class HostileServerTest {
     guest.link.send(
         new ServerMessage.Roster(
             List.of(
-                new ServerMessage.RosterEntry(3, "Eve" + "\u202e", 0, 1, false, false, true, 1))));
+                new ServerMessage.RosterEntry(
+                    3, "Eve" + "\u202e", 0, 1, false, false, true, 1, 31))));
     guest.link.send(new ServerMessage.Notice("notice" + EVIL));
     guest.link.send(
         new ServerMessage.RoomList(
@@ -432,7 +433,7 @@ final class HostileServerTest {
   void aFloodOfMessagesLeavesTheClientWithinItsMemory() throws Exception {
     ScriptedServer.Guest guest = startToPlay(new ScriptedServer.Script());
     long before = usedBytes();
-    byte[] bytes = new byte[Limits.MAX_GAME_MESSAGE_BYTES];
+    byte[] bytes = new byte[ProtocolLimits.MAX_GAME_MESSAGE_BYTES];
     for (int i = 0; i < 300 && client.view().phase() == ConnectionPhase.PLAYING; i++) {
       for (int k = 0; k < 20; k++) {
         guest.link.send(new ServerMessage.Notice("n" + i + "." + k + "x".repeat(400)));
@@ -442,7 +443,7 @@ final class HostileServerTest {
             new ServerMessage.Roster(
                 List.of(
                     new ServerMessage.RosterEntry(
-                        (i * 20 + k) % 1_024, "P" + k, 0, i, false, false, true, 1))));
+                        (i * 20 + k) % 1_024, "P" + k, 0, i, false, false, true, 1, 0))));
         guest.link.send(welcome(1_000, 900, "r" + k));
       }
       turn();

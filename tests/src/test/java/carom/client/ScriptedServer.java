@@ -5,8 +5,8 @@ import carom.net.codec.Sequence;
 import carom.net.field.Declarations;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
-import carom.net.protocol.Limits;
 import carom.net.protocol.PackedLevel;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.SnapshotEncoder;
@@ -111,7 +111,7 @@ final class ScriptedServer {
 
     void sendLevel(int offset) {
       byte[] bytes = PackedLevel.pack(level.source());
-      int to = Math.min(bytes.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
+      int to = Math.min(bytes.length, offset + ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
       link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(bytes, offset, to)));
     }
 

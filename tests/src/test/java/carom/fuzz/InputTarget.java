@@ -1,7 +1,7 @@
 package carom.fuzz;
 
 import carom.net.protocol.InputDatagram;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import java.util.Arrays;
 import java.util.List;
 
@@ -16,7 +16,7 @@ final class InputTarget implements FuzzTarget {
       return;
     }
     if (read.count < 0
-        || read.count > Limits.MAX_INPUTS
+        || read.count > ProtocolLimits.MAX_INPUTS
         || read.viewDelay < 0
         || read.viewDelay > InputDatagram.MAX_VIEW_DELAY
         || read.holdTicks < 0
@@ -43,7 +43,7 @@ final class InputTarget implements FuzzTarget {
     datagram.newestTick = 100;
     datagram.disagrees = true;
     datagram.disagreedTick = 90;
-    datagram.count = Limits.MAX_INPUTS;
+    datagram.count = ProtocolLimits.MAX_INPUTS;
     for (int i = 0; i < datagram.count; i++) {
       datagram.inputs[i] = i * 0x1234567L & (1L << 48) - 1;
     }

@@ -4,7 +4,7 @@ import carom.net.frame.ClientEnd;
 import carom.net.frame.Frame;
 import carom.net.frame.Trust;
 import carom.net.kryo.KryoMessageCodec;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.DatagramSealer;
 import carom.net.seal.Encryption;
@@ -103,7 +103,7 @@ final class LinkTarget implements FuzzTarget {
     @Override
     public void datagram(Link link, byte[] bytes, int length) {
       arrived++;
-      if (length < 1 || length > Limits.MAX_DATAGRAM_BYTES) {
+      if (length < 1 || length > ProtocolLimits.MAX_DATAGRAM_BYTES) {
         throw new AssertionError("a datagram of bytes=" + length);
       }
     }
@@ -150,12 +150,12 @@ final class LinkTarget implements FuzzTarget {
           }
         }
       }
-      client.poll(inbox, Limits.MAX_INPUTS);
+      client.poll(inbox, ProtocolLimits.MAX_INPUTS);
       if (client.state() == Link.State.OPEN && genuine == 0) {
         throw new AssertionError("a link opened without a right exchange of keys");
       }
     }
-    client.poll(inbox, Limits.MAX_INPUTS);
+    client.poll(inbox, ProtocolLimits.MAX_INPUTS);
     if (inbox.arrived > data.length) {
       throw new AssertionError("arrived=" + inbox.arrived + " of bytes=" + data.length);
     }

@@ -2,8 +2,8 @@ package carom.fuzz;
 
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.ClientMessage;
-import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import java.util.Arrays;
 import java.util.List;
@@ -21,8 +21,8 @@ final class MessageTarget implements FuzzTarget {
     byte[] written = codec.encode(message);
     int limit =
         message instanceof ClientMessage
-            ? Limits.MAX_CLIENT_MESSAGE_BYTES
-            : Limits.MAX_SERVER_MESSAGE_BYTES;
+            ? ProtocolLimits.MAX_CLIENT_MESSAGE_BYTES
+            : ProtocolLimits.MAX_SERVER_MESSAGE_BYTES;
     if (written.length > limit) {
       throw new AssertionError(message + " has bytes=" + written.length + ", limit " + limit);
     }

@@ -6,8 +6,8 @@ import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.DatagramMark;
 import carom.net.protocol.InputDatagram;
-import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -52,7 +52,7 @@ final class SessionTarget implements FuzzTarget {
         }
         act(stepper, link, peer, pieces.kind() % KINDS, piece);
         stepper.step();
-        link.poll(peer, Limits.MAX_INPUTS);
+        link.poll(peer, ProtocolLimits.MAX_INPUTS);
       }
       for (int i = 0; i < 10; i++) {
         stepper.step(SLICES);
@@ -72,7 +72,7 @@ final class SessionTarget implements FuzzTarget {
         }
       }
       case DATAGRAM -> {
-        if (piece.length > 0 && piece.length <= Limits.MAX_DATAGRAM_BYTES) {
+        if (piece.length > 0 && piece.length <= ProtocolLimits.MAX_DATAGRAM_BYTES) {
           // Its lowest bit decides between inputs and messages.
           piece[0] =
               (byte) (piece[0] & (-1 << DatagramMark.BITS | 1) | DatagramMark.ofState(epoch));

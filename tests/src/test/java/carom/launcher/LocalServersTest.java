@@ -9,7 +9,7 @@ import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.InputSource;
 import carom.client.app.LocalGames;
-import carom.client.app.LocalGames.Choice;
+import carom.client.app.LocalGames.GameChoice;
 import carom.client.link.ConnectionPhase;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
@@ -56,7 +56,7 @@ final class LocalServersTest {
     List<String> levels = levelsWithFiles();
     assertTrue(levels.containsAll(List.of("arena", "platformer", "rockets")), "levels=" + levels);
     for (String level : levels) {
-      try (LocalServer game = LocalServers.start(new Choice(level, 3, false), 0, 0);
+      try (LocalServer game = LocalServers.start(new GameChoice(level, 3, false), 0, 0);
           GameClient me = client(game.transport(), 0, 0)) {
         assertEquals("", game.invitation());
         await(me, () -> me.view().phase() == ConnectionPhase.PLAYING);
@@ -68,7 +68,7 @@ final class LocalServersTest {
 
   @Test
   void othersJoinByTheNetworkIfTheyMay() throws Exception {
-    try (LocalServer game = LocalServers.start(new Choice("arena", 0, true), 0, 0);
+    try (LocalServer game = LocalServers.start(new GameChoice("arena", 0, true), 0, 0);
         KryoClientTransport sockets = new KryoClientTransport();
         GameClient me = client(game.transport(), 0, 0);
         GameClient other = client(sockets, game.server().tcpPort(), 0)) { // it learns the UDP port
@@ -84,15 +84,15 @@ final class LocalServersTest {
     String said =
         assertThrows(
                 IllegalStateException.class,
-                () -> LocalServers.start(new Choice("nowhere", 0, false), 0, 0))
+                () -> LocalServers.start(new GameChoice("nowhere", 0, false), 0, 0))
             .getMessage();
     assertTrue(said.contains("The level nowhere can't be played"), said);
-    try (LocalServer first = LocalServers.start(new Choice("arena", 0, true), 0, 0)) {
+    try (LocalServer first = LocalServers.start(new GameChoice("arena", 0, true), 0, 0)) {
       int tcp = first.server().tcpPort();
       said =
           assertThrows(
                   IllegalStateException.class,
-                  () -> LocalServers.start(new Choice("arena", 0, true), tcp, 0))
+                  () -> LocalServers.start(new GameChoice("arena", 0, true), tcp, 0))
               .getMessage();
       assertTrue(said.contains("Is another server running here?"), said);
     }

@@ -9,8 +9,8 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.InputDatagram;
-import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
@@ -221,7 +221,7 @@ class ProtocolDocTest {
         codec.encode(
             new ServerMessage.Roster(
                 List.of(
-                    new ServerMessage.RosterEntry(0, "Zoë", 2, -3, false, true, true, 85),
+                    new ServerMessage.RosterEntry(0, "Zoë", 2, -3, false, true, true, 85, 3),
                     ServerMessage.RosterEntry.gone(1000)))));
     golden.put(
         "room-list",
@@ -438,7 +438,7 @@ class ProtocolDocTest {
   @Test
   void limitsAreThoseOfThePage() throws IllegalAccessException {
     Map<String, String> ofCode = new TreeMap<>();
-    for (Field field : Limits.class.getFields()) {
+    for (Field field : ProtocolLimits.class.getFields()) {
       ofCode.put(field.getName(), String.valueOf(field.getInt(null)));
     }
     Map<String, String> ofPage = new TreeMap<>();

@@ -5,7 +5,7 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;
 import carom.physics.geometry.Polygon;
 import carom.sim.random.SimRandom;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.catalog.BenchmarkScenes;
 
 /** Worlds that several tests step. */
@@ -74,7 +74,7 @@ final class Scenes {
 
   static World<String> pyramid(int rows, WorldDef def) {
     World<String> w = new World<>(def);
-    BenchmarkScenes.pyramid(rows).build(new Stage<>(w, d -> w.createBody(d, d.type().name())));
+    BenchmarkScenes.pyramid(rows).build(new SceneWorld<>(w, d -> w.createBody(d, d.type().name())));
     return w;
   }
 

@@ -11,7 +11,7 @@ import carom.physics.threads.WorkerThreads;
 import carom.physics.threads.Workers;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import carom.sim.scene.catalog.BenchmarkScenes;
 import com.sun.management.ThreadMXBean;
@@ -64,7 +64,7 @@ final class WorkersTest {
         .with(new WorldDef().withSleeping(false));
   }
 
-  private static <T> void kinds(Stage<T> s, int n) {
+  private static <T> void kinds(SceneWorld<T> s, int n) {
     Shape disc = new Circle(0.4f);
     Filter apart = Filter.DEFAULT.withGroup(-1);
     BodyDef def = new BodyDef(BodyType.DYNAMIC).shape(disc, Material.DEFAULT, apart);

@@ -76,7 +76,7 @@ class CheckpointCostTest {
           inSinkNs[0] += cpuNs() - beginNs;
           return taken;
         };
-    Recorder recorder = new Recorder(s, header, timed, Recorder.Pace.LOG);
+    Recorder recorder = new Recorder(s, header, timed, Recorder.Intervals.LOG);
     s.addJournal(recorder);
     long[] tookNs = new long[CHECKPOINTS];
     long bytes = 0;

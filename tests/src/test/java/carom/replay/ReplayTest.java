@@ -301,7 +301,7 @@ final class ReplayTest {
     Blocks changed = whole.withInput(217, 1, 1L << 16).withInput(2 * minute + 5, 1, 1L << 16);
     try (RecordingReader reader = RecordingReader.open(changed.write(folder.resolve("2.carom")))) {
       Replay replay = new Replay(reader);
-      Replay.Mark before = null;
+      Replay.SavedTick before = null;
       while (replay.step() == Replay.Progress.TICK) {
         if (before == null && replay.simulation().tick() > 100 && replay.canMark()) {
           before = replay.mark();

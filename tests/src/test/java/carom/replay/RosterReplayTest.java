@@ -12,6 +12,7 @@ import carom.sim.Simulation;
 import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
+import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import java.nio.file.Path;
 import java.util.Random;
@@ -53,12 +54,13 @@ final class RosterReplayTest {
     }
     PlayerRole before = p.role();
     PlayerRole wanted = PlayerRole.values()[random.nextInt(2)];
-    switch (random.nextInt(6)) {
+    switch (random.nextInt(7)) {
       case 0 -> s.role(p, wanted);
       case 1 -> s.receive(p, BuiltInKinds.ROLE.of(wanted));
       case 2 -> s.receive(p, BuiltInKinds.TEAM.of(random.nextInt(4)));
       case 3 -> s.receive(p, BuiltInKinds.READY.of(random.nextBoolean()));
-      case 4 -> {
+      case 4 -> s.receive(p, BuiltInKinds.COLOUR.of(PlayerColour.of(random.nextInt(12))));
+      case 5 -> {
         if (random.nextInt(8) == 0) {
           s.leave(p);
         }
@@ -90,6 +92,7 @@ final class RosterReplayTest {
         Player here = replay.simulation().participant(id);
         assertEquals(there == null, here == null);
         assertEquals(there == null ? null : there.role(), here == null ? null : here.role());
+        assertEquals(there == null ? null : there.colour(), here == null ? null : here.colour());
       }
     }
   }

@@ -9,8 +9,8 @@ import carom.fixtures.Stranger;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.DatagramMark;
 import carom.net.protocol.InputDatagram;
-import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
@@ -92,7 +92,8 @@ class HostileScenarioTest {
         case 0 -> hello();
         case 1 ->
             link.send(
-                new ClientMessage.LevelRequest(epoch(), random.nextInt(Limits.MAX_LEVEL_BYTES)));
+                new ClientMessage.LevelRequest(
+                    epoch(), random.nextInt(ProtocolLimits.MAX_LEVEL_BYTES)));
         case 2 -> link.send(new ClientMessage.Ready(epoch(), fields));
         case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
         default -> link.send(new ClientMessage.Leave());

@@ -8,8 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.bots.Bot;
+import carom.client.replay.RecordingDownload;
 import carom.client.replay.ReplayClient;
-import carom.client.replay.Spectator;
 import carom.client.replay.SpectatorThread;
 import carom.fixtures.CrouchGame;
 import carom.fixtures.CrouchGame.Rule;
@@ -75,13 +75,14 @@ class SpectatorScenarioTest {
     }
   }
 
-  private void run(Server server, List<GameClient> players, List<Spectator> spectators, double s) {
+  private void run(
+      Server server, List<GameClient> players, List<RecordingDownload> spectators, double s) {
     for (long endNs = nowNs + (long) (s * 1e9); nowNs < endNs; nowNs += SLICE_NS) {
       server.tick(nowNs);
       for (GameClient player : players) {
         player.update(nowNs);
       }
-      for (Spectator spectator : spectators) {
+      for (RecordingDownload spectator : spectators) {
         spectator.update(nowNs);
       }
     }
@@ -92,7 +93,7 @@ class SpectatorScenarioTest {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     ClientTransport transport = network.client();
     List<GameClient> players = new ArrayList<>();
-    List<Spectator> spectators = new ArrayList<>();
+    List<RecordingDownload> spectators = new ArrayList<>();
     try (Server server = server(network.server())) {
       server.allowSpectators(DELAY_S);
       for (int i = 0; i < 2; i++) {
@@ -101,7 +102,7 @@ class SpectatorScenarioTest {
       run(server, players, spectators, 4);
       for (int i = 0; i < 3; i++) { // they come late
         spectators.add(
-            new Spectator(ClientConfig.of("s" + i), 1, transport, folder.resolve("s" + i)));
+            new RecordingDownload(ClientConfig.of("s" + i), 1, transport, folder.resolve("s" + i)));
       }
       for (int i = 0; i < 12; i++) {
         run(server, players, spectators, 0.5);
@@ -140,7 +141,7 @@ class SpectatorScenarioTest {
         assertNull(film.divergence());
       }
     } finally {
-      spectators.forEach(Spectator::close);
+      spectators.forEach(RecordingDownload::close);
       players.forEach(GameClient::close);
     }
     assertTrue(spectators.get(0).ended());
@@ -164,7 +165,8 @@ class SpectatorScenarioTest {
                 level,
                 network.server(),
                 () -> nowNs);
-        Spectator spectator = new Spectator(ClientConfig.of("s"), 1, transport, seen)) {
+        RecordingDownload spectator =
+            new RecordingDownload(ClientConfig.of("s"), 1, transport, seen)) {
       server.allowSpectators(DELAY_S);
       players.add(new GameClient(ClientConfig.of("bot"), transport, new Bot(1), () -> 0));
       Simulation s = server.rooms().get(0).simulation();
@@ -259,8 +261,8 @@ class SpectatorScenarioTest {
   void whoShowsNothingSaysSo() throws Exception {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     try (Server server = server(network.server());
-        Spectator spectator =
-            new Spectator(ClientConfig.of("s"), 1, network.client(), folder.resolve("s"))) {
+        RecordingDownload spectator =
+            new RecordingDownload(ClientConfig.of("s"), 1, network.client(), folder.resolve("s"))) {
       run(server, List.of(), List.of(spectator), 1);
       assertTrue(spectator.ended());
       assertTrue(spectator.message().contains("--spectator-delay"), spectator.message());
@@ -279,7 +281,7 @@ class SpectatorScenarioTest {
       ClientConfig address =
           ClientConfig.of("s").withServer("localhost", server.tcpPort(), server.udpPort());
       Path file = folder.resolve("socket");
-      try (Spectator spectator = new Spectator(address, 1, transport, file);
+      try (RecordingDownload spectator = new RecordingDownload(address, 1, transport, file);
           GameClient player = new GameClient(address.withName("bot"), transport, new Bot(1))) {
         int seen = -1;
         for (int i = 0; i < 4_000 && seen < 90; i++) {

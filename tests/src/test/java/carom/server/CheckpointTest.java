@@ -455,7 +455,7 @@ class CheckpointTest {
         Files.write(file, bytes);
         Path log = Path.of(file.toString().replace(".seats", ".log"));
         try (RecordingReader reader = RecordingReader.open(log)) {
-          assertEquals(RecordingReader.Event.STATE, reader.next());
+          assertEquals(RecordingReader.Entry.STATE, reader.next());
           newest = Math.max(newest, reader.stateTick());
         }
       }

@@ -4,9 +4,9 @@ import carom.game.Games;
 import carom.net.field.FieldTables;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
-import carom.net.protocol.Limits;
 import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.SnapshotDecoder;
@@ -126,10 +126,11 @@ final class FakeClient implements LinkHandler {
       welcome = w;
       level = new byte[w.packedSize()];
       loaded = 0;
-      FieldTables layouts = new FieldTables(schema(), Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
+      FieldTables layouts =
+          new FieldTables(schema(), ProtocolLimits.MAX_PLAYERS, ProtocolLimits.MAX_ENTITIES);
       decoder =
           new SnapshotDecoder(
-              Limits.MAX_ENTITIES,
+              ProtocolLimits.MAX_ENTITIES,
               w.epoch(),
               w.tick(),
               w.tickRate(),
@@ -168,7 +169,8 @@ final class FakeClient implements LinkHandler {
     try {
       Level parsed = Level.parse("level", json);
       decoder.gravity(parsed.gravityX(), parsed.gravityY());
-      decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> parsed.forEachBody(frame::put)));
+      decoder.level(
+          FrameState.of(ProtocolLimits.MAX_ENTITIES, frame -> parsed.forEachBody(frame::put)));
     } catch (LevelException e) {
       throw new AssertionError(e);
     }

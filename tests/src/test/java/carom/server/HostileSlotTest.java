@@ -95,14 +95,14 @@ class HostileSlotTest {
     int first = -1;
     int tick = -1;
     try (RecordingReader reader = RecordingReader.open(original.resolve(slot + ".log"))) {
-      for (RecordingReader.Event e = reader.next();
-          e != RecordingReader.Event.WAIT && e != RecordingReader.Event.END;
+      for (RecordingReader.Entry e = reader.next();
+          e != RecordingReader.Entry.WAIT && e != RecordingReader.Entry.END;
           e = reader.next()) {
-        if (e == RecordingReader.Event.STATE) {
+        if (e == RecordingReader.Entry.STATE) {
           first = reader.stateTick();
           tick = first;
           hashes.put(tick, reader.hash());
-        } else if (e == RecordingReader.Event.STEPPED) {
+        } else if (e == RecordingReader.Entry.STEPPED) {
           hashes.put(++tick, reader.hash());
         }
       }

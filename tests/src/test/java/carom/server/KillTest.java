@@ -231,12 +231,12 @@ class KillTest {
     int newest = slots.stream().max(Integer::compare).get();
     int tick = -1;
     try (RecordingReader reader = RecordingReader.open(room.resolve(newest + ".log"))) {
-      for (RecordingReader.Event e = reader.next();
-          e != RecordingReader.Event.WAIT && e != RecordingReader.Event.END;
+      for (RecordingReader.Entry e = reader.next();
+          e != RecordingReader.Entry.WAIT && e != RecordingReader.Entry.END;
           e = reader.next()) {
-        if (e == RecordingReader.Event.STATE) {
+        if (e == RecordingReader.Entry.STATE) {
           tick = reader.stateTick();
-        } else if (e == RecordingReader.Event.STEPPED) {
+        } else if (e == RecordingReader.Entry.STEPPED) {
           tick++;
         }
         hashOnDisk = "%016x".formatted(reader.hash());

@@ -18,7 +18,7 @@ public interface LocalGames {
    * @param bots players that the machine plays, 0..{@link #MAX_BOTS}
    * @param open whether others may join, over the network
    */
-  record Choice(String level, int bots, boolean open) {}
+  record GameChoice(String level, int bots, boolean open) {}
 
   /** A game that runs, with its server in this process. */
   interface LocalGame extends AutoCloseable {
@@ -47,7 +47,7 @@ public interface LocalGames {
    *
    * @throws IllegalStateException in words for the player, when it can't be started
    */
-  LocalGame start(Choice choice);
+  LocalGame start(GameChoice choice);
 
   /** Returns the implementation of this build, or null. */
   static LocalGames find() {

@@ -6,7 +6,7 @@ import carom.json.Json;
 import carom.json.JsonException;
 import carom.net.frame.Trust;
 import carom.net.kryo.KryoMessageCodec;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
 import carom.net.seal.Encryption;
 import carom.net.seal.KnownServers;
@@ -29,13 +29,13 @@ import picocli.CommandLine.Option;
 public final class NetworkOptions {
   /** Amount of logging to standard error. */
   public enum LogLevel {
-    /** Failures. */
+    /** The log has failures only. */
     ERROR,
-    /** Failures, and suspicious things. */
+    /** The log has failures and suspicious things. */
     WARN,
-    /** Warnings, and what happens. */
+    /** The log also has what happens. */
     INFO,
-    /** All of that, and why it happens. */
+    /** The log also has why things happen. */
     DEBUG
   }
 
@@ -112,11 +112,14 @@ public final class NetworkOptions {
     if (!room.isEmpty() && RoomName.problem(room) != null) {
       return "--room: " + RoomName.problem(room);
     }
-    if (game.length() > Limits.MAX_GAME_NAME_BYTES) {
-      return "--game=" + game + " is longer than " + Limits.MAX_GAME_NAME_BYTES;
+    if (game.length() > ProtocolLimits.MAX_GAME_NAME_BYTES) {
+      return "--game=" + game + " is longer than " + ProtocolLimits.MAX_GAME_NAME_BYTES;
     }
-    if (token.length() > Limits.MAX_TOKEN_BYTES) {
-      return "--token has " + token.length() + " characters, at most " + Limits.MAX_TOKEN_BYTES;
+    if (token.length() > ProtocolLimits.MAX_TOKEN_BYTES) {
+      return "--token has "
+          + token.length()
+          + " characters, at most "
+          + ProtocolLimits.MAX_TOKEN_BYTES;
     }
     return conditions.problem();
   }

@@ -40,7 +40,7 @@ public final class BotFarm implements AutoCloseable {
 
   private static final long FIRST_WAIT_NS = 500_000_000L;
 
-  private static final class Player {
+  private static final class BotPlayer {
     final int number;
     GameClient client;
 
@@ -70,7 +70,7 @@ public final class BotFarm implements AutoCloseable {
 
     final SimRandom random;
 
-    Player(int number, long seed) {
+    BotPlayer(int number, long seed) {
       this.number = number;
       this.random = new SimRandom(seed);
     }
@@ -82,12 +82,12 @@ public final class BotFarm implements AutoCloseable {
   private final boolean roam;
   private final double staySeconds;
   private final Workers workers;
-  private final List<Player> players = new ArrayList<>();
+  private final List<BotPlayer> players = new ArrayList<>();
 
   /** Bots that are joining in this frame. */
-  private final List<Player> joining = new ArrayList<>();
+  private final List<BotPlayer> joining = new ArrayList<>();
 
-  private final List<Player> inGame = new ArrayList<>();
+  private final List<BotPlayer> inGame = new ArrayList<>();
   private int sliceBegin;
   private long frameNs;
   private final Workers.Task lookAtJoining = (i, worker) -> update(joining.get(i), frameNs);
@@ -122,13 +122,13 @@ public final class BotFarm implements AutoCloseable {
     this.seed = seed;
     this.roam = roam;
     for (int i = 1; i <= count; i++) {
-      Player p = new Player(i, seed * 7_919 + i);
+      BotPlayer p = new BotPlayer(i, seed * 7_919 + i);
       p.client = newClient(p);
       players.add(p);
     }
   }
 
-  private GameClient newClient(Player p) {
+  private GameClient newClient(BotPlayer p) {
     String name = config.name() + p.number;
     long ofBot = seed * 1_000_003 + p.number;
     Bot bot = roam ? new Bot(ofBot, true) : Bot.skilled(ofBot);
@@ -136,7 +136,7 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /** Gives a bot a new client, and keeps the figures of the old one. */
-  private void replaceClient(Player p, long nowNs) {
+  private void replaceClient(BotPlayer p, long nowNs) {
     p.before.add(p.client.stats(), nowNs);
     p.client.close();
     p.client = newClient(p);
@@ -157,7 +157,7 @@ public final class BotFarm implements AutoCloseable {
     joining.clear();
     inGame.clear();
     for (int i = 0; i < started; i++) {
-      Player p = players.get(i);
+      BotPlayer p = players.get(i);
       (p.playing ? inGame : joining).add(p);
     }
     sliceBegin = 0;
@@ -168,7 +168,7 @@ public final class BotFarm implements AutoCloseable {
     } while (sliceBegin < inGame.size());
   }
 
-  private void update(Player p, long nowNs) {
+  private void update(BotPlayer p, long nowNs) {
     if (p.broken || p.waiting && nowNs < p.nextAttemptNs) {
       return;
     }
@@ -209,7 +209,7 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /** Replaces the client of a bot that has played long enough; returns whether it did. */
-  private boolean comesAndGoes(Player p, long nowNs) {
+  private boolean comesAndGoes(BotPlayer p, long nowNs) {
     if (!p.playing) {
       double seconds = 2 * staySeconds * p.random.nextFloat();
       p.leavesNs = nowNs + (long) (seconds * NS_PER_S);
@@ -225,7 +225,7 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /** Counts inputs: all but the newest since the last update were sampled too late. */
-  private static void countInputs(Player p, boolean playing, long nowNs) {
+  private static void countInputs(BotPlayer p, boolean playing, long nowNs) {
     if (p.playing && playing) {
       double ticks = (nowNs - p.updatedNs) / NS_PER_S * p.client.view().tickRate();
       p.inputs += ticks;
@@ -242,7 +242,7 @@ public final class BotFarm implements AutoCloseable {
   /** Returns how many bots are playing. */
   public int playing() {
     int n = 0;
-    for (Player p : players) {
+    for (BotPlayer p : players) {
       n += p.playing ? 1 : 0;
     }
     return n;
@@ -251,7 +251,7 @@ public final class BotFarm implements AutoCloseable {
   /** Returns how many bots got into the game at least once. */
   public int joined() {
     int n = 0;
-    for (Player p : players) {
+    for (BotPlayer p : players) {
       n += p.joined ? 1 : 0;
     }
     return n;
@@ -260,7 +260,7 @@ public final class BotFarm implements AutoCloseable {
   /** Returns the fewest snapshots that any bot has received. */
   public long fewestSnapshots() {
     long fewest = Long.MAX_VALUE;
-    for (Player p : players) {
+    for (BotPlayer p : players) {
       fewest = Math.min(fewest, p.before.snapshots + p.client.stats().snapshots());
     }
     return fewest;
@@ -269,7 +269,7 @@ public final class BotFarm implements AutoCloseable {
   /** Returns how many bots have joined or given up. */
   public int settled() {
     int n = 0;
-    for (Player p : players) {
+    for (BotPlayer p : players) {
       n += p.joined || isOver(p) ? 1 : 0;
     }
     return n;
@@ -277,7 +277,7 @@ public final class BotFarm implements AutoCloseable {
 
   /** Returns whether no bot plays or tries to. */
   public boolean over() {
-    for (Player p : players) {
+    for (BotPlayer p : players) {
       if (!isOver(p)) {
         return false;
       }
@@ -285,7 +285,7 @@ public final class BotFarm implements AutoCloseable {
     return true;
   }
 
-  private static boolean isOver(Player p) {
+  private static boolean isOver(BotPlayer p) {
     return p.broken || !p.waiting && p.client.view().phase() == ConnectionPhase.ENDED;
   }
 
@@ -295,7 +295,7 @@ public final class BotFarm implements AutoCloseable {
    */
   public String problem() {
     String problem = "";
-    for (Player p : players) {
+    for (BotPlayer p : players) {
       if (isOver(p)) {
         return p.broken ? "a bot broke; see the log" : p.client.view().message();
       }
@@ -316,7 +316,7 @@ public final class BotFarm implements AutoCloseable {
     double inputs = 0;
     double late = 0;
     int playing = playing();
-    for (Player p : players) {
+    for (BotPlayer p : players) {
       disconnects += p.disconnects;
       errors += p.errors;
       inputs += p.inputs;
@@ -366,7 +366,7 @@ public final class BotFarm implements AutoCloseable {
     int errors = 0;
     double inputs = 0;
     double late = 0;
-    for (Player p : players) {
+    for (BotPlayer p : players) {
       disconnects += p.disconnects;
       errors += p.errors;
       inputs += p.inputs;
@@ -410,7 +410,7 @@ public final class BotFarm implements AutoCloseable {
   /** Makes all bots leave. */
   @Override
   public void close() {
-    for (Player p : players) {
+    for (BotPlayer p : players) {
       p.client.close();
     }
   }

@@ -117,17 +117,17 @@ public final class BotsMain implements Callable<Integer> {
 
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
-  private final Pace pace;
+  private final BotClock pace;
 
-  private BotsMain(Pace pace) {
+  private BotsMain(BotClock pace) {
     this.pace = pace;
   }
 
   /** The clock by which bots play. */
-  interface Pace {
+  interface BotClock {
     /** The machine's clock. */
-    Pace REAL =
-        new Pace() {
+    BotClock REAL =
+        new BotClock() {
           @Override
           public long nanoTime() {
             return System.nanoTime();
@@ -153,10 +153,10 @@ public final class BotsMain implements Callable<Integer> {
 
   /** Runs the program like {@link #main}, but returns the exit code. */
   public static int run(String... args) {
-    return run(Pace.REAL, args);
+    return run(BotClock.REAL, args);
   }
 
-  static int run(Pace pace, String... args) {
+  static int run(BotClock pace, String... args) {
     CommandLine line = new CommandLine(new BotsMain(pace));
     LabCommand.add(
         line,

@@ -11,7 +11,7 @@ import carom.client.desktop.menu.StartTarget;
 import carom.client.desktop.menu.Widgets;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.scene.SceneScreen;
 import carom.client.desktop.sound.AudioDevice;
 import carom.client.desktop.sound.EventSounds;
@@ -87,7 +87,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     canvas = new Canvas();
     audio = new AudioDevice(hasSound);
     sounds = new EventSounds(audio, volume(options) / 100f);
-    Theme.palette(settings().palette());
+    UiColours.palette(settings().palette());
     if (!keys.unknown().isEmpty()) {
       System.err.println("carom-client: unknown keys in the settings: " + keys.unknown());
     }
@@ -136,6 +136,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     GameScreen game = new GameScreen(canvas, fonts, sounds, keys, widgets, this, this::leave);
     ClientTransport transport = local == null ? sockets : local.transport();
     game.client(new GameClient(visit, transport, game.devices()));
+    game.colour(settings().colour());
     game.netGraph(options.netGraph());
     game.debug(options.debug());
     game.adviceAlone(
@@ -236,7 +237,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   }
 
   @Override
-  public void create(LocalGames.Choice choice) {
+  public void create(LocalGames.GameChoice choice) {
     endLocalGame();
     local = games.start(choice);
     later(this::play);
@@ -372,7 +373,13 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     if (changed.volume() != before.volume()) {
       sounds.volume(changed.volume() / 100f);
     }
-    Theme.palette(changed.palette());
+    if (changed.vsync() != before.vsync()) {
+      Gdx.graphics.setVSync(changed.vsync());
+    }
+    if (screen instanceof GameScreen game) {
+      game.colour(changed.colour());
+    }
+    UiColours.palette(changed.palette());
     fonts.textSize(changed.textSize() / 100f);
     boolean resized =
         changed.windowWidth() != before.windowWidth()

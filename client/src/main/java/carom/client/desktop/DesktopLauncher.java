@@ -34,7 +34,7 @@ public final class DesktopLauncher implements Window {
     }
     window.setWindowSizeLimits(640, 360, -1, -1);
     window.setBackBufferConfig(8, 8, 8, 8, 0, 0, 0); // the canvas smooths edges itself
-    window.useVsync(true);
+    window.useVsync(settings.vsync());
     window.setForegroundFPS(MAX_FPS);
     boolean hasSound = CaromWindow.wantsSound(options) && AudioDevice.mayExist();
     window.disableAudio(!hasSound);

@@ -25,6 +25,7 @@ import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.entity.Input;
+import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
@@ -105,6 +106,11 @@ final class GameScreen extends ScreenAdapter {
     picture.labels(conversation::drawEmotes);
   }
 
+  /** Chooses the colour of the own body. */
+  void colour(PlayerColour colour) {
+    client.colour(colour);
+  }
+
   /** Shows the net graph's few lines, or nothing of it. */
   void netGraph(boolean shown) {
     netGraph.size(shown ? NetGraph.Size.SMALL : NetGraph.Size.OFF);
@@ -157,7 +163,7 @@ final class GameScreen extends ScreenAdapter {
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
   }
 
-  private final class PauseChoice implements PauseMenu.Choice {
+  private final class PauseChoice implements PauseMenu.Actions {
     @Override
     public void resume() {
       show();

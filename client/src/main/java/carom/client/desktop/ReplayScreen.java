@@ -2,12 +2,12 @@ package carom.client.desktop;
 
 import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.hud.Hud;
-import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.hud.TimeBar;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.sound.EventSounds;
 import carom.client.replay.ReplayClient;
 import carom.net.protocol.ServerMessage.RosterEntry;
@@ -32,7 +32,7 @@ final class ReplayScreen extends ScreenAdapter {
   private final Fonts fonts;
   private final ReplayClient client;
   private final TimeBar bar;
-  private final Part title = new Part(Spot.TOP_LEFT, Spot.TOP_RIGHT, Spot.BOTTOM_LEFT);
+  private final Panel title = new Panel(Spot.TOP_LEFT, Spot.TOP_RIGHT, Spot.BOTTOM_LEFT);
   private final String heading;
   private final Supplier<String> end;
   private final Runnable exit;
@@ -168,7 +168,7 @@ final class ReplayScreen extends ScreenAdapter {
     if (trouble.isEmpty()) {
       trouble = end.get();
     }
-    hud.panel(-2, -2, hud.windowWidth() + 4, TimeBar.ROOM, Theme.DIALOG);
+    hud.panel(-2, -2, hud.windowWidth() + 4, TimeBar.ROOM, UiColours.DIALOG);
     bar.draw(client.tick(), client.lastTick());
     float w = hud.width(fonts.text(), text.toString());
     w = Math.max(w, hud.width(fonts.text(), trouble)) + 2 * PAD;
@@ -177,12 +177,12 @@ final class ReplayScreen extends ScreenAdapter {
       hud.panel(title.x(), title.y(), w, h);
       hud.begin();
       float top = title.y() + h - 11;
-      hud.left(fonts.text(), text.toString(), title.x() + PAD, top, Theme.TEXT);
-      hud.left(fonts.text(), trouble, title.x() + PAD, top - 24, Theme.ACCENT);
+      hud.left(fonts.text(), text.toString(), title.x() + PAD, top, UiColours.TEXT);
+      hud.left(fonts.text(), trouble, title.x() + PAD, top - 24, UiColours.ACCENT);
       hud.end();
     }
     hud.begin();
-    float height = hud.wrap(fonts.small(), KEYS, hud.windowWidth() - 2 * PAD, Theme.MUTED);
+    float height = hud.wrap(fonts.small(), KEYS, hud.windowWidth() - 2 * PAD, UiColours.MUTED);
     hud.wrapped(PAD, Math.min(height + 8, TimeBar.ROOM - 28));
     hud.end();
   }

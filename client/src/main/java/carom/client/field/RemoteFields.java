@@ -1,7 +1,7 @@
 package carom.client.field;
 
 import carom.net.field.FieldTables;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.snapshot.table.TableInbox;
 import carom.net.snapshot.table.TableLayout;
 import carom.sim.field.Field;
@@ -35,7 +35,8 @@ public final class RemoteFields implements ShownFields {
    */
   public RemoteFields(Schema schema, IntSupplier clock) {
     this.schema = schema;
-    FieldTables tables = new FieldTables(schema, Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
+    FieldTables tables =
+        new FieldTables(schema, ProtocolLimits.MAX_PLAYERS, ProtocolLimits.MAX_ENTITIES);
     inbox = new TableInbox(tables.layouts().toArray(new TableLayout[0]));
     store = new FieldStore(schema, clock, new Finder());
     match = new FieldView(store, Scope.MATCH, 0);

@@ -2,8 +2,8 @@ package carom.client.link;
 
 import carom.client.stats.NetStatsRecorder;
 import carom.net.protocol.ClientMessage;
-import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
@@ -253,8 +253,8 @@ public final class Connection implements LinkHandler {
     }
     stop();
     if (!LevelDownload.accepts(w)
-        || w.tickRate() < Limits.MIN_TICK_RATE
-        || w.tickRate() > Limits.MAX_TICK_RATE) {
+        || w.tickRate() < ProtocolLimits.MIN_TICK_RATE
+        || w.tickRate() > ProtocolLimits.MAX_TICK_RATE) {
       fail("The server's welcome makes no sense: " + w);
       return;
     }

@@ -2,7 +2,7 @@ package carom.client.link;
 
 /** The phases of a client's way into the game. */
 public enum ConnectionPhase {
-  /** The first update hasn't happened yet. */
+  /** The client hasn't been updated yet. */
   IDLE,
   /** The link is being opened. */
   CONNECTING,

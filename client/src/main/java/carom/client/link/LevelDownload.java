@@ -1,8 +1,8 @@
 package carom.client.link;
 
 import carom.net.protocol.ClientMessage;
-import carom.net.protocol.Limits;
 import carom.net.protocol.PackedLevel;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.sim.level.Level;
@@ -25,12 +25,12 @@ final class LevelDownload {
   private static final int MAX_KEPT_BYTES = 16 << 20;
 
   /** State of the download after a piece. */
-  enum Progress {
+  enum Status {
     /** More pieces are needed. */
     LOADING,
     /** The level is complete. */
     DONE,
-    /** Pieces don't fit or were damaged; another attempt may work. */
+    /** The pieces don't fit or were damaged; another attempt may work. */
     DAMAGED,
     /** The level is of a kind that this client can't read. */
     UNREADABLE
@@ -51,9 +51,9 @@ final class LevelDownload {
   /** Returns whether the sizes of a Welcome's level are ones that a client loads. */
   static boolean accepts(ServerMessage.Welcome welcome) {
     return welcome.levelSize() >= 1
-        && welcome.levelSize() <= Limits.MAX_LEVEL_BYTES
+        && welcome.levelSize() <= ProtocolLimits.MAX_LEVEL_BYTES
         && welcome.packedSize() >= 1
-        && welcome.packedSize() <= Limits.MAX_LEVEL_BYTES;
+        && welcome.packedSize() <= ProtocolLimits.MAX_LEVEL_BYTES;
   }
 
   /**
@@ -86,7 +86,7 @@ final class LevelDownload {
    * @return whether there were any to request
    */
   boolean request(Link link) {
-    int piece = Limits.MAX_LEVEL_CHUNK_BYTES;
+    int piece = ProtocolLimits.MAX_LEVEL_CHUNK_BYTES;
     boolean any = false;
     while (requested < packed.length && requested - received < PIECES_IN_FLIGHT * piece) {
       link.send(new ClientMessage.LevelRequest(welcome.epoch(), requested));
@@ -97,11 +97,11 @@ final class LevelDownload {
   }
 
   /** Takes in a piece; {@link #problem} explains a bad result. */
-  Progress add(ServerMessage.LevelChunk chunk) {
-    int expected = Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, packed.length - received);
+  Status add(ServerMessage.LevelChunk chunk) {
+    int expected = Math.min(ProtocolLimits.MAX_LEVEL_CHUNK_BYTES, packed.length - received);
     if (chunk.offset() != received || chunk.bytes().length != expected) {
       return fail(
-          Progress.DAMAGED,
+          Status.DAMAGED,
           "The level arrived in pieces that don't fit: offset="
               + chunk.offset()
               + " length="
@@ -113,27 +113,27 @@ final class LevelDownload {
     }
     System.arraycopy(chunk.bytes(), 0, packed, received, expected);
     received += expected;
-    return received < packed.length ? Progress.LOADING : unpack();
+    return received < packed.length ? Status.LOADING : unpack();
   }
 
-  private Progress unpack() {
+  private Status unpack() {
     byte[] complete = PackedLevel.unpack(packed, welcome.levelSize());
     packed = null;
     if (complete == null) {
-      return fail(Progress.DAMAGED, "The level was damaged on its way. Try again.");
+      return fail(Status.DAMAGED, "The level was damaged on its way. Try again.");
     }
     try {
       level = Level.parse(welcome.levelName(), complete);
     } catch (LevelException e) {
-      return fail(Progress.UNREADABLE, "The server's level can't be used: " + e.getMessage());
+      return fail(Status.UNREADABLE, "The server's level can't be used: " + e.getMessage());
     }
     if (level.contentHash() != welcome.levelHash()) {
       level = null;
-      return fail(Progress.DAMAGED, "The level was damaged on its way. Try again.");
+      return fail(Status.DAMAGED, "The level was damaged on its way. Try again.");
     }
     kept.put(welcome.levelHash(), level);
     forgetOldest();
-    return Progress.DONE;
+    return Status.DONE;
   }
 
   private void forgetOldest() {
@@ -145,7 +145,7 @@ final class LevelDownload {
     }
   }
 
-  private Progress fail(Progress progress, String why) {
+  private Status fail(Status progress, String why) {
     packed = null;
     problem = why;
     return progress;

@@ -3,7 +3,7 @@ package carom.client.pool;
 import carom.client.link.Connection;
 import carom.net.field.FieldTables;
 import carom.net.protocol.ClientMessage;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.table.TableInbox;
 import carom.physics.archive.ArchiveException;
@@ -86,7 +86,7 @@ public final class PoolFollower {
       askedNs = nowNs;
       state = null;
       received = 0;
-      requested = Limits.MAX_LEVEL_CHUNK_BYTES;
+      requested = ProtocolLimits.MAX_LEVEL_CHUNK_BYTES;
       connection.send(new ClientMessage.PoolRequest(0));
     }
     return pools.tick() == tick && !wentBack;
@@ -115,7 +115,7 @@ public final class PoolFollower {
       take();
       return;
     }
-    int piece = Limits.MAX_LEVEL_CHUNK_BYTES;
+    int piece = ProtocolLimits.MAX_LEVEL_CHUNK_BYTES;
     while (requested < state.length && requested - received < PIECES_IN_FLIGHT * piece) {
       connection.send(new ClientMessage.PoolRequest(requested));
       requested += piece;

@@ -82,7 +82,7 @@ public final class Prediction {
   private final boolean runsSyncTest;
   private boolean active;
 
-  /** Whether rulings and spawns may be known that the ticks computed so far don't contain. */
+  /** True if rulings and spawns may be known that the ticks computed so far don't contain. */
   private boolean hasNews;
 
   private int confirmedTick = -1;

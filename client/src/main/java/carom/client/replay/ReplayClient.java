@@ -203,7 +203,15 @@ public final class ReplayClient implements AutoCloseable {
 
   private static RosterEntry entry(Player p) {
     return new RosterEntry(
-        p.id(), p.name(), p.team(), p.score(), p.isSpectator(), p.isReady(), p.isAlive(), 0);
+        p.id(),
+        p.name(),
+        p.team(),
+        p.score(),
+        p.isSpectator(),
+        p.isReady(),
+        p.isAlive(),
+        0,
+        p.colour().number());
   }
 
   private boolean hasNewRoster(Simulation s) {
@@ -227,6 +235,7 @@ public final class ReplayClient implements AutoCloseable {
         && entry.spectator() == p.isSpectator()
         && entry.ready() == p.isReady()
         && entry.alive() == p.isAlive()
+        && entry.colour() == p.colour().number()
         && entry.name().equals(p.name());
   }
 

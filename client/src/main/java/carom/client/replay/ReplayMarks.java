@@ -12,7 +12,7 @@ final class ReplayMarks {
   /** Most marks. */
   static final int MAX = 64;
 
-  private final List<Replay.Mark> marks = new ArrayList<>();
+  private final List<Replay.SavedTick> marks = new ArrayList<>();
   private int gap;
 
   /** Drops all marks, and saves one per this many ticks from now on. */
@@ -39,7 +39,7 @@ final class ReplayMarks {
   /** Returns the newest marked tick that is not after a tick, or -1. */
   int before(int tick) {
     int found = -1;
-    for (Replay.Mark mark : marks) {
+    for (Replay.SavedTick mark : marks) {
       found = mark.tick() <= tick ? mark.tick() : found;
     }
     return found;
@@ -47,7 +47,7 @@ final class ReplayMarks {
 
   /** Restores a marked tick. */
   void restore(Replay replay, int tick) {
-    for (Replay.Mark mark : marks) {
+    for (Replay.SavedTick mark : marks) {
       if (mark.tick() == tick) {
         replay.reset(mark);
       }

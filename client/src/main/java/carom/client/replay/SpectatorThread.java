@@ -11,8 +11,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Runs a {@link Spectator} on a thread of its own, so that its file grows while another thread
- * plays it. The file is temporary; closing deletes it.
+ * Runs a {@link RecordingDownload} on a thread of its own, so that its file grows while another
+ * thread plays it. The file is temporary; closing deletes it.
  */
 public final class SpectatorThread implements AutoCloseable {
   private static final long NAP_MS = 5;
@@ -24,7 +24,7 @@ public final class SpectatorThread implements AutoCloseable {
   private final ClientTransport transport;
   private final Redirects redirects;
   private final Path file;
-  private final Spectator spectator;
+  private final RecordingDownload spectator;
   private final Thread thread;
   private final long beginNs = System.nanoTime();
   private volatile boolean stop;
@@ -58,7 +58,7 @@ public final class SpectatorThread implements AutoCloseable {
     this.redirects = redirects;
     file = Files.createTempFile("carom-watched", ".carom");
     file.toFile().deleteOnExit();
-    spectator = new Spectator(config, room, transport, file);
+    spectator = new RecordingDownload(config, room, transport, file);
     thread = new Thread(this::run, "carom-spectator");
     thread.setDaemon(true);
     thread.start();
@@ -143,7 +143,7 @@ public final class SpectatorThread implements AutoCloseable {
   public boolean isReady() {
     try (RecordingReader reader = RecordingReader.open(file)) {
       // Without the state that may follow the header, the replay would begin with an empty game.
-      return reader.next() != RecordingReader.Event.WAIT;
+      return reader.next() != RecordingReader.Entry.WAIT;
     } catch (IOException e) {
       return false; // there is no whole header yet
     }

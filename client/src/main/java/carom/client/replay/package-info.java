@@ -4,6 +4,6 @@
  *
  * <p>Imports {@code carom.client}, {@code carom.client.view}, {@code carom.replay}, {@code
  * carom.net..} and {@code carom.sim}. Read first: {@link carom.client.replay.ReplayClient}, {@link
- * carom.client.replay.Spectator}, {@link carom.client.replay.SpectatorThread}.
+ * carom.client.replay.RecordingDownload}, {@link carom.client.replay.SpectatorThread}.
  */
 package carom.client.replay;

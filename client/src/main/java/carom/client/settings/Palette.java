@@ -2,7 +2,7 @@ package carom.client.settings;
 
 /** The colours in which games are drawn. */
 public enum Palette {
-  /** As games and levels choose them. */
+  /** The colours that games and levels choose. */
   STANDARD("standard"),
   /** Eight colours that people with any kind of colour blindness tell apart. */
   COLOUR_BLIND("colour-blind");

@@ -1,6 +1,7 @@
 package carom.client.settings;
 
 import carom.net.protocol.PlayerName;
+import carom.sim.message.PlayerColour;
 import carom.values.Records;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -12,10 +13,12 @@ import java.util.Map;
  * The settings of a player. Immutable; start from {@link #defaults}.
  *
  * @param name the player's name, see {@link PlayerName}
+ * @param colour colour of the player's body, in games that let players choose
  * @param volume loudness of the sounds, 0..100 %
  * @param windowWidth width of the window, 640..16,384 px
  * @param windowHeight height of the window, 360..16,384 px
  * @param fullscreen whether the window fills the screen
+ * @param vsync whether pictures wait for the screen
  * @param textSize size of texts and panels, 75..200 %
  * @param palette colours in which games are drawn
  * @param interpolationMs least time by which other players' bodies are drawn late, 0..300 ms; 0 =
@@ -26,10 +29,12 @@ import java.util.Map;
  */
 public record PlayerSettings(
     String name,
+    PlayerColour colour,
     int volume,
     int windowWidth,
     int windowHeight,
     boolean fullscreen,
+    boolean vsync,
     int textSize,
     Palette palette,
     int interpolationMs,
@@ -78,10 +83,12 @@ public record PlayerSettings(
   public static PlayerSettings defaults() {
     return new PlayerSettings(
         /* name= */ "player",
+        /* colour= */ PlayerColour.OF_THE_GAME,
         /* volume= */ 25,
         /* windowWidth= */ 1_280,
         /* windowHeight= */ 720,
         /* fullscreen= */ false,
+        /* vsync= */ true,
         /* textSize= */ 100,
         /* palette= */ Palette.STANDARD,
         /* interpolationMs= */ 0,
@@ -93,6 +100,11 @@ public record PlayerSettings(
   /** Returns a copy for a player of this name. */
   public PlayerSettings withName(String name) {
     return Records.with(this, "name", name);
+  }
+
+  /** Returns a copy with a body of this colour. */
+  public PlayerSettings withColour(PlayerColour colour) {
+    return Records.with(this, "colour", colour);
   }
 
   /** Returns a copy with this loudness. */
@@ -108,6 +120,11 @@ public record PlayerSettings(
   /** Returns a copy whose window fills the screen, or not. */
   public PlayerSettings withFullscreen(boolean fullscreen) {
     return Records.with(this, "fullscreen", fullscreen);
+  }
+
+  /** Returns a copy whose pictures wait for the screen, or not. */
+  public PlayerSettings withVsync(boolean vsync) {
+    return Records.with(this, "vsync", vsync);
   }
 
   /** Returns a copy with texts of this size. */

@@ -1,5 +1,6 @@
 package carom.client.settings;
 
+import carom.sim.message.PlayerColour;
 import carom.text.Suggestion;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -11,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -71,6 +73,13 @@ public final class SettingsFile {
     lines.add(new Line("name", "name in games", s -> s.name(), (s, v) -> s.withName(v)));
     lines.add(
         new Line(
+            "colour",
+            "of the own body: " + labels(PlayerColour.values(), PlayerColour::label),
+            s -> s.colour().label(),
+            (s, v) ->
+                s.withColour(labelled("colour", PlayerColour.values(), PlayerColour::label, v))));
+    lines.add(
+        new Line(
             "volume",
             "0..100 %",
             s -> "" + s.volume(),
@@ -89,6 +98,12 @@ public final class SettingsFile {
             (s, v) -> s.withFullscreen(flag("fullscreen", v))));
     lines.add(
         new Line(
+            "vsync",
+            "true: pictures wait for the screen; false: they come sooner, and may tear",
+            s -> "" + s.vsync(),
+            (s, v) -> s.withVsync(flag("vsync", v))));
+    lines.add(
+        new Line(
             "text-size",
             "75..200 %",
             s -> "" + s.textSize(),
@@ -96,9 +111,9 @@ public final class SettingsFile {
     lines.add(
         new Line(
             "colours",
-            "standard or colour-blind",
+            labels(Palette.values(), Palette::label),
             s -> s.palette().label(),
-            SettingsFile::colours));
+            (s, v) -> s.withPalette(labelled("colours", Palette.values(), Palette::label, v))));
     lines.add(
         new Line(
             "interpolation",
@@ -166,13 +181,18 @@ public final class SettingsFile {
         number("window", sides[0].strip()), number("window", sides[1].strip()));
   }
 
-  private static PlayerSettings colours(PlayerSettings settings, String text) {
-    for (Palette palette : Palette.values()) {
-      if (palette.label().equals(text)) {
-        return settings.withPalette(palette);
+  private static <T> String labels(T[] values, Function<T, String> label) {
+    return Stream.of(values).map(label).collect(Collectors.joining(", "));
+  }
+
+  private static <T> T labelled(String name, T[] values, Function<T, String> label, String text) {
+    for (T value : values) {
+      if (label.apply(value).equals(text)) {
+        return value;
       }
     }
-    throw new IllegalArgumentException("colours=" + text + " is neither standard nor colour-blind");
+    throw new IllegalArgumentException(
+        name + "=" + text + " is not one of: " + labels(values, label));
   }
 
   private static List<String> list(String text) {

@@ -37,7 +37,7 @@ public final class ViewComposer {
   private static final double MOMENT_SLACK = 3;
 
   /** The picture of one slot. */
-  private static final class Track {
+  private static final class SlotPicture {
     boolean shown;
 
     /**
@@ -74,7 +74,7 @@ public final class ViewComposer {
   private final JointComposer joints;
   private final Pose pose = new Pose();
   private final Pose then = new Pose();
-  private Track[] tracks = {};
+  private SlotPicture[] tracks = {};
   private boolean composed;
   private long composedNs;
   private double composedTick;
@@ -177,7 +177,7 @@ public final class ViewComposer {
   }
 
   private void compose(int slot, EntityHistory history, OwnState own) {
-    Track track = tracks[slot];
+    SlotPicture track = tracks[slot];
     int index = interpolator.sample(states.of(history), renderTick, pose);
     ClientView.Drawn drawn = view.add();
     int generation = history.generation(0);
@@ -202,7 +202,7 @@ public final class ViewComposer {
       return;
     }
     if (track == null) {
-      track = new Track();
+      track = new SlotPicture();
       tracks[slot] = track;
     }
     if (weight == 0) {
@@ -245,7 +245,7 @@ public final class ViewComposer {
   }
 
   private static void remember(
-      Track track, EntityHistory history, int identity, Archetype archetype, float weight) {
+      SlotPicture track, EntityHistory history, int identity, Archetype archetype, float weight) {
     track.shown = true;
     track.ghost = false;
     track.generation = history.generation(identity);
@@ -255,7 +255,7 @@ public final class ViewComposer {
     track.weight = weight;
   }
 
-  private static void show(int slot, Track track, ClientView.Drawn drawn) {
+  private static void show(int slot, SlotPicture track, ClientView.Drawn drawn) {
     drawn.id = slot;
     drawn.generation = track.generation;
     drawn.archetype = track.archetype;
@@ -265,7 +265,8 @@ public final class ViewComposer {
   }
 
   /** Turns what would change at once into a visual error. */
-  private void smooth(Track track, EntityHistory history, int index, float weight, Pose present) {
+  private void smooth(
+      SlotPicture track, EntityHistory history, int index, float weight, Pose present) {
     track.error.fade(seconds);
     float blended = WEIGHT_PER_SECOND * seconds + 0.1f;
     if (Math.abs(weight - track.weight) > blended || (jumped && weight < 1)) {
@@ -296,7 +297,7 @@ public final class ViewComposer {
   }
 
   /** Returns whether the path drawn last isn't part of the path known now. */
-  private boolean isNewPath(Track track) {
+  private boolean isNewPath(SlotPicture track) {
     int from = interpolator.fromTick();
     int to = interpolator.toTick();
     if (from == track.fromTick && to == track.toTick) {
@@ -306,7 +307,7 @@ public final class ViewComposer {
   }
 
   /** Shows an entity that is gone a little longer, on its last course. */
-  private void fadeOut(int slot, Track track, ClientView.Drawn drawn) {
+  private void fadeOut(int slot, SlotPicture track, ClientView.Drawn drawn) {
     if (track != null && track.shown) {
       track.alpha -= seconds / FADE_OUT_SECONDS;
       track.shown = track.alpha > 0;

@@ -2,8 +2,8 @@ package carom.server.access;
 
 import carom.json.Json;
 import carom.json.JsonException;
-import carom.net.protocol.Limits;
 import carom.net.protocol.PlayerName;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -112,7 +112,7 @@ public final class JoinTokens {
 
   private static void requireUsable(JoinToken token) throws BadTokenException {
     String account = token.account();
-    if (account.isBlank() || account.length() > Limits.MAX_ACCOUNT_CHARACTERS) {
+    if (account.isBlank() || account.length() > ProtocolLimits.MAX_ACCOUNT_CHARACTERS) {
       throw new BadTokenException("The token has no account of 1 to 64 characters (sub).");
     }
     String problem = token.name().isEmpty() ? null : PlayerName.problem(token.name());

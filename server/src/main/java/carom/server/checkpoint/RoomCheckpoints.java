@@ -63,7 +63,7 @@ public final class RoomCheckpoints {
    * @param bySeat the live array of the sessions by seat, null where a seat is empty
    */
   @SuppressWarnings("ArrayRecordComponent") // Never compared.
-  public record Setting(
+  public record KeptRoom(
       ServerConfig config,
       RoomConfig room,
       int number,
@@ -72,7 +72,7 @@ public final class RoomCheckpoints {
       Seats seats,
       Session[] bySeat) {}
 
-  private final Setting room;
+  private final KeptRoom room;
   private final SlotDisk disk;
   private final SlotFolder folder;
   private final int intervalTicks;
@@ -110,7 +110,7 @@ public final class RoomCheckpoints {
    * @param path folder of this room's slots alone
    * @param seconds time between checkpoints, s
    */
-  public RoomCheckpoints(Setting room, SlotDisk disk, Path path, int seconds) {
+  public RoomCheckpoints(KeptRoom room, SlotDisk disk, Path path, int seconds) {
     this.room = room;
     this.disk = disk;
     folder = new SlotFolder(path);

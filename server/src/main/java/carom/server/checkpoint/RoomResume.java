@@ -30,7 +30,7 @@ final class RoomResume {
 
   private final SlotFolder folder;
   private final int slot;
-  private final RoomCheckpoints.Setting room;
+  private final RoomCheckpoints.KeptRoom room;
   private final MatchLoader loader;
   private final long nowNs;
 
@@ -45,7 +45,7 @@ final class RoomResume {
   private String trouble;
 
   RoomResume(
-      SlotFolder folder, int slot, RoomCheckpoints.Setting room, MatchLoader loader, long nowNs) {
+      SlotFolder folder, int slot, RoomCheckpoints.KeptRoom room, MatchLoader loader, long nowNs) {
     this.folder = folder;
     this.slot = slot;
     this.room = room;

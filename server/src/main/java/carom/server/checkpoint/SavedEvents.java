@@ -1,6 +1,6 @@
 package carom.server.checkpoint;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.event.EventRing;
 import carom.physics.archive.Archive;
@@ -71,7 +71,8 @@ final class SavedEvents {
       int player = words[at + 2];
       a.require(words[at] >= 0 && words[at] <= MAX_KIND, "an event of kind=" + words[at]);
       a.require(tick >= (at == 0 ? 0 : words[at + 1 - WORDS]), "an event of tick=" + tick);
-      a.require(player >= EventRecord.NONE && player < Limits.MAX_PLAYERS, "player=" + player);
+      a.require(
+          player >= EventRecord.NONE && player < ProtocolLimits.MAX_PLAYERS, "player=" + player);
     }
     return a.reads() ? new SavedEvents(words) : events;
   }

@@ -1,7 +1,7 @@
 package carom.server.checkpoint;
 
-import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
@@ -126,7 +126,8 @@ record SavedRoom(
     int tick = a.integer("tick", reads ? 0 : r.tick, 0, Integer.MAX_VALUE);
     long hash = a.bits("hash", reads ? 0 : r.hash);
     SavedEvents events = SavedEvents.pass(a, reads ? null : r.events);
-    int count = a.count("seats", reads ? 0 : r.seats.size(), Limits.MAX_PLAYERS, SavedSeat.bytes());
+    int count =
+        a.count("seats", reads ? 0 : r.seats.size(), ProtocolLimits.MAX_PLAYERS, SavedSeat.bytes());
     List<SavedSeat> seats = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       seats.add(SavedSeat.pass(a, reads ? null : r.seats.get(i), events.count()));

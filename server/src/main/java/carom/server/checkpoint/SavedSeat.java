@@ -1,6 +1,6 @@
 package carom.server.checkpoint;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.physics.archive.Archive;
 import carom.server.session.Seats;
 
@@ -43,10 +43,11 @@ public record SavedSeat(
   /** Passes a seat; null when reading. */
   static SavedSeat pass(Archive a, SavedSeat s, int eventCount) {
     boolean reads = a.reads();
-    int id = a.integer("seat", reads ? 0 : s.id, 0, Limits.MAX_PLAYERS - 1);
-    String wanted = a.text("wanted name", reads ? "" : s.wantedName, Limits.MAX_NAME_BYTES);
-    String name = a.text("name", reads ? "" : s.name, Limits.MAX_NAME_BYTES);
-    String account = a.text("account", reads ? "" : s.account, Limits.MAX_ACCOUNT_CHARACTERS);
+    int id = a.integer("seat", reads ? 0 : s.id, 0, ProtocolLimits.MAX_PLAYERS - 1);
+    String wanted = a.text("wanted name", reads ? "" : s.wantedName, ProtocolLimits.MAX_NAME_BYTES);
+    String name = a.text("name", reads ? "" : s.name, ProtocolLimits.MAX_NAME_BYTES);
+    String account =
+        a.text("account", reads ? "" : s.account, ProtocolLimits.MAX_ACCOUNT_CHARACTERS);
     long secret = a.bits("secret", reads ? 0 : s.secret);
     boolean muted = a.flag("muted", !reads && s.muted);
     int grace = a.integer("grace ms", reads ? 0 : s.graceMs, PLAYED, MAX_GRACE_MS);

@@ -37,9 +37,9 @@ public final class SlotDisk implements AutoCloseable {
   }
 
   /** Returns how logs behind checkpoints are written. */
-  Recorder.Pace pace() {
-    Recorder.Pace log = Recorder.Pace.LOG;
-    return new Recorder.Pace(
+  Recorder.Intervals pace() {
+    Recorder.Intervals log = Recorder.Intervals.LOG;
+    return new Recorder.Intervals(
         log.blocksPerSecond(), log.keyframeSeconds(), log.stateSeconds(), mostStateBytes);
   }
 

@@ -1,6 +1,6 @@
 package carom.server.command;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.server.room.Room;
 import java.util.ArrayList;
@@ -62,9 +62,10 @@ public final class RedirectCommands {
   private String redirect(CommandWords words) throws CommandException {
     words.requireAtMost(3);
     String token = words.has(2) ? words.word(2, "TOKEN") : "";
-    if (token.length() > Limits.MAX_TOKEN_BYTES) {
+    if (token.length() > ProtocolLimits.MAX_TOKEN_BYTES) {
       throw new CommandException(
-          "TOKEN has characters=%d, limit=%d".formatted(token.length(), Limits.MAX_TOKEN_BYTES));
+          "TOKEN has characters=%d, limit=%d"
+              .formatted(token.length(), ProtocolLimits.MAX_TOKEN_BYTES));
     }
     ServerMessage.Redirect redirect = parse(words.word(0, SERVER), token);
     if (!words.has(1) && words.room() == null) {
@@ -108,7 +109,7 @@ public final class RedirectCommands {
   private static ServerMessage.Redirect parse(String text, String token) throws CommandException {
     Matcher target = TARGET.matcher(text);
     if (!target.matches()
-        || target.group(1).length() > Limits.MAX_ADDRESS_BYTES
+        || target.group(1).length() > ProtocolLimits.MAX_ADDRESS_BYTES
         || Integer.parseInt(target.group(2)) < 1
         || Integer.parseInt(target.group(2)) > 65_535) {
       throw new CommandException(

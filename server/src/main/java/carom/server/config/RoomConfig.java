@@ -1,6 +1,6 @@
 package carom.server.config;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -45,9 +45,9 @@ public record RoomConfig(
       throw new IllegalArgumentException(
           "room=" + name + " has neither a game nor a level; name one of them");
     }
-    if (places < 1 || places > Limits.MAX_PLAYERS) {
+    if (places < 1 || places > ProtocolLimits.MAX_PLAYERS) {
       throw new IllegalArgumentException(
-          "places=" + places + " is outside 1.." + Limits.MAX_PLAYERS);
+          "places=" + places + " is outside 1.." + ProtocolLimits.MAX_PLAYERS);
     }
     problem = RoomName.metadataProblem(metadata);
     if (problem != null) {

@@ -1,6 +1,6 @@
 package carom.server.config;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.physics.threads.WorkerThreads;
 import carom.values.Records;
 import java.util.Objects;
@@ -118,7 +118,7 @@ public record ServerConfig(
     check("tickRateHz", tickRateHz, 10, 240, "--tick-rate");
     check("rooms", rooms, 1, MAX_ROOMS, "--rooms");
     check("threads", threads, 1, WorkerThreads.MAX_COUNT, "--threads");
-    check("maxPlayers", maxPlayers, 1, Limits.MAX_PLAYERS, "--max-players");
+    check("maxPlayers", maxPlayers, 1, ProtocolLimits.MAX_PLAYERS, "--max-players");
     if (rooms * maxPlayers > MAX_PLACES) {
       throw new IllegalArgumentException(
           "rooms=%d with maxPlayers=%d each are %d places, a server has at most %d; %s"
@@ -179,7 +179,7 @@ public record ServerConfig(
         /* inputWindowTicks= */ 32,
         /* inputHoldTicks= */ 30,
         /* snapshotRateHz= */ 60,
-        /* keepAliveRateHz= */ 6,
+        /* keepAliveRateHz= */ 5,
         /* snapshotBitsPerSecond= */ 512_000,
         /* viewMetres= */ 0,
         /* rosterIntervalMs= */ 250,

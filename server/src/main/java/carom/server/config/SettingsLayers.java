@@ -39,7 +39,7 @@ public final class SettingsLayers {
 
   private final CommandSpec program;
   private final List<String> commandLine;
-  private final Map<String, SettingsFile.Value> below = new TreeMap<>();
+  private final Map<String, ConfigFile.Value> below = new TreeMap<>();
   private final List<String> warnings = new ArrayList<>();
   private final Path file;
 
@@ -57,7 +57,7 @@ public final class SettingsLayers {
     this.program = program;
     this.commandLine = commandLine;
     SettingUnits.accept(program);
-    Map<String, SettingsFile.Value> fromEnvironment = readEnvironment(environment);
+    Map<String, ConfigFile.Value> fromEnvironment = readEnvironment(environment);
     String named = commandLineValue(CONFIG);
     if (named == null) {
       named = textOf(fromEnvironment.remove(CONFIG));
@@ -144,11 +144,11 @@ public final class SettingsLayers {
     return String.join(" ", option.description()).replace(" (" + option.defaultValue() + ")", "");
   }
 
-  private Map<String, SettingsFile.Value> readEnvironment(Map<String, String> environment) {
+  private Map<String, ConfigFile.Value> readEnvironment(Map<String, String> environment) {
     Map<String, String> names = new TreeMap<>();
     settingNames().forEach(name -> names.put(Setting.variable(name), name));
     names.put(Setting.variable(CONFIG), CONFIG);
-    Map<String, SettingsFile.Value> values = new TreeMap<>();
+    Map<String, ConfigFile.Value> values = new TreeMap<>();
     for (Map.Entry<String, String> variable : new TreeMap<>(environment).entrySet()) {
       String key = variable.getKey();
       if (!key.startsWith(Setting.VARIABLE_PREFIX) || variable.getValue().isEmpty()) {
@@ -156,7 +156,7 @@ public final class SettingsLayers {
       }
       if (names.containsKey(key)) {
         List<String> text = List.of(variable.getValue());
-        values.put(names.get(key), new SettingsFile.Value(text, "environment " + key));
+        values.put(names.get(key), new ConfigFile.Value(text, "environment " + key));
       } else {
         // Orchestrators make variables of their own, so an unknown one is no error.
         warnings.add(
@@ -176,9 +176,9 @@ public final class SettingsLayers {
    */
   private void readFile(Path foundIn) throws BadSettingException {
     Set<String> known = settingNames();
-    for (Map.Entry<String, SettingsFile.Value> entry : SettingsFile.read(file).entrySet()) {
+    for (Map.Entry<String, ConfigFile.Value> entry : ConfigFile.read(file).entrySet()) {
       String name = entry.getKey();
-      SettingsFile.Value value = entry.getValue();
+      ConfigFile.Value value = entry.getValue();
       if (!known.contains(name)) {
         throw new BadSettingException(
             "%s: unknown setting=%s%s; carom-server --print-config shows all"
@@ -225,7 +225,7 @@ public final class SettingsLayers {
     return found;
   }
 
-  private static String textOf(SettingsFile.Value value) {
+  private static String textOf(ConfigFile.Value value) {
     return value == null ? null : value.texts().get(0);
   }
 

@@ -1,6 +1,6 @@
 package carom.server.lobby;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
@@ -31,7 +31,7 @@ final class LobbyContext {
   private final RoomDirectory directory;
   private final int places;
   private final List<Visitor> visitors = new ArrayList<>();
-  private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
+  private final PartingLinks partings = new PartingLinks(ProtocolLimits.MAX_PLAYERS);
   private final AdmissionRate rate;
   private final Spectators spectators;
   private volatile EntryRule entryRule = EntryRule.OPEN;

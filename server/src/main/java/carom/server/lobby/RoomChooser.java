@@ -1,6 +1,6 @@
 package carom.server.lobby;
 
-import carom.net.admission.Origin;
+import carom.net.admission.AddressGroup;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import java.util.List;
@@ -106,7 +106,7 @@ final class RoomChooser {
    * @param origin where the newcomer comes from
    * @param requested the room, or null for all in turn
    */
-  Room askToGiveWay(String account, Origin origin, Room requested) {
+  Room askToGiveWay(String account, AddressGroup origin, Room requested) {
     for (Room room : requested == null ? rooms : List.of(requested)) {
       if (!room.hasFailed() && room.seatRequests().ask(account, origin)) {
         return room;

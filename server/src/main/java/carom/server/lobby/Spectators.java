@@ -1,9 +1,9 @@
 package carom.server.lobby;
 
-import carom.net.admission.Origin;
+import carom.net.admission.AddressGroup;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
@@ -48,7 +48,7 @@ final class Spectators implements LinkHandler {
 
   private static final class Spectator {
     private final Link link;
-    private final Origin origin;
+    private final AddressGroup origin;
     private final Room room;
     private final DelayedRecording recording;
 
@@ -64,7 +64,7 @@ final class Spectators implements LinkHandler {
 
     Spectator(Link link, Room room, DelayedRecording recording, long nowNs) {
       this.link = link;
-      origin = Origin.ofRemote(link.remote());
+      origin = AddressGroup.ofRemote(link.remote());
       this.room = room;
       this.recording = recording;
       skipped = recording.skippableBytes(room.age());
@@ -108,7 +108,7 @@ final class Spectators implements LinkHandler {
           RefusalReason.ROOM_UNKNOWN,
           "There is no room=" + room + ", they are 1.." + recordings.size() + ".");
     }
-    if (spectators.size() >= MAX && !makeRoom(Origin.ofRemote(link.remote()))) {
+    if (spectators.size() >= MAX && !makeRoom(AddressGroup.ofRemote(link.remote()))) {
       return new ServerMessage.Refused(RefusalReason.SERVER_FULL, MAX + " people watch already.");
     }
     Room watched = rooms.get(room - 1);
@@ -124,7 +124,7 @@ final class Spectators implements LinkHandler {
    * Ends the stay of a network's newest spectator, if that network has more than its share and more
    * than the newcomer's. Returns whether there is room now.
    */
-  private boolean makeRoom(Origin newcomer) {
+  private boolean makeRoom(AddressGroup newcomer) {
     Map<String, Integer> counts = new HashMap<>();
     spectators.forEach(s -> counts.merge(s.origin.network(), 1, Integer::sum));
     int most = counts.values().stream().mapToInt(n -> n).max().orElse(0);
@@ -187,7 +187,7 @@ final class Spectators implements LinkHandler {
     s.bytes = Math.min(BYTES_PER_S, s.bytes + (nowNs - s.filledNs) * 1e-9 * BYTES_PER_S);
     s.filledNs = nowNs;
     try {
-      int most = (int) Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, s.bytes);
+      int most = (int) Math.min(ProtocolLimits.MAX_LEVEL_CHUNK_BYTES, s.bytes);
       byte[] bytes = s.recording.read(s.skipped, offset, most, s.room.age());
       s.bytes -= bytes.length;
       s.link.send(new ServerMessage.RecordingChunk(offset, bytes));

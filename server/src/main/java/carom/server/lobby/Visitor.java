@@ -1,7 +1,7 @@
 package carom.server.lobby;
 
+import carom.net.admission.AddressGroup;
 import carom.net.admission.Entrance;
-import carom.net.admission.Origin;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.PlayerName;
@@ -65,7 +65,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private long deadlineNs;
   private Room room;
   private Seats.Seat seat;
-  private final Origin origin;
+  private final AddressGroup origin;
   private JoinRequest waiting;
   private int lists;
   private long waitsUntilNs;
@@ -84,13 +84,13 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     this.chooser = context.chooser();
     this.directory = context.directory();
     this.link = link;
-    this.origin = Origin.ofRemote(link.remote());
+    this.origin = AddressGroup.ofRemote(link.remote());
     this.deadlineNs = context.nowNs() + config.handshakeTimeoutMs() * NS_PER_MS;
     this.askAgainNs = context.nowNs();
   }
 
   @Override
-  public Origin origin() {
+  public AddressGroup origin() {
     return origin;
   }
 
@@ -98,11 +98,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    * Returns the stage; a visitor with a seat and one that asks for it never displace each other.
    */
   @Override
-  public Entrance.Stage stage() {
+  public Entrance.Standing standing() {
     if (done || state == SessionState.LOADING) {
-      return Entrance.Stage.IN;
+      return Entrance.Standing.IN;
     }
-    return waiting == null ? Entrance.Stage.UNPROVEN : Entrance.Stage.PROVEN;
+    return waiting == null ? Entrance.Standing.UNPROVEN : Entrance.Standing.PROVEN;
   }
 
   /** Refuses the visitor because others need its place at the door. */

@@ -12,7 +12,7 @@ import org.slf4j.LoggerFactory;
  * Counts the exceptions of a room's game and logs the 1st, 10th, 100th... of them. The room closes
  * when each tick of a second has failed.
  */
-public final class GameFailures implements GuardedGame.Watch {
+public final class GameFailures implements GuardedGame.FailureListener {
   private static final Logger LOG = LoggerFactory.getLogger(GameFailures.class);
 
   private final String game;

@@ -1,7 +1,7 @@
 package carom.server.match;
 
 import carom.net.protocol.ClientMessage;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import java.util.Arrays;
@@ -42,7 +42,7 @@ public final class LevelUpload {
     if (offset < 0 || offset >= packed.length) {
       return "LevelRequest.offset=" + offset + " is outside 0.." + (packed.length - 1) + ".";
     }
-    int end = Math.min(packed.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
+    int end = Math.min(packed.length, offset + ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
     sentBytes += end - offset;
     if (sentBytes > (long) MAX_PULLS * packed.length) {
       return "The level was requested again and again.";

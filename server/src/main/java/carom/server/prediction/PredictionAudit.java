@@ -30,11 +30,11 @@ public final class PredictionAudit {
 
   /** The result of an examined report: among reasons, a later one outweighs an earlier one. */
   public enum Finding {
-    /** Too old, of another body, or of ticks that were not kept. */
+    /** The report is too old, of another body, or of ticks that were not kept. */
     UNKNOWN,
     /** The server has what the client says it predicted, as far as the report goes. */
     EQUAL,
-    /** Nothing explains it. */
+    /** Nothing explains the difference. */
     UNEXPLAINED,
     /** An input came too late or never. */
     INPUT_MISSING,

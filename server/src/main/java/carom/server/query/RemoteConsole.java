@@ -53,7 +53,7 @@ public final class RemoteConsole implements AutoCloseable {
   private final Set<Socket> connections = ConcurrentHashMap.newKeySet();
 
   /** A message of the protocol. */
-  record Message(int id, int type, String body) {}
+  record Packet(int id, int type, String body) {}
 
   /**
    * Opens the port.
@@ -125,7 +125,7 @@ public final class RemoteConsole implements AutoCloseable {
       }
       socket.setSoTimeout(SILENCE_MS);
       while (true) {
-        Message message = read(in);
+        Packet message = read(in);
         if (message.type == COMMAND) {
           LOG.info("rcon: {} runs: {}", socket.getInetAddress().getHostAddress(), message.body);
           write(out, message.id, ANSWER, commands.run(message.body).text());
@@ -145,7 +145,7 @@ public final class RemoteConsole implements AutoCloseable {
 
   /** Returns whether the first message is the right password. Another message is no try. */
   private boolean login(Socket socket, DataInputStream in, OutputStream out) throws IOException {
-    Message first = read(in);
+    Packet first = read(in);
     InetAddress address = socket.getInetAddress();
     if (first.type != AUTH || throttle.mustWait(address)) {
       return false;
@@ -163,7 +163,7 @@ public final class RemoteConsole implements AutoCloseable {
   }
 
   /** Reads the next message; fails where the stream ends or the size is wrong. */
-  static Message read(DataInputStream in) throws IOException {
+  static Packet read(DataInputStream in) throws IOException {
     int size = Integer.reverseBytes(in.readInt());
     if (size < FRAME_BYTES || size > FRAME_BYTES + MAX_BODY_BYTES) {
       throw new IOException("size=" + size);
@@ -172,7 +172,7 @@ public final class RemoteConsole implements AutoCloseable {
     in.readFully(bytes.array());
     String body =
         new String(bytes.array(), 2 * Integer.BYTES, size - FRAME_BYTES, StandardCharsets.UTF_8);
-    return new Message(bytes.getInt(), bytes.getInt(), body);
+    return new Packet(bytes.getInt(), bytes.getInt(), body);
   }
 
   /**

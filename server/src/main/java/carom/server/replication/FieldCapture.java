@@ -1,7 +1,7 @@
 package carom.server.replication;
 
 import carom.net.field.FieldTables;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.Table;
 import carom.net.snapshot.table.TableLayout;
@@ -44,7 +44,8 @@ final class FieldCapture {
   FieldCapture(Simulation simulation) {
     this.simulation = simulation;
     schema = simulation.schema();
-    FieldTables of = new FieldTables(schema, Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
+    FieldTables of =
+        new FieldTables(schema, ProtocolLimits.MAX_PLAYERS, ProtocolLimits.MAX_ENTITIES);
     tables = new ArrayList<>(of.layouts().stream().map(Table::new).toList());
     int most = 0;
     for (TableLayout layout : of.layouts()) {

@@ -2,7 +2,7 @@ package carom.server.replication;
 
 import carom.net.codec.Quantizer;
 import carom.net.field.FieldTables;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
@@ -70,11 +70,12 @@ public final class FrameCapture {
   /** Creates an empty ring for a simulation's entities, which starts from the level's bodies. */
   public FrameCapture(Simulation simulation) {
     this.simulation = simulation;
-    this.ring = new FrameRing(Limits.MAX_ENTITIES);
+    this.ring = new FrameRing(ProtocolLimits.MAX_ENTITIES);
     this.index = new InterestIndex(simulation);
     ring.gravity(simulation.level().gravityX(), simulation.level().gravityY());
     ring.level(
-        FrameState.of(Limits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
+        FrameState.of(
+            ProtocolLimits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
     deltas = new Deltas(ring, simulation.tickRate());
     fields = new FieldCapture(simulation);
     joints = new JointCapture(simulation);

@@ -1,6 +1,6 @@
 package carom.server.replication;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 
 /**
  * Estimates from the acks how fast one client's line takes snapshots.
@@ -75,8 +75,8 @@ final class LinkPace {
    * @param acked whether the client acks it soon, see {@link #acked}
    */
   void sent(int payloadBytes, boolean acked) {
-    tokens -= payloadBytes + Limits.DATAGRAM_OVERHEAD_BYTES;
-    sent += acked ? payloadBytes + Limits.DATAGRAM_OVERHEAD_BYTES : 0;
+    tokens -= payloadBytes + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES;
+    sent += acked ? payloadBytes + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES : 0;
   }
 
   /**
@@ -125,7 +125,7 @@ final class LinkPace {
   }
 
   private static int payload(float bytes) {
-    return (int) Math.min(Integer.MAX_VALUE, bytes - Limits.DATAGRAM_OVERHEAD_BYTES);
+    return (int) Math.min(Integer.MAX_VALUE, bytes - ProtocolLimits.DATAGRAM_OVERHEAD_BYTES);
   }
 
   /** Returns the present pace, bytes on the wire per second. */

@@ -3,7 +3,7 @@ package carom.server.replication;
 import carom.net.codec.Sequence;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.exact.OwnState;
@@ -146,7 +146,7 @@ public final class SessionReplication {
       return true; // once is enough, so that a client can't make the server send without end
     }
     poolSent = offset + 1;
-    int end = Math.min(poolState.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
+    int end = Math.min(poolState.length, offset + ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
     byte[] piece = Arrays.copyOfRange(poolState, offset, end);
     link.send(new ServerMessage.PoolChunk(poolState.length, offset, piece));
     return true;

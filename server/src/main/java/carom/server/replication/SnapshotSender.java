@@ -1,7 +1,7 @@
 package carom.server.replication;
 
 import carom.net.codec.Sequence;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRing;
@@ -183,7 +183,8 @@ public final class SnapshotSender {
   /** Earns budget for a tick; call once per tick, before anything else. */
   public void tick() {
     bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
-    pace.tick(encoder.ackedBytes() + Limits.DATAGRAM_OVERHEAD_BYTES * encoder.ackedDatagrams());
+    pace.tick(
+        encoder.ackedBytes() + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES * encoder.ackedDatagrams());
   }
 
   /**

@@ -25,7 +25,7 @@ final class Arrivals {
   /** A crowd that comes at once must not cost the others a tick: at most so many a tick. */
   private static final int MAX_PER_TICK = 8;
 
-  /** After this part of a tick's time the rest waits for the next tick. */
+  /** Arrivals take at most this part of a tick's time; the rest waits for the next tick. */
   private static final int TIME_PARTS = 8;
 
   private final RoomContext room;

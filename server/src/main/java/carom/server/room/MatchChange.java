@@ -1,7 +1,7 @@
 package carom.server.room;
 
 import carom.net.protocol.DatagramMark;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.SessionState;
 import carom.server.checkpoint.ResumedRoom;
 import carom.server.checkpoint.RoomCheckpoints;
@@ -253,7 +253,7 @@ final class MatchChange implements RoomCourse {
     if (!brings && !begun) {
       recording.beginMatch(); // from tick 0 without players, which needs no whole state
     }
-    for (int id = 0; id < Limits.MAX_PLAYERS; id++) {
+    for (int id = 0; id < ProtocolLimits.MAX_PLAYERS; id++) {
       Session session = sessions.onSeat(id);
       Player saved = simulation.participant(id);
       if (saved != null && (session == null || !saved.name().equals(session.player().name()))) {

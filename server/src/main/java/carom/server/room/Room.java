@@ -55,7 +55,7 @@ import java.util.function.LongSupplier;
  * nothing that changes.
  */
 public final class Room {
-  /** Of several ticks that are made good in one turn, only so many of the last send snapshots. */
+  /** Number of ticks that send snapshots, the last ones, when several are made good in one turn. */
   private static final int MAX_SENDS_PER_BURST = 2;
 
   private final RoomParts parts;
@@ -159,8 +159,8 @@ public final class Room {
    * @throws IOException if the folder can't be used
    */
   public void checkpoint(SlotDisk disk, Path folder, int seconds) throws IOException {
-    RoomCheckpoints.Setting kept =
-        new RoomCheckpoints.Setting(
+    RoomCheckpoints.KeptRoom kept =
+        new RoomCheckpoints.KeptRoom(
             context.config(),
             settings,
             number,

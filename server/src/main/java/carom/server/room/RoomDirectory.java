@@ -1,6 +1,6 @@
 package carom.server.room;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Broadcast;
 import carom.server.session.ChatCommands;
@@ -72,7 +72,7 @@ public final class RoomDirectory {
     List<Broadcast> messages = new ArrayList<>();
     int from = 0;
     do {
-      int to = Math.min(entries.size(), from + Limits.MAX_LISTED_ROOMS);
+      int to = Math.min(entries.size(), from + ProtocolLimits.MAX_LISTED_ROOMS);
       messages.add(
           new Broadcast(
               new ServerMessage.RoomList(entries.size() - to, entries.subList(from, to))));

@@ -1,6 +1,6 @@
 package carom.server.room;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
@@ -20,7 +20,7 @@ import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 
 /**
- * What a room consists of. Each part does one thing.
+ * The parts that a room consists of. Each part does one thing.
  *
  * <pre>
  *   Room ──► RoomTick ──► RoomEnd ──► RoomParts
@@ -40,7 +40,7 @@ final class RoomParts {
   final RoomSessions sessions;
   final Announcer announcer;
   final RosterNews roster;
-  final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
+  final PartingLinks partings = new PartingLinks(ProtocolLimits.MAX_PLAYERS);
   final Departures departures;
   final RoomRecording recording;
   final MatchChange changes;

@@ -4,9 +4,8 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 
 /**
- * How fast time passes in a room: which ticks are due, how long they take, and the pace at which
- * the room can keep them apart. It counts what is late, and warns the operator. One thread; no
- * allocation.
+ * Paces the ticks of a room: which are due, how long they take, and how many a second the room can
+ * keep. It counts what is late, and warns the operator. One thread; no allocation.
  *
  * <pre>
  *   due ◄── TickLoop ◄── pace ── TickLoad ◄── tickTook

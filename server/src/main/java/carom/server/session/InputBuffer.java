@@ -23,9 +23,9 @@ import java.util.Arrays;
 public final class InputBuffer {
   /** The fate of an offered input. */
   public enum Arrival {
-    /** Stored, will be consumed at its tick. */
+    /** The input is stored and will be consumed at its tick. */
     ACCEPTED,
-    /** Already known; the usual fate of redundant copies. */
+    /** The input was known already, which is usual for redundant copies. */
     DUPLICATE,
     /**
      * The input's tick was consumed already, with an equal input that the client had {@linkplain

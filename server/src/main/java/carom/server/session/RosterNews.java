@@ -1,6 +1,6 @@
 package carom.server.session;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.protocol.SessionState;
@@ -128,6 +128,7 @@ public final class RosterNews {
         && entry.ready() == p.isReady()
         && entry.alive() == p.isAlive()
         && entry.pingMs() == pings[id]
+        && entry.colour() == p.colour().number()
         && entry.name().equals(session.seat().name());
   }
 
@@ -167,13 +168,14 @@ public final class RosterNews {
         p.isSpectator(),
         p.isReady(),
         p.isAlive(),
-        pingMs);
+        pingMs,
+        p.colour().number());
   }
 
   private static List<Broadcast> messages(List<RosterEntry> entries) {
     List<Broadcast> messages = new ArrayList<>();
-    for (int from = 0; from < entries.size(); from += Limits.MAX_ROSTER_ENTRIES) {
-      int to = Math.min(entries.size(), from + Limits.MAX_ROSTER_ENTRIES);
+    for (int from = 0; from < entries.size(); from += ProtocolLimits.MAX_ROSTER_ENTRIES) {
+      int to = Math.min(entries.size(), from + ProtocolLimits.MAX_ROSTER_ENTRIES);
       messages.add(new Broadcast(new Roster(List.copyOf(entries.subList(from, to)))));
     }
     return messages;

@@ -1,6 +1,6 @@
 package carom.server.session;
 
-import carom.net.admission.Origin;
+import carom.net.admission.AddressGroup;
 import carom.net.protocol.SessionState;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -39,7 +39,7 @@ public final class SeatRequests {
    * @param account the newcomer's account, or empty
    * @param origin where the newcomer comes from
    */
-  public boolean ask(String account, Origin origin) {
+  public boolean ask(String account, AddressGroup origin) {
     long willing = counters.get(Counter.PLAYERS_IN_GRACE) + counters.get(Counter.PLAYERS_IDLE);
     if (willing > open.get()) {
       open.incrementAndGet();
@@ -47,7 +47,7 @@ public final class SeatRequests {
     return willing > 0 || askCrowd(account, origin);
   }
 
-  private boolean askCrowd(String account, Origin origin) {
+  private boolean askCrowd(String account, AddressGroup origin) {
     Seats.Seat seat = seats.givesWay(shares, account, origin);
     return seat != null && (crowding.compareAndSet(null, seat) || crowding.get() != null);
   }

@@ -1,6 +1,6 @@
 package carom.server.session;
 
-import carom.net.admission.Origin;
+import carom.net.admission.AddressGroup;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Function;
@@ -37,8 +37,10 @@ public final class SeatShares {
   }
 
   /** Returns the group that a player counts for. */
-  static Origin groupOf(String account, Origin origin) {
-    return account.isEmpty() ? origin : new Origin("account " + account, "account " + account);
+  static AddressGroup groupOf(String account, AddressGroup origin) {
+    return account.isEmpty()
+        ? origin
+        : new AddressGroup("account " + account, "account " + account);
   }
 
   /**
@@ -47,8 +49,8 @@ public final class SeatShares {
    * @param seats all seats, null where one is free
    * @param newcomer the group of the newcomer
    */
-  Seats.Seat givesWay(Seats.Seat[] seats, Origin newcomer) {
-    Seats.Seat seat = newestOfBusiest(seats, newcomer, Origin::network);
+  Seats.Seat givesWay(Seats.Seat[] seats, AddressGroup newcomer) {
+    Seats.Seat seat = newestOfBusiest(seats, newcomer, AddressGroup::network);
     if (seat != null) {
       return seat;
     }
@@ -57,15 +59,15 @@ public final class SeatShares {
       boolean near = seats[id] != null && seats[id].group().network().equals(newcomer.network());
       neighbours[id] = near ? seats[id] : null;
     }
-    return newestOfBusiest(neighbours, newcomer, Origin::host);
+    return newestOfBusiest(neighbours, newcomer, AddressGroup::host);
   }
 
   private Seats.Seat newestOfBusiest(
-      Seats.Seat[] seats, Origin newcomer, Function<Origin, String> key) {
+      Seats.Seat[] seats, AddressGroup newcomer, Function<AddressGroup, String> key) {
     Map<String, Integer> groups = count(seats, key);
     int ofNewcomer = groups.getOrDefault(key.apply(newcomer), 0);
     int least = Math.max(share, ofNewcomer + 1);
-    Map<String, Integer> hosts = count(seats, Origin::host);
+    Map<String, Integer> hosts = count(seats, AddressGroup::host);
     Seats.Seat first = null;
     for (Seats.Seat seat : seats) {
       if (seat != null
@@ -83,7 +85,7 @@ public final class SeatShares {
       Seats.Seat b,
       Map<String, Integer> groups,
       Map<String, Integer> hosts,
-      Function<Origin, String> key) {
+      Function<AddressGroup, String> key) {
     int byGroup =
         Integer.compare(groups.get(key.apply(a.group())), groups.get(key.apply(b.group())));
     int byHost = Integer.compare(hosts.get(a.group().host()), hosts.get(b.group().host()));
@@ -91,7 +93,8 @@ public final class SeatShares {
     return order > 0;
   }
 
-  private static Map<String, Integer> count(Seats.Seat[] seats, Function<Origin, String> key) {
+  private static Map<String, Integer> count(
+      Seats.Seat[] seats, Function<AddressGroup, String> key) {
     Map<String, Integer> counts = new HashMap<>();
     for (Seats.Seat seat : seats) {
       if (seat != null) {

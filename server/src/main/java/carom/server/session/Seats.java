@@ -1,8 +1,8 @@
 package carom.server.session;
 
-import carom.net.admission.Origin;
-import carom.net.protocol.Limits;
+import carom.net.admission.AddressGroup;
 import carom.net.protocol.PlayerName;
+import carom.net.protocol.ProtocolLimits;
 import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.Set;
@@ -21,7 +21,7 @@ public final class Seats {
   private static final long NS_PER_MS = 1_000_000;
 
   /** Origin of players that were restored and haven't come back, or sit down in tests. */
-  private static final Origin UNKNOWN = new Origin("", "");
+  private static final AddressGroup UNKNOWN = new AddressGroup("", "");
 
   private final Seat[] taken;
   private final Set<String> foldedNames = new HashSet<>();
@@ -97,7 +97,7 @@ public final class Seats {
    * @param account the player's account by its join token, or empty
    * @param origin where the player comes from
    */
-  public synchronized Seat take(String wantedName, String account, Origin origin) {
+  public synchronized Seat take(String wantedName, String account, AddressGroup origin) {
     return take(wantedName, account, origin, freshSecret());
   }
 
@@ -115,7 +115,7 @@ public final class Seats {
     return seat;
   }
 
-  private Seat take(String wantedName, String account, Origin origin, long secret) {
+  private Seat take(String wantedName, String account, AddressGroup origin, long secret) {
     for (int id = 0; id < taken.length; id++) {
       if (taken[id] == null) {
         Seat seat = new Seat(id, wantedName, freeName(wantedName), account, secret);
@@ -159,7 +159,7 @@ public final class Seats {
    *     so that a client that comes and goes in a loop is slowed down
    * @return null when no seat has this secret, or it was claimed a moment ago
    */
-  public synchronized Seat claim(long secret, Origin origin, long nowNs) {
+  public synchronized Seat claim(long secret, AddressGroup origin, long nowNs) {
     Seat seat = find(secret);
     boolean tooSoon =
         seat != null && seat.resumed && nowNs - seat.resumedNs < RESUME_INTERVAL_MS * NS_PER_MS;
@@ -217,7 +217,7 @@ public final class Seats {
    * @param account the newcomer's account, or empty
    * @param origin where the newcomer comes from
    */
-  public synchronized Seat givesWay(SeatShares shares, String account, Origin origin) {
+  public synchronized Seat givesWay(SeatShares shares, String account, AddressGroup origin) {
     return shares.givesWay(taken, SeatShares.groupOf(account, origin));
   }
 
@@ -253,7 +253,7 @@ public final class Seats {
     String name = wanted;
     for (int number = 2; isTaken(name); number++) {
       String suffix = " (" + number + ")";
-      name = shortened(wanted, Limits.MAX_NAME_BYTES - suffix.length()) + suffix;
+      name = shortened(wanted, ProtocolLimits.MAX_NAME_BYTES - suffix.length()) + suffix;
     }
     return name;
   }
@@ -288,7 +288,7 @@ public final class Seats {
     private int claims; // guarded by the seats' lock, like occupied
     private boolean occupied;
     private long order;
-    private Origin group;
+    private AddressGroup group;
     private boolean resumed;
     private long resumedNs;
     private volatile int courseTick = SAME_COURSE;
@@ -302,7 +302,7 @@ public final class Seats {
       this.secret = secret;
     }
 
-    private void seatedAt(long newOrder, Origin origin) {
+    private void seatedAt(long newOrder, AddressGroup origin) {
       order = newOrder;
       group = SeatShares.groupOf(account, origin);
     }
@@ -313,7 +313,7 @@ public final class Seats {
     }
 
     /** Returns the group that the player counts for; under the seats' lock. */
-    Origin group() {
+    AddressGroup group() {
       return group;
     }
 

@@ -34,7 +34,7 @@ final class SessionInputs {
   private final InputDatagram datagram = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
 
-  /** When the datagram arrived that the feedback is about. */
+  /** Time at which the datagram arrived that the feedback is about. */
   private long arrivalNs;
 
   private int viewDelay;

@@ -24,7 +24,7 @@ public final class WebServer implements AutoCloseable {
   private static final int IDLE_MS = 30_000;
   private static final long MAX_REQUEST_BYTES = 4_096;
 
-  /** What a request that hangs may hold the server's stop. */
+  /** Time for which a request that hangs may hold the server's stop, ms. */
   private static final int STOP_MS = 1_000;
 
   private final Undertow undertow;

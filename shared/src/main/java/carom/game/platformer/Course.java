@@ -15,16 +15,16 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import java.util.List;
 
-/** What the platformer is played with: kinds of entities and events, and places of the level. */
+/** The kinds of entities and events of the platformer, and the places of its level. */
 final class Course {
   private static final int[] COLORS = {
     0xef476f, 0xffd166, 0x06d6a0, 0x4cc9f0, 0xb388eb, 0xf78c6b, 0x9ef01a, 0xff9ebb
   };
 
-  /** How much of a player's corners is cut off, metres. */
+  /** Length that is cut off a player's corners, metres. */
   private static final float CUT = 0.12f;
 
-  /** How much of a player's sole is cut off on each side, metres. */
+  /** Length that is cut off a player's sole on each side, metres. */
   private static final float SOLE_CUT = 0.1f;
 
   final Archetype coin;
@@ -34,7 +34,7 @@ final class Course {
   final EventKind flagEvent;
   final EventKind fallEvent;
 
-  /** Where players begin and come back. */
+  /** The places where players begin and come back. */
   final List<Level.Spawn> places;
 
   final List<Level.Spawn> coins;

@@ -4,7 +4,7 @@ import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.sim.entity.Entity;
 
-/** What a player stands on: of several bodies the one that bears most. Scratch, no state. */
+/** The body that a player stands on; of several, the one that bears most. Scratch, no state. */
 final class Ground {
   /**
    * Largest upward part of the normal from the player to a contact that counts as ground: slopes up

@@ -21,23 +21,23 @@ import java.util.function.Consumer;
  * @param <T> a guest; equal only to itself
  */
 public final class Entrance<T extends Entrance.Guest> {
-  /** Stage of what a guest has proven. It only goes on. Any thread may change it. */
-  public enum Stage {
-    /** Nothing. */
+  /** Tells what a guest has proven. It only goes on. Any thread may change it. */
+  public enum Standing {
+    /** The guest has proven nothing. */
     UNPROVEN,
-    /** Something: that it can be reached, has worked, or knows what to say. */
+    /** The guest has proven that it can be reached, has worked, or knows what to say. */
     PROVEN,
-    /** All there is to prove; the guest doesn't wait any more. */
+    /** The guest has proven all there is to prove, and waits no longer. */
     IN
   }
 
   /** Somebody who waits. */
   public interface Guest {
     /** Returns where it comes from; always the same. */
-    Origin origin();
+    AddressGroup origin();
 
     /** Returns what it has proven by now. */
-    Stage stage();
+    Standing standing();
   }
 
   /** A network's share of the places is one in so many, and a host's is half of that. */
@@ -77,13 +77,13 @@ public final class Entrance<T extends Entrance.Guest> {
   /** Moves guests on by what they have proven meanwhile. Its cost grows with those who wait. */
   public void sort() {
     for (T guest : unproven.all()) {
-      if (guest.stage() != Stage.UNPROVEN) {
+      if (guest.standing() != Standing.UNPROVEN) {
         unproven.remove(guest);
         moveOn(guest, unproven);
       }
     }
     for (T guest : proven.all()) {
-      if (guest.stage() == Stage.IN) {
+      if (guest.standing() == Standing.IN) {
         proven.remove(guest);
       }
     }
@@ -110,12 +110,12 @@ public final class Entrance<T extends Entrance.Guest> {
 
   /** Finds a place for a guest that has been taken out. Returns false if it has proven no more. */
   private boolean moveOn(T guest, Waiting from) {
-    Stage stage = guest.stage();
-    if (stage == Stage.PROVEN && from == unproven) {
+    Standing standing = guest.standing();
+    if (standing == Standing.PROVEN && from == unproven) {
       place(guest, proven);
       return true;
     }
-    return stage == Stage.IN;
+    return standing == Standing.IN;
   }
 
   /** Guests in the order of their coming, of all and of each group. */
@@ -163,7 +163,7 @@ public final class Entrance<T extends Entrance.Guest> {
     }
 
     /** Takes out the guest that gives way to a newcomer of an origin. */
-    T takeFirst(Origin newcomer) {
+    T takeFirst(AddressGroup newcomer) {
       Set<T> host = hosts.getOrDefault(newcomer.host(), Set.of());
       Set<T> network = networks.getOrDefault(newcomer.network(), Set.of());
       Set<T> group = order;

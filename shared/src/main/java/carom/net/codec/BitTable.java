@@ -29,8 +29,8 @@ public final class BitTable {
   private final int[] prior;
 
   /**
-   * For each node, the number of bits seen in the upper 16 bits and the probability of a 1 in the
-   * lower 16.
+   * By node: the number of bits seen in the upper 16 bits, and the probability of a 1 in the lower
+   * 16.
    */
   private final int[] states;
 

@@ -20,9 +20,9 @@ import java.util.function.Consumer;
 public final class DatagramPort implements Runnable {
 
   /**
-   * Receiver of datagrams, called on the port's thread. The port counts what it throws and goes on.
+   * Receives datagrams, called on the port's thread. The port counts what it throws and goes on.
    */
-  public interface Receiver {
+  public interface Listener {
     /**
      * Takes a datagram.
      *
@@ -56,7 +56,7 @@ public final class DatagramPort implements Runnable {
 
   private final DatagramChannel channel;
   private final Selector selector;
-  private final Receiver receiver;
+  private final Listener receiver;
   private final Consumer<Throwable> errors;
   private final ByteBuffer in;
   private final ByteBuffer out;
@@ -74,7 +74,7 @@ public final class DatagramPort implements Runnable {
    * @throws IOException when the port can't be opened; nothing stays open then
    */
   public DatagramPort(
-      InetSocketAddress address, int maxBytes, Receiver receiver, Consumer<Throwable> errors)
+      InetSocketAddress address, int maxBytes, Listener receiver, Consumer<Throwable> errors)
       throws IOException {
     this.receiver = receiver;
     this.errors = errors;

@@ -1,6 +1,6 @@
 package carom.net.field;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.sim.field.Schema;
 import carom.sim.message.MessageKinds;
 import java.util.ArrayList;
@@ -30,13 +30,13 @@ public final class Declarations {
       lines.add(MESSAGE + line);
     }
     List<String> told =
-        lines.stream().limit(Limits.MAX_DECLARATIONS).map(Declarations::cut).toList();
+        lines.stream().limit(ProtocolLimits.MAX_DECLARATIONS).map(Declarations::cut).toList();
     return new Declarations(31 * schema.digest() + kinds.digest(), told);
   }
 
   private static String cut(String line) {
     StringBuilder text = new StringBuilder();
-    for (int i = 0; i < Math.min(line.length(), Limits.MAX_DECLARATION_BYTES); i++) {
+    for (int i = 0; i < Math.min(line.length(), ProtocolLimits.MAX_DECLARATION_BYTES); i++) {
       text.append(line.charAt(i) <= LAST_ASCII ? line.charAt(i) : '?');
     }
     return text.toString();
@@ -48,8 +48,8 @@ public final class Declarations {
   }
 
   /**
-   * Returns the declarations as they are told: the first {@value Limits#MAX_DECLARATIONS}, each cut
-   * to {@value Limits#MAX_DECLARATION_BYTES} ASCII characters.
+   * Returns the declarations as they are told: the first {@value ProtocolLimits#MAX_DECLARATIONS},
+   * each cut to {@value ProtocolLimits#MAX_DECLARATION_BYTES} ASCII characters.
    */
   public List<String> lines() {
     return lines;

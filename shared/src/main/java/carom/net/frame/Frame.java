@@ -1,6 +1,6 @@
 package carom.net.frame;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.seal.DatagramSealer;
 import carom.net.seal.Encryption;
 import carom.net.seal.ExchangeKey;
@@ -63,7 +63,7 @@ public final class Frame {
   public static final int NONCE_BYTES = 8;
 
   /** Largest number of payload bytes in a DATAGRAM. */
-  public static final int MAX_PAYLOAD_BYTES = Limits.MAX_DATAGRAM_BYTES;
+  public static final int MAX_PAYLOAD_BYTES = ProtocolLimits.MAX_DATAGRAM_BYTES;
 
   /** Largest number of bytes of a datagram on the wire. */
   public static final int MAX_DATAGRAM_BYTES = 1 + MAX_PAYLOAD_BYTES + DatagramSealer.EXTRA_BYTES;
@@ -72,10 +72,10 @@ public final class Frame {
    * Size of the server's receive buffer in bytes. It holds any valid datagram and shows that a
    * longer one is too long.
    */
-  public static final int SERVER_BUFFER_BYTES = Limits.MAX_DATAGRAM_BYTES + 80;
+  public static final int SERVER_BUFFER_BYTES = ProtocolLimits.MAX_DATAGRAM_BYTES + 80;
 
   /** Size of the client's receive buffer in bytes. It holds any frame from a server. */
-  public static final int CLIENT_BUFFER_BYTES = Limits.MAX_SERVER_MESSAGE_BYTES + 64;
+  public static final int CLIENT_BUFFER_BYTES = ProtocolLimits.MAX_SERVER_MESSAGE_BYTES + 64;
 
   /** Time without a TCP write after which a KEEP_ALIVE is sent, ms. */
   public static final int KEEP_ALIVE_MILLIS = 2_000;
@@ -131,7 +131,7 @@ public final class Frame {
   /** Returns the BYE frame with a reason. */
   public static Payload bye(String reason) {
     byte[] bytes = reason.getBytes(StandardCharsets.UTF_8);
-    return new Payload().set(BYE, bytes, 0, Math.min(bytes.length, Limits.MAX_TEXT_BYTES));
+    return new Payload().set(BYE, bytes, 0, Math.min(bytes.length, ProtocolLimits.MAX_TEXT_BYTES));
   }
 
   /** Returns the fields of REGISTER_TCP. */
@@ -165,7 +165,7 @@ public final class Frame {
    * Returns the text of a BYE whose tag has been read, as one line without invisible characters.
    */
   public static String byeText(ByteBuffer buffer) {
-    byte[] bytes = new byte[Math.min(buffer.remaining(), Limits.MAX_TEXT_BYTES)];
+    byte[] bytes = new byte[Math.min(buffer.remaining(), ProtocolLimits.MAX_TEXT_BYTES)];
     buffer.get(bytes);
     return Texts.clean(new String(bytes, StandardCharsets.UTF_8)).strip();
   }

@@ -1,6 +1,6 @@
 package carom.net.frame;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkCounters;
@@ -102,9 +102,9 @@ public abstract class FramedLink implements Link {
 
   @Override
   public final boolean sendDatagram(byte[] bytes, int offset, int length) {
-    if (length < 1 || length > Limits.MAX_DATAGRAM_BYTES) {
+    if (length < 1 || length > ProtocolLimits.MAX_DATAGRAM_BYTES) {
       throw new IllegalArgumentException(
-          "length=" + length + " must be from 1 to " + Limits.MAX_DATAGRAM_BYTES);
+          "length=" + length + " must be from 1 to " + ProtocolLimits.MAX_DATAGRAM_BYTES);
     }
     if (state != State.OPEN) {
       return false;
@@ -208,7 +208,7 @@ public abstract class FramedLink implements Link {
       datagram = new Datagram();
     }
     if (datagram.bytes.length < length) {
-      datagram.bytes = new byte[length <= 512 ? 512 : Limits.MAX_DATAGRAM_BYTES];
+      datagram.bytes = new byte[length <= 512 ? 512 : ProtocolLimits.MAX_DATAGRAM_BYTES];
     }
     payload.get(datagram.bytes, 0, length);
     datagram.length = length;

@@ -6,7 +6,7 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
 import carom.net.protocol.DatagramMark;
 import carom.net.protocol.GoodbyeReason;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.ServerMessage.GameMessage;
@@ -57,7 +57,7 @@ public final class KryoMessageCodec implements MessageCodec {
   }
 
   private final Kryo kryo = new Kryo();
-  private final Output output = new Output(512, Limits.MAX_SERVER_MESSAGE_BYTES);
+  private final Output output = new Output(512, ProtocolLimits.MAX_SERVER_MESSAGE_BYTES);
   private final FrameInput input = new FrameInput();
   private final int classes;
 
@@ -103,7 +103,7 @@ public final class KryoMessageCodec implements MessageCodec {
         throw new IllegalArgumentException(
             message.getClass().getSimpleName()
                 + " can't be encoded within "
-                + Limits.MAX_SERVER_MESSAGE_BYTES
+                + ProtocolLimits.MAX_SERVER_MESSAGE_BYTES
                 + " bytes: "
                 + x.getMessage(),
             x);
@@ -127,7 +127,7 @@ public final class KryoMessageCodec implements MessageCodec {
     // Only our own classes reach Kryo, because its built-in ones read unbounded lengths, and id 1
     // names a class.
     if (length < 1
-        || length > Limits.MAX_SERVER_MESSAGE_BYTES
+        || length > ProtocolLimits.MAX_SERVER_MESSAGE_BYTES
         || bytes[offset] < FIRST_SERVER_BYTE
         || bytes[offset] >= FIRST_SERVER_BYTE + classes) {
       return null;
@@ -176,22 +176,27 @@ public final class KryoMessageCodec implements MessageCodec {
       out.writeLong(m.sessionSecret());
       out.writeByte(DatagramMark.checkedEpoch(m.epoch()));
       out.writeVarInt(playerId(m.playerId()), true);
-      out.writeByte(inRange("tickRate", m.tickRate(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE));
-      writeText(out, "room", m.room(), Limits.MAX_ROOM_NAME_BYTES);
-      out.writeVarInt(inRange("match", m.match(), 1, Integer.MAX_VALUE), true);
+      out.writeByte(
+          inRange(
+              "tickRate",
+              m.tickRate(),
+              ProtocolLimits.MIN_TICK_RATE,
+              ProtocolLimits.MAX_TICK_RATE));
+      writeText(out, "room", m.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES);
+      writeInt(out, "match", m.match(), 1, Integer.MAX_VALUE);
       out.writeInt(m.incarnation());
       out.writeInt(m.courseTick());
       out.writeInt(m.tick());
       out.writeLong(m.seed());
-      writeText(out, "game", m.game(), Limits.MAX_GAME_NAME_BYTES);
-      writeText(out, "levelName", m.levelName(), Limits.MAX_LEVEL_NAME_BYTES);
+      writeText(out, "game", m.game(), ProtocolLimits.MAX_GAME_NAME_BYTES);
+      writeText(out, "levelName", m.levelName(), ProtocolLimits.MAX_LEVEL_NAME_BYTES);
       out.writeLong(m.levelHash());
-      out.writeVarInt(inRange("levelSize", m.levelSize(), 0, Limits.MAX_LEVEL_BYTES), true);
-      out.writeVarInt(inRange("packedSize", m.packedSize(), 0, Limits.MAX_LEVEL_BYTES), true);
+      writeInt(out, "levelSize", m.levelSize(), 0, ProtocolLimits.MAX_LEVEL_BYTES);
+      writeInt(out, "packedSize", m.packedSize(), 0, ProtocolLimits.MAX_LEVEL_BYTES);
       out.writeLong(m.declarationsDigest());
-      out.writeVarInt(inRange("fields", m.declarations().size(), 0, Limits.MAX_DECLARATIONS), true);
+      writeInt(out, "fields", m.declarations().size(), 0, ProtocolLimits.MAX_DECLARATIONS);
       for (String line : m.declarations()) {
-        writeText(out, "field", line, Limits.MAX_DECLARATION_BYTES);
+        writeText(out, "field", line, ProtocolLimits.MAX_DECLARATION_BYTES);
       }
     }
 
@@ -201,27 +206,31 @@ public final class KryoMessageCodec implements MessageCodec {
           in.readLong(),
           inRange("epoch", in.readByteUnsigned(), 0, DatagramMark.LAST_EPOCH),
           playerId(in.readVarInt(true)),
-          inRange("tickRate", in.readByteUnsigned(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE),
-          readText(in, "room", Limits.MAX_ROOM_NAME_BYTES),
-          inRange("match", in.readVarInt(true), 1, Integer.MAX_VALUE),
+          inRange(
+              "tickRate",
+              in.readByteUnsigned(),
+              ProtocolLimits.MIN_TICK_RATE,
+              ProtocolLimits.MAX_TICK_RATE),
+          readText(in, "room", ProtocolLimits.MAX_ROOM_NAME_BYTES),
+          readInt(in, "match", 1, Integer.MAX_VALUE),
           in.readInt(),
           in.readInt(),
           in.readInt(),
           in.readLong(),
-          readText(in, "game", Limits.MAX_GAME_NAME_BYTES),
-          readText(in, "levelName", Limits.MAX_LEVEL_NAME_BYTES),
+          readText(in, "game", ProtocolLimits.MAX_GAME_NAME_BYTES),
+          readText(in, "levelName", ProtocolLimits.MAX_LEVEL_NAME_BYTES),
           in.readLong(),
-          inRange("levelSize", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES),
-          inRange("packedSize", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES),
+          readInt(in, "levelSize", 0, ProtocolLimits.MAX_LEVEL_BYTES),
+          readInt(in, "packedSize", 0, ProtocolLimits.MAX_LEVEL_BYTES),
           in.readLong(),
           fields(in));
     }
 
     private static List<String> fields(Input in) {
-      int count = inRange("fields", in.readVarInt(true), 0, Limits.MAX_DECLARATIONS);
+      int count = readInt(in, "fields", 0, ProtocolLimits.MAX_DECLARATIONS);
       List<String> lines = new ArrayList<>(count);
       for (int i = 0; i < count; i++) {
-        lines.add(readText(in, "field", Limits.MAX_DECLARATION_BYTES));
+        lines.add(readText(in, "field", ProtocolLimits.MAX_DECLARATION_BYTES));
       }
       return lines;
     }
@@ -230,16 +239,14 @@ public final class KryoMessageCodec implements MessageCodec {
   private static final class LevelChunkSerializer extends MessageSerializer<LevelChunk> {
     @Override
     protected void write(Output out, LevelChunk m) {
-      out.writeVarInt(inRange("offset", m.offset(), 0, Limits.MAX_LEVEL_BYTES - 1), true);
-      out.writeVarInt(inRange("bytes", m.bytes().length, 1, Limits.MAX_LEVEL_CHUNK_BYTES), true);
-      out.writeBytes(m.bytes());
+      writeInt(out, "offset", m.offset(), 0, ProtocolLimits.MAX_LEVEL_BYTES - 1);
+      writeBlock(out, m.bytes(), 1, ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
     }
 
     @Override
     protected LevelChunk read(Input in) {
-      int offset = inRange("offset", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES - 1);
-      int length = inRange("bytes", in.readVarInt(true), 1, Limits.MAX_LEVEL_CHUNK_BYTES);
-      return new LevelChunk(offset, readBytes(in, length));
+      int offset = readInt(in, "offset", 0, ProtocolLimits.MAX_LEVEL_BYTES - 1);
+      return new LevelChunk(offset, readBlock(in, 1, ProtocolLimits.MAX_LEVEL_CHUNK_BYTES));
     }
   }
 
@@ -248,13 +255,13 @@ public final class KryoMessageCodec implements MessageCodec {
     @SuppressWarnings("EnumOrdinal") // the order is part of the protocol
     protected void write(Output out, Refused m) {
       out.writeByte(m.reason().ordinal());
-      writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
+      writeText(out, "text", m.text(), ProtocolLimits.MAX_TEXT_BYTES);
     }
 
     @Override
     protected Refused read(Input in) {
       int reason = inRange("reason", in.readByteUnsigned(), 0, REFUSALS.length - 1);
-      return new Refused(REFUSALS[reason], readText(in, "text", Limits.MAX_TEXT_BYTES));
+      return new Refused(REFUSALS[reason], readText(in, "text", ProtocolLimits.MAX_TEXT_BYTES));
     }
   }
 
@@ -263,13 +270,14 @@ public final class KryoMessageCodec implements MessageCodec {
     private static final int SPECTATOR = 1;
     private static final int READY = 1 << 1;
     private static final int ALIVE = 1 << 2;
+    private static final int COLOUR = 3;
 
     @Override
     protected void write(Output out, Roster m) {
-      out.writeVarInt(inRange("entries", m.entries().size(), 0, Limits.MAX_ROSTER_ENTRIES), true);
+      writeInt(out, "entries", m.entries().size(), 0, ProtocolLimits.MAX_ROSTER_ENTRIES);
       for (RosterEntry entry : m.entries()) {
         out.writeVarInt(playerId(entry.playerId()), true);
-        writeText(out, "name", entry.name(), Limits.MAX_NAME_BYTES);
+        writeText(out, "name", entry.name(), ProtocolLimits.MAX_NAME_BYTES);
         if (!entry.hasGone()) {
           writeStanding(out, entry);
         }
@@ -277,20 +285,20 @@ public final class KryoMessageCodec implements MessageCodec {
     }
 
     private static void writeStanding(Output out, RosterEntry entry) {
-      int spectator = entry.spectator() ? SPECTATOR : 0;
-      int ready = entry.ready() ? READY : 0;
-      int alive = entry.alive() ? ALIVE : 0;
-      out.writeByte(spectator | ready | alive);
+      int flags = (entry.spectator() ? SPECTATOR : 0) | (entry.ready() ? READY : 0);
+      flags |= entry.alive() ? ALIVE : 0;
+      out.writeByte(flags | inRange("colour", entry.colour(), 0, RosterEntry.MAX_COLOUR) << COLOUR);
       out.writeVarInt(entry.team(), false);
       out.writeVarInt(entry.score(), false);
-      out.writeVarInt(inRange("ping", entry.pingMs(), 0, RosterEntry.MAX_PING_MS), true);
+      writeInt(out, "ping", entry.pingMs(), 0, RosterEntry.MAX_PING_MS);
     }
 
     @Override
     protected Roster read(Input in) {
       int most =
-          Math.min(Limits.MAX_ROSTER_ENTRIES, (in.limit() - in.position()) / MIN_ENTRY_BYTES);
-      int count = inRange("entries", in.readVarInt(true), 0, most);
+          Math.min(
+              ProtocolLimits.MAX_ROSTER_ENTRIES, (in.limit() - in.position()) / MIN_ENTRY_BYTES);
+      int count = readInt(in, "entries", 0, most);
       List<RosterEntry> entries = new ArrayList<>(count);
       for (int i = 0; i < count; i++) {
         entries.add(readEntry(in));
@@ -300,11 +308,11 @@ public final class KryoMessageCodec implements MessageCodec {
 
     private static RosterEntry readEntry(Input in) {
       int id = playerId(in.readVarInt(true));
-      String name = readText(in, "name", Limits.MAX_NAME_BYTES);
+      String name = readText(in, "name", ProtocolLimits.MAX_NAME_BYTES);
       if (name.isEmpty()) {
         return RosterEntry.gone(id);
       }
-      int standing = inRange("standing", in.readByteUnsigned(), 0, SPECTATOR | READY | ALIVE);
+      int standing = in.readByteUnsigned();
       return new RosterEntry(
           id,
           name,
@@ -313,7 +321,8 @@ public final class KryoMessageCodec implements MessageCodec {
           (standing & SPECTATOR) != 0,
           (standing & READY) != 0,
           (standing & ALIVE) != 0,
-          inRange("ping", in.readVarInt(true), 0, RosterEntry.MAX_PING_MS));
+          readInt(in, "ping", 0, RosterEntry.MAX_PING_MS),
+          standing >> COLOUR);
     }
   }
 
@@ -332,12 +341,12 @@ public final class KryoMessageCodec implements MessageCodec {
   private static final class NoticeSerializer extends MessageSerializer<Notice> {
     @Override
     protected void write(Output out, Notice m) {
-      writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
+      writeText(out, "text", m.text(), ProtocolLimits.MAX_TEXT_BYTES);
     }
 
     @Override
     protected Notice read(Input in) {
-      return new Notice(readText(in, "text", Limits.MAX_TEXT_BYTES));
+      return new Notice(readText(in, "text", ProtocolLimits.MAX_TEXT_BYTES));
     }
   }
 
@@ -346,25 +355,25 @@ public final class KryoMessageCodec implements MessageCodec {
     @SuppressWarnings("EnumOrdinal") // the order is part of the protocol
     protected void write(Output out, Goodbye m) {
       out.writeByte(m.reason().ordinal());
-      writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
+      writeText(out, "text", m.text(), ProtocolLimits.MAX_TEXT_BYTES);
     }
 
     @Override
     protected Goodbye read(Input in) {
       int reason = inRange("reason", in.readByteUnsigned(), 0, GOODBYES.length - 1);
-      return new Goodbye(GOODBYES[reason], readText(in, "text", Limits.MAX_TEXT_BYTES));
+      return new Goodbye(GOODBYES[reason], readText(in, "text", ProtocolLimits.MAX_TEXT_BYTES));
     }
   }
 
   private static final class WatchingSerializer extends MessageSerializer<Watching> {
     @Override
     protected void write(Output out, Watching m) {
-      out.writeVarInt(inRange("delaySeconds", m.delaySeconds(), 1, 65_535), true);
+      writeInt(out, "delaySeconds", m.delaySeconds(), 1, 65_535);
     }
 
     @Override
     protected Watching read(Input in) {
-      return new Watching(inRange("delaySeconds", in.readVarInt(true), 1, 65_535));
+      return new Watching(readInt(in, "delaySeconds", 1, 65_535));
     }
   }
 
@@ -372,15 +381,13 @@ public final class KryoMessageCodec implements MessageCodec {
     @Override
     protected void write(Output out, RecordingChunk m) {
       out.writeLong(notNegative(m.offset()));
-      out.writeVarInt(inRange("bytes", m.bytes().length, 0, Limits.MAX_LEVEL_CHUNK_BYTES), true);
-      out.writeBytes(m.bytes());
+      writeBlock(out, m.bytes(), 0, ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
     }
 
     @Override
     protected RecordingChunk read(Input in) {
       long offset = notNegative(in.readLong());
-      int length = inRange("bytes", in.readVarInt(true), 0, Limits.MAX_LEVEL_CHUNK_BYTES);
-      return new RecordingChunk(offset, readBytes(in, length));
+      return new RecordingChunk(offset, readBlock(in, 0, ProtocolLimits.MAX_LEVEL_CHUNK_BYTES));
     }
 
     private static long notNegative(long offset) {
@@ -394,19 +401,17 @@ public final class KryoMessageCodec implements MessageCodec {
   private static final class PoolChunkSerializer extends MessageSerializer<PoolChunk> {
     @Override
     protected void write(Output out, PoolChunk m) {
-      out.writeVarInt(inRange("size", m.size(), 1, Limits.MAX_POOL_STATE_BYTES), true);
-      out.writeVarInt(inRange("offset", m.offset(), 0, m.size() - 1), true);
-      out.writeVarInt(inRange("bytes", m.bytes().length, 1, Limits.MAX_LEVEL_CHUNK_BYTES), true);
-      out.writeBytes(m.bytes());
+      writeInt(out, "size", m.size(), 1, ProtocolLimits.MAX_POOL_STATE_BYTES);
+      writeInt(out, "offset", m.offset(), 0, m.size() - 1);
+      writeBlock(out, m.bytes(), 1, ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
     }
 
     @Override
     protected PoolChunk read(Input in) {
-      int size = inRange("size", in.readVarInt(true), 1, Limits.MAX_POOL_STATE_BYTES);
-      int offset = inRange("offset", in.readVarInt(true), 0, size - 1);
-      int most = Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, size - offset);
-      return new PoolChunk(
-          size, offset, readBytes(in, inRange("bytes", in.readVarInt(true), 1, most)));
+      int size = readInt(in, "size", 1, ProtocolLimits.MAX_POOL_STATE_BYTES);
+      int offset = readInt(in, "offset", 0, size - 1);
+      int most = Math.min(ProtocolLimits.MAX_LEVEL_CHUNK_BYTES, size - offset);
+      return new PoolChunk(size, offset, readBlock(in, 1, most));
     }
   }
 
@@ -414,27 +419,25 @@ public final class KryoMessageCodec implements MessageCodec {
     @Override
     protected void write(Output out, GameMessage m) {
       out.writeVarInt(m.number(), true);
-      out.writeVarInt(inRange("bytes", m.bytes().length, 1, Limits.MAX_GAME_MESSAGE_BYTES), true);
-      out.writeBytes(m.bytes());
+      writeBlock(out, m.bytes(), 1, ProtocolLimits.MAX_GAME_MESSAGE_BYTES);
     }
 
     @Override
     protected GameMessage read(Input in) {
-      int number = inRange("number", in.readVarInt(true), 1, Integer.MAX_VALUE);
-      int length = inRange("bytes", in.readVarInt(true), 1, Limits.MAX_GAME_MESSAGE_BYTES);
-      return new GameMessage(number, readBytes(in, length));
+      int number = readInt(in, "number", 1, Integer.MAX_VALUE);
+      return new GameMessage(number, readBlock(in, 1, ProtocolLimits.MAX_GAME_MESSAGE_BYTES));
     }
   }
 
   private static final class HeardSerializer extends MessageSerializer<Heard> {
     @Override
     protected void write(Output out, Heard m) {
-      out.writeVarInt(inRange("number", m.number(), 0, Integer.MAX_VALUE), true);
+      writeInt(out, "number", m.number(), 0, Integer.MAX_VALUE);
     }
 
     @Override
     protected Heard read(Input in) {
-      return new Heard(inRange("number", in.readVarInt(true), 0, Integer.MAX_VALUE));
+      return new Heard(readInt(in, "number", 0, Integer.MAX_VALUE));
     }
   }
 
@@ -444,52 +447,52 @@ public final class KryoMessageCodec implements MessageCodec {
 
     @Override
     protected void write(Output out, RoomList m) {
-      out.writeVarInt(inRange("left", m.left(), 0, MAX_ROOMS), true);
-      out.writeVarInt(inRange("rooms", m.rooms().size(), 0, Limits.MAX_LISTED_ROOMS), true);
+      writeInt(out, "left", m.left(), 0, MAX_ROOMS);
+      writeInt(out, "rooms", m.rooms().size(), 0, ProtocolLimits.MAX_LISTED_ROOMS);
       for (RoomEntry room : m.rooms()) {
-        writeText(out, "name", room.name(), Limits.MAX_ROOM_NAME_BYTES);
-        writeText(out, "game", room.game(), Limits.MAX_GAME_NAME_BYTES);
-        writeText(out, "level", room.level(), Limits.MAX_LEVEL_NAME_BYTES);
-        writeText(out, "phase", room.phase(), Limits.MAX_PHASE_BYTES);
-        out.writeVarInt(inRange("players", room.players(), 0, Limits.MAX_PLAYERS), true);
-        out.writeVarInt(inRange("places", room.places(), 0, Limits.MAX_PLAYERS), true);
-        out.writeVarInt(inRange("spectators", room.spectators(), 0, MAX_COUNT), true);
+        writeText(out, "name", room.name(), ProtocolLimits.MAX_ROOM_NAME_BYTES);
+        writeText(out, "game", room.game(), ProtocolLimits.MAX_GAME_NAME_BYTES);
+        writeText(out, "level", room.level(), ProtocolLimits.MAX_LEVEL_NAME_BYTES);
+        writeText(out, "phase", room.phase(), ProtocolLimits.MAX_PHASE_BYTES);
+        writeInt(out, "players", room.players(), 0, ProtocolLimits.MAX_PLAYERS);
+        writeInt(out, "places", room.places(), 0, ProtocolLimits.MAX_PLAYERS);
+        writeInt(out, "spectators", room.spectators(), 0, MAX_COUNT);
         Map<String, String> metadata = room.metadata();
-        out.writeVarInt(inRange("metadata", metadata.size(), 0, Limits.MAX_ROOM_METADATA), true);
+        writeInt(out, "metadata", metadata.size(), 0, ProtocolLimits.MAX_ROOM_METADATA);
         metadata.forEach(
             (key, value) -> {
-              writeText(out, "key", key, Limits.MAX_METADATA_KEY_BYTES);
-              writeText(out, "value", value, Limits.MAX_METADATA_VALUE_BYTES);
+              writeText(out, "key", key, ProtocolLimits.MAX_METADATA_KEY_BYTES);
+              writeText(out, "value", value, ProtocolLimits.MAX_METADATA_VALUE_BYTES);
             });
       }
     }
 
     @Override
     protected RoomList read(Input in) {
-      int left = inRange("left", in.readVarInt(true), 0, MAX_ROOMS);
-      int count = inRange("rooms", in.readVarInt(true), 0, Limits.MAX_LISTED_ROOMS);
+      int left = readInt(in, "left", 0, MAX_ROOMS);
+      int count = readInt(in, "rooms", 0, ProtocolLimits.MAX_LISTED_ROOMS);
       List<RoomEntry> rooms = new ArrayList<>(count);
       for (int i = 0; i < count; i++) {
         rooms.add(
             new RoomEntry(
-                readText(in, "name", Limits.MAX_ROOM_NAME_BYTES),
-                readText(in, "game", Limits.MAX_GAME_NAME_BYTES),
-                readText(in, "level", Limits.MAX_LEVEL_NAME_BYTES),
-                readText(in, "phase", Limits.MAX_PHASE_BYTES),
-                inRange("players", in.readVarInt(true), 0, Limits.MAX_PLAYERS),
-                inRange("places", in.readVarInt(true), 0, Limits.MAX_PLAYERS),
-                inRange("spectators", in.readVarInt(true), 0, MAX_COUNT),
+                readText(in, "name", ProtocolLimits.MAX_ROOM_NAME_BYTES),
+                readText(in, "game", ProtocolLimits.MAX_GAME_NAME_BYTES),
+                readText(in, "level", ProtocolLimits.MAX_LEVEL_NAME_BYTES),
+                readText(in, "phase", ProtocolLimits.MAX_PHASE_BYTES),
+                readInt(in, "players", 0, ProtocolLimits.MAX_PLAYERS),
+                readInt(in, "places", 0, ProtocolLimits.MAX_PLAYERS),
+                readInt(in, "spectators", 0, MAX_COUNT),
                 metadata(in)));
       }
       return new RoomList(left, rooms);
     }
 
     private static Map<String, String> metadata(Input in) {
-      int count = inRange("metadata", in.readVarInt(true), 0, Limits.MAX_ROOM_METADATA);
+      int count = readInt(in, "metadata", 0, ProtocolLimits.MAX_ROOM_METADATA);
       Map<String, String> metadata = new LinkedHashMap<>();
       for (int i = 0; i < count; i++) {
-        String key = readText(in, "key", Limits.MAX_METADATA_KEY_BYTES);
-        metadata.put(key, readText(in, "value", Limits.MAX_METADATA_VALUE_BYTES));
+        String key = readText(in, "key", ProtocolLimits.MAX_METADATA_KEY_BYTES);
+        metadata.put(key, readText(in, "value", ProtocolLimits.MAX_METADATA_VALUE_BYTES));
       }
       return Collections.unmodifiableMap(metadata);
     }

@@ -20,8 +20,8 @@ public sealed interface ClientMessage {
    * @param room name of the room in which the player wants to play; empty for any
    * @param game name of the game that the player wants to play if the room is any; empty for any.
    *     It is a request: if no room that plays it has a place, the server chooses another
-   * @param token join token of the operator's own backend, at most {@link Limits#MAX_TOKEN_BYTES}
-   *     characters of ASCII; empty for none
+   * @param token join token of the operator's own backend, at most {@link
+   *     ProtocolLimits#MAX_TOKEN_BYTES} characters of ASCII; empty for none
    */
   record Hello(
       int protocolVersion,
@@ -57,7 +57,7 @@ public sealed interface ClientMessage {
    * ServerMessage.Welcome} answers, or a {@link ServerMessage.Notice} that says why the player
    * stays.
    *
-   * @param room name of the room, 1..{@link Limits#MAX_ROOM_NAME_BYTES} bytes
+   * @param room name of the room, 1..{@link ProtocolLimits#MAX_ROOM_NAME_BYTES} bytes
    */
   record ChangeRoom(String room) implements ClientMessage {}
 
@@ -68,7 +68,7 @@ public sealed interface ClientMessage {
    *
    * @param epoch that of the {@link ServerMessage.Welcome} that named the level; the server ignores
    *     requests for the level before
-   * @param offset 0..{@link Limits#MAX_LEVEL_BYTES} - 1
+   * @param offset 0..{@link ProtocolLimits#MAX_LEVEL_BYTES} - 1
    */
   record LevelRequest(int epoch, int offset) implements ClientMessage {}
 
@@ -165,8 +165,8 @@ public sealed interface ClientMessage {
    * Carries a reliable message of the game.
    *
    * @param number its place among those of the session, from 1 on, see {@link MessageStream}
-   * @param bytes 1..{@link Limits#MAX_GAME_MESSAGE_BYTES}, as {@code MessageKinds} codes them;
-   *     owned by the message
+   * @param bytes 1..{@link ProtocolLimits#MAX_GAME_MESSAGE_BYTES}, as {@code MessageKinds} codes
+   *     them; owned by the message
    */
   @SuppressWarnings("ArrayRecordComponent") // The receiver reads the bytes at once.
   record GameMessage(int number, byte[] bytes) implements ClientMessage {
@@ -190,7 +190,7 @@ public sealed interface ClientMessage {
    * Asks for the piece of the state of the level's pools at an offset. Offset 0 asks for a new
    * state, to which the later pieces belong.
    *
-   * @param offset 0..{@link Limits#MAX_POOL_STATE_BYTES} - 1
+   * @param offset 0..{@link ProtocolLimits#MAX_POOL_STATE_BYTES} - 1
    */
   record PoolRequest(int offset) implements ClientMessage {}
 

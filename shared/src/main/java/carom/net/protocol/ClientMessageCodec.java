@@ -39,8 +39,8 @@ public final class ClientMessageCodec {
   /**
    * Writes a message.
    *
-   * @param message a message within {@link Limits}
-   * @param out at least {@link Limits#MAX_CLIENT_MESSAGE_BYTES} from {@code offset} on
+   * @param message a message within {@link ProtocolLimits}
+   * @param out at least {@link ProtocolLimits#MAX_CLIENT_MESSAGE_BYTES} from {@code offset} on
    * @return number of bytes written
    * @throws IllegalArgumentException when a field is outside its limit; the message names field,
    *     value and limit
@@ -52,9 +52,9 @@ public final class ClientMessageCodec {
       buffer.putInt(hello.protocolVersion());
       buffer.putLong(hello.physicsDigest());
       buffer.putLong(hello.resumeSecret());
-      putText("Hello.name", hello.name(), Limits.MAX_NAME_BYTES, buffer);
-      putText("Hello.room", hello.room(), Limits.MAX_ROOM_NAME_BYTES, buffer);
-      putText("Hello.game", hello.game(), Limits.MAX_GAME_NAME_BYTES, buffer);
+      putText("Hello.name", hello.name(), ProtocolLimits.MAX_NAME_BYTES, buffer);
+      putText("Hello.room", hello.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES, buffer);
+      putText("Hello.game", hello.game(), ProtocolLimits.MAX_GAME_NAME_BYTES, buffer);
       putToken(hello.token(), buffer);
     } else if (message instanceof ClientMessage.LevelRequest request) {
       if (!validOffset(request.offset())) {
@@ -62,7 +62,7 @@ public final class ClientMessageCodec {
             "LevelRequest.offset="
                 + request.offset()
                 + " is outside 0.."
-                + (Limits.MAX_LEVEL_BYTES - 1));
+                + (ProtocolLimits.MAX_LEVEL_BYTES - 1));
       }
       buffer.put(LEVEL_REQUEST);
       buffer.put((byte) DatagramMark.checkedEpoch(request.epoch()));
@@ -89,12 +89,12 @@ public final class ClientMessageCodec {
       }
       buffer.put(RECORDING_REQUEST).putLong(request.offset());
     } else if (message instanceof ClientMessage.GameMessage m) {
-      if (m.bytes().length < 1 || m.bytes().length > Limits.MAX_GAME_MESSAGE_BYTES) {
+      if (m.bytes().length < 1 || m.bytes().length > ProtocolLimits.MAX_GAME_MESSAGE_BYTES) {
         throw new IllegalArgumentException(
             "GameMessage.bytes="
                 + m.bytes().length
                 + " is outside 1.."
-                + Limits.MAX_GAME_MESSAGE_BYTES);
+                + ProtocolLimits.MAX_GAME_MESSAGE_BYTES);
       }
       buffer.put(GAME_MESSAGE).putInt(m.number()).put(m.bytes());
     } else if (message instanceof ClientMessage.PoolRequest request) {
@@ -103,7 +103,7 @@ public final class ClientMessageCodec {
             "PoolRequest.offset="
                 + request.offset()
                 + " is outside 0.."
-                + (Limits.MAX_POOL_STATE_BYTES - 1));
+                + (ProtocolLimits.MAX_POOL_STATE_BYTES - 1));
       }
       buffer.put(POOL_REQUEST).putInt(request.offset());
     } else if (message instanceof ClientMessage.Heard heard) {
@@ -112,7 +112,7 @@ public final class ClientMessageCodec {
       buffer.put(LIST_ROOMS).putInt(list.protocolVersion());
     } else if (message instanceof ClientMessage.ChangeRoom change) {
       buffer.put(CHANGE_ROOM);
-      putText("ChangeRoom.room", change.room(), Limits.MAX_ROOM_NAME_BYTES, buffer);
+      putText("ChangeRoom.room", change.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.Ready ready) {
       buffer.put(READY).put((byte) DatagramMark.checkedEpoch(ready.epoch()));
       buffer.putLong(ready.declarationsDigest());
@@ -133,9 +133,9 @@ public final class ClientMessageCodec {
 
   private static void putToken(String token, ByteBuffer buffer) {
     byte[] bytes = token.getBytes(StandardCharsets.US_ASCII);
-    if (bytes.length > Limits.MAX_TOKEN_BYTES) {
+    if (bytes.length > ProtocolLimits.MAX_TOKEN_BYTES) {
       throw new IllegalArgumentException(
-          "Hello.token has bytes=" + bytes.length + ", limit=" + Limits.MAX_TOKEN_BYTES);
+          "Hello.token has bytes=" + bytes.length + ", limit=" + ProtocolLimits.MAX_TOKEN_BYTES);
     }
     buffer.putShort((short) bytes.length).put(bytes);
   }
@@ -143,7 +143,7 @@ public final class ClientMessageCodec {
   /** Reads a token, or returns null if its length is wrong or it is no ASCII. */
   private static String token(ByteBuffer buffer) {
     int length = buffer.remaining() < Short.BYTES ? -1 : buffer.getShort();
-    if (length < 0 || length > Limits.MAX_TOKEN_BYTES || length > buffer.remaining()) {
+    if (length < 0 || length > ProtocolLimits.MAX_TOKEN_BYTES || length > buffer.remaining()) {
       return null;
     }
     byte[] bytes = new byte[length];
@@ -168,7 +168,7 @@ public final class ClientMessageCodec {
    * byte[], int)} does.
    */
   public static byte[] encode(ClientMessage message) {
-    byte[] out = new byte[Limits.MAX_CLIENT_MESSAGE_BYTES];
+    byte[] out = new byte[ProtocolLimits.MAX_CLIENT_MESSAGE_BYTES];
     return Arrays.copyOf(out, encode(message, out, 0));
   }
 
@@ -240,7 +240,7 @@ public final class ClientMessageCodec {
             && Float.isFinite(y)
             && Float.isFinite(halfWidth)
             && Float.isFinite(halfHeight);
-    boolean player = follows >= ClientMessage.Look.NOBODY && follows < Limits.MAX_PLAYERS;
+    boolean player = follows >= ClientMessage.Look.NOBODY && follows < ProtocolLimits.MAX_PLAYERS;
     return numbers && halfWidth >= 0 && halfHeight >= 0 && player
         ? new ClientMessage.Look(x, y, halfWidth, halfHeight, follows)
         : null;
@@ -331,7 +331,7 @@ public final class ClientMessageCodec {
 
   private static ClientMessage decodeGameMessage(ByteBuffer buffer) {
     int length = buffer.remaining() - Integer.BYTES;
-    if (length < 1 || length > Limits.MAX_GAME_MESSAGE_BYTES) {
+    if (length < 1 || length > ProtocolLimits.MAX_GAME_MESSAGE_BYTES) {
       return null;
     }
     int number = buffer.getInt();
@@ -349,7 +349,7 @@ public final class ClientMessageCodec {
   }
 
   private static boolean isPoolOffset(int offset) {
-    return offset >= 0 && offset < Limits.MAX_POOL_STATE_BYTES;
+    return offset >= 0 && offset < ProtocolLimits.MAX_POOL_STATE_BYTES;
   }
 
   private static ClientMessage decodeHeard(ByteBuffer buffer) {
@@ -367,7 +367,7 @@ public final class ClientMessageCodec {
   }
 
   private static ClientMessage decodeChangeRoom(ByteBuffer buffer) {
-    String room = text(buffer, Limits.MAX_ROOM_NAME_BYTES);
+    String room = text(buffer, ProtocolLimits.MAX_ROOM_NAME_BYTES);
     return room == null || room.isEmpty() || buffer.hasRemaining()
         ? null
         : new ClientMessage.ChangeRoom(room);
@@ -380,9 +380,10 @@ public final class ClientMessageCodec {
     int version = buffer.getInt();
     long digest = buffer.getLong();
     long secret = buffer.getLong();
-    String name = text(buffer, Limits.MAX_NAME_BYTES);
-    String room = text(buffer, Limits.MAX_ROOM_NAME_BYTES);
-    String game = name == null || room == null ? null : text(buffer, Limits.MAX_GAME_NAME_BYTES);
+    String name = text(buffer, ProtocolLimits.MAX_NAME_BYTES);
+    String room = text(buffer, ProtocolLimits.MAX_ROOM_NAME_BYTES);
+    String game =
+        name == null || room == null ? null : text(buffer, ProtocolLimits.MAX_GAME_NAME_BYTES);
     String token = game == null ? null : token(buffer);
     return token == null || buffer.hasRemaining()
         ? null
@@ -390,6 +391,6 @@ public final class ClientMessageCodec {
   }
 
   private static boolean validOffset(int offset) {
-    return offset >= 0 && offset < Limits.MAX_LEVEL_BYTES;
+    return offset >= 0 && offset < ProtocolLimits.MAX_LEVEL_BYTES;
   }
 }

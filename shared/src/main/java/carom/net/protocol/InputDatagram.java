@@ -82,8 +82,8 @@ public final class InputDatagram {
   public int holdTicks;
 
   /**
-   * Number of inputs that follow, 0..{@link Limits#MAX_INPUTS}. A datagram with 0 inputs is a
-   * keep-alive.
+   * Number of inputs that follow, 0..{@link ProtocolLimits#MAX_INPUTS}. A datagram with 0 inputs is
+   * a keep-alive.
    */
   public int count;
 
@@ -91,7 +91,7 @@ public final class InputDatagram {
    * Packed inputs of 48 bits each ({@code Input.pack()}); {@code inputs[i]} is for tick {@code
    * newestTick - i}.
    */
-  public final long[] inputs = new long[Limits.MAX_INPUTS];
+  public final long[] inputs = new long[ProtocolLimits.MAX_INPUTS];
 
   private final BitWriter writer = new BitWriter();
   private final BitReader reader = new BitReader();
@@ -108,9 +108,9 @@ public final class InputDatagram {
    *     {@link #holdTicks} or {@link #near} is outside its range
    */
   public int encode(byte[] out, int offset) {
-    if (count < 0 || count > Limits.MAX_INPUTS) {
+    if (count < 0 || count > ProtocolLimits.MAX_INPUTS) {
       throw new IllegalArgumentException(
-          "inputs count=" + count + " is outside 0.." + Limits.MAX_INPUTS);
+          "inputs count=" + count + " is outside 0.." + ProtocolLimits.MAX_INPUTS);
     }
     if (viewDelay < 0 || viewDelay > MAX_VIEW_DELAY) {
       throw new IllegalArgumentException(
@@ -182,7 +182,7 @@ public final class InputDatagram {
     disagrees = near != NEAR_NONE && r.readBit();
     disagreedTick = disagrees ? r.read(16) : 0;
     count = r.read(5);
-    if (count > Limits.MAX_INPUTS) {
+    if (count > ProtocolLimits.MAX_INPUTS) {
       return false;
     }
     newestTick = count > 0 ? r.read(32) : 0;

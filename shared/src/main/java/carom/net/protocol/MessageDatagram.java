@@ -11,7 +11,7 @@ import carom.net.codec.Sequence;
 public final class MessageDatagram {
   private static final int HEAD = 1 + 2;
 
-  private final byte[] bytes = new byte[Limits.MAX_DATAGRAM_BYTES];
+  private final byte[] bytes = new byte[ProtocolLimits.MAX_DATAGRAM_BYTES];
   private int length = HEAD;
   private int at;
   private byte mark = (byte) DatagramMark.ofMessages(0);

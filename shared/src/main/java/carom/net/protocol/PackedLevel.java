@@ -38,11 +38,11 @@ public final class PackedLevel {
    * Unpacks a level file from an untrusted peer. The content never makes it throw, and it allocates
    * exactly {@code size} bytes for the file.
    *
-   * @param size size of the level file in bytes, 0..{@link Limits#MAX_LEVEL_BYTES}
+   * @param size size of the level file in bytes, 0..{@link ProtocolLimits#MAX_LEVEL_BYTES}
    * @return the file, or null when the bytes are not exactly one packed file of that size
    */
   public static byte[] unpack(byte[] packed, int size) {
-    if (size < 0 || size > Limits.MAX_LEVEL_BYTES) {
+    if (size < 0 || size > ProtocolLimits.MAX_LEVEL_BYTES) {
       return null;
     }
     Inflater inflater = new Inflater();

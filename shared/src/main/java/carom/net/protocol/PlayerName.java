@@ -56,18 +56,22 @@ public final class PlayerName {
 
   /**
    * Returns what is wrong with a name, in words for the player, or null when the name is valid. A
-   * valid name has 1..{@link Limits#MAX_NAME_BYTES} UTF-8 bytes and starts with something visible.
-   * It has no control, format, surrogate, line or blank characters and no space except U+0020,
-   * which it does not end with. It carries at most {@value #MAX_MARKS} marks (accents) on a
+   * valid name has 1..{@link ProtocolLimits#MAX_NAME_BYTES} UTF-8 bytes and starts with something
+   * visible. It has no control, format, surrogate, line or blank characters and no space except
+   * U+0020, which it does not end with. It carries at most {@value #MAX_MARKS} marks (accents) on a
    * character.
    */
   public static String problem(String name) {
     if (name.isEmpty()) {
-      return "the name is empty; choose one with 1 to " + Limits.MAX_NAME_BYTES + " bytes";
+      return "the name is empty; choose one with 1 to " + ProtocolLimits.MAX_NAME_BYTES + " bytes";
     }
     int bytes = name.getBytes(StandardCharsets.UTF_8).length;
-    if (bytes > Limits.MAX_NAME_BYTES) {
-      return "the name has " + bytes + " bytes; at most " + Limits.MAX_NAME_BYTES + " are allowed";
+    if (bytes > ProtocolLimits.MAX_NAME_BYTES) {
+      return "the name has "
+          + bytes
+          + " bytes; at most "
+          + ProtocolLimits.MAX_NAME_BYTES
+          + " are allowed";
     }
     int marks = MAX_MARKS; // no mark may come first
     for (int i = 0; i < name.length(); i += Character.charCount(name.codePointAt(i))) {

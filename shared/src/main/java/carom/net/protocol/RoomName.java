@@ -15,27 +15,30 @@ public final class RoomName {
 
   /** Returns what is wrong with the name of a room, as {@code name=value} and the rule, or null. */
   public static String problem(String name) {
-    return plainProblem("name", name, Limits.MAX_ROOM_NAME_BYTES);
+    return plainProblem("name", name, ProtocolLimits.MAX_ROOM_NAME_BYTES);
   }
 
   /**
    * Returns what is wrong with metadata, or null. There are at most {@value
-   * Limits#MAX_ROOM_METADATA} entries with plain keys, and values of 1 to {@value
-   * Limits#MAX_METADATA_VALUE_BYTES} bytes that can be shown in a line.
+   * ProtocolLimits#MAX_ROOM_METADATA} entries with plain keys, and values of 1 to {@value
+   * ProtocolLimits#MAX_METADATA_VALUE_BYTES} bytes that can be shown in a line.
    */
   public static String metadataProblem(Map<String, String> metadata) {
-    if (metadata.size() > Limits.MAX_ROOM_METADATA) {
-      return "metadata has entries=" + metadata.size() + ", limit=" + Limits.MAX_ROOM_METADATA;
+    if (metadata.size() > ProtocolLimits.MAX_ROOM_METADATA) {
+      return "metadata has entries="
+          + metadata.size()
+          + ", limit="
+          + ProtocolLimits.MAX_ROOM_METADATA;
     }
     for (Map.Entry<String, String> entry : metadata.entrySet()) {
-      String problem = plainProblem("key", entry.getKey(), Limits.MAX_METADATA_KEY_BYTES);
+      String problem = plainProblem("key", entry.getKey(), ProtocolLimits.MAX_METADATA_KEY_BYTES);
       if (problem == null && !isLine(entry.getValue())) {
         problem =
             entry.getKey()
                 + "="
                 + entry.getValue()
                 + " must have 1.."
-                + Limits.MAX_METADATA_VALUE_BYTES
+                + ProtocolLimits.MAX_METADATA_VALUE_BYTES
                 + " bytes and no control character";
       }
       if (problem != null) {
@@ -56,7 +59,7 @@ public final class RoomName {
   private static boolean isLine(String text) {
     int bytes = text.getBytes(StandardCharsets.UTF_8).length;
     return bytes >= 1
-        && bytes <= Limits.MAX_METADATA_VALUE_BYTES
+        && bytes <= ProtocolLimits.MAX_METADATA_VALUE_BYTES
         && !text.isBlank()
         && text.codePoints().noneMatch(Character::isISOControl);
   }

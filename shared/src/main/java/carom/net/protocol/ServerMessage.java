@@ -6,7 +6,7 @@ import java.util.Map;
 
 /**
  * A message from the server to a client, sent reliably and in order. It is plain data with sizes
- * bounded by {@link Limits}.
+ * bounded by {@link ProtocolLimits}.
  */
 public sealed interface ServerMessage {
 
@@ -18,7 +18,8 @@ public sealed interface ServerMessage {
    * @param sessionSecret proves the client's identity when it resumes the session; never 0
    * @param epoch counts the link's Welcomes, modulo 8; in each datagram from now on
    * @param playerId 0..1,023
-   * @param tickRate ticks per second, {@link Limits#MIN_TICK_RATE}..{@link Limits#MAX_TICK_RATE}
+   * @param tickRate ticks per second, {@link ProtocolLimits#MIN_TICK_RATE}..{@link
+   *     ProtocolLimits#MAX_TICK_RATE}
    * @param room name of the room; another than before if the player has changed the room
    * @param match counts the room's matches from 1 on; ticks begin at 0 in each
    * @param incarnation stands for this run of the room; another than before if the room was resumed
@@ -36,7 +37,8 @@ public sealed interface ServerMessage {
    *     are pieces of it
    * @param declarationsDigest digest of the game's fields and kinds of messages
    * @param declarations the declarations, which name a difference: at most {@value
-   *     Limits#MAX_DECLARATIONS} texts of at most {@value Limits#MAX_DECLARATION_BYTES} bytes
+   *     ProtocolLimits#MAX_DECLARATIONS} texts of at most {@value
+   *     ProtocolLimits#MAX_DECLARATION_BYTES} bytes
    */
   record Welcome(
       long sessionSecret,
@@ -67,7 +69,7 @@ public sealed interface ServerMessage {
    * Carries a piece of the packed level file in answer to a {@link ClientMessage.LevelRequest}.
    *
    * @param offset offset of the first byte in the packed file
-   * @param bytes 1..{@link Limits#MAX_LEVEL_CHUNK_BYTES}, owned by the message
+   * @param bytes 1..{@link ProtocolLimits#MAX_LEVEL_CHUNK_BYTES}, owned by the message
    */
   @SuppressWarnings(
       "ArrayRecordComponent") // The receiver copies the bytes at once, and equality is by content.
@@ -107,7 +109,7 @@ public sealed interface ServerMessage {
    * Lists the changes of the players. The first roster on a link lists all players; each later one
    * has what changed after the one before.
    *
-   * @param entries at most {@link Limits#MAX_ROSTER_ENTRIES}, ordered by id; never modified
+   * @param entries at most {@link ProtocolLimits#MAX_ROSTER_ENTRIES}, ordered by id; never modified
    */
   record Roster(List<RosterEntry> entries) implements ServerMessage {
     /**
@@ -162,6 +164,8 @@ public sealed interface ServerMessage {
    * @param alive whether the player has a body
    * @param pingMs round trip as the server measures it, 0..{@value #MAX_PING_MS} ms, roughly; 0
    *     while it isn't known or there is no link
+   * @param colour number of the colour that the player has chosen, 0..{@value #MAX_COLOUR}; 0 for
+   *     none
    */
   record RosterEntry(
       int playerId,
@@ -171,13 +175,17 @@ public sealed interface ServerMessage {
       boolean spectator,
       boolean ready,
       boolean alive,
-      int pingMs) {
+      int pingMs,
+      int colour) {
     /** Longest round trip that is told. */
     public static final int MAX_PING_MS = 9_999;
 
+    /** Largest number of a colour, as many as a message has room for. */
+    public static final int MAX_COLOUR = 31;
+
     /** Returns the entry of a participant that has gone. */
     public static RosterEntry gone(int playerId) {
-      return new RosterEntry(playerId, "", 0, 0, false, false, false, 0);
+      return new RosterEntry(playerId, "", 0, 0, false, false, false, 0, 0);
     }
 
     /** Returns whether the player has gone and the id is free. */
@@ -190,7 +198,7 @@ public sealed interface ServerMessage {
    * Lists rooms, in answer to {@link ClientMessage.ListRooms}. A long list takes several messages.
    *
    * @param left number of rooms that follow in further messages
-   * @param rooms at most {@link Limits#MAX_LISTED_ROOMS}
+   * @param rooms at most {@link ProtocolLimits#MAX_LISTED_ROOMS}
    */
   record RoomList(int left, List<RoomEntry> rooms) implements ServerMessage {
     /** Copies the list. */
@@ -224,7 +232,7 @@ public sealed interface ServerMessage {
   /**
    * Shows a line on the player's screen.
    *
-   * @param text at most {@link Limits#MAX_TEXT_BYTES} in UTF-8
+   * @param text at most {@link ProtocolLimits#MAX_TEXT_BYTES} in UTF-8
    */
   record Notice(String text) implements ServerMessage {}
 
@@ -247,8 +255,8 @@ public sealed interface ServerMessage {
    * Carries a piece of a recording in answer to a {@link ClientMessage.RecordingRequest}.
    *
    * @param offset offset of the first byte in the recording
-   * @param bytes at most {@link Limits#MAX_LEVEL_CHUNK_BYTES}, owned by the message; empty when the
-   *     recording has nothing past the offset yet
+   * @param bytes at most {@link ProtocolLimits#MAX_LEVEL_CHUNK_BYTES}, owned by the message; empty
+   *     when the recording has nothing past the offset yet
    */
   @SuppressWarnings("ArrayRecordComponent") // see LevelChunk
   record RecordingChunk(long offset, byte[] bytes) implements ServerMessage {
@@ -274,8 +282,8 @@ public sealed interface ServerMessage {
    * Carries a reliable message of the game.
    *
    * @param number its place among those of the session, from 1 on, see {@link MessageStream}
-   * @param bytes 1..{@link Limits#MAX_GAME_MESSAGE_BYTES}, as {@code MessageKinds} codes them;
-   *     owned by the message
+   * @param bytes 1..{@link ProtocolLimits#MAX_GAME_MESSAGE_BYTES}, as {@code MessageKinds} codes
+   *     them; owned by the message
    */
   @SuppressWarnings("ArrayRecordComponent") // see LevelChunk
   record GameMessage(int number, byte[] bytes) implements ServerMessage {
@@ -299,9 +307,9 @@ public sealed interface ServerMessage {
    * Carries a piece of the state of the level's pools in answer to a {@link
    * ClientMessage.PoolRequest}.
    *
-   * @param size of the whole state in bytes, 1..{@link Limits#MAX_POOL_STATE_BYTES}
+   * @param size of the whole state in bytes, 1..{@link ProtocolLimits#MAX_POOL_STATE_BYTES}
    * @param offset offset of the first byte in the state
-   * @param bytes 1..{@link Limits#MAX_LEVEL_CHUNK_BYTES}, owned by the message
+   * @param bytes 1..{@link ProtocolLimits#MAX_LEVEL_CHUNK_BYTES}, owned by the message
    */
   @SuppressWarnings("ArrayRecordComponent") // see LevelChunk
   record PoolChunk(int size, int offset, byte[] bytes) implements ServerMessage {
@@ -353,7 +361,8 @@ public sealed interface ServerMessage {
    * Sends the client to another server. Nothing of the session goes along: it joins there as a
    * newcomer. The client decides whether it follows.
    *
-   * @param server host and TCP port, {@code host:port}, at most {@link Limits#MAX_ADDRESS_BYTES}
+   * @param server host and TCP port, {@code host:port}, at most {@link
+   *     ProtocolLimits#MAX_ADDRESS_BYTES}
    * @param fingerprint of the key that the other server must show, or empty if this one doesn't
    *     know
    * @param room to ask for there, or empty for any

@@ -6,6 +6,6 @@
  * the JDK only. {@code docs/PROTOCOL.md} describes the bytes.
  *
  * <p>Read first: {@link carom.net.protocol.ServerMessage}, {@link
- * carom.net.protocol.ClientMessage}, {@link carom.net.protocol.Limits}.
+ * carom.net.protocol.ClientMessage}, {@link carom.net.protocol.ProtocolLimits}.
  */
 package carom.net.protocol;

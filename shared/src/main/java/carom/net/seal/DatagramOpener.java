@@ -11,18 +11,18 @@ public final class DatagramOpener {
   /** The result of a datagram that has come before, or is too old to know. */
   public static final int REPLAYED = -2;
 
-  private final Seal seal;
+  private final LinkCipher seal;
   private final int link;
   private final ReplayWindow window = new ReplayWindow();
 
-  DatagramOpener(Seal seal, int link) {
+  DatagramOpener(LinkCipher seal, int link) {
     this.seal = seal;
     this.link = link;
   }
 
   /** Returns the link that a datagram names, or 0 if it is too short for any. */
   public static int link(byte[] bytes, int length) {
-    return length < DatagramSealer.HEAD_BYTES + Seal.TAG_BYTES
+    return length < DatagramSealer.HEAD_BYTES + LinkCipher.TAG_BYTES
         ? 0
         : bytes[1] << 24 | (bytes[2] & 0xff) << 16 | (bytes[3] & 0xff) << 8 | bytes[4] & 0xff;
   }
@@ -32,7 +32,7 @@ public final class DatagramOpener {
    * the number of bytes in the fields, or {@link #FORGED}, or {@link #REPLAYED}.
    */
   public int open(byte[] bytes, int length) {
-    int fields = length - DatagramSealer.HEAD_BYTES - Seal.TAG_BYTES;
+    int fields = length - DatagramSealer.HEAD_BYTES - LinkCipher.TAG_BYTES;
     if (fields < 0 || link(bytes, length) != link) {
       return FORGED;
     }
@@ -40,7 +40,7 @@ public final class DatagramOpener {
     for (int i = 5; i < DatagramSealer.HEAD_BYTES; i++) {
       counter = counter << 8 | bytes[i] & 0xff;
     }
-    if (counter >= Seal.MAX_FRAMES) {
+    if (counter >= LinkCipher.MAX_FRAMES) {
       return FORGED;
     }
     if (!window.isNew(counter)) {

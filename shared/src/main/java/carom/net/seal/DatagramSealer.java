@@ -13,23 +13,23 @@ public final class DatagramSealer {
   public static final int HEAD_BYTES = 1 + 4 + 6;
 
   /** Bytes that sealing adds to a datagram's tag and fields. */
-  public static final int EXTRA_BYTES = HEAD_BYTES - 1 + Seal.TAG_BYTES;
+  public static final int EXTRA_BYTES = HEAD_BYTES - 1 + LinkCipher.TAG_BYTES;
 
-  private final Seal seal;
+  private final LinkCipher seal;
   private final int link;
   private final byte[] sealed;
   private long counter;
 
-  DatagramSealer(Seal seal, int link, int maxFields, long counter) {
+  DatagramSealer(LinkCipher seal, int link, int maxFields, long counter) {
     this.seal = seal;
     this.link = link;
-    this.sealed = new byte[HEAD_BYTES + maxFields + Seal.TAG_BYTES];
+    this.sealed = new byte[HEAD_BYTES + maxFields + LinkCipher.TAG_BYTES];
     this.counter = counter;
   }
 
   /** Returns whether the key has sealed as many datagrams as it may. The link must close then. */
   public boolean isUsedUp() {
-    return counter >= Seal.MAX_FRAMES;
+    return counter >= LinkCipher.MAX_FRAMES;
   }
 
   /** Returns the sealed datagram, valid until the next one. */
@@ -55,6 +55,6 @@ public final class DatagramSealer {
     }
     System.arraycopy(fields, offset, sealed, HEAD_BYTES, length);
     seal.seal(counter++, sealed, 0, HEAD_BYTES, length);
-    return HEAD_BYTES + length + Seal.TAG_BYTES;
+    return HEAD_BYTES + length + LinkCipher.TAG_BYTES;
   }
 }

@@ -39,9 +39,9 @@ public record LinkKeys(
         new DatagramOpener(seal(encryption, secret, in + " datagrams"), link));
   }
 
-  private static Seal seal(Encryption encryption, byte[] secret, String use) {
-    byte[] material = expand(secret, use, Seal.KEY_BYTES);
-    Seal seal = Seal.of(encryption, material);
+  private static LinkCipher seal(Encryption encryption, byte[] secret, String use) {
+    byte[] material = expand(secret, use, LinkCipher.KEY_BYTES);
+    LinkCipher seal = LinkCipher.of(encryption, material);
     Arrays.fill(material, (byte) 0);
     return seal;
   }

@@ -7,19 +7,19 @@ package carom.net.seal;
  */
 public final class StreamSeal {
   /** Bytes that sealing adds to a frame. */
-  public static final int EXTRA_BYTES = Seal.TAG_BYTES;
+  public static final int EXTRA_BYTES = LinkCipher.TAG_BYTES;
 
-  private final Seal seal;
+  private final LinkCipher seal;
   private long frames;
 
-  StreamSeal(Seal seal, long frames) {
+  StreamSeal(LinkCipher seal, long frames) {
     this.seal = seal;
     this.frames = frames;
   }
 
   /** Returns whether the key has sealed as many frames as it may. The link must close then. */
   public boolean isUsedUp() {
-    return frames >= Seal.MAX_FRAMES;
+    return frames >= LinkCipher.MAX_FRAMES;
   }
 
   /**

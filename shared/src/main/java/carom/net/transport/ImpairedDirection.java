@@ -1,6 +1,6 @@
 package carom.net.transport;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import java.util.ArrayDeque;
 import java.util.PriorityQueue;
 
@@ -20,19 +20,19 @@ final class ImpairedDirection {
   static final int MAX_QUEUE_MS = 250;
 
   /** A message or datagram in flight. */
-  static final class Item implements Comparable<Item> {
+  static final class Delayed implements Comparable<Delayed> {
     long dueNs;
     long order;
     Object message;
     final byte[] bytes;
     int length;
 
-    Item(byte[] bytes) {
+    Delayed(byte[] bytes) {
       this.bytes = bytes;
     }
 
     @Override
-    public int compareTo(Item other) {
+    public int compareTo(Delayed other) {
       int byTime = Long.compare(dueNs - other.dueNs, 0);
       return byTime != 0 ? byTime : Long.compare(order, other.order);
     }
@@ -44,9 +44,9 @@ final class ImpairedDirection {
   private static final double MIN_HOLD_BACK_MS = 25;
 
   private final SplitMix random;
-  private final PriorityQueue<Item> datagrams = new PriorityQueue<>();
-  private final ArrayDeque<Item> messages = new ArrayDeque<>();
-  private final ArrayDeque<Item> spare = new ArrayDeque<>();
+  private final PriorityQueue<Delayed> datagrams = new PriorityQueue<>();
+  private final ArrayDeque<Delayed> messages = new ArrayDeque<>();
+  private final ArrayDeque<Delayed> spare = new ArrayDeque<>();
   private Impairment impairment;
   private boolean inBurst;
   private boolean lineUsed;
@@ -79,7 +79,7 @@ final class ImpairedDirection {
     if (lost(loss) || datagrams.size() >= MAX_DATAGRAMS || queueNs(nowNs) > MAX_QUEUE_NS) {
       return 1;
     }
-    long dueNs = passLine(length + Limits.DATAGRAM_OVERHEAD_BYTES, nowNs) + delayNs(jitter);
+    long dueNs = passLine(length + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES, nowNs) + delayNs(jitter);
     if (!impairment.jitterReorders()) {
       if (anyDatagram && dueNs - lastDatagramDueNs < 0) {
         dueNs = lastDatagramDueNs;
@@ -142,9 +142,9 @@ final class ImpairedDirection {
   }
 
   private void put(byte[] bytes, int offset, int length, long dueNs) {
-    Item item = spare.poll();
+    Delayed item = spare.poll();
     if (item == null) {
-      item = new Item(new byte[Limits.MAX_DATAGRAM_BYTES]);
+      item = new Delayed(new byte[ProtocolLimits.MAX_DATAGRAM_BYTES]);
     }
     System.arraycopy(bytes, offset, item.bytes, 0, length);
     item.length = length;
@@ -159,9 +159,9 @@ final class ImpairedDirection {
    * @param bytes size that the message takes on a line with limited bandwidth
    */
   void addMessage(Object message, int bytes, long nowNs) {
-    Item item = new Item(NO_BYTES);
+    Delayed item = new Delayed(NO_BYTES);
     item.message = message;
-    item.dueNs = messageDue(passLine(bytes + Limits.DATAGRAM_OVERHEAD_BYTES, nowNs));
+    item.dueNs = messageDue(passLine(bytes + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES, nowNs));
     item.order = nextOrder++;
     messages.add(item);
   }
@@ -181,11 +181,11 @@ final class ImpairedDirection {
   }
 
   /** Removes and returns the earliest item that is due, or null if none is. */
-  Item takeDue(long nowNs) {
-    Item message = messages.peek();
-    Item datagram = datagrams.peek();
+  Delayed takeDue(long nowNs) {
+    Delayed message = messages.peek();
+    Delayed datagram = datagrams.peek();
     boolean messageFirst = datagram == null || (message != null && message.compareTo(datagram) < 0);
-    Item first = messageFirst ? message : datagram;
+    Delayed first = messageFirst ? message : datagram;
     if (first == null || first.dueNs - nowNs > 0) {
       return null;
     }
@@ -193,7 +193,7 @@ final class ImpairedDirection {
   }
 
   /** Removes and returns the next message, due or not, or null if there is none. */
-  Item takeMessage() {
+  Delayed takeMessage() {
     return messages.poll();
   }
 
@@ -201,7 +201,7 @@ final class ImpairedDirection {
     return !messages.isEmpty();
   }
 
-  void recycle(Item item) {
+  void recycle(Delayed item) {
     if (item.message == null) {
       spare.add(item);
     }

@@ -1,6 +1,6 @@
 package carom.net.transport;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import java.util.function.LongSupplier;
 import java.util.function.ToIntFunction;
 
@@ -122,9 +122,9 @@ public final class ImpairedLink implements Link {
 
   @Override
   public boolean sendDatagram(byte[] bytes, int offset, int length) {
-    if (length < 1 || length > Limits.MAX_DATAGRAM_BYTES) {
+    if (length < 1 || length > ProtocolLimits.MAX_DATAGRAM_BYTES) {
       throw new IllegalArgumentException(
-          "datagram length=" + length + " is outside 1.." + Limits.MAX_DATAGRAM_BYTES);
+          "datagram length=" + length + " is outside 1.." + ProtocolLimits.MAX_DATAGRAM_BYTES);
     }
     if (link.state() != State.OPEN) {
       return false;
@@ -147,7 +147,7 @@ public final class ImpairedLink implements Link {
     }
     int count = 0;
     while (count < max) {
-      ImpairedDirection.Item item = in.takeDue(now);
+      ImpairedDirection.Delayed item = in.takeDue(now);
       if (item == null) {
         break;
       }
@@ -177,12 +177,12 @@ public final class ImpairedLink implements Link {
   }
 
   private void flush(long now) {
-    for (ImpairedDirection.Item item; (item = out.takeDue(now)) != null; out.recycle(item)) {
+    for (ImpairedDirection.Delayed item; (item = out.takeDue(now)) != null; out.recycle(item)) {
       pass(item);
     }
   }
 
-  private void pass(ImpairedDirection.Item item) {
+  private void pass(ImpairedDirection.Delayed item) {
     if (item.message != null) {
       link.send(item.message);
     } else {
@@ -193,7 +193,7 @@ public final class ImpairedLink implements Link {
   @Override
   public void close(String reason) {
     closedHere = true;
-    for (ImpairedDirection.Item item; (item = out.takeMessage()) != null; ) {
+    for (ImpairedDirection.Delayed item; (item = out.takeMessage()) != null; ) {
       link.send(item.message);
     }
     out.clear();

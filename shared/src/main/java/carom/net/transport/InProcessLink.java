@@ -1,6 +1,6 @@
 package carom.net.transport;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import java.util.ArrayDeque;
 
 /** One end of an in-process connection. Both ends share one lock; handlers run outside the lock. */
@@ -15,12 +15,12 @@ final class InProcessLink implements Link {
   /** Largest number of message bytes waiting in an inbox. A message beyond it closes the link. */
   static final int MAX_MESSAGE_BYTES = 4 * 1_024 * 1_024;
 
-  private static final class Item {
+  private static final class Parcel {
     final boolean datagram;
     final byte[] bytes;
     int length;
 
-    Item(boolean datagram, byte[] bytes) {
+    Parcel(boolean datagram, byte[] bytes) {
       this.datagram = datagram;
       this.bytes = bytes;
       length = bytes.length;
@@ -30,8 +30,8 @@ final class InProcessLink implements Link {
   private final MessageCodec codec;
   private final String remote;
   private final LinkCounters counters = new LinkCounters();
-  private final ArrayDeque<Item> inbox = new ArrayDeque<>();
-  private final ArrayDeque<Item> spareDatagrams = new ArrayDeque<>();
+  private final ArrayDeque<Parcel> inbox = new ArrayDeque<>();
+  private final ArrayDeque<Parcel> spareDatagrams = new ArrayDeque<>();
   private int inboxDatagrams;
   private int inboxMessageBytes;
   private final Object lock;
@@ -72,7 +72,7 @@ final class InProcessLink implements Link {
                 + MAX_MESSAGE_BYTES);
         return false;
       }
-      peer.inbox.add(new Item(false, bytes));
+      peer.inbox.add(new Parcel(false, bytes));
       peer.inboxMessageBytes += bytes.length;
     }
     counters.messagesOut.incrementAndGet();
@@ -93,9 +93,9 @@ final class InProcessLink implements Link {
         peer.counters.datagramsDropped.incrementAndGet();
         return true;
       }
-      Item item = peer.spareDatagrams.poll();
+      Parcel item = peer.spareDatagrams.poll();
       if (item == null) {
-        item = new Item(true, new byte[Limits.MAX_DATAGRAM_BYTES]);
+        item = new Parcel(true, new byte[ProtocolLimits.MAX_DATAGRAM_BYTES]);
       }
       System.arraycopy(bytes, offset, item.bytes, 0, length);
       item.length = length;
@@ -106,9 +106,9 @@ final class InProcessLink implements Link {
   }
 
   static void checkLength(int length) {
-    if (length < 1 || length > Limits.MAX_DATAGRAM_BYTES) {
+    if (length < 1 || length > ProtocolLimits.MAX_DATAGRAM_BYTES) {
       throw new IllegalArgumentException(
-          "datagram length=" + length + " is outside 1.." + Limits.MAX_DATAGRAM_BYTES);
+          "datagram length=" + length + " is outside 1.." + ProtocolLimits.MAX_DATAGRAM_BYTES);
     }
   }
 
@@ -116,7 +116,7 @@ final class InProcessLink implements Link {
   public int poll(LinkHandler handler, int max) {
     int count = 0;
     while (count < max) {
-      Item item;
+      Parcel item;
       synchronized (lock) {
         item = inbox.poll();
         if (item == null) {
@@ -135,7 +135,7 @@ final class InProcessLink implements Link {
     return count;
   }
 
-  private void hand(Item item, LinkHandler handler) {
+  private void hand(Parcel item, LinkHandler handler) {
     if (item.datagram) {
       counters.datagramsIn.incrementAndGet();
       counters.datagramBytesIn.addAndGet(item.length);

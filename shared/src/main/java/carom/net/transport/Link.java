@@ -36,7 +36,7 @@ public interface Link {
   /**
    * Sends a datagram, which may never arrive. The bytes are copied before this returns.
    *
-   * @param length 1..{@link carom.net.protocol.Limits#MAX_DATAGRAM_BYTES}
+   * @param length 1..{@link carom.net.protocol.ProtocolLimits#MAX_DATAGRAM_BYTES}
    * @return false when the link is not open or this end dropped the datagram
    * @throws IllegalArgumentException when the length is outside the range
    */

@@ -69,7 +69,10 @@ import carom.physics.threads.Workers;
  * elsewhere.
  */
 public final class Dynamics {
-  /** Rows to have room for per awake body before there are as many, so that few steps allocate. */
+  /**
+   * Rows to have room for per awake body, and once more per movable part of a small world, before
+   * there are as many, so that few steps allocate.
+   */
   private static final int ROWS_AHEAD = 2;
 
   private final Settings settings;
@@ -249,7 +252,9 @@ public final class Dynamics {
     begins(StepStage.BEGIN);
     pairs.setTimeStep(dt);
     sleeping.resume();
-    contacts.reserve(ROWS_AHEAD * active.count);
+    int few = pairs.fewMovableParts();
+    contacts.reserve(ROWS_AHEAD * (active.count + few));
+    sleepers.reserve(ROWS_AHEAD * few, bodies.slots());
     sleeping.doAsked();
     for (int i = 0; i < active.count; i++) {
       int body = active.list[i];

@@ -77,7 +77,7 @@ final class EventStage {
   /** Measures how fast the contacts approach that no impulse held in the step before. */
   private void measureHits() {
     if (hitSpeeds.length < contacts.count()) {
-      hitSpeeds = new float[Math.max(contacts.count(), hitSpeeds.length * 2)];
+      hitSpeeds = new float[contacts.capacity()];
     }
     for (int row = 0; row < contacts.count(); row++) {
       hitSpeeds[row] = 0;

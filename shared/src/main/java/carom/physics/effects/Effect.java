@@ -6,9 +6,8 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 
 /**
- * Something that acts on bodies from a distance, one body at a time. What it does to a body depends
- * on that body, the frame and the world's constants alone, so the order of the bodies doesn't
- * matter.
+ * An effect acts on bodies from a distance, one body at a time. What it does to a body depends on
+ * that body, the frame and the world's constants alone, so the order of the bodies doesn't matter.
  *
  * <p>The frame says where the effect is: its settings are coordinates of the frame. An effect that
  * stays where it was made has the identity as its frame; one that a body carries has the body's

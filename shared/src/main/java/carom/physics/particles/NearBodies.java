@@ -58,7 +58,7 @@ final class NearBodies {
   private int partCount;
   private int[] firstPart = new int[17];
 
-  /** For each slot: the body's index here, valid if the stamp is that of this step. */
+  /** By slot: the body's index here, valid if the stamp is that of this step. */
   private int[] place = new int[0];
 
   private int[] stamp = new int[0];

@@ -20,7 +20,7 @@ final class ParticleStore {
   int[] slot;
   int count;
 
-  /** For each slot, the particle's index, and the number of earlier particles in the slot. */
+  /** By slot: the particle's index, and the number of earlier particles in the slot. */
   private int[] index;
 
   private int[] generation;

@@ -4,6 +4,7 @@ import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
 import carom.sim.history.PoseHistory;
+import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import carom.sim.spawn.Origin;
 import java.util.ArrayList;
@@ -37,6 +38,7 @@ public final class Player extends FieldHolder<Entity, Player> {
   private int team;
   private PlayerRole role = PlayerRole.PLAYER;
   private boolean ready;
+  private PlayerColour colour = PlayerColour.OF_THE_GAME;
   Entity body;
 
   /** The player's entities with an origin, oldest first. */
@@ -204,7 +206,25 @@ public final class Player extends FieldHolder<Entity, Player> {
     team = value;
   }
 
-  /** Begins to play or to watch, with nothing left from before but name and input. */
+  /**
+   * Returns the colour that the player has chosen. Nothing of the game depends on it. On {@code
+   * Role.PREDICTION} it isn't known.
+   */
+  public PlayerColour colour() {
+    return colour;
+  }
+
+  /**
+   * Sets the colour.
+   *
+   * @throws IllegalStateException on {@code Role.PREDICTION}
+   */
+  public void colour(PlayerColour value) {
+    authority.accept("colour");
+    colour = value;
+  }
+
+  /** Begins to play or to watch, with nothing left from before but name, colour and input. */
   void become(PlayerRole newRole) {
     role = newRole;
     team = isSpectator() ? NO_TEAM : 0;
@@ -214,17 +234,28 @@ public final class Player extends FieldHolder<Entity, Player> {
     resetFields();
   }
 
-  /** Returns role and readiness in two bits; 0 for a player who isn't ready. */
+  /** Returns role and readiness in two bits, and above them the colour; 0 for usual players. */
   int standing() {
-    return role.ordinal() | (ready ? 2 : 0);
+    return role.ordinal() | (ready ? 2 : 0) | colour.number() << 2;
+  }
+
+  /** Returns whether a number is the standing of a player: a spectator is never ready. */
+  static boolean isStanding(int value) {
+    return PlayerColour.isOne(value >> 2) && (value & 3) != 3;
+  }
+
+  /** Returns whether a standing is that of a spectator. */
+  static boolean watches(int standing) {
+    return (standing & 1) != 0;
   }
 
   void restore(
       int savedScore, int savedTeam, int savedStanding, long savedInput, int savedViewDelay) {
     score = savedScore;
     team = savedTeam;
-    role = (savedStanding & 1) == 0 ? PlayerRole.PLAYER : PlayerRole.SPECTATOR;
+    role = watches(savedStanding) ? PlayerRole.SPECTATOR : PlayerRole.PLAYER;
     ready = (savedStanding & 2) != 0;
+    colour = PlayerColour.of(savedStanding >> 2);
     input.unpack(savedInput);
     viewDelay = savedViewDelay;
   }

@@ -127,7 +127,7 @@ public final class PlayerTable {
     return player;
   }
 
-  /** Lets a participant play or watch, with nothing left from before but name and input. */
+  /** Lets a participant play or watch, with nothing left from before but name, colour and input. */
   public void become(Player participant, PlayerRole role) {
     participant.become(role);
   }

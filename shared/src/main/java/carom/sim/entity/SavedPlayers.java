@@ -72,8 +72,11 @@ public final class SavedPlayers {
     bodies[id] = body < 0 ? null : entities.entities[body];
     scores[id] = a.integer("score", scores[id], least, most);
     teams[id] = a.integer("team", teams[id], least, most);
-    standings[id] = a.integer("role and readiness", standings[id], 0, 2);
-    a.require(body < 0 || standings[id] != 1, "player=" + id + " watches and has body=" + body);
+    standings[id] = a.integer("role, readiness and colour", standings[id], 0, most);
+    a.require(Player.isStanding(standings[id]), "player=" + id + " standing=" + standings[id]);
+    a.require(
+        body < 0 || !Player.watches(standings[id]),
+        "player=" + id + " watches and has body=" + body);
     inputs[id] = a.bits("input", inputs[id]);
     viewDelays[id] = a.integer("view delay", viewDelays[id], 0, Player.MAX_VIEW_DELAY);
     fields.pass(a, Scope.PLAYER, id);

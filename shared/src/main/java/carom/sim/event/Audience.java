@@ -12,6 +12,6 @@ public enum Audience {
   TEAM,
   /** The player it belongs to, and no other. */
   OWNER,
-  /** Only players who {@linkplain Game#seesAll see everything}. */
+  /** The players who {@linkplain Game#seesAll see everything}, and no others. */
   NOBODY
 }

@@ -2,7 +2,7 @@ package carom.sim.event;
 
 /** The sound of an {@link EventKind}. A client makes the sounds; a game only chooses one. */
 public enum Sound {
-  /** No sound. */
+  /** The absence of any sound. */
   NONE,
   /** Two hard bodies that hit each other. */
   KNOCK,

@@ -34,7 +34,7 @@ public record Gauge(Kind kind, String label, Field<?> field) {
     OVER_HEADS,
     /** A number of the own player, or of the match. */
     NUMBER,
-    /** The time left, minutes and seconds, at the top. */
+    /** The time left, in minutes and seconds, at the top. */
     CLOCK,
     /** The score of each team, at the top. */
     TEAM_SCORE

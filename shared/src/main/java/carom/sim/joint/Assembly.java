@@ -23,7 +23,7 @@ import java.util.List;
 public final class Assembly {
   private final String name;
   private final List<AssemblyDef.Part> parts;
-  private final List<AssemblyDef.Link> links;
+  private final List<AssemblyDef.PartJoint> links;
   private final List<Archetype> archetypes = new ArrayList<>();
   private final int[] definitions;
 
@@ -51,7 +51,7 @@ public final class Assembly {
       bodies.add(world.createBody(body, null));
     }
     for (int i = 0; i < links.size(); i++) {
-      AssemblyDef.Link link = links.get(i);
+      AssemblyDef.PartJoint link = links.get(i);
       JointDef<Object> how = link.how().apply(bodies.get(link.a()), bodies.get(link.b()));
       Joint<Object> joint = world.createJoint(how);
       if (joint.bodyA() != bodies.get(link.a()) || joint.bodyB() != bodies.get(link.b())) {
@@ -111,7 +111,7 @@ public final class Assembly {
       }
     }
     List<String> names = new ArrayList<>();
-    for (AssemblyDef.Link link : links) {
+    for (AssemblyDef.PartJoint link : links) {
       names.add(link.name());
     }
     throw unknown("joint", jointName, names);

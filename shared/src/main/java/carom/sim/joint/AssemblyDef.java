@@ -30,12 +30,12 @@ public final class AssemblyDef {
   record Part(String name, ArchetypeDef archetype, float x, float y, float angle) {}
 
   /** A joint between two bodies of the assembly. */
-  record Link(
+  record PartJoint(
       String name, int a, int b, BiFunction<Body<Object>, Body<Object>, JointDef<Object>> how) {}
 
   final String name;
   final List<Part> parts = new ArrayList<>();
-  final List<Link> links = new ArrayList<>();
+  final List<PartJoint> links = new ArrayList<>();
 
   /** Creates an assembly without bodies. The name is for people and for error messages. */
   public AssemblyDef(String name) {
@@ -86,7 +86,7 @@ public final class AssemblyDef {
       String a,
       String b,
       BiFunction<Body<Object>, Body<Object>, JointDef<Object>> how) {
-    for (Link link : links) {
+    for (PartJoint link : links) {
       if (link.name.equals(jointName)) {
         throw wrong("joint=" + jointName + " is there already; give each joint a name of its own");
       }
@@ -94,7 +94,7 @@ public final class AssemblyDef {
     if (links.size() == MAX_JOINTS) {
       throw wrong("joint=" + jointName + " exceeds the limit of " + MAX_JOINTS);
     }
-    links.add(new Link(jointName, required(jointName, a), required(jointName, b), how));
+    links.add(new PartJoint(jointName, required(jointName, a), required(jointName, b), how));
     return this;
   }
 

@@ -15,7 +15,7 @@ public record Appearance(int rgb, int outlineRgb, Look look) {
   public enum Look {
     /** The shape without details. */
     PLAIN,
-    /** Part of the level's frame. */
+    /** A part of the level's frame. */
     WALL,
     /** A surface to stand on. */
     PLATFORM,

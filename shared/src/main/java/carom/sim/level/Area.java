@@ -31,9 +31,9 @@ public final class Area implements Cloneable {
     WATER,
     /** Air that moves, and takes bodies along. */
     WIND,
-    /** Another gravity. */
+    /** A gravity of its own. */
     GRAVITY,
-    /** Something thick, such as mud, that brakes. */
+    /** A thick substance, such as mud, that brakes. */
     DRAG,
     /** A point that attracts or repels. */
     ATTRACTOR

@@ -31,7 +31,7 @@ public final class Level {
   public record Placement(int archetype, float x, float y, float angle) {}
 
   /** Receives the bodies of a level as entities; see {@link Level#forEachBody}. */
-  public interface BodyVisitor {
+  public interface EntityVisitor {
     /**
      * Visits a body. The bodies come in order of their ids.
      *
@@ -259,7 +259,7 @@ public final class Level {
    * Server and client thus agree on the beginning without a byte on the wire. Kinematic bodies are
    * left out, because they are never at rest.
    */
-  public void forEachBody(BodyVisitor visitor) {
+  public void forEachBody(EntityVisitor visitor) {
     for (int id = 0; id < bodies.size(); id++) {
       Placement p = bodies.get(id);
       if (archetypes.get(p.archetype()).type != BodyType.DYNAMIC) {

@@ -1,14 +1,14 @@
 package carom.sim.match;
 
-/** What a match with a {@link MatchClock} is at. */
+/** The phase of a match with a {@link MatchClock}. */
 public enum MatchPhase {
   /** The match waits for players. */
   WARM_UP("warm-up"),
-  /** It is about to begin. */
+  /** The match is about to begin. */
   COUNTDOWN("countdown"),
-  /** It is played. */
+  /** The match is played. */
   PLAYING("playing"),
-  /** It is over, and the players see the result. */
+  /** The match is over, and the players see the result. */
   OVER("over");
 
   private final String text;

@@ -50,7 +50,11 @@ public final class BuiltInKinds {
   public static final MessageKind TEAM =
       MessageKind.named("carom.team").fromClient().atMost(1).count("team", 0, 255);
 
-  static final List<MessageKind> ALL = List.of(SAY, SAID, EMOTE, EMOTED, READY, ROLE, TEAM);
+  /** A player chooses the {@code colour} of its body. */
+  public static final MessageKind COLOUR =
+      MessageKind.named("carom.colour").fromClient().atMost(4).choice("colour", PlayerColour.class);
+
+  static final List<MessageKind> ALL = List.of(SAY, SAID, EMOTE, EMOTED, READY, ROLE, TEAM, COLOUR);
 
   private BuiltInKinds() {}
 }

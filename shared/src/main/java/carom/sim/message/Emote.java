@@ -2,21 +2,21 @@ package carom.sim.message;
 
 /** A feeling that a player shows above its body for a moment. */
 public enum Emote {
-  /** Hello. */
+  /** The player says hello. */
   HELLO("Hello!"),
-  /** Thanks. */
+  /** The player says thanks. */
   THANKS("Thanks!"),
-  /** Well played. */
+  /** The player praises a move. */
   NICE("Nice!"),
-  /** Sorry. */
+  /** The player is sorry. */
   SORRY("Sorry!"),
-  /** Laughter. */
+  /** The player laughs. */
   LAUGH("Ha ha!"),
-  /** Surprise. */
+  /** The player is surprised. */
   WOW("Wow!"),
-  /** Anger. */
+  /** The player is angry. */
   GRR("Grr!"),
-  /** A call to go on. */
+  /** The player calls to go on. */
   GO("Go, go!");
 
   private final String text;

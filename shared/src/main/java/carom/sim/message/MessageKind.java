@@ -34,11 +34,11 @@ public final class MessageKind {
 
   /** The direction in which messages of a kind go. */
   public enum Direction {
-    /** From a client to the game. */
+    /** A client sends it to the game. */
     FROM_CLIENT,
-    /** From the game to clients. */
+    /** The game sends it to clients. */
     FROM_SERVER,
-    /** Both ways. */
+    /** Clients and the game send it. */
     BOTH;
 
     /** Returns whether messages of this direction come from there. */

@@ -12,15 +12,18 @@ import java.util.Objects;
 public final class Delivery {
   /** The recipients of a message. */
   public enum Recipients {
-    /** Nobody. */
+    /** The message goes to nobody. */
     NOBODY,
-    /** The participant {@link Delivery#id}. */
+    /** The message goes to the participant {@link Delivery#id}. */
     ONE,
-    /** The participants of the team {@link Delivery#id}. */
+    /** The message goes to the participants of the team {@link Delivery#id}. */
     TEAM,
-    /** Everybody. */
+    /** The message goes to all participants. */
     ALL,
-    /** The participants who look at the entity {@link Delivery#id} and may know it. */
+    /**
+     * The message goes to the participants who look at the entity {@link Delivery#id} and may know
+     * it.
+     */
     NEAR
   }
 

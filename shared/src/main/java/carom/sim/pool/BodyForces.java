@@ -164,7 +164,7 @@ final class BodyForces {
   void order(int[] row, List<Pool> pools) {
     for (int at = 0; at < stirCount * STIR_FLOATS; at += STIR_FLOATS) {
       int pool = (int) stirs[at + 1];
-      PoolDef.Box box = pools.get(pool).def().box();
+      PoolDef.Rectangle box = pools.get(pool).def().box();
       OrderLog.add(
           row,
           box,

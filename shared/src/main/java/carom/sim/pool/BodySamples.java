@@ -17,7 +17,7 @@ final class BodySamples {
 
   private static final int MOST_PER_AXIS = 6;
 
-  /** For each point: x, y in the body's frame, m, and area, m^2. */
+  /** By point: x, y in the body's frame, m, and area, m^2. */
   final float[] points;
 
   /** The whole area, m^2. */

@@ -176,7 +176,7 @@ public final class OrderLog {
    */
   static boolean add(
       int[] row,
-      PoolDef.Box in,
+      PoolDef.Rectangle in,
       int kind,
       int pool,
       float x,
@@ -212,7 +212,7 @@ public final class OrderLog {
   }
 
   /** Reads an order into the fields of this log. */
-  void read(int[] row, int order, PoolDef.Box in) {
+  void read(int[] row, int order, PoolDef.Rectangle in) {
     int place = row[HEAD + 2 * order];
     int what = row[HEAD + 2 * order + 1];
     kind = what >>> 30;

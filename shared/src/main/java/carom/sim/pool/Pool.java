@@ -60,7 +60,7 @@ public final class Pool {
     this.def = def;
     this.firstSpout = firstSpout;
     particles = new Particles(def.particles());
-    PoolDef.Box b = def.box();
+    PoolDef.Rectangle b = def.box();
     box.set(b.minX(), b.minY(), b.maxX(), b.maxY());
     spouts = new Emitter[def.spouts().size()];
     for (int i = 0; i < spouts.length; i++) {
@@ -69,7 +69,7 @@ public final class Pool {
     }
     drains = new Aabb[def.drains().size()];
     for (int i = 0; i < drains.length; i++) {
-      PoolDef.Box d = def.drains().get(i);
+      PoolDef.Rectangle d = def.drains().get(i);
       drains[i] = new Aabb();
       drains[i].set(d.minX(), d.minY(), d.maxX(), d.maxY());
     }
@@ -77,7 +77,7 @@ public final class Pool {
     for (int i = 0; i < remembered; i++) {
       grids[i] = new PoolGrid(def);
     }
-    for (PoolDef.Box f : def.fills()) {
+    for (PoolDef.Rectangle f : def.fills()) {
       fill(f);
     }
     newest = grids[0];
@@ -85,7 +85,7 @@ public final class Pool {
     newest.tick = 0;
   }
 
-  private void fill(PoolDef.Box f) {
+  private void fill(PoolDef.Rectangle f) {
     float halfWidth = 0.5f * (f.maxX() - f.minX());
     float halfHeight = 0.5f * (f.maxY() - f.minY());
     particles.fill(

@@ -67,9 +67,9 @@ public final class PoolDef implements Cloneable {
   }
 
   /** A rectangle: left, lower, right and upper edge, metres. */
-  public record Box(float minX, float minY, float maxX, float maxY) {
+  public record Rectangle(float minX, float minY, float maxX, float maxY) {
     /** Checks the order. */
-    public Box {
+    public Rectangle {
       if (!(minX < maxX && minY < maxY)) {
         throw new IllegalArgumentException(
             "max=[%s, %s] must be right of and above min=[%s, %s]"
@@ -84,18 +84,18 @@ public final class PoolDef implements Cloneable {
 
   private final ParticleDef.Kind kind;
   private final String name;
-  private final Box box;
+  private final Rectangle box;
   private final float spacing;
   private float density;
   private float drag;
   private int rgb;
   private int most = 2_000;
   private float lifetime = MAX_LIFETIME;
-  private List<Box> fills = List.of();
-  private List<Box> drains = List.of();
+  private List<Rectangle> fills = List.of();
+  private List<Rectangle> drains = List.of();
   private List<Spout> spouts = List.of();
 
-  private PoolDef(ParticleDef.Kind kind, String name, Box box, float spacing) {
+  private PoolDef(ParticleDef.Kind kind, String name, Rectangle box, float spacing) {
     this.kind = kind;
     this.name = name;
     this.box = box;
@@ -126,13 +126,14 @@ public final class PoolDef implements Cloneable {
    */
   public static PoolDef water(
       String name, float minX, float minY, float maxX, float maxY, float spacing) {
-    return new PoolDef(ParticleDef.Kind.WATER, name, new Box(minX, minY, maxX, maxY), spacing);
+    return new PoolDef(
+        ParticleDef.Kind.WATER, name, new Rectangle(minX, minY, maxX, maxY), spacing);
   }
 
   /** Returns an empty pool for sand, of density 2.5 kg/m^2 and drag 14/s; see {@link #water}. */
   public static PoolDef sand(
       String name, float minX, float minY, float maxX, float maxY, float spacing) {
-    return new PoolDef(ParticleDef.Kind.SAND, name, new Box(minX, minY, maxX, maxY), spacing);
+    return new PoolDef(ParticleDef.Kind.SAND, name, new Rectangle(minX, minY, maxX, maxY), spacing);
   }
 
   /** Returns this pool with another density, kg/m^2, 0.001..1000: what is lighter floats. */
@@ -176,14 +177,14 @@ public final class PoolDef implements Cloneable {
   /** Returns this pool with another rectangle that is full at the start, metres. */
   public PoolDef fill(float minX, float minY, float maxX, float maxY) {
     PoolDef def = copy();
-    def.fills = added("fills", fills, new Box(minX, minY, maxX, maxY), MAX_BOXES);
+    def.fills = added("fills", fills, new Rectangle(minX, minY, maxX, maxY), MAX_BOXES);
     return def;
   }
 
   /** Returns this pool with another rectangle in which particles disappear, metres. */
   public PoolDef drain(float minX, float minY, float maxX, float maxY) {
     PoolDef def = copy();
-    def.drains = added("drains", drains, new Box(minX, minY, maxX, maxY), MAX_BOXES);
+    def.drains = added("drains", drains, new Rectangle(minX, minY, maxX, maxY), MAX_BOXES);
     return def;
   }
 
@@ -228,7 +229,7 @@ public final class PoolDef implements Cloneable {
   }
 
   /** Returns the rectangle. */
-  public Box box() {
+  public Rectangle box() {
     return box;
   }
 
@@ -258,12 +259,12 @@ public final class PoolDef implements Cloneable {
   }
 
   /** Returns the rectangles that are full at the start; unmodifiable. */
-  public List<Box> fills() {
+  public List<Rectangle> fills() {
     return fills;
   }
 
   /** Returns the rectangles in which particles disappear; unmodifiable. */
-  public List<Box> drains() {
+  public List<Rectangle> drains() {
     return drains;
   }
 

@@ -208,7 +208,7 @@ public final class Pools {
   }
 
   boolean order(int kind, int pool, float x, float y, float radius, float vx, float vy) {
-    PoolDef.Box box = pools.get(pool).def().box();
+    PoolDef.Rectangle box = pools.get(pool).def().box();
     return decides && OrderLog.add(requests, box, kind, pool, x, y, radius, vx, vy);
   }
 
@@ -397,7 +397,7 @@ public final class Pools {
       World<?> world, Body<?> body, int atTick, int kind, List<Shape> shapes, float reach) {
     for (int i = 0; known && i < pools.size(); i++) {
       PoolDef def = pools.get(i).def();
-      PoolDef.Box box = def.box();
+      PoolDef.Rectangle box = def.box();
       if (body.x() > box.minX() - reach
           && body.x() < box.maxX() + reach
           && body.y() > box.minY() - reach

@@ -19,11 +19,13 @@ import carom.sim.level.Archetypes;
 public final class Ruling {
   /** The moment in a tick at which a game changes bodies. */
   public enum Moment {
-    /** Before the inputs. */
+    /** The game ruled before the inputs. */
     BEFORE_STEP,
-    /** In the input of the entity's owner; it says all that the input did. */
+    /**
+     * The game ruled in the input of the entity's owner; the ruling says all that the input did.
+     */
     INPUT,
-    /** After the physics. */
+    /** The game ruled after the physics. */
     AFTER_STEP
   }
 

@@ -19,7 +19,7 @@ public record Scene(
     WorldDef def,
     int tickRate,
     View view,
-    Consumer<Stage<?>> builder) {
+    Consumer<SceneWorld<?>> builder) {
   /** Steps per second of most scenes. */
   public static final int DEFAULT_TICK_RATE = 60;
 
@@ -46,7 +46,7 @@ public record Scene(
    * @param view the part of the world to show
    * @param builder makes the bodies
    */
-  public Scene(String name, String description, View view, Consumer<Stage<?>> builder) {
+  public Scene(String name, String description, View view, Consumer<SceneWorld<?>> builder) {
     this(name, description, new WorldDef(), DEFAULT_TICK_RATE, view, builder);
   }
 
@@ -86,7 +86,7 @@ public record Scene(
    *
    * @param stage receives them; its world is empty and was made with {@link #def}
    */
-  public void build(Stage<?> stage) {
+  public void build(SceneWorld<?> stage) {
     builder.accept(stage);
   }
 

@@ -49,7 +49,7 @@ public final class SceneGame implements Game {
   private final Scene scene;
   private final Map<String, Archetype> kinds = new TreeMap<>();
   private Archetype dot;
-  private Stage<Entity> stage;
+  private SceneWorld<Entity> stage;
 
   /**
    * Creates the game of a scene.
@@ -123,8 +123,8 @@ public final class SceneGame implements Game {
   @Override
   public void setUp(Simulation s) {
     World<Entity> still = new World<>(world(s.level()));
-    Stage<Entity> preview =
-        new Stage<>(
+    SceneWorld<Entity> preview =
+        new SceneWorld<>(
             still,
             def -> {
               kinds.computeIfAbsent(look(def), key -> s.archetypes().add(kind(def)));
@@ -137,7 +137,7 @@ public final class SceneGame implements Game {
     dot =
         s.archetypes().add(new ArchetypeDef("dot").shape(new Circle(0.1f), new Material(1, 0, 0)));
     if (s.role() == Role.AUTHORITY) {
-      stage = new Stage<>(s.world(), def -> enter(s, def), body -> leave(s, body));
+      stage = new SceneWorld<>(s.world(), def -> enter(s, def), body -> leave(s, body));
       scene.build(stage);
     }
     if (!preview.particles().isEmpty()) {
@@ -147,7 +147,7 @@ public final class SceneGame implements Game {
   }
 
   /** The scene that the server's simulation runs. */
-  private record Told(Simulation simulation, Stage<Entity> stage) implements ParticleWorld {
+  private record Told(Simulation simulation, SceneWorld<Entity> stage) implements ParticleWorld {
     @Override
     public List<ShownParticles> particles() {
       return stage.particles();

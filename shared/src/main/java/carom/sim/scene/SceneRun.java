@@ -14,14 +14,14 @@ import java.util.List;
 public final class SceneRun implements ParticleWorld.Copy {
   private final Scene scene;
   private final World<String> world;
-  private final Stage<String> stage;
+  private final SceneWorld<String> stage;
   private final float tickSeconds;
   private int tick;
 
   SceneRun(Scene scene, WorldDef def) {
     this.scene = scene;
     world = new World<>(def);
-    stage = new Stage<>(world);
+    stage = new SceneWorld<>(world);
     scene.build(stage);
     world.listener(stage.listener());
     tickSeconds = 1f / scene.tickRate();

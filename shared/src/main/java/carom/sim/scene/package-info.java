@@ -8,7 +8,7 @@
  * <p>Allowed imports: {@code carom.physics..}, {@code carom.sim} and its levels, the JDK without
  * threads, clocks and randomness.
  *
- * <p>Read first: {@link carom.sim.scene.Scene}, {@link carom.sim.scene.Stage}, {@link
+ * <p>Read first: {@link carom.sim.scene.Scene}, {@link carom.sim.scene.SceneWorld}, {@link
  * carom.sim.scene.SceneRun}.
  */
 package carom.sim.scene;

@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** One datagram sealed, opened, or refused, as links do it, and one exchange of keys. */
+/** Measures how long links take to seal, open or refuse a datagram, and to exchange keys. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -27,11 +27,11 @@ public class SealBenchmark {
   private static final int MAX_FIELDS = 1_200;
   private static final byte TAG = 6;
 
-  /** Bytes of a datagram's fields: an input, a usual snapshot, the largest one. */
+  /** Number of bytes of a datagram's fields: an input, a usual snapshot, the largest one. */
   @Param({"36", "300", "1200"})
   public int fields;
 
-  /** Whether links are encrypted. */
+  /** Encryption of the links. */
   @Param({"ON", "OFF"})
   public Encryption encryption;
 

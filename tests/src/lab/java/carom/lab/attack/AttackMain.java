@@ -276,7 +276,7 @@ public final class AttackMain implements Callable<Integer> {
     LOG.stream().skip(Math.max(0, LOG.size() - 5)).forEach(l -> System.out.println("  " + l));
   }
 
-  /** What the server says to a player. */
+  /** The server's answer to a player. */
   private static final class Outcome implements LinkHandler {
     private boolean welcomed;
     private String refused = "";

@@ -22,13 +22,13 @@ import java.util.concurrent.atomic.AtomicLong;
  * the server demands, if they do it.
  */
 final class Connectors implements Runnable {
-  /** What hosts do once the server has greeted them. */
+  /** The effort that hosts make once the server has greeted them. */
   enum Effort {
-    /** They say nothing. */
+    /** The connections say nothing. */
     SILENT,
-    /** They register by UDP, without any work. */
+    /** The connections register by UDP, without any work. */
     REGISTER,
-    /** They do the work, the newest connection first, register and offer a key. */
+    /** The connections do the work, the newest first, register and offer a key. */
     WORK
   }
 

@@ -10,7 +10,10 @@ import carom.sim.scene.SceneRun;
 final class CaromEngine implements BenchEngine {
   private final int threads;
 
-  /** Of the world at hand alone: whether sharing pays beside others' warm-up is not to count. */
+  /**
+   * Threads of the present world alone, so that the warm-up of other worlds doesn't decide whether
+   * sharing pays.
+   */
   private WorkerThreads workers;
 
   private SceneRun run;

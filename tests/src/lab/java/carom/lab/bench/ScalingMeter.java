@@ -21,7 +21,7 @@ final class ScalingMeter implements AutoCloseable {
   /** Number of steps that each of the worlds stepped at the same time should reach. */
   private volatile int wanted;
 
-  /** Whether steps follow each other closely. Helpers spin then. */
+  /** True while steps follow each other closely. Helpers spin then. */
   private volatile boolean busy;
 
   private volatile boolean closed;

@@ -25,7 +25,7 @@ import java.util.List;
  * bin/carom-server}, as users do; in a build it starts the class.
  */
 record StartupJob() implements BenchJob {
-  /** By name, as it uses this package. */
+  /** Name of the main class, which is started by name because it uses this package. */
   private static final String SERVER = "carom.server.ServerMain";
 
   private static final int COLUMNS = 100;

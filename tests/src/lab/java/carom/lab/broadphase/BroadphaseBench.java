@@ -21,17 +21,19 @@ import java.util.Locale;
 public final class BroadphaseBench {
   /** The structures and methods to measure. */
   public enum Method {
-    /** KD-tree, built anew every tick. */
+    /** The KD-tree, built anew every tick. */
     KD_REBUILD,
-    /** KD-tree, refitted every tick: the class that the engine uses, on all boxes as they are. */
+    /**
+     * The KD-tree, refitted every tick: the class that the engine uses, on all boxes as they are.
+     */
     KD_REFIT,
-    /** Quadtree, built anew every tick. */
+    /** The quadtree, built anew every tick. */
     QUAD_REBUILD,
-    /** Every box against every other. */
+    /** The comparison of every box with every other. */
     BRUTE_FORCE,
     /**
-     * Pairs kept while boxes stay within roomy ones: {@link PairCache}, which no server or client
-     * uses yet.
+     * The {@link PairCache}, which keeps pairs while boxes stay within roomy ones, and which no
+     * server or client uses.
      */
     LAB_PAIR_CACHE;
 

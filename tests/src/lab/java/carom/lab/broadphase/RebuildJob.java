@@ -24,7 +24,7 @@ public record RebuildJob(String name, int boxes) implements BenchJob {
   enum Way {
     /** The engine's way: medians by selection, without sorting. */
     KD_NO_SORT,
-    /** One sort by x and one by y, then a division in linear time on each level. */
+    /** The way of two sorts, by x and by y, and a division in linear time on each level. */
     KD_TWO_SORTS,
     /** The textbook way: each level sorts its parts again. */
     KD_SORT_PER_LEVEL;

@@ -137,7 +137,7 @@ final class FeelFigures {
     return new Sum(awake, exact, corrected, rollbacks, stepper.count(Counter.NEAR_DISAGREEMENTS));
   }
 
-  /** Once a tick: just then the picture is of the tick before. */
+  /** Looks at the picture once a tick, because just then it shows the tick before. */
   private void look(int index, SimulatedClient client) {
     ClientView view = client.view();
     ClientView.Drawn me = view.own();

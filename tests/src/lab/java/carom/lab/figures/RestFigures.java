@@ -3,7 +3,7 @@ package carom.lab.figures;
 import carom.client.InputSource;
 import carom.fixtures.BigWorlds;
 import carom.lab.measure.Figure;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -37,7 +37,8 @@ final class RestFigures {
   }
 
   private static Figure figure(String direction, long bytes, long datagrams, double seconds) {
-    double kbit = (bytes + Limits.DATAGRAM_OVERHEAD_BYTES * datagrams) * 8 / seconds / 1_000;
+    double kbit =
+        (bytes + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES * datagrams) * 8 / seconds / 1_000;
     return Figure.atMost(REACH_KBIT, "at rest, 1,000 bodies, " + direction, kbit, "kbit/s")
         .withNote("%.1f datagrams a second, IP, UDP and frame included", datagrams / seconds);
   }

@@ -1,6 +1,6 @@
 /**
- * What all rows of the benchmark have in common: a job, who does it, how long, and the row that
- * comes of it; and what a line of figures is.
+ * Common parts of all rows of the benchmark: a job, its entrant, its time, and the row that comes
+ * of it; and the line of a figure.
  *
  * <p>Imports Jackson and the JDK only. Read first: {@link carom.lab.measure.BenchJob}, {@link
  * carom.lab.measure.Measurement}, {@link carom.lab.measure.BenchRow}.

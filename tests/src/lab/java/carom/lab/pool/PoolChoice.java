@@ -76,7 +76,7 @@ public final class PoolChoice {
                     .twoWay(false)
                     .substeps(def.kind() == ParticleDef.Kind.WATER ? 2 : 3)
                     .maxCount(def.most()));
-        for (PoolDef.Box f : def.fills()) {
+        for (PoolDef.Rectangle f : def.fills()) {
           some.fill(
               new Box(0.5f * (f.maxX() - f.minX()), 0.5f * (f.maxY() - f.minY())),
               new Transform(0.5f * (f.minX() + f.maxX()), 0.5f * (f.minY() + f.maxY()), 0),
@@ -120,7 +120,7 @@ public final class PoolChoice {
         }
         particles.get(i).step(world, of.tickSeconds());
         Aabb box = new Aabb();
-        for (PoolDef.Box d : def.drains()) {
+        for (PoolDef.Rectangle d : def.drains()) {
           box.set(d.minX(), d.minY(), d.maxX(), d.maxY());
           particles.get(i).removeInside(box);
         }

@@ -16,7 +16,7 @@ import java.util.WeakHashMap;
  * for long must not be. In a level that is larger than a view, a client needn't have heard of all.
  */
 final class EntityWatch {
-  /** What counts as long, in ticks: the reach of the issue is 2 s after the last change. */
+  /** Time that counts as long, ticks: the goal is 2 s after the last change. */
   private static final int LONG = 120;
 
   /** Smallest sides of a level that a view doesn't hold, m. */

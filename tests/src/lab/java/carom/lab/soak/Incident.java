@@ -13,9 +13,9 @@ import java.util.List;
  * @param detail decides what the kind leaves open
  */
 record Incident(double atS, Kind kind, int client, long detail) {
-  /** What can happen. The number says how often, relative to the others. */
+  /** The kinds of incidents. The number says how often one happens, relative to the others. */
   enum Kind {
-    /** The client connects, if it isn't there. */
+    /** The client connects, unless it is there already. */
     JOIN(30),
     /** The player closes the window. */
     LEAVE(6),

@@ -41,7 +41,7 @@ import java.util.Map;
  */
 final class Soak {
   /**
-   * How a soak runs.
+   * The settings of a soak.
    *
    * @param seconds length, s of virtual time
    * @param clients largest number of clients at a time
@@ -50,7 +50,7 @@ final class Soak {
    */
   record Settings(long seed, double seconds, int clients, Play play, Path recordings) {}
 
-  /** What the clients of a soak do, from the most work to the least. */
+  /** The work that the clients of a soak do, from the most to the least. */
   enum Play {
     /** Clients predict. */
     PREDICTING,

@@ -110,7 +110,7 @@ public final class SoakMain implements Callable<Integer> {
         * 1e-9;
   }
 
-  /** How a soak ended. */
+  /** The result of a soak. */
   private record Outcome(double seconds, String summary, Throwable failure) {}
 
   private Outcome attempt(List<Incident> script, double seconds) throws IOException {

@@ -23,7 +23,7 @@ final class BodyRecord {
   /** The last residual, in steps. */
   final int[][] lastResidual;
 
-  /** Whether the body equalled the baseline: one bit per snapshot, the newest in the lowest bit. */
+  /** Bits that tell whether the body equalled the baseline, one per snapshot, the newest lowest. */
   final int[] sameBefore;
 
   BodyRecord(int bodies, int fields, int atRest) {

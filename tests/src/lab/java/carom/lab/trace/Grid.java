@@ -20,7 +20,7 @@ final class Grid {
     next = new int[count];
   }
 
-  /** Log2 of a cell's side in steps. */
+  /** Returns log2 of a cell's side in steps. */
   int shift() {
     return shift;
   }

@@ -712,8 +712,8 @@ public final class TraceCodec {
   }
 
   /**
-   * How far a body must give way to a moved neighbour: to stay at the least distance ever seen of
-   * either, or at the old one if that was hardly more, as between corners of boxes.
+   * Adds how far a body must give way to a moved neighbour: to stay at the least distance ever seen
+   * of either, or at the old one if that was hardly more, as between corners of boxes.
    */
   private void push(int i, int j, double before) {
     int least = 0;

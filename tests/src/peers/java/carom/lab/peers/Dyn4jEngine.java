@@ -16,7 +16,7 @@ import org.dyn4j.geometry.MassType;
 import org.dyn4j.geometry.Vector2;
 import org.dyn4j.world.World;
 
-/** dyn4j, in double precision, with the iterations of its defaults' order. */
+/** Runs dyn4j, in double precision, with the iterations of its defaults' order. */
 public final class Dyn4jEngine extends PeerEngine<org.dyn4j.dynamics.Body> {
   private World<org.dyn4j.dynamics.Body> world;
 

@@ -20,8 +20,9 @@ import com.badlogic.gdx.physics.box2d.joints.RevoluteJointDef;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 
 /**
- * libGDX's Box2D 2.3, native code behind JNI. Its natives load without a window. What it allocates
- * natively isn't in the row; that it calls back into Java for every contact is in its times.
+ * Runs libGDX's Box2D 2.3, native code behind JNI. Its natives load without a window. What it
+ * allocates natively isn't in the row; that it calls back into Java for every contact is in its
+ * times.
  */
 public final class GdxBox2dEngine extends PeerEngine<Body> {
   private World world;

@@ -16,7 +16,7 @@ import org.jbox2d.dynamics.FixtureDef;
 import org.jbox2d.dynamics.World;
 import org.jbox2d.dynamics.joints.RevoluteJointDef;
 
-/** JBox2D, the port of Box2D 2.2. */
+/** Runs JBox2D, the port of Box2D 2.2. */
 public final class Jbox2dEngine extends PeerEngine<org.jbox2d.dynamics.Body> {
   private World world;
 

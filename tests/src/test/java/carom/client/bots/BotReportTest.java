@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 
 final class BotReportTest {
   /** Time that passes faster than the real one, as bots wait long before they give up. */
-  private static final class Hurry implements BotsMain.Pace {
+  private static final class Hurry implements BotsMain.BotClock {
     private static final long NAP_NS = 100_000_000;
 
     private long now;
@@ -27,7 +27,7 @@ final class BotReportTest {
       now += ns;
       if (now >= nextNap) {
         nextNap = now + NAP_NS;
-        BotsMain.Pace.REAL.sleep(NAP_NS / 50);
+        BotsMain.BotClock.REAL.sleep(NAP_NS / 50);
       }
     }
   }

@@ -86,7 +86,7 @@ final class ScreenTour {
   }
 
   private void play(String level, int bots) throws Exception {
-    run(() -> window().create(new LocalGames.Choice(level, bots, false)));
+    run(() -> window().create(new LocalGames.GameChoice(level, bots, false)));
     until(() -> screen() != null && screen().view().phase() == ConnectionPhase.PLAYING);
     until(() -> screen().view().game().equals(level) || level.equals("commons"));
     until(() -> screen().view().own() != null && screen().view().players().size() == bots + 1);

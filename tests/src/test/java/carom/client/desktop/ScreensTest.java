@@ -94,7 +94,7 @@ final class ScreensTest {
     Path settings = folder.resolve(look.name() + ".conf");
     Files.writeString(
         settings,
-        "window = %d x %d\ntext-size = %d\ncolours = %s\n"
+        "window = %d x %d\ntext-size = %d\ncolours = %s\ncolour = lime\n"
             .formatted(look.width, look.height, look.textSize, look.colours));
     Path output = folder.resolve("output.txt");
     List<String> command = new ArrayList<>();

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.protocol.Limits;
 import carom.net.protocol.PackedLevel;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage.LevelChunk;
 import carom.net.protocol.ServerMessage.Welcome;
 import carom.sim.level.Level;
@@ -54,12 +54,12 @@ class LevelDownloadTest {
   private void load(Level level) {
     assertFalse(download.begin(welcome(level)), level.name() + " isn't here yet");
     byte[] packed = PackedLevel.pack(level.source());
-    LevelDownload.Progress progress = LevelDownload.Progress.LOADING;
-    for (int from = 0; from < packed.length; from += Limits.MAX_LEVEL_CHUNK_BYTES) {
-      int to = Math.min(packed.length, from + Limits.MAX_LEVEL_CHUNK_BYTES);
+    LevelDownload.Status progress = LevelDownload.Status.LOADING;
+    for (int from = 0; from < packed.length; from += ProtocolLimits.MAX_LEVEL_CHUNK_BYTES) {
+      int to = Math.min(packed.length, from + ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
       progress = download.add(new LevelChunk(from, Arrays.copyOfRange(packed, from, to)));
     }
-    assertEquals(LevelDownload.Progress.DONE, progress, download.problem());
+    assertEquals(LevelDownload.Status.DONE, progress, download.problem());
   }
 
   @Test

@@ -13,20 +13,20 @@ import org.junit.jupiter.api.Test;
 /** Goal: no crowd keeps those out who come after it, and none that proves something gives way. */
 class EntranceTest {
   private static final class Guest implements Entrance.Guest {
-    private final Origin origin;
-    private Entrance.Stage stage = Entrance.Stage.UNPROVEN;
+    private final AddressGroup origin;
+    private Entrance.Standing stage = Entrance.Standing.UNPROVEN;
 
     Guest(String address) {
-      origin = Origin.ofRemote(address + ":1");
+      origin = AddressGroup.ofRemote(address + ":1");
     }
 
     @Override
-    public Origin origin() {
+    public AddressGroup origin() {
       return origin;
     }
 
     @Override
-    public Entrance.Stage stage() {
+    public Entrance.Standing standing() {
       return stage;
     }
   }
@@ -77,16 +77,16 @@ class EntranceTest {
   @Test
   void theUnprovenNeverDisplaceTheProven() {
     Guest proven = guest("10.0.0.1");
-    proven.stage = Entrance.Stage.PROVEN;
+    proven.stage = Entrance.Standing.PROVEN;
     for (int i = 0; i < 2_000; i++) {
       guest("10." + i / 250 + "." + i % 250 + ".1");
     }
     assertFalse(evicted.contains(proven));
-    proven.stage = Entrance.Stage.IN;
+    proven.stage = Entrance.Standing.IN;
     entrance.sort();
     for (int i = 0; i < 20; i++) {
       Guest other = guest("10.0." + i + ".7");
-      other.stage = Entrance.Stage.PROVEN;
+      other.stage = Entrance.Standing.PROVEN;
       entrance.sort();
     }
     assertFalse(evicted.contains(proven), "it is in, and holds no place");
@@ -115,16 +115,16 @@ class EntranceTest {
       present.removeAll(evicted);
       evicted.clear();
       Guest one = present.get(random.nextInt(present.size()));
-      one.stage = Entrance.Stage.values()[random.nextInt(one.stage.ordinal(), 3)];
+      one.stage = Entrance.Standing.values()[random.nextInt(one.stage.ordinal(), 3)];
       if (random.nextInt(4) == 0) {
         entrance.remove(one);
         present.remove(one);
       }
       if (random.nextInt(10) == 0) {
         entrance.sort();
-        present.removeIf(g -> g.stage == Entrance.Stage.IN);
+        present.removeIf(g -> g.stage == Entrance.Standing.IN);
       }
-      long unproven = present.stream().filter(g -> g.stage == Entrance.Stage.UNPROVEN).count();
+      long unproven = present.stream().filter(g -> g.stage == Entrance.Standing.UNPROVEN).count();
       assertTrue(unproven <= 64, "seed=" + seed + " unproven=" + unproven);
     }
   }

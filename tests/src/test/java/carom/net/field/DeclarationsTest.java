@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.sim.field.Field;
 import carom.sim.field.Schema;
 import carom.sim.message.MessageKind;
@@ -86,9 +86,9 @@ class DeclarationsTest {
       fields.add(Field.flag("aVeryLongNameOfAFieldWithNo" + i).times(1));
     }
     List<String> told = Declarations.of(Schema.of(fields), new MessageKinds()).lines();
-    assertEquals(Limits.MAX_DECLARATIONS, told.size());
+    assertEquals(ProtocolLimits.MAX_DECLARATIONS, told.size());
     for (String line : told) {
-      assertTrue(line.length() <= Limits.MAX_DECLARATION_BYTES, line);
+      assertTrue(line.length() <= ProtocolLimits.MAX_DECLARATION_BYTES, line);
     }
   }
 }

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.ServerMessage.RosterEntry;
@@ -28,19 +28,20 @@ final class KryoMessageCodecTest {
 
   static List<Object> everyMessage() {
     List<RosterEntry> full = new ArrayList<>();
-    for (int i = 0; i < Limits.MAX_ROSTER_ENTRIES; i++) {
+    for (int i = 0; i < ProtocolLimits.MAX_ROSTER_ENTRIES; i++) {
       full.add(
           new RosterEntry(
               i,
-              "x".repeat(Limits.MAX_NAME_BYTES),
+              "x".repeat(ProtocolLimits.MAX_NAME_BYTES),
               Integer.MIN_VALUE + i,
               Integer.MIN_VALUE + i,
               true,
               true,
               true,
-              RosterEntry.MAX_PING_MS));
+              RosterEntry.MAX_PING_MS,
+              RosterEntry.MAX_COLOUR));
     }
-    byte[] chunk = new byte[Limits.MAX_LEVEL_CHUNK_BYTES];
+    byte[] chunk = new byte[ProtocolLimits.MAX_LEVEL_CHUNK_BYTES];
     Arrays.fill(chunk, (byte) 0xa5);
     return List.of(
         new ServerMessage.Welcome(
@@ -65,19 +66,20 @@ final class KryoMessageCodecTest {
         new ServerMessage.Refused(RefusalReason.NAME_INVALID, "Ünal is no name"),
         new ServerMessage.Roster(List.of()),
         new ServerMessage.Roster(full),
-        new ServerMessage.Notice("x".repeat(Limits.MAX_TEXT_BYTES)),
+        new ServerMessage.Notice("x".repeat(ProtocolLimits.MAX_TEXT_BYTES)),
         new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""),
         new ServerMessage.Redirect(
-            "x".repeat(Limits.MAX_ADDRESS_BYTES),
-            "f".repeat(Limits.MAX_FINGERPRINT_BYTES),
+            "x".repeat(ProtocolLimits.MAX_ADDRESS_BYTES),
+            "f".repeat(ProtocolLimits.MAX_FINGERPRINT_BYTES),
             "cup",
-            "t".repeat(Limits.MAX_TOKEN_BYTES)),
+            "t".repeat(ProtocolLimits.MAX_TOKEN_BYTES)),
         new ServerMessage.Redirect("b.example.org:1", "", "", ""),
         new ServerMessage.Watching(65_535),
         new ServerMessage.RecordingChunk(Long.MAX_VALUE, chunk),
         new ServerMessage.RecordingChunk(0, new byte[0]),
         new ServerMessage.RoomList(0, List.of()),
-        new ServerMessage.RoomList(48, Collections.nCopies(Limits.MAX_LISTED_ROOMS, largestRoom())),
+        new ServerMessage.RoomList(
+            48, Collections.nCopies(ProtocolLimits.MAX_LISTED_ROOMS, largestRoom())),
         new ClientMessage.Watch(1, -5, 255),
         new ClientMessage.RecordingRequest(Long.MAX_VALUE),
         new ClientMessage.Hello(1, -5, "Ünal", 99),
@@ -89,16 +91,16 @@ final class KryoMessageCodecTest {
 
   private static ServerMessage.RoomEntry largestRoom() {
     Map<String, String> metadata = new LinkedHashMap<>();
-    for (int i = 0; i < Limits.MAX_ROOM_METADATA; i++) {
-      metadata.put("k".repeat(Limits.MAX_METADATA_KEY_BYTES - 1) + i, "v".repeat(48));
+    for (int i = 0; i < ProtocolLimits.MAX_ROOM_METADATA; i++) {
+      metadata.put("k".repeat(ProtocolLimits.MAX_METADATA_KEY_BYTES - 1) + i, "v".repeat(48));
     }
     return new ServerMessage.RoomEntry(
-        "r".repeat(Limits.MAX_ROOM_NAME_BYTES),
-        "g".repeat(Limits.MAX_GAME_NAME_BYTES),
-        "l".repeat(Limits.MAX_LEVEL_NAME_BYTES),
-        "p".repeat(Limits.MAX_PHASE_BYTES),
-        Limits.MAX_PLAYERS,
-        Limits.MAX_PLAYERS,
+        "r".repeat(ProtocolLimits.MAX_ROOM_NAME_BYTES),
+        "g".repeat(ProtocolLimits.MAX_GAME_NAME_BYTES),
+        "l".repeat(ProtocolLimits.MAX_LEVEL_NAME_BYTES),
+        "p".repeat(ProtocolLimits.MAX_PHASE_BYTES),
+        ProtocolLimits.MAX_PLAYERS,
+        ProtocolLimits.MAX_PLAYERS,
         0xffff,
         metadata);
   }
@@ -161,7 +163,7 @@ final class KryoMessageCodecTest {
         hex.formatHex(
             codec.encode(
                 new ServerMessage.Roster(
-                    List.of(new RosterEntry(5, "Ab", 1, -7, false, false, true, 200))))));
+                    List.of(new RosterEntry(5, "Ab", 1, -7, false, false, true, 200, 0))))));
     assertEquals("440148", hex.formatHex(codec.encode(new ServerMessage.Notice("H"))));
     assertEquals(
         "450000", hex.formatHex(codec.encode(new ServerMessage.Goodbye(GoodbyeReason.LEFT, ""))));
@@ -175,7 +177,7 @@ final class KryoMessageCodecTest {
     assertEquals(
         new ServerMessage.Goodbye(GoodbyeReason.KICKED, clean),
         again(new ServerMessage.Goodbye(GoodbyeReason.KICKED, evil)));
-    RosterEntry row = new RosterEntry(5, evil, 1, -7, false, false, true, 200);
+    RosterEntry row = new RosterEntry(5, evil, 1, -7, false, false, true, 200, 0);
     ServerMessage.Roster roster =
         (ServerMessage.Roster) again(new ServerMessage.Roster(List.of(row)));
     assertEquals(clean, roster.entries().get(0).name());
@@ -190,18 +192,34 @@ final class KryoMessageCodecTest {
   void writingAssertsTheLimitsByName() {
     List<Object> wrong =
         List.of(
-            new ServerMessage.Notice("x".repeat(Limits.MAX_TEXT_BYTES + 1)),
+            new ServerMessage.Notice("x".repeat(ProtocolLimits.MAX_TEXT_BYTES + 1)),
             new ServerMessage.LevelChunk(0, new byte[0]),
             new ServerMessage.Watching(0),
             new ServerMessage.RecordingChunk(-1, new byte[1]),
-            new ServerMessage.RecordingChunk(0, new byte[Limits.MAX_LEVEL_CHUNK_BYTES + 1]),
+            new ServerMessage.RecordingChunk(0, new byte[ProtocolLimits.MAX_LEVEL_CHUNK_BYTES + 1]),
             new ClientMessage.Watch(1, 2, 0),
             new ClientMessage.LevelRequest(8, 0),
             new ClientMessage.Ready(-1, 0),
             new ClientMessage.RecordingRequest(-1),
             new ServerMessage.LevelChunk(-1, new byte[1]),
             new ServerMessage.Welcome(
-                1, 1, Limits.MAX_PLAYERS, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+                1,
+                1,
+                ProtocolLimits.MAX_PLAYERS,
+                60,
+                "r",
+                1,
+                0,
+                0,
+                0,
+                0,
+                "g",
+                "l",
+                0,
+                0,
+                0,
+                0,
+                List.of()),
             new ServerMessage.Welcome(
                 1, 8, 1, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
             new ServerMessage.Welcome(

@@ -21,7 +21,7 @@ class ClientMessageCodecTest {
           new ClientMessage.ListRooms(-9),
           new ClientMessage.ChangeRoom("a-room.with_32_bytes.............".substring(0, 32)),
           new ClientMessage.LevelRequest(7, 0),
-          new ClientMessage.LevelRequest(7, Limits.MAX_LEVEL_BYTES - 1),
+          new ClientMessage.LevelRequest(7, ProtocolLimits.MAX_LEVEL_BYTES - 1),
           new ClientMessage.Ready(7, 5),
           new ClientMessage.Leave());
 
@@ -30,7 +30,7 @@ class ClientMessageCodecTest {
     for (ClientMessage message : MESSAGES) {
       byte[] bytes = ClientMessageCodec.encode(message);
       assertEquals(message, ClientMessageCodec.decode(bytes, 0, bytes.length));
-      byte[] shifted = new byte[Limits.MAX_CLIENT_MESSAGE_BYTES + 3];
+      byte[] shifted = new byte[ProtocolLimits.MAX_CLIENT_MESSAGE_BYTES + 3];
       assertEquals(bytes.length, ClientMessageCodec.encode(message, shifted, 3));
       assertEquals(message, ClientMessageCodec.decode(shifted, 3, bytes.length));
     }
@@ -50,7 +50,7 @@ class ClientMessageCodecTest {
 
   @Test
   void fieldsOutsideTheirLimitsAreRefusedBothWays() {
-    String tooLong = "x".repeat(Limits.MAX_NAME_BYTES + 1);
+    String tooLong = "x".repeat(ProtocolLimits.MAX_NAME_BYTES + 1);
     assertThrows(
         IllegalArgumentException.class,
         () -> ClientMessageCodec.encode(new ClientMessage.Hello(1, 2, tooLong, 3)));
@@ -62,7 +62,7 @@ class ClientMessageCodecTest {
     longRoom[0] = 13;
     longRoom[1] = 33;
     assertNull(ClientMessageCodec.decode(longRoom, 0, 35), "the name of a room with 33 bytes");
-    for (int offset : new int[] {-1, Limits.MAX_LEVEL_BYTES}) {
+    for (int offset : new int[] {-1, ProtocolLimits.MAX_LEVEL_BYTES}) {
       assertThrows(
           IllegalArgumentException.class,
           () -> ClientMessageCodec.encode(new ClientMessage.LevelRequest(7, offset)));

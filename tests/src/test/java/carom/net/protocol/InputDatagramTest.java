@@ -20,7 +20,7 @@ class InputDatagramTest {
     d.hasAck = random.nextInt(4) != 0;
     d.ackSequence = d.hasAck ? random.nextInt(65_536) : 0;
     d.ackBits = d.hasAck ? random.nextLong() : 0;
-    d.count = random.nextInt(Limits.MAX_INPUTS + 1);
+    d.count = random.nextInt(ProtocolLimits.MAX_INPUTS + 1);
     d.newestTick = d.count > 0 ? random.nextInt() : 0;
     d.viewDelay = random.nextInt(InputDatagram.MAX_VIEW_DELAY + 1);
     d.holdTicks = random.nextInt(InputDatagram.MAX_HOLD_TICKS + 1);
@@ -87,7 +87,7 @@ class InputDatagramTest {
         continue;
       }
       accepted++;
-      assertTrue(in.count >= 0 && in.count <= Limits.MAX_INPUTS, which);
+      assertTrue(in.count >= 0 && in.count <= ProtocolLimits.MAX_INPUTS, which);
       assertTrue(in.viewDelay >= 0 && in.viewDelay <= InputDatagram.MAX_VIEW_DELAY, which);
       assertTrue(in.holdTicks >= 0 && in.holdTicks <= InputDatagram.MAX_HOLD_TICKS, which);
       assertTrue(in.near >= 0 && in.near <= InputDatagram.NEAR_ALL, which);
@@ -146,7 +146,7 @@ class InputDatagramTest {
       byte[] noise = new byte[random.nextInt(140)];
       random.nextBytes(noise);
       if (in.decode(noise, 0, noise.length)) {
-        assertTrue(in.count >= 0 && in.count <= Limits.MAX_INPUTS);
+        assertTrue(in.count >= 0 && in.count <= ProtocolLimits.MAX_INPUTS);
       }
     }
     d.epoch = 8;

@@ -34,7 +34,7 @@ class PackedLevelTest {
     assertNull(PackedLevel.unpack(packed, file.length - 1), "longer than said");
     assertNull(PackedLevel.unpack(packed, file.length + 1), "shorter than said");
     assertNull(PackedLevel.unpack(packed, -1));
-    assertNull(PackedLevel.unpack(packed, Limits.MAX_LEVEL_BYTES + 1));
+    assertNull(PackedLevel.unpack(packed, ProtocolLimits.MAX_LEVEL_BYTES + 1));
     assertNull(PackedLevel.unpack(new byte[0], file.length));
     assertNull(PackedLevel.unpack(Arrays.copyOf(packed, packed.length + 1), file.length));
     for (int cut = 0; cut < packed.length; cut++) {

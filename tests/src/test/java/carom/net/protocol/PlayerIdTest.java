@@ -32,8 +32,8 @@ class PlayerIdTest {
 
   @Test
   void allLayersAgreeHowManyThereAre() {
-    assertEquals(Limits.MAX_PLAYERS, PlayerId.MAX + 1);
-    assertEquals(Limits.MAX_PLAYERS, Simulation.MAX_PLAYERS);
+    assertEquals(ProtocolLimits.MAX_PLAYERS, PlayerId.MAX + 1);
+    assertEquals(ProtocolLimits.MAX_PLAYERS, Simulation.MAX_PLAYERS);
   }
 
   @Test

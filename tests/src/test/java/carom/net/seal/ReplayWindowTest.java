@@ -20,7 +20,7 @@ final class ReplayWindowTest {
       ReplayWindow window = new ReplayWindow();
       Set<Long> seen = new HashSet<>();
       long newest = -1;
-      long base = run % 4 == 0 ? Seal.MAX_FRAMES - 50_000 : 0;
+      long base = run % 4 == 0 ? LinkCipher.MAX_FRAMES - 50_000 : 0;
       int spread = 1 << 1 + random.nextInt(14);
       for (int i = 0; i < 5_000; i++) {
         long number =

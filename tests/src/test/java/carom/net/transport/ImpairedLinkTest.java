@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -240,7 +240,7 @@ class ImpairedLinkTest {
             Impairment.NONE.withBandwidth(8),
             Impairment.NONE,
             () -> now,
-            message -> 1_000 - Limits.DATAGRAM_OVERHEAD_BYTES);
+            message -> 1_000 - ProtocolLimits.DATAGRAM_OVERHEAD_BYTES);
     for (int i = 0; i < 4; i++) {
       link.send("message " + i); // a second each
     }

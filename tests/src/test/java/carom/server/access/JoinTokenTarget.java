@@ -2,7 +2,7 @@ package carom.server.access;
 
 import carom.fuzz.FuzzTarget;
 import carom.fuzz.Pieces;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.security.GeneralSecurityException;
@@ -58,7 +58,7 @@ public final class JoinTokenTarget implements FuzzTarget {
     try {
       JoinToken read = tokens.check(token);
       int account = read.account().length();
-      if (account < 1 || account > Limits.MAX_ACCOUNT_CHARACTERS) {
+      if (account < 1 || account > ProtocolLimits.MAX_ACCOUNT_CHARACTERS) {
         throw new AssertionError("an account of " + account + " characters");
       }
       FuzzTarget.requirePrintable(read.account() + read.name() + read.room());

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.admission.Origin;
+import carom.net.admission.AddressGroup;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -18,8 +18,8 @@ class SeatSharesTest {
   private final Seats seats = new Seats(32, new AtomicLong(1)::getAndIncrement);
   private final SeatShares shares = new SeatShares(32, 6);
 
-  private static Origin from(String address) {
-    return Origin.ofRemote(address + ":1");
+  private static AddressGroup from(String address) {
+    return AddressGroup.ofRemote(address + ":1");
   }
 
   private Seats.Seat sit(String account, String address) {

@@ -7,16 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.admission.Origin;
-import carom.net.protocol.Limits;
+import carom.net.admission.AddressGroup;
 import carom.net.protocol.PlayerName;
+import carom.net.protocol.ProtocolLimits;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 
 class SeatsTest {
-  private static final Origin ANYWHERE = Origin.ofRemote("192.0.2.1:1");
+  private static final AddressGroup ANYWHERE = AddressGroup.ofRemote("192.0.2.1:1");
 
   private long now;
   private final AtomicLong secrets = new AtomicLong();
@@ -68,13 +68,13 @@ class SeatsTest {
 
   @Test
   void fullRoomOfTheSameNameHasAsManyNames() {
-    Seats room = new Seats(Limits.MAX_PLAYERS, secrets::getAndIncrement);
+    Seats room = new Seats(ProtocolLimits.MAX_PLAYERS, secrets::getAndIncrement);
     Set<String> names = new HashSet<>();
     for (int i = 0; i < room.count(); i++) {
       names.add(room.take("player").name());
     }
-    assertEquals(Limits.MAX_PLAYERS, names.size());
-    assertEquals(Limits.MAX_PLAYERS, room.takenCount());
+    assertEquals(ProtocolLimits.MAX_PLAYERS, names.size());
+    assertEquals(ProtocolLimits.MAX_PLAYERS, room.takenCount());
     assertNull(room.take("player"));
   }
 

@@ -107,7 +107,7 @@ final class WebServerTest {
     WebServer other = new WebServer(LOOPBACK, 0, subject(List.of(hangs)), null);
     try {
       HttpRequest metrics = HttpRequest.newBuilder(URI.create(other.url() + "/metrics")).build();
-      client.sendAsync(metrics, HttpResponse.BodyHandlers.ofString());
+      var unused = client.sendAsync(metrics, HttpResponse.BodyHandlers.ofString());
       asked.await();
       assertTimeoutPreemptively(Duration.ofSeconds(20), other::close);
     } finally {

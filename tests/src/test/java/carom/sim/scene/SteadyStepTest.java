@@ -3,10 +3,10 @@ package carom.sim.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import carom.fixtures.Allocations;
 import carom.physics.Body;
 import carom.sim.scene.catalog.BenchmarkScenes;
 import carom.sim.scene.catalog.Scenes;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -16,22 +16,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * In the steady state, once its arrays have grown, a step of any scene allocates nothing.
- *
- * <p>What counts is the best of many windows, as two things allocate now and then that aren't the
- * scene's: arrays that double, and vector kernels until they are compiled. How long the compiler
- * takes depends on the machine, so a window that isn't clean only means that another follows.
+ * In the steady state a step of any scene allocates nothing, also with vector kernels once these
+ * are compiled. {@link SteadySceneTest} counts each step of the same scenes without them.
  */
 class SteadyStepTest {
   private static final int WINDOW = 60;
-
-  /** A tumbler boxed vectors for 14,000 steps while its kernels waited for the compiler. */
-  private static final int MOST_WINDOWS = 600;
-
-  /** From this window on each waits a little, as a busy machine may compile nothing meanwhile. */
-  private static final int PATIENT = 20;
-
-  private static final long WAIT_MS = 50;
 
   /** Scenes that make bodies for as long as they run, with what they make. */
   private static final Map<String, String> MAKE_BODIES =
@@ -71,20 +60,15 @@ class SteadyStepTest {
     return MAKE_BODIES.keySet().stream().map(Scenes::get);
   }
 
+  static boolean makesBodies(Scene scene) {
+    return MAKE_BODIES.containsKey(scene.name());
+  }
+
   @ParameterizedTest
   @MethodSource("scenes")
   void allocatesNothing(Scene scene) throws InterruptedException {
-    var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     SceneRun run = scene.start();
-    long least = Long.MAX_VALUE;
-    for (int window = 0; window < MOST_WINDOWS && least != 0; window++) {
-      if (window > PATIENT) {
-        Thread.sleep(WAIT_MS);
-      }
-      long before = threads.getCurrentThreadAllocatedBytes();
-      run.steps(WINDOW);
-      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
-    }
+    long least = Allocations.leastOnceCompiled(1, () -> run.steps(WINDOW));
     assertEquals(0, least, "fewest bytes in " + WINDOW + " steps of " + scene.name());
   }
 
@@ -92,7 +76,7 @@ class SteadyStepTest {
   @MethodSource("scenesThatMakeBodies")
   void onlyScenesThatMakeBodiesAreLeftOut(Scene scene) {
     SceneRun run = scene.start();
-    run.steps(MOST_WINDOWS);
+    run.steps(600);
     List<Body<String>> before = bodies(run);
     run.steps(WINDOW);
     assertNotEquals(before, bodies(run), MAKE_BODIES.get(scene.name()));

@@ -2,11 +2,11 @@ package carom.client.desktop.chat;
 
 import carom.client.GameClient;
 import carom.client.desktop.hud.Hud;
-import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.input.KeyMap;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.message.MessageListener;
 import carom.client.settings.KeyAction;
@@ -35,7 +35,7 @@ public final class Conversation implements MessageListener {
   private final Fonts fonts;
   private final ChatLog log = new ChatLog();
   private final EmoteBubbles bubbles = new EmoteBubbles();
-  private final Part part = new Part(Spot.BOTTOM_LEFT, Spot.BOTTOM_RIGHT, Spot.TOP_LEFT);
+  private final Panel part = new Panel(Spot.BOTTOM_LEFT, Spot.BOTTOM_RIGHT, Spot.TOP_LEFT);
   private final Color color = new Color();
   private boolean swallowsTyped;
 
@@ -164,26 +164,28 @@ public final class Conversation implements MessageListener {
   }
 
   private void drawDraft(Hud hud, float w, long nowNs) {
-    hud.panel(part.x(), part.y(), w, FIELD - 4, Theme.DIALOG);
+    hud.panel(part.x(), part.y(), w, FIELD - 4, UiColours.DIALOG);
     hud.begin();
     String to = log.isToTeam() ? "Team:" : "All:";
     float x = part.x() + PAD;
     float y = part.y() + FIELD - 11;
-    hud.left(fonts.small(), to, x, y, Theme.MUTED);
+    hud.left(fonts.small(), to, x, y, UiColours.MUTED);
     x += hud.width(fonts.small(), to) + GAP;
     float room = part.x() + w - x - 2 * PAD;
     String cursor = nowNs / 500_000_000L % 2 == 0 ? "|" : "";
-    hud.left(fonts.small(), hud.endOf(fonts.small(), log.draft(), room) + cursor, x, y, Theme.TEXT);
+    hud.left(
+        fonts.small(), hud.endOf(fonts.small(), log.draft(), room) + cursor, x, y, UiColours.TEXT);
     hud.end();
   }
 
   private void draw(Hud hud, ChatLog.Line line, float y, float w, float alpha) {
     String who = line.who().isEmpty() ? "" : line.who() + (line.team() ? " (team):" : ":");
-    Color tint = line.who().isEmpty() ? Theme.ACCENT : line.team() ? Theme.GOOD : Theme.INFO;
+    Color tint =
+        line.who().isEmpty() ? UiColours.ACCENT : line.team() ? UiColours.GOOD : UiColours.INFO;
     color.set(tint).a = alpha;
     float x = part.x() + PAD;
     hud.shadowed(fonts.small(), who, x, y, color);
-    color.set(line.who().isEmpty() ? Theme.ACCENT : Theme.TEXT).a = alpha;
+    color.set(line.who().isEmpty() ? UiColours.ACCENT : UiColours.TEXT).a = alpha;
     float after = who.isEmpty() ? 0 : hud.width(fonts.small(), who) + GAP;
     String text = hud.cut(fonts.small(), line.text(), w - 2 * PAD - after);
     hud.shadowed(fonts.small(), text, x + after, y, color);

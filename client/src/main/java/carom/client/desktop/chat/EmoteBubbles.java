@@ -1,11 +1,11 @@
 package carom.client.desktop.chat;
 
 import carom.client.desktop.hud.Hud;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.sim.message.Emote;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.Vector3;
@@ -16,8 +16,8 @@ final class EmoteBubbles {
   private static final float ABOVE_METRES = 1.9f;
   private static final float RISE_METRES = 0.8f;
 
-  private final Emote[] emotes = new Emote[Limits.MAX_PLAYERS];
-  private final long[] sinceNs = new long[Limits.MAX_PLAYERS];
+  private final Emote[] emotes = new Emote[ProtocolLimits.MAX_PLAYERS];
+  private final long[] sinceNs = new long[ProtocolLimits.MAX_PLAYERS];
   private final Color color = new Color();
 
   /** Shows an emote of a player; its last one goes. */
@@ -41,7 +41,7 @@ final class EmoteBubbles {
           continue;
         }
         Vector3 at = hud.at(camera, body.x(), body.y() + ABOVE_METRES + RISE_METRES * age);
-        color.set(Theme.ACCENT).a = Math.min(1, 3 * (1 - age));
+        color.set(UiColours.ACCENT).a = Math.min(1, 3 * (1 - age));
         hud.floating(emotes[player].text(), at, false, color);
       }
     }

@@ -1,7 +1,7 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.sim.level.Area;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;
@@ -109,7 +109,7 @@ final class AreaPainter {
   }
 
   private void shade(Area area, float lightness, float alpha) {
-    Theme.shade(area.rgb(), lightness, alpha * (0.3f + 0.7f * power), color);
+    UiColours.shade(area.rgb(), lightness, alpha * (0.3f + 0.7f * power), color);
   }
 
   private static float surface(Area area, float at, float seconds) {

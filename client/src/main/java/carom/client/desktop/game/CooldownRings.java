@@ -1,7 +1,7 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.field.FieldView;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
@@ -23,7 +23,7 @@ final class CooldownRings {
   private static final float INNERMOST = 1.55f;
 
   private static final float LIT_SECONDS = 0.25f;
-  private static final Color[] COLORS = {Theme.ACCENT, Theme.INFO, Theme.GOOD};
+  private static final Color[] COLORS = {UiColours.ACCENT, UiColours.INFO, UiColours.GOOD};
 
   private final Color color = new Color();
   private String gameOf = "";

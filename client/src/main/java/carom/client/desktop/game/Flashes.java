@@ -2,7 +2,7 @@ package carom.client.desktop.game;
 
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.events.EventListener;
 import carom.sim.outbox.Event;
@@ -76,7 +76,7 @@ final class Flashes implements EventListener {
             events[i].y(),
             radius,
             0.05f + 0.2f * left * Math.min(1, radius),
-            Theme.shade(events[i].kind().rgb(), 1, left, color));
+            UiColours.shade(events[i].kind().rgb(), 1, left, color));
       }
     }
   }
@@ -85,7 +85,7 @@ final class Flashes implements EventListener {
   void label(Hud hud, ViewCamera camera) {
     for (int i = 0; i < FLASHES; i++) {
       if (age[i] < LABEL_SECONDS && !events[i].kind().label().isEmpty()) {
-        Theme.shade(events[i].kind().rgb(), 1, 1 - age[i] / LABEL_SECONDS, color);
+        UiColours.shade(events[i].kind().rgb(), 1, 1 - age[i] / LABEL_SECONDS, color);
         float y = events[i].y() + RISE_M_S * age[i];
         float size = MathUtils.clamp(events[i].kind().radius(), 0.5f, 4);
         hud.label(events[i].kind().label(), hud.at(camera, events[i].x(), y), size >= 2, color);

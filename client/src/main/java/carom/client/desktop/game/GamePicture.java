@@ -10,7 +10,7 @@ import carom.client.desktop.hud.ShownGame;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.DebugPainter;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.desktop.sound.EventSounds;
 import carom.client.events.EventListener;
@@ -142,7 +142,7 @@ public final class GamePicture implements Disposable {
   public void draw(ClientView view, boolean table, long nowNs, float deltaSeconds) {
     int width = Gdx.graphics.getWidth();
     int height = Gdx.graphics.getHeight();
-    ScreenUtils.clear(Theme.BACKDROP);
+    ScreenUtils.clear(UiColours.BACKDROP);
     hud.size(width, height);
     seconds += deltaSeconds;
     if (view.level() == null) {

@@ -1,7 +1,7 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.sim.level.Appearance.Look;
@@ -237,7 +237,7 @@ final class Impacts {
             blowY[i],
             radius,
             0.16f * blowSize[i] * left + 0.03f,
-            Theme.shade(0xffffff, 1, 0.8f * left * left, color));
+            UiColours.shade(0xffffff, 1, 0.8f * left * left, color));
       }
     }
     for (int i = 0; i < SPARKS; i++) {
@@ -249,7 +249,7 @@ final class Impacts {
             sparkX[i] - sparkVx[i] * 0.04f,
             sparkY[i] - sparkVy[i] * 0.04f,
             0.03f + 0.05f * left,
-            Theme.shade(sparkRgb[i], 1.6f, left, color));
+            UiColours.shade(sparkRgb[i], 1.6f, left, color));
       }
     }
   }

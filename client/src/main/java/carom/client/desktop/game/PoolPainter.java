@@ -1,7 +1,7 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.physics.particles.ParticleDef;
 import carom.physics.particles.Particles;
 import carom.sim.pool.Pools;
@@ -66,12 +66,12 @@ final class PoolPainter {
       if (x < left - size || x > right + size || y < low - size || y > high + size) {
         continue;
       }
-      Theme.shade(some.rgb(), brightness, 1, color);
+      UiColours.shade(some.rgb(), brightness, 1, color);
       if (foams && water) {
         float speed = Math.abs(all.velocityX(i)) + Math.abs(all.velocityY(i));
         color.lerp(1, 1, 1, 1, Math.min(MOST_FOAM, speed / FOAM_M_S));
       } else if (foams && all.id(i) % 3 == 0) {
-        Theme.shade(some.rgb(), 0.88f, 1, color); // grains
+        UiColours.shade(some.rgb(), 0.88f, 1, color); // grains
       }
       if (small) {
         canvas.rect(x - size / 2, y - size / 2, size, size, color);

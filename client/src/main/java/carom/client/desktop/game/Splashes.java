@@ -1,7 +1,7 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.physics.BodyType;
@@ -115,7 +115,7 @@ final class Splashes {
     return NONE;
   }
 
-  private static boolean isIn(PoolDef.Box box, float x, float y) {
+  private static boolean isIn(PoolDef.Rectangle box, float x, float y) {
     return x >= box.minX() && x <= box.maxX() && y >= box.minY() && y <= box.maxY();
   }
 
@@ -202,7 +202,7 @@ final class Splashes {
     for (int i = 0; i < DROPS; i++) {
       float left = 1 - dropAge[i] / DROP_SECONDS;
       if (left > 0) {
-        Theme.shade(dropRgb[i], 1, Math.min(1, 2.5f * left), color);
+        UiColours.shade(dropRgb[i], 1, Math.min(1, 2.5f * left), color);
         color.lerp(1, 1, 1, color.a, 0.55f);
         canvas.disc(dropX[i], dropY[i], dropSize[i] * (0.4f + 0.6f * left), color);
       }

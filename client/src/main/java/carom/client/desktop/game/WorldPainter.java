@@ -3,11 +3,12 @@ package carom.client.desktop.game;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.ShapePainter;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.client.view.JointView;
 import carom.game.Games;
+import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.physics.Body;
 import carom.physics.JointType;
 import carom.physics.geometry.Box;
@@ -22,6 +23,7 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.Area;
 import carom.sim.level.Level;
+import carom.sim.message.PlayerColour;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.math.MathUtils;
@@ -34,6 +36,9 @@ final class WorldPainter {
   private static final float SHADOW_X_M = 0.10f;
   private static final float SHADOW_Y_M = -0.14f;
   private static final float EDGE_M = 0.07f;
+
+  /** Width of the rim in a player's own colour, metres. */
+  private static final float RIM_M = 0.16f;
 
   /** Distance between the marks of a conveyor belt, and their size, metres. */
   private static final float BELT_STEP_M = 0.8f;
@@ -68,6 +73,7 @@ final class WorldPainter {
   private final Color detail = new Color();
   private final List<Scenery> scenery = new ArrayList<>();
   private Level sceneryOf;
+  private boolean hasTeams;
 
   WorldPainter(Canvas canvas) {
     this.canvas = canvas;
@@ -111,18 +117,27 @@ final class WorldPainter {
     for (Scenery s : scenery) {
       shapes.pose(s.x, s.y, s.cos, s.sin);
       boolean glows = s.archetype.appearance().look() == Appearance.Look.BUMPER;
-      paint(s.archetype, 1, seconds, glows ? glow(s.archetype, s.x, s.y) : 0);
+      paint(
+          s.archetype,
+          s.archetype.appearance().rgb(),
+          1,
+          seconds,
+          glows ? glow(s.archetype, s.x, s.y) : 0);
     }
     for (int i = 0; i < view.entityCount(); i++) {
-      streak(view.entity(i));
+      streak(view.entity(i), view);
     }
     Drawn own = view.own();
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
       pose(drawn, 0, 0);
-      paint(
-          drawn.archetype(), drawn.alpha(), seconds, glow(drawn.archetype(), drawn.x(), drawn.y()));
+      float glow = glow(drawn.archetype(), drawn.x(), drawn.y());
+      int chosen = chosenRgb(view, drawn);
+      paint(drawn.archetype(), bodyRgb(chosen, drawn), drawn.alpha(), seconds, glow);
       if (drawn.archetype().appearance().look() == Appearance.Look.PLAYER) {
+        if (chosen >= 0 && hasTeams) {
+          rim(drawn, chosen);
+        }
         face(drawn, drawn == own, view, seconds);
       }
     }
@@ -197,7 +212,7 @@ final class WorldPainter {
   }
 
   /** Draws a fading wedge behind a fast ball or a dashing player. */
-  private void streak(Drawn drawn) {
+  private void streak(Drawn drawn, ClientView view) {
     Appearance look = drawn.archetype().appearance();
     float vx = drawn.velocityX();
     float vy = drawn.velocityY();
@@ -206,6 +221,7 @@ final class WorldPainter {
     if (!shows || speed < STREAK_M_S) {
       return;
     }
+    int rgb = bodyRgb(chosenRgb(view, drawn), drawn);
     float radius = 0.9f * extent(drawn.archetype());
     float nx = -vy / speed * radius;
     float ny = vx / speed * radius;
@@ -217,7 +233,7 @@ final class WorldPainter {
       streak[3] = drawn.y() - vy * STREAK_SECONDS * layer;
       streak[4] = drawn.x() - nx;
       streak[5] = drawn.y() - ny;
-      canvas.convex(streak, 3, Theme.shade(look.rgb(), 1.2f, 0.22f * share * drawn.alpha(), fill));
+      canvas.convex(streak, 3, UiColours.shade(rgb, 1.2f, 0.22f * share * drawn.alpha(), fill));
     }
   }
 
@@ -233,6 +249,7 @@ final class WorldPainter {
     Simulation still =
         new Simulation(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
     still.world().forEachBody(this::gather);
+    hasTeams = !still.game().teams().isEmpty();
   }
 
   private void gather(Body<Entity> body) {
@@ -249,10 +266,10 @@ final class WorldPainter {
         bottom,
         camera.viewportWidth,
         camera.viewportHeight,
-        Theme.shade(level.theme().background(), 1, 1, fill),
-        Theme.shade(level.theme().sky(), 1, 1, edge));
+        UiColours.shade(level.theme().background(), 1, 1, fill),
+        UiColours.shade(level.theme().sky(), 1, 1, edge));
     Level.Bounds b = level.bounds();
-    Color grid = Theme.shade(level.theme().grid(), 1, 0.4f, fill);
+    Color grid = UiColours.shade(level.theme().grid(), 1, 0.4f, fill);
     canvas.grid(b.minX(), b.minY(), b.maxX(), b.maxY(), GRID_M, grid);
     for (Level.Zone zone : level.zones()) {
       if (zone.rgb() >= 0) {
@@ -264,8 +281,9 @@ final class WorldPainter {
   private void zone(Level.Zone zone) {
     float width = zone.maxX() - zone.minX();
     float height = zone.maxY() - zone.minY();
-    canvas.rect(zone.minX(), zone.minY(), width, height, Theme.shade(zone.rgb(), 1, 0.22f, fill));
-    Theme.shade(zone.rgb(), 1, 0.7f, fill);
+    canvas.rect(
+        zone.minX(), zone.minY(), width, height, UiColours.shade(zone.rgb(), 1, 0.22f, fill));
+    UiColours.shade(zone.rgb(), 1, 0.7f, fill);
     canvas.frame(zone.minX(), zone.minY(), width, height, EDGE_M, fill);
   }
 
@@ -275,19 +293,38 @@ final class WorldPainter {
   }
 
   private void shadow(Archetype archetype, float alpha) {
-    fill.set(Theme.SHADOW).a *= alpha;
+    fill.set(UiColours.SHADOW).a *= alpha;
     for (Shape shape : archetype.shapes()) {
       shapes.fill(shape, fill);
     }
   }
 
-  private void paint(Archetype archetype, float alpha, float seconds, float glow) {
+  /** Returns the colour that a body's player has chosen for it; -1 if it has none. */
+  private static int chosenRgb(ClientView view, Drawn drawn) {
+    boolean isPlayer = drawn.archetype().appearance().look() == Appearance.Look.PLAYER;
+    RosterEntry player = isPlayer ? view.participant(drawn.ownerId()) : null;
+    return player == null ? -1 : PlayerColour.of(player.colour()).rgb();
+  }
+
+  private int bodyRgb(int chosen, Drawn drawn) {
+    return chosen >= 0 && !hasTeams ? chosen : drawn.archetype().appearance().rgb();
+  }
+
+  /** Draws a rim in the colour of a player whose body has that of the team. */
+  private void rim(Drawn drawn, int rgb) {
+    UiColours.shade(rgb, 1, drawn.alpha(), detail);
+    for (Shape shape : drawn.archetype().shapes()) {
+      shapes.outline(shape, RIM_M, detail);
+    }
+  }
+
+  private void paint(Archetype archetype, int rgb, float alpha, float seconds, float glow) {
     Appearance look = archetype.appearance();
     if (archetype.sensor() && look.look() == Appearance.Look.PLAIN) {
       alpha *= SENSOR;
     }
-    Theme.shade(look.rgb(), 1 + 0.6f * glow, alpha, fill);
-    Theme.shade(look.outlineRgb(), 1, alpha, edge);
+    UiColours.shade(rgb, 1 + 0.6f * glow, alpha, fill);
+    UiColours.shade(look.outlineRgb(), 1, alpha, edge);
     for (Shape shape : archetype.shapes()) {
       shapes.paint(shape, fill, EDGE_M, edge);
     }
@@ -296,7 +333,7 @@ final class WorldPainter {
       for (Convex part : archetype.shapes().get(i).parts()) {
         detail(look, part, alpha, seconds);
         if (speed != 0 && part instanceof Box box) {
-          Theme.shade(look.rgb(), 1.5f, alpha, detail);
+          UiColours.shade(look.rgb(), 1.5f, alpha, detail);
           belt(box, speed * seconds, 1);
           belt(box, -speed * seconds, -1);
         }
@@ -326,7 +363,7 @@ final class WorldPainter {
 
   private void detail(Appearance look, Convex part, float alpha, float seconds) {
     float radius = extent(part);
-    Theme.shade(look.rgb(), 1.35f, alpha, detail);
+    UiColours.shade(look.rgb(), 1.35f, alpha, detail);
     float x = shapes.worldX(0, 0);
     float y = shapes.worldY(0, 0);
     switch (look.look()) {
@@ -384,12 +421,12 @@ final class WorldPainter {
     for (int side = -1; side <= 1; side += 2) {
       float px = drawn.x() + radius * (0.42f * cos - 0.3f * side * sin);
       float py = drawn.y() + radius * (0.42f * sin + 0.3f * side * cos);
-      canvas.disc(px, py, radius * 0.24f, Theme.shade(0xffffff, 1, drawn.alpha(), detail));
+      canvas.disc(px, py, radius * 0.24f, UiColours.shade(0xffffff, 1, drawn.alpha(), detail));
       canvas.disc(
           px + radius * 0.09f * cos,
           py + radius * 0.09f * sin,
           radius * 0.12f,
-          Theme.shade(0x10141c, 1, drawn.alpha(), detail));
+          UiColours.shade(0x10141c, 1, drawn.alpha(), detail));
     }
     if (own) {
       halo(drawn, radius, seconds);
@@ -397,7 +434,7 @@ final class WorldPainter {
   }
 
   private void halo(Drawn drawn, float radius, float seconds) {
-    Theme.shade(0xffffff, 1, 0.7f + 0.25f * MathUtils.sin(seconds * 4), detail);
+    UiColours.shade(0xffffff, 1, 0.7f + 0.25f * MathUtils.sin(seconds * 4), detail);
     for (Shape shape : drawn.archetype().shapes()) {
       if (shape instanceof Circle) {
         canvas.ring(drawn.x(), drawn.y(), radius * 1.3f, EDGE_M, detail);

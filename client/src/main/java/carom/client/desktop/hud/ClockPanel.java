@@ -1,10 +1,10 @@
 package carom.client.desktop.hud;
 
-import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.field.FieldView;
 import carom.client.view.ClientView;
 import carom.net.protocol.ServerMessage.RosterEntry;
@@ -32,7 +32,7 @@ public final class ClockPanel {
   private final Canvas canvas;
   private final Fonts fonts;
   private final ShownGame game;
-  private final Part part = new Part(Spot.TOP);
+  private final Panel part = new Panel(Spot.TOP);
   private final Vector3 at = new Vector3();
   private String adviceAlone = "";
 
@@ -66,7 +66,7 @@ public final class ClockPanel {
       case COUNTDOWN -> {
         at.set(hud.windowWidth() / 2f, hud.height() * 0.6f, 0);
         hud.begin();
-        hud.floating(Integer.toString(seconds), at, true, Theme.ACCENT);
+        hud.floating(Integer.toString(seconds), at, true, UiColours.ACCENT);
         hud.end();
       }
       case PLAYING -> line(view, seconds < 0 ? "" : time(seconds), "");
@@ -100,13 +100,13 @@ public final class ClockPanel {
       x = drawScore(view, team, x, top);
     }
     hud.begin();
-    hud.left(fonts.text(), text, x, top, Theme.TEXT);
+    hud.left(fonts.text(), text, x, top, UiColours.TEXT);
     hud.left(
         fonts.small(),
         below,
         part.x() + (wide - hud.width(fonts.small(), below)) / 2,
         top - 21,
-        Theme.ACCENT);
+        UiColours.ACCENT);
     hud.end();
     x += text.isEmpty() ? 0 : hud.width(fonts.text(), text) + PAD;
     for (int team = (teams + 1) / 2 + 1; team <= teams; team++) {
@@ -129,7 +129,7 @@ public final class ClockPanel {
     canvas.rect(x, top - SWATCH, SWATCH, SWATCH, game.teamColor(team));
     canvas.end();
     hud.begin();
-    hud.left(fonts.text(), scoreText(view, team), x + SWATCH + 6, top, Theme.TEXT);
+    hud.left(fonts.text(), scoreText(view, team), x + SWATCH + 6, top, UiColours.TEXT);
     hud.end();
     return x + score(view, team) + PAD;
   }
@@ -142,15 +142,15 @@ public final class ClockPanel {
     boolean fits = hud.width(fonts.title(), text) < hud.windowWidth() - 40;
     BitmapFont font = fits ? fonts.title() : fonts.large();
     int team = MatchClock.winningTeam(view.match());
-    hud.panel(-2, height - RESULT, hud.windowWidth() + 4, RESULT - 8, Theme.DIALOG);
+    hud.panel(-2, height - RESULT, hud.windowWidth() + 4, RESULT - 8, UiColours.DIALOG);
     hud.layout().take(0, height - RESULT, hud.windowWidth(), RESULT);
     hud.begin();
     float x = hud.windowWidth() / 2f;
-    Color tint = team > 0 ? game.teamColor(team) : Theme.ACCENT;
+    Color tint = team > 0 ? game.teamColor(team) : UiColours.ACCENT;
     hud.centred(font, text, x, height - (fits ? 26 : 44), tint);
-    hud.centred(fonts.large(), how, x, height - RESULT + 60, Theme.TEXT);
+    hud.centred(fonts.large(), how, x, height - RESULT + 60, UiColours.TEXT);
     String next = seconds < 0 ? "" : "The next match begins in " + seconds + " s";
-    hud.centred(fonts.text(), next, x, height - RESULT + 28, Theme.MUTED);
+    hud.centred(fonts.text(), next, x, height - RESULT + 28, UiColours.MUTED);
     hud.end();
   }
 

@@ -1,7 +1,7 @@
 package carom.client.desktop.hud;
 
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.link.ConnectionPhase;
 import carom.client.view.ClientView;
 import com.badlogic.gdx.graphics.Color;
@@ -19,7 +19,7 @@ public final class Curtain {
   /** Time for which the name shows on the closed curtain, however quick the level is there. */
   private static final float HOLD_SECONDS = 0.9f;
 
-  private static final Color CLOTH = Theme.rgb(0x0a0e15);
+  private static final Color CLOTH = UiColours.rgb(0x0a0e15);
 
   private final Hud hud;
   private final Canvas canvas;
@@ -70,7 +70,7 @@ public final class Curtain {
     float width = hud.windowWidth();
     float height = hud.height();
     float half = height / 2 * share;
-    edge.set(Theme.ACCENT).a = share;
+    edge.set(UiColours.ACCENT).a = share;
     hud.beginFigures();
     canvas.rect(0, 0, width, half, CLOTH);
     canvas.rect(0, height - half, width, half, CLOTH);
@@ -79,8 +79,8 @@ public final class Curtain {
     if (loads) {
       float bar = Math.min(360, width - 40);
       float x = (width - bar) / 2;
-      canvas.rect(x, height / 2 - 62, bar, 4, Theme.PANEL_LINE);
-      canvas.rect(x, height / 2 - 62, bar * (float) view.loadingProgress(), 4, Theme.ACCENT);
+      canvas.rect(x, height / 2 - 62, bar, 4, UiColours.PANEL_LINE);
+      canvas.rect(x, height / 2 - 62, bar * (float) view.loadingProgress(), 4, UiColours.ACCENT);
     }
     canvas.end();
     hud.begin();
@@ -95,7 +95,7 @@ public final class Curtain {
 
   private void text(String text, float y, boolean large, float alpha) {
     at.set(hud.windowWidth() / 2f, y, 0);
-    color.set(Theme.TEXT).a = alpha;
+    color.set(UiColours.TEXT).a = alpha;
     hud.floating(text, at, large, color);
   }
 }

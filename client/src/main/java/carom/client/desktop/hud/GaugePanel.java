@@ -1,10 +1,10 @@
 package carom.client.desktop.hud;
 
-import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.field.FieldView;
 import carom.client.view.ClientView;
@@ -36,7 +36,7 @@ public final class GaugePanel {
   private final Canvas canvas;
   private final Fonts fonts;
   private final ShownGame game;
-  private final Part part = new Part(Spot.BOTTOM, Spot.BOTTOM_LEFT, Spot.TOP_LEFT);
+  private final Panel part = new Panel(Spot.BOTTOM, Spot.BOTTOM_LEFT, Spot.TOP_LEFT);
 
   /** Creates a panel. The arguments stay the property of the caller. */
   public GaugePanel(Hud hud, Canvas canvas, Fonts fonts, ShownGame game) {
@@ -110,22 +110,22 @@ public final class GaugePanel {
     }
     hud.begin();
     String label = hud.cut(fonts.small(), gauge.label(), LABEL_WIDTH - 6);
-    hud.left(fonts.small(), label, x, top - 5, Theme.TEXT);
+    hud.left(fonts.small(), label, x, top - 5, UiColours.TEXT);
     if (!isBar) {
       int value = ShownGame.value(gauge, view, player);
       boolean seconds = gauge.field() instanceof Countdown;
       int shown = seconds ? (value + view.tickRate() - 1) / view.tickRate() : value;
       String text = seconds ? shown + " s" : Integer.toString(shown);
-      hud.left(fonts.text(), text, x + LABEL_WIDTH, top - 4, Theme.TEXT);
+      hud.left(fonts.text(), text, x + LABEL_WIDTH, top - 4, UiColours.TEXT);
     }
     hud.end();
   }
 
   private void bar(float share, float x, float y, float w, float h) {
     float full = MathUtils.clamp(share, 0, 1);
-    Color color = full < LOW ? Theme.BAD : Theme.GOOD;
-    canvas.rect(x - 1, y - 1, w + 2, h + 2, Theme.BACKDROP);
-    canvas.rect(x, y, w, h, Theme.PANEL_LINE);
+    Color color = full < LOW ? UiColours.BAD : UiColours.GOOD;
+    canvas.rect(x - 1, y - 1, w + 2, h + 2, UiColours.BACKDROP);
+    canvas.rect(x, y, w, h, UiColours.PANEL_LINE);
     canvas.rect(x, y, w * full, h, color);
   }
 }

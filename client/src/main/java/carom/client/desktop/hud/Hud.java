@@ -1,15 +1,15 @@
 package carom.client.desktop.hud;
 
-import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.link.ConnectionPhase;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.level.Appearance;
 import com.badlogic.gdx.graphics.Color;
@@ -48,15 +48,15 @@ public final class Hud implements Disposable {
   private final Fonts fonts;
   private final GlyphLayout glyphs = new GlyphLayout();
   private final HudLayout layout = new HudLayout();
-  private final Part news = new Part(Spot.TOP, Spot.BOTTOM);
-  private final Part reply = new Part(Spot.BOTTOM, Spot.TOP);
-  private final Part role = new Part(Spot.TOP, Spot.BOTTOM);
+  private final Panel news = new Panel(Spot.TOP, Spot.BOTTOM);
+  private final Panel reply = new Panel(Spot.BOTTOM, Spot.TOP);
+  private final Panel role = new Panel(Spot.TOP, Spot.BOTTOM);
   private final Color color = new Color();
   private final Color shadow = new Color();
   private final GlyphLayout wrapped = new GlyphLayout();
   private BitmapFont wrapFont;
   private final FreePlaces places = new FreePlaces();
-  private final NameRows names = new NameRows(places, Limits.MAX_PLAYERS);
+  private final NameRows names = new NameRows(places, ProtocolLimits.MAX_PLAYERS);
   private String answer = "";
   private float answerSeconds;
   private Witness witness;
@@ -151,7 +151,7 @@ public final class Hud implements Disposable {
         continue;
       }
       Vector3 at = at(camera, drawn.x(), drawn.y());
-      color.set(Theme.TEXT).a = 0.85f * drawn.alpha();
+      color.set(UiColours.TEXT).a = 0.85f * drawn.alpha();
       name(
           drawn.ownerId(),
           view.playerName(drawn.ownerId()),
@@ -204,7 +204,7 @@ public final class Hud implements Disposable {
     batch.begin();
     for (int row = 0; row < shown; row++) {
       int i = view.notices().size() - 1 - row;
-      color.set(Theme.TEXT).a = Math.min(1, 3 * (1 - age(view, i, nowNs)));
+      color.set(UiColours.TEXT).a = Math.min(1, 3 * (1 - age(view, i, nowNs)));
       float y = news.y() + (shown - row) * NOTICE_LINE - 4;
       centred(fonts.large(), view.notices().get(i).text(), width / 2f, y, color);
     }
@@ -228,7 +228,7 @@ public final class Hud implements Disposable {
     float w = width(fonts.large(), answer);
     if (answerSeconds > 0 && layout.place(reply, w, NOTICE_LINE)) {
       batch.begin();
-      color.set(Theme.TEXT).a = Math.min(1, 3 * answerSeconds);
+      color.set(UiColours.TEXT).a = Math.min(1, 3 * answerSeconds);
       centred(fonts.large(), answer, width / 2f, reply.y() + NOTICE_LINE - 4, color);
       batch.end();
     }
@@ -250,9 +250,9 @@ public final class Hud implements Disposable {
     }
     batch.begin();
     float y = role.y() + 2 * NOTICE_LINE - 4;
-    centred(fonts.large(), text, width / 2f, y, Theme.TEXT);
+    centred(fonts.large(), text, width / 2f, y, UiColours.TEXT);
     if (watched >= 0) {
-      centred(fonts.small(), keys, width / 2f, y - NOTICE_LINE, Theme.MUTED);
+      centred(fonts.small(), keys, width / 2f, y - NOTICE_LINE, UiColours.MUTED);
     }
     batch.end();
   }
@@ -262,21 +262,21 @@ public final class Hud implements Disposable {
     ConnectionPhase phase = view.phase();
     veil();
     float w = Math.min(width - 2 * PAD, 560);
-    wrapped.setText(fonts.text(), view.message(), Theme.MUTED, w - 4 * PAD, Align.center, true);
+    wrapped.setText(fonts.text(), view.message(), UiColours.MUTED, w - 4 * PAD, Align.center, true);
     float h = 90 + wrapped.height;
     float x = (width - w) / 2;
     float y = (height - h) / 2;
-    panel(x, y, w, h, Theme.DIALOG);
+    panel(x, y, w, h, UiColours.DIALOG);
     if (phase == ConnectionPhase.LOADING) {
       float bar = (w - 2 * PAD) * (float) view.loadingProgress();
       beginFigures();
-      canvas.rect(x + PAD, y + PAD, w - 2 * PAD, 4, Theme.PANEL_LINE);
-      canvas.rect(x + PAD, y + PAD, bar, 4, Theme.ACCENT);
+      canvas.rect(x + PAD, y + PAD, w - 2 * PAD, 4, UiColours.PANEL_LINE);
+      canvas.rect(x + PAD, y + PAD, bar, 4, UiColours.ACCENT);
       canvas.end();
     }
     batch.begin();
     fonts.text().draw(batch, wrapped, x + 2 * PAD, y + wrapped.height + 26);
-    centred(fonts.large(), title(phase), width / 2f, y + h - 18, Theme.TEXT);
+    centred(fonts.large(), title(phase), width / 2f, y + h - 18, UiColours.TEXT);
     batch.end();
   }
 
@@ -294,13 +294,13 @@ public final class Hud implements Disposable {
   /** Darkens everything, because the picture isn't the present. */
   public void veil() {
     beginFigures();
-    canvas.rect(0, 0, width, height, Theme.VEIL);
+    canvas.rect(0, 0, width, height, UiColours.VEIL);
     canvas.end();
   }
 
   /** Draws a dark, translucent panel with a thin edge. */
   public void panel(float x, float y, float w, float h) {
-    panel(x, y, w, h, Theme.PANEL);
+    panel(x, y, w, h, UiColours.PANEL);
   }
 
   /** Draws a panel on a ground of another colour. */
@@ -311,7 +311,7 @@ public final class Hud implements Disposable {
     }
     beginFigures();
     canvas.rect(x, y, w, h, ground);
-    canvas.frame(x, y, w, h, 1, Theme.PANEL_LINE);
+    canvas.frame(x, y, w, h, 1, UiColours.PANEL_LINE);
     canvas.end();
   }
 

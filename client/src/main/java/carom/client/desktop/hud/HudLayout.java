@@ -9,17 +9,17 @@ package carom.client.desktop.hud;
 public final class HudLayout {
   /** A place at the window's edge. Parts at one spot stand below or above each other. */
   public enum Spot {
-    /** Upper edge, in the middle. */
+    /** The upper edge, in the middle. */
     TOP,
-    /** Upper left corner. */
+    /** The upper left corner. */
     TOP_LEFT,
-    /** Upper right corner. */
+    /** The upper right corner. */
     TOP_RIGHT,
-    /** Lower edge, in the middle. */
+    /** The lower edge, in the middle. */
     BOTTOM,
-    /** Lower left corner. */
+    /** The lower left corner. */
     BOTTOM_LEFT,
-    /** Lower right corner. */
+    /** The lower right corner. */
     BOTTOM_RIGHT;
 
     boolean isTop() {
@@ -36,14 +36,14 @@ public final class HudLayout {
   }
 
   /** A part of the HUD, which remembers where it stood. */
-  public static final class Part {
+  public static final class Panel {
     private final Spot[] spots;
     private Spot spot;
     private float x;
     private float y;
 
     /** Creates a part that may stand at some spots, the best one first. */
-    public Part(Spot... spots) {
+    public Panel(Spot... spots) {
       this.spots = spots.clone();
     }
 
@@ -107,7 +107,7 @@ public final class HudLayout {
    *
    * @return false when there is no room, so that it can't be drawn
    */
-  public boolean place(Part part, float w, float h) {
+  public boolean place(Panel part, float w, float h) {
     if (part.spot != null && stands(part, part.spot, w, h, NEAR)) {
       return true;
     }
@@ -125,7 +125,7 @@ public final class HudLayout {
   }
 
   /** Places a part that the player needs now, over the own body if there is no other room. */
-  public boolean placeAnyhow(Part part, float w, float h) {
+  public boolean placeAnyhow(Panel part, float w, float h) {
     if (place(part, w, h)) {
       return true;
     }
@@ -137,7 +137,7 @@ public final class HudLayout {
   }
 
   /** Puts a part at a spot, past those that stand there, if it then is in the window and free. */
-  private boolean stands(Part part, Spot spot, float w, float h, float clearance) {
+  private boolean stands(Panel part, Spot spot, float w, float h, float clearance) {
     float x = spot.x(width, w);
     float y = spot.isTop() ? height - EDGE - h : floor + EDGE;
     for (int other = taken.at(x, y, w, h); other >= 0; other = taken.at(x, y, w, h)) {

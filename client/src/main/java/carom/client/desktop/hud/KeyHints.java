@@ -1,9 +1,9 @@
 package carom.client.desktop.hud;
 
-import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import com.badlogic.gdx.graphics.Color;
 import java.util.List;
 
@@ -29,7 +29,7 @@ public final class KeyHints {
   private final Hud hud;
   private final Fonts fonts;
   private final ShownGame game;
-  private final Part part = new Part(Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_LEFT);
+  private final Panel part = new Panel(Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_LEFT);
   private final Color color = new Color();
   private List<Hint> hints = List.of();
   private float left = SHOWN_SECONDS;
@@ -62,24 +62,24 @@ public final class KeyHints {
     }
     left -= seconds;
     float alpha = Math.max(0, Math.min(1, left));
-    float aboutHeight = hud.wrap(fonts.small(), game.about(), WIDTH - 2 * PAD, Theme.ACCENT);
+    float aboutHeight = hud.wrap(fonts.small(), game.about(), WIDTH - 2 * PAD, UiColours.ACCENT);
     float h = aboutHeight + 8 + hints.size() * LINE + 2 * PAD;
     if (!hud.layout().place(part, WIDTH, h)) {
       return;
     }
-    color.set(Theme.PANEL).a *= alpha;
+    color.set(UiColours.PANEL).a *= alpha;
     hud.panel(part.x(), part.y(), WIDTH, h, color);
     hud.begin();
     float x = part.x() + PAD;
     float y = part.y() + h - PAD;
-    color.set(Theme.ACCENT).a = alpha;
+    color.set(UiColours.ACCENT).a = alpha;
     hud.wrap(fonts.small(), game.about(), WIDTH - 2 * PAD, color);
     hud.wrapped(x, y);
     y -= aboutHeight + 8;
     for (Hint hint : hints) {
-      color.set(Theme.TEXT).a = alpha;
+      color.set(UiColours.TEXT).a = alpha;
       hud.left(fonts.small(), hud.cut(fonts.small(), hint.key(), KEY_WIDTH - 6), x, y, color);
-      color.set(Theme.MUTED).a = alpha;
+      color.set(UiColours.MUTED).a = alpha;
       String does = hud.cut(fonts.small(), hint.does(), WIDTH - 2 * PAD - KEY_WIDTH);
       hud.left(fonts.small(), does, x + KEY_WIDTH, y, color);
       y -= LINE;

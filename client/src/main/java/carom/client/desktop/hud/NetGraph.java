@@ -1,10 +1,10 @@
 package carom.client.desktop.hud;
 
-import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.stats.NetStats;
 import carom.client.stats.RecentValues;
 import carom.client.view.ClientView;
@@ -21,11 +21,11 @@ import java.util.Locale;
 public final class NetGraph {
   /** The amount of detail. */
   public enum Size {
-    /** Nothing. */
+    /** The net graph is hidden. */
     OFF,
-    /** A few lines. */
+    /** The net graph shows a few lines. */
     SMALL,
-    /** All figures and bars. */
+    /** The net graph shows all figures and bars. */
     FULL
   }
 
@@ -47,8 +47,8 @@ public final class NetGraph {
   private final String[] rows = new String[ROWS];
   private final String[] captions = new String[GRAPHS];
   private Size size = Size.OFF;
-  private final Part part =
-      new Part(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_RIGHT);
+  private final Panel part =
+      new Panel(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_RIGHT);
   private float age = REFRESH_SECONDS;
 
   /** Creates a net graph that draws into a HUD and shows nothing yet. */
@@ -107,11 +107,11 @@ public final class NetGraph {
     canvas.end();
     hud.begin();
     for (int i = 0; i < lines; i++) {
-      hud.left(fonts.small(), rows[i], left + PAD, top - i * LINE, Theme.TEXT);
+      hud.left(fonts.small(), rows[i], left + PAD, top - i * LINE, UiColours.TEXT);
     }
     for (int i = 0; i < graphs; i++) {
       float y = graphsTop - 4 - i * GRAPH_STEP;
-      hud.left(fonts.small(), captions[i], left + PAD, y, Theme.MUTED);
+      hud.left(fonts.small(), captions[i], left + PAD, y, UiColours.MUTED);
     }
     hud.end();
   }
@@ -166,20 +166,20 @@ public final class NetGraph {
 
   private void bars(NetStats stats, int graph, float left, float y) {
     switch (graph) {
-      case 0 -> bars(stats.gapSeries(), left, y, 100, Theme.INFO);
-      case 1 -> bars(stats.snapshotBytesSeries(), left, y, 1_200, Theme.GOOD);
-      case 2 -> bars(stats.marginSeries(), left, y, 10, Theme.ACCENT);
-      default -> bars(stats.correctionSeries(), left, y, 0.5f, Theme.BAD);
+      case 0 -> bars(stats.gapSeries(), left, y, 100, UiColours.INFO);
+      case 1 -> bars(stats.snapshotBytesSeries(), left, y, 1_200, UiColours.GOOD);
+      case 2 -> bars(stats.marginSeries(), left, y, 10, UiColours.ACCENT);
+      default -> bars(stats.correctionSeries(), left, y, 0.5f, UiColours.BAD);
     }
   }
 
   private void bars(RecentValues series, float left, float bottom, float full, Color color) {
-    canvas.rect(left + PAD, bottom, FULL_WIDTH - 2 * PAD, 1, Theme.PANEL_LINE);
+    canvas.rect(left + PAD, bottom, FULL_WIDTH - 2 * PAD, 1, UiColours.PANEL_LINE);
     int count = Math.min(series.size(), (int) (FULL_WIDTH - 2 * PAD));
     for (int i = 0; i < count; i++) {
       float value = series.get(i);
       float h = Math.min(1, Math.abs(value) / full) * GRAPH_HEIGHT;
-      canvas.rect(left + FULL_WIDTH - PAD - i - 1, bottom, 1, h, value < 0 ? Theme.BAD : color);
+      canvas.rect(left + FULL_WIDTH - PAD - i - 1, bottom, 1, h, value < 0 ? UiColours.BAD : color);
     }
   }
 

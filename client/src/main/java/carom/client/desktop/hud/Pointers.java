@@ -2,7 +2,7 @@ package carom.client.desktop.hud;
 
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
@@ -42,7 +42,7 @@ public final class Pointers {
       Drawn ball = view.entity(i);
       Appearance look = ball.archetype().appearance();
       if (look.look() == Appearance.Look.BALL && ball.ownerId() == Entity.NO_OWNER) {
-        point(camera, ball.x(), ball.y(), "", Theme.shade(look.rgb(), 1, 1, color));
+        point(camera, ball.x(), ball.y(), "", UiColours.shade(look.rgb(), 1, 1, color));
       }
     }
     List<Level.Zone> zones = view.level().zones();

@@ -1,7 +1,7 @@
 package carom.client.desktop.hud;
 
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import com.badlogic.gdx.Input.Keys;
@@ -92,16 +92,19 @@ public final class RoomPanel {
     float height = (lines + 2) * LINE + 3 * PAD;
     float x = (hud.windowWidth() - width) / 2;
     float top = (hud.height() + height) / 2;
-    hud.panel(x, top - height, width, height, Theme.DIALOG);
+    hud.panel(x, top - height, width, height, UiColours.DIALOG);
     hud.begin();
     hud.left(
-        fonts.large(), rooms.isEmpty() ? "Rooms ..." : "Rooms", x + PAD, top - PAD, Theme.TEXT);
+        fonts.large(), rooms.isEmpty() ? "Rooms ..." : "Rooms", x + PAD, top - PAD, UiColours.TEXT);
     for (int i = 0; i < lines; i++) {
       RoomEntry room = rooms.get(first + i);
       float y = top - 2 * PAD - (i + 1) * LINE;
       boolean own = room.name().equals(view.room());
       boolean full = room.players() >= room.places();
-      Color tint = first + i == selected ? Theme.ACCENT : full && !own ? Theme.MUTED : Theme.TEXT;
+      Color tint =
+          first + i == selected
+              ? UiColours.ACCENT
+              : full && !own ? UiColours.MUTED : UiColours.TEXT;
       hud.left(fonts.text(), (own ? "> " : "") + room.name(), x + PAD, y, tint);
       hud.left(fonts.text(), room.game() + ", " + room.level(), x + 0.30f * width, y, tint);
       hud.left(fonts.text(), room.phase(), x + 0.68f * width, y, tint);
@@ -112,7 +115,7 @@ public final class RoomPanel {
         "up, down: choose     Enter: go     F2: close",
         x + PAD,
         top - height + PAD + 10,
-        Theme.MUTED);
+        UiColours.MUTED);
     hud.end();
   }
 }

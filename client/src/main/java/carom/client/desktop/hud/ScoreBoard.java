@@ -2,7 +2,7 @@ package carom.client.desktop.hud;
 
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import com.badlogic.gdx.graphics.Color;
@@ -65,12 +65,12 @@ public final class ScoreBoard {
     float h = (lines.size() + (keys.isEmpty() ? 1 : 2)) * LINE + 2 * PAD;
     float x = (hud.windowWidth() - w) / 2;
     float top = (hud.height() - above + h) / 2;
-    hud.panel(x, top - h, w, h, Theme.DIALOG);
+    hud.panel(x, top - h, w, h, UiColours.DIALOG);
     hud.layout().take(x, top - h, w, h);
     swatches(x, top - PAD - LINE);
     hud.begin();
     float y = top - PAD;
-    row(x, w, y, fonts.small(), Theme.MUTED, title(rows.size(), shown), "Score", "", "Ping");
+    row(x, w, y, fonts.small(), UiColours.MUTED, title(rows.size(), shown), "Score", "", "Ping");
     for (int line : lines) {
       y -= LINE;
       if (line < 0) {
@@ -79,7 +79,7 @@ public final class ScoreBoard {
         player(view, x, w, y, rows.get(line));
       }
     }
-    hud.left(fonts.small(), keys, x + PAD, y - LINE - 4, Theme.MUTED);
+    hud.left(fonts.small(), keys, x + PAD, y - LINE - 4, UiColours.MUTED);
     hud.end();
   }
 
@@ -128,7 +128,7 @@ public final class ScoreBoard {
 
   private void player(ClientView view, float x, float w, float y, RosterEntry entry) {
     boolean own = entry.playerId() == view.playerId();
-    Color tint = own ? Theme.ACCENT : entry.alive() ? Theme.TEXT : Theme.MUTED;
+    Color tint = own ? UiColours.ACCENT : entry.alive() ? UiColours.TEXT : UiColours.MUTED;
     String ping = entry.pingMs() == 0 ? "-" : entry.pingMs() + " ms";
     String score = entry.spectator() ? "" : Integer.toString(entry.score());
     row(x, w, y, fonts.text(), tint, "     " + entry.name(), score, standing(entry), ping);

@@ -1,10 +1,10 @@
 package carom.client.desktop.hud;
 
-import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import com.badlogic.gdx.graphics.Color;
@@ -30,7 +30,7 @@ public final class ScoreList {
   private final Canvas canvas;
   private final Fonts fonts;
   private final ShownGame game;
-  private final Part part = new Part(Spot.TOP_RIGHT, Spot.TOP_LEFT, Spot.BOTTOM_RIGHT);
+  private final Panel part = new Panel(Spot.TOP_RIGHT, Spot.TOP_LEFT, Spot.BOTTOM_RIGHT);
   private final List<RosterEntry> ranking = new ArrayList<>();
 
   /** Creates a list. The arguments stay the property of the caller. */
@@ -63,7 +63,7 @@ public final class ScoreList {
     hud.begin();
     String count = ranking.size() == 1 ? "1 player" : ranking.size() + " players";
     String more = ranking.size() > shown ? "    Tab: all" : "";
-    hud.left(fonts.small(), count + more, x + PAD, top - PAD, Theme.MUTED);
+    hud.left(fonts.small(), count + more, x + PAD, top - PAD, UiColours.MUTED);
     for (int i = 0; i < shown; i++) {
       line(view, entry(view, i, shown), x, top - PAD - (i + 1) * LINE);
     }
@@ -88,14 +88,14 @@ public final class ScoreList {
   }
 
   private void line(ClientView view, RosterEntry entry, float x, float y) {
-    Color tint = entry.playerId() == view.playerId() ? Theme.ACCENT : Theme.TEXT;
+    Color tint = entry.playerId() == view.playerId() ? UiColours.ACCENT : UiColours.TEXT;
     String score = Integer.toString(entry.score());
     float scoreX = x + WIDTH - PAD - hud.width(fonts.text(), score);
     hud.left(fonts.text(), score, scoreX, y, tint);
     float nameX = x + PAD + SWATCH + 8;
     if (game.teamCount() == 0) {
       String rank = entry.score() > 0 ? Integer.toString(rankOf(ranking, entry)) : "";
-      hud.left(fonts.text(), rank, x + PAD, y, Theme.MUTED);
+      hud.left(fonts.text(), rank, x + PAD, y, UiColours.MUTED);
       nameX = x + PAD + 24;
     }
     hud.left(fonts.text(), hud.cut(fonts.text(), entry.name(), scoreX - 8 - nameX), nameX, y, tint);

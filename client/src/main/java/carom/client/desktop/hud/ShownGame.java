@@ -1,6 +1,6 @@
 package carom.client.desktop.hud;
 
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
 import carom.game.Games;
 import carom.sim.Game;
@@ -69,7 +69,7 @@ public final class ShownGame {
   /** Returns the colour of a team, that of its bodies. The result is reused. */
   Color teamColor(int team) {
     boolean known = team >= 1 && team < teamRgb.length;
-    return known ? Theme.shade(teamRgb[team], 1, 1, color) : color.set(Theme.MUTED);
+    return known ? UiColours.shade(teamRgb[team], 1, 1, color) : color.set(UiColours.MUTED);
   }
 
   /** Returns the phases of its matches, or null. */

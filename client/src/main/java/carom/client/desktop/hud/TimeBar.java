@@ -1,7 +1,7 @@
 package carom.client.desktop.hud;
 
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import com.badlogic.gdx.math.MathUtils;
 
 /**
@@ -34,9 +34,9 @@ public final class TimeBar {
     float width = hud.windowWidth() - 2 * PAD;
     float share = MathUtils.clamp(tick / (float) Math.max(1, lastTick), 0, 1);
     hud.beginFigures();
-    canvas.rect(PAD, BOTTOM, width, HEIGHT, Theme.PANEL_LINE);
-    canvas.rect(PAD, BOTTOM, width * share, HEIGHT, Theme.ACCENT);
-    canvas.disc(PAD + width * share, BOTTOM + HEIGHT / 2, KNOB, Theme.TEXT);
+    canvas.rect(PAD, BOTTOM, width, HEIGHT, UiColours.PANEL_LINE);
+    canvas.rect(PAD, BOTTOM, width * share, HEIGHT, UiColours.ACCENT);
+    canvas.disc(PAD + width * share, BOTTOM + HEIGHT / 2, KNOB, UiColours.TEXT);
     canvas.end();
   }
 

@@ -15,6 +15,7 @@ final class CreatePage implements Page {
   private static final int USUAL_BOTS = 5;
 
   private final Widgets widgets;
+  private final SettingsHost host;
   private final StartTarget target;
   private final LocalGames games;
   private final Runnable rebuild;
@@ -29,8 +30,10 @@ final class CreatePage implements Page {
    *
    * @param rebuild asks for the page to be built anew
    */
-  CreatePage(Widgets widgets, StartTarget target, LocalGames games, Runnable rebuild) {
+  CreatePage(
+      Widgets widgets, SettingsHost host, StartTarget target, LocalGames games, Runnable rebuild) {
     this.widgets = widgets;
+    this.host = host;
     this.target = target;
     this.games = games;
     this.rebuild = rebuild;
@@ -54,6 +57,7 @@ final class CreatePage implements Page {
     if (!problem.isEmpty()) {
       into.add(widgets.problem(problem)).colspan(2).growX().row();
     }
+    line(into, "Colour of your body", ColourChooser.of(widgets, host, rebuild));
     line(into, "Bots", steps());
     line(
         into,
@@ -125,7 +129,7 @@ final class CreatePage implements Page {
   public void submit() {
     try {
       problem = "";
-      target.create(new LocalGames.Choice(level, bots, open));
+      target.create(new LocalGames.GameChoice(level, bots, open));
     } catch (IllegalStateException e) {
       problem = e.getMessage();
       rebuild.run();

@@ -72,7 +72,10 @@ final class JoinPage implements Page {
     into.add(widgets.heading("Join a server")).colspan(2).row();
     name = widgets.field(name == null ? s.name() : name.getText(), MAX_NAME_LENGTH);
     into.add(widgets.label("Your name"));
-    into.add(name).height(Widgets.HEIGHT).growX().row();
+    Table you = new Table();
+    you.add(name).height(Widgets.HEIGHT).growX();
+    you.add(ColourChooser.of(widgets, host, rebuild)).padLeft(8);
+    into.add(you).growX().row();
     address = widgets.field(address == null ? entered : address.getText(), MAX_ADDRESS_LENGTH);
     into.add(widgets.label("Server")).padRight(14);
     into.add(address).height(Widgets.HEIGHT).growX().row();

@@ -10,7 +10,7 @@ import com.badlogic.gdx.utils.Disposable;
  */
 public final class PauseMenu implements Disposable {
   /** Receives what the player chooses. */
-  public interface Choice {
+  public interface Actions {
     /** Closes the menu: keys are the game's again. */
     void resume();
 
@@ -28,7 +28,7 @@ public final class PauseMenu implements Disposable {
   private static final float SETTINGS_WIDTH = 560;
 
   private final Widgets widgets;
-  private final Choice choice;
+  private final Actions choice;
   private final MenuStage stage = new MenuStage(this::submit, this::back);
   private final SettingsPage settings;
   private boolean open;
@@ -36,7 +36,7 @@ public final class PauseMenu implements Disposable {
   private boolean stale;
 
   /** Creates a menu that is closed. The widgets and the host stay the property of the caller. */
-  public PauseMenu(Widgets widgets, SettingsHost host, Choice choice) {
+  public PauseMenu(Widgets widgets, SettingsHost host, Actions choice) {
     this.widgets = widgets;
     this.choice = choice;
     settings = new SettingsPage(widgets, host, stage, () -> stale = true);

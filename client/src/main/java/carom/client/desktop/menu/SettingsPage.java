@@ -44,6 +44,7 @@ final class SettingsPage implements Page {
     into.add(widgets.heading("Settings")).colspan(2).padBottom(8).row();
     name = widgets.field(name == null ? s.name() : name.getText(), MAX_NAME_LENGTH);
     line(into, "Name in games", name);
+    line(into, "Colour of your body", ColourChooser.of(widgets, host, rebuild));
     steps(into, "Volume", s.volume(), 5, 0, 100, v -> s.withVolume(v), " %");
     steps(into, "Text size", s.textSize(), 25, 75, 200, v -> s.withTextSize(v), " %");
     steps(
@@ -61,6 +62,12 @@ final class SettingsPage implements Page {
         widgets.button(
             s.fullscreen() ? "fills the screen" : s.windowWidth() + " x " + s.windowHeight(),
             () -> change(WindowSizes.next(host.settings(), host.largestWindow()))));
+    line(
+        into,
+        "Vsync",
+        widgets.button(
+            s.vsync() ? "on" : "off: sooner, and may tear",
+            () -> change(host.settings().withVsync(!s.vsync()))));
     Palette[] palettes = Palette.values();
     Palette next = palettes[(s.palette().ordinal() + 1) % palettes.length];
     line(

@@ -1,7 +1,7 @@
 package carom.client.desktop.menu;
 
 import carom.client.app.LocalGames;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.ScreenAdapter;
 import com.badlogic.gdx.scenes.scene2d.ui.Label;
@@ -43,7 +43,7 @@ public final class StartScreen extends ScreenAdapter {
     this.target = target;
     Runnable rebuild = () -> stale = true;
     join = new JoinPage(widgets, host, target, server, rebuild);
-    create = games == null ? null : new CreatePage(widgets, target, games, rebuild);
+    create = games == null ? null : new CreatePage(widgets, host, target, games, rebuild);
     if (create != null) {
       pages.put("Play here", create);
     }
@@ -126,7 +126,7 @@ public final class StartScreen extends ScreenAdapter {
 
   @Override
   public void render(float deltaSeconds) {
-    ScreenUtils.clear(Theme.BACKDROP);
+    ScreenUtils.clear(UiColours.BACKDROP);
     stale |= page.update(System.nanoTime());
     if (stale) {
       build();

@@ -21,7 +21,7 @@ public interface StartTarget {
    *
    * @throws IllegalStateException in words for the player, when it can't be started
    */
-  void create(LocalGames.Choice choice);
+  void create(LocalGames.GameChoice choice);
 
   /** Watches a room of a server, by its number from 1 on. */
   void watch(ServerAddress server, int room);

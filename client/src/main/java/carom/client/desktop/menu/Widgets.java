@@ -1,13 +1,14 @@
 package carom.client.desktop.menu;
 
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.Pixmap;
 import com.badlogic.gdx.graphics.Texture;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.NinePatch;
 import com.badlogic.gdx.scenes.scene2d.Actor;
+import com.badlogic.gdx.scenes.scene2d.ui.Image;
 import com.badlogic.gdx.scenes.scene2d.ui.Label;
 import com.badlogic.gdx.scenes.scene2d.ui.ScrollPane;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
@@ -46,22 +47,24 @@ public final class Widgets implements Disposable {
   private final Drawable selection;
   private final Drawable bar;
   private final Drawable caret;
+  private final Drawable white;
 
   /** Creates the drawables. The fonts stay the property of the caller. */
   public Widgets(Fonts fonts) {
     this.fonts = fonts;
-    panel = box(Theme.DIALOG, Theme.PANEL_LINE);
-    plain = box(Theme.rgb(0x1b2534), Theme.PANEL_LINE);
-    over = box(Theme.rgb(0x223047), Theme.PANEL_LINE);
-    focused = box(Theme.rgb(0x26354b), Theme.ACCENT);
-    accent = box(Theme.ACCENT, Theme.ACCENT);
-    accentOver = box(Theme.rgb(0xffc266), Theme.ACCENT);
-    accentFocused = box(Theme.rgb(0xffd08a), Theme.TEXT);
-    field = box(Theme.rgb(0x141b27), Theme.PANEL_LINE);
-    fieldFocused = box(Theme.rgb(0x182234), Theme.ACCENT);
-    selection = box(Theme.rgb(0x2f4d78), Theme.rgb(0x2f4d78));
-    bar = box(Theme.PANEL_LINE, Theme.PANEL_LINE);
-    caret = line(Theme.ACCENT);
+    panel = box(UiColours.DIALOG, UiColours.PANEL_LINE);
+    plain = box(UiColours.rgb(0x1b2534), UiColours.PANEL_LINE);
+    over = box(UiColours.rgb(0x223047), UiColours.PANEL_LINE);
+    focused = box(UiColours.rgb(0x26354b), UiColours.ACCENT);
+    accent = box(UiColours.ACCENT, UiColours.ACCENT);
+    accentOver = box(UiColours.rgb(0xffc266), UiColours.ACCENT);
+    accentFocused = box(UiColours.rgb(0xffd08a), UiColours.TEXT);
+    field = box(UiColours.rgb(0x141b27), UiColours.PANEL_LINE);
+    fieldFocused = box(UiColours.rgb(0x182234), UiColours.ACCENT);
+    selection = box(UiColours.rgb(0x2f4d78), UiColours.rgb(0x2f4d78));
+    bar = box(UiColours.PANEL_LINE, UiColours.PANEL_LINE);
+    caret = line(UiColours.ACCENT);
+    white = box(Color.WHITE, Color.WHITE);
   }
 
   /** Returns how many pixels a point has. */
@@ -71,17 +74,17 @@ public final class Widgets implements Disposable {
 
   /** Returns a line of text. */
   Label label(String text) {
-    return label(text, fonts.text(), Theme.TEXT);
+    return label(text, fonts.text(), UiColours.TEXT);
   }
 
   /** Returns a line of text that steps back. */
   Label muted(String text) {
-    return label(text, fonts.text(), Theme.MUTED);
+    return label(text, fonts.text(), UiColours.MUTED);
   }
 
   /** Returns a line of small text that steps back. */
   Label small(String text) {
-    return label(text, fonts.small(), Theme.MUTED);
+    return label(text, fonts.small(), UiColours.MUTED);
   }
 
   /** Returns small text that steps back and is broken into lines. */
@@ -93,17 +96,17 @@ public final class Widgets implements Disposable {
 
   /** Returns a heading. */
   Label heading(String text) {
-    return label(text, fonts.large(), Theme.TEXT);
+    return label(text, fonts.large(), UiColours.TEXT);
   }
 
   /** Returns the largest text. */
   Label title(String text) {
-    return label(text, fonts.title(), Theme.TEXT);
+    return label(text, fonts.title(), UiColours.TEXT);
   }
 
   /** Returns a text of several lines that says what is wrong. */
   Label problem(String text) {
-    Label label = label(text, fonts.text(), Theme.BAD);
+    Label label = label(text, fonts.text(), UiColours.BAD);
     label.setWrap(true);
     return label;
   }
@@ -114,12 +117,13 @@ public final class Widgets implements Disposable {
 
   /** Returns a button. */
   TextButton button(String text, Runnable action) {
-    return button(text, fonts.text(), Theme.TEXT, plain, over, focused, action);
+    return button(text, fonts.text(), UiColours.TEXT, plain, over, focused, action);
   }
 
   /** Returns the button that a page is there for. */
   TextButton primary(String text, Runnable action) {
-    return button(text, fonts.large(), Theme.BACKDROP, accent, accentOver, accentFocused, action);
+    return button(
+        text, fonts.large(), UiColours.BACKDROP, accent, accentOver, accentFocused, action);
   }
 
   /** Returns a button that is a line of a list. */
@@ -176,7 +180,7 @@ public final class Widgets implements Disposable {
   TextField field(String text, int maxLength) {
     TextField.TextFieldStyle style = new TextField.TextFieldStyle();
     style.font = fonts.text();
-    style.fontColor = Theme.TEXT;
+    style.fontColor = UiColours.TEXT;
     style.background = field;
     style.focusedBackground = fieldFocused;
     style.cursor = caret;
@@ -185,6 +189,13 @@ public final class Widgets implements Disposable {
     made.setMaxLength(maxLength);
     made.setFocusTraversal(false);
     return made;
+  }
+
+  /** Returns a square of a colour, as the player's palette shows it. */
+  Image swatch(int rgb) {
+    Image square = new Image(white);
+    UiColours.shade(rgb, 1, 1, square.getColor());
+    return square;
   }
 
   /** Returns an empty panel. */

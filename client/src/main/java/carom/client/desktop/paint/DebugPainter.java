@@ -18,19 +18,19 @@ import java.util.Set;
 public final class DebugPainter {
   /** A layer that can be shown. */
   public enum Layer {
-    /** Edges of all shapes; sensors, bullets and the front of one-sided lines are marked. */
+    /** The edges of all shapes; sensors, bullets and the front of one-sided lines are marked. */
     SHAPES("shapes"),
-    /** Tight bounding boxes. */
+    /** The tight bounding boxes of shapes. */
     BOXES("boxes"),
     /** The broadphase's boxes, with their margin. */
     FAT_BOXES("fat boxes"),
-    /** Cells of the broadphase's trees; their hue is the depth. */
+    /** The cells of the broadphase's trees; their hue is the depth. */
     TREE("tree"),
-    /** Contact points with normal and impulse. */
+    /** The contact points with normal and impulse. */
     CONTACTS("contacts"),
-    /** Joints with anchors, axes and limits. */
+    /** The joints with anchors, axes and limits. */
     JOINTS("joints"),
-    /** Centres of mass, with the body's axes and its velocity. */
+    /** The centres of mass, with the body's axes and its velocity. */
     CENTRES("centres");
 
     /** Name for people. */

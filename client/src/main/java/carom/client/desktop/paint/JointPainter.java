@@ -13,7 +13,7 @@ public final class JointPainter {
   private static final int TURNS = 12;
 
   private final Canvas canvas;
-  private final Color rope = Theme.rgb(0xc9d4e4);
+  private final Color rope = UiColours.rgb(0xc9d4e4);
   private float pixelsPerMetre = 1;
   private float width;
 
@@ -53,8 +53,8 @@ public final class JointPainter {
     float dy = by - ay;
     float length = (float) Math.sqrt(dx * dx + dy * dy);
     if (type == JointType.MOUSE) {
-      canvas.line(ax, ay, bx, by, width, Theme.ACCENT);
-      canvas.disc(ax, ay, 4 / pixelsPerMetre, Theme.ACCENT);
+      canvas.line(ax, ay, bx, by, width, UiColours.ACCENT);
+      canvas.disc(ax, ay, 4 / pixelsPerMetre, UiColours.ACCENT);
     } else if (type == JointType.DISTANCE && (!sprung || length < 0.3f)) {
       canvas.line(ax, ay, bx, by, width, rope);
     } else if (type == JointType.DISTANCE) {

@@ -3,7 +3,7 @@ package carom.client.desktop.scene;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.ShapePainter;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Joint;
@@ -48,8 +48,8 @@ final class ScenePainter {
   private final JointPainter joints;
   private final Color fill = new Color();
   private final Color edge = new Color();
-  private final Color lower = Theme.rgb(0x0e1420);
-  private final Color upper = Theme.rgb(0x1d2838);
+  private final Color lower = UiColours.rgb(0x0e1420);
+  private final Color upper = UiColours.rgb(0x1d2838);
   private final Color gridLine = new Color(0.6f, 0.75f, 1, 0.05f);
   private final Aabb box = new Aabb();
   private final Aabb seen = new Aabb();
@@ -111,7 +111,7 @@ final class ScenePainter {
     shapes.pose(body.x() + SHADOW_X, body.y() + SHADOW_Y, body.cos(), body.sin());
     for (int i = 0; i < body.shapeCount(); i++) {
       if (!body.sensor(i)) {
-        shapes.fill(body.shape(i), Theme.SHADOW);
+        shapes.fill(body.shape(i), UiColours.SHADOW);
       }
     }
   }
@@ -129,7 +129,7 @@ final class ScenePainter {
       }
       float speed = Math.abs(all.velocityX(i)) + Math.abs(all.velocityY(i));
       int rgb = SceneColors.mix(some.rgb(), SceneColors.PAPER, Math.min(0.6f, speed * FOAM));
-      Theme.shade(rgb, 1, 1, fill);
+      UiColours.shade(rgb, 1, 1, fill);
       if (small) {
         canvas.rect(x - size / 2, y - size / 2, size, size, fill);
       } else {
@@ -159,16 +159,16 @@ final class ScenePainter {
       rgb = untagged(body);
     }
     if (body.sensor(i)) {
-      Theme.shade(rgb, 1, 0.22f, fill);
-      shapes.paint(shape, fill, edgeM, Theme.shade(rgb, 1.2f, 0.6f, edge));
+      UiColours.shade(rgb, 1, 0.22f, fill);
+      shapes.paint(shape, fill, edgeM, UiColours.shade(rgb, 1.2f, 0.6f, edge));
       return;
     }
     boolean still = body.type() == BodyType.STATIC;
     if (body.type() == BodyType.DYNAMIC && !body.awake()) {
       rgb = SceneColors.mix(rgb, ASLEEP, 0.5f);
     }
-    Theme.shade(rgb, 1, 1, fill);
-    Theme.shade(rgb, still ? 1.25f : 0.62f, 1, edge);
+    UiColours.shade(rgb, 1, 1, fill);
+    UiColours.shade(rgb, still ? 1.25f : 0.62f, 1, edge);
     if (small()) {
       shapes.fill(shape, fill);
       return;
@@ -210,7 +210,7 @@ final class ScenePainter {
       depth(1, s, 0);
       depth(2, s, 1);
       corner(3, x1, y1);
-      canvas.convex(band, 4, Theme.shade(rgb, 0.75f, 1, fill));
+      canvas.convex(band, 4, UiColours.shade(rgb, 0.75f, 1, fill));
     }
     canvas.line(
         shapes.worldX(x0, y0),
@@ -218,8 +218,8 @@ final class ScenePainter {
         shapes.worldX(x1, y1),
         shapes.worldY(x1, y1),
         2.5f * edgeM,
-        Theme.shade(rgb, 1.3f, 1, fill));
-    Theme.shade(rgb, 1, 1, fill);
+        UiColours.shade(rgb, 1.3f, 1, fill));
+    UiColours.shade(rgb, 1, 1, fill);
   }
 
   /** Sets the corner behind an end of a line, halfway towards the next line's if there is one. */

@@ -5,7 +5,7 @@ import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.DebugPainter;
 import carom.client.desktop.paint.DebugPainter.Layer;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.physics.StepProfile;
 import carom.sim.scene.Scene;
@@ -195,7 +195,7 @@ public final class SceneScreen extends ScreenAdapter {
       fitted = true;
     }
     camera.resize(width, height);
-    ScreenUtils.clear(Theme.BACKDROP);
+    ScreenUtils.clear(UiColours.BACKDROP);
     hud.size(width, height);
     float pixelsPerMetre = camera.pixelsPerMetre(height);
     painter.draw(player.run(), camera.gdx(), pixelsPerMetre);
@@ -245,11 +245,11 @@ public final class SceneScreen extends ScreenAdapter {
     float room = Math.max(560, hud.width(fonts.text(), player.scene().description()) + 2 * PAD);
     hud.panel(PAD / 2, y - 3 * LINE - 30, room, 3 * LINE + 36);
     hud.begin();
-    hud.left(fonts.large(), player.scene().name().replace('_', ' '), PAD, y, Theme.TEXT);
-    hud.left(fonts.text(), player.scene().description(), PAD, y - 28, Theme.ACCENT);
-    hud.left(fonts.small(), counts, PAD, y - 50, Theme.TEXT);
-    hud.left(fonts.small(), clock, PAD, y - 67, Theme.MUTED);
-    hud.left(fonts.small(), "H: keys     Tab: next scene", PAD, PAD + 12, Theme.MUTED);
+    hud.left(fonts.large(), player.scene().name().replace('_', ' '), PAD, y, UiColours.TEXT);
+    hud.left(fonts.text(), player.scene().description(), PAD, y - 28, UiColours.ACCENT);
+    hud.left(fonts.small(), counts, PAD, y - 50, UiColours.TEXT);
+    hud.left(fonts.small(), clock, PAD, y - 67, UiColours.MUTED);
+    hud.left(fonts.small(), "H: keys     Tab: next scene", PAD, PAD + 12, UiColours.MUTED);
     hud.end();
   }
 
@@ -261,7 +261,7 @@ public final class SceneScreen extends ScreenAdapter {
     hud.panel(x, top - h, w, h);
     hud.begin();
     for (int i = 0; i < HELP.length; i++) {
-      hud.left(fonts.small(), HELP[i], x + PAD, top - PAD - i * LINE, Theme.TEXT);
+      hud.left(fonts.small(), HELP[i], x + PAD, top - PAD - i * LINE, UiColours.TEXT);
     }
     hud.end();
   }

@@ -18,7 +18,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  * takes a large level many ticks, so that any thread may do it while the room plays.
  */
 public final class MatchLoader {
-  /** From match to match the seed grows by the most rooms, so that no two matches share one. */
+  /** Step of the seed from match to match: the most rooms, so that no two matches share a seed. */
   private static final int SEED_STEP = 64;
 
   private final ServerConfig config;

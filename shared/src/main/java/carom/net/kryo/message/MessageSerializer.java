@@ -1,6 +1,6 @@
 package carom.net.kryo.message;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.text.Texts;
 import com.esotericsoftware.kryo.Kryo;
 import com.esotericsoftware.kryo.Serializer;
@@ -41,7 +41,7 @@ public abstract class MessageSerializer<T> extends Serializer<T> {
 
   /** Returns a player's id that is certain to be one. */
   protected static int playerId(int id) {
-    return inRange("playerId", id, 0, Limits.MAX_PLAYERS - 1);
+    return inRange("playerId", id, 0, ProtocolLimits.MAX_PLAYERS - 1);
   }
 
   /** Returns a value that is certain to be in a range, both ends included. */
@@ -53,22 +53,43 @@ public abstract class MessageSerializer<T> extends Serializer<T> {
     return value;
   }
 
+  /** Writes an integer of a range, both ends included. */
+  protected static void writeInt(Output out, String name, int value, int min, int max) {
+    out.writeVarInt(inRange(name, value, min, max), true);
+  }
+
+  /** Reads what {@link #writeInt} wrote. */
+  protected static int readInt(Input in, String name, int min, int max) {
+    return inRange(name, in.readVarInt(true), min, max);
+  }
+
+  /** Writes bytes and, before them, how many they are. */
+  protected static void writeBlock(Output out, byte[] bytes, int min, int max) {
+    writeInt(out, "bytes", bytes.length, min, max);
+    out.writeBytes(bytes);
+  }
+
+  /** Reads what {@link #writeBlock} wrote. */
+  protected static byte[] readBlock(Input in, int min, int max) {
+    return readBytes(in, readInt(in, "bytes", min, max));
+  }
+
   /** Writes a text: its length in bytes and UTF-8. */
   protected static void writeText(Output out, String name, String text, int maxBytes) {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-    out.writeVarInt(inRange(name + ".bytes", bytes.length, 0, maxBytes), true);
+    writeInt(out, name + ".bytes", bytes.length, 0, maxBytes);
     out.writeBytes(bytes);
   }
 
   /** Reads a text, which may come to a screen or a terminal: without what can't be shown there. */
   protected static String readText(Input in, String name, int maxBytes) {
-    int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
+    int length = readInt(in, name + ".bytes", 0, maxBytes);
     ByteBuffer bytes = ByteBuffer.wrap(readBytes(in, length));
     return Texts.clean(Objects.requireNonNull(Texts.ofUtf8(bytes), name));
   }
 
   /** Reads bytes, and allocates nothing if there aren't so many. */
-  protected static byte[] readBytes(Input in, int length) {
+  private static byte[] readBytes(Input in, int length) {
     if (length > in.limit() - in.position()) {
       throw new KryoBufferUnderflowException("length=" + length);
     }

@@ -1,6 +1,6 @@
 package carom.net.kryo.server;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.values.Records;
 
 /**
@@ -49,11 +49,11 @@ public record KryoLimits(
           /* maxPerAddress= */ 128,
           /* handshakeMillis= */ 2_000,
           /* idleMillis= */ 10_000,
-          /* messagesPerSecond= */ Limits.MAX_CLIENT_MESSAGES_PER_SECOND,
-          /* datagramsPerSecond= */ Limits.MAX_INPUT_DATAGRAMS_PER_SECOND,
+          /* messagesPerSecond= */ ProtocolLimits.MAX_CLIENT_MESSAGES_PER_SECOND,
+          /* datagramsPerSecond= */ ProtocolLimits.MAX_INPUT_DATAGRAMS_PER_SECOND,
           /* unreadMessages= */ 256,
           /* unreadDatagrams= */ 128,
-          /* unsentBytes= */ 4 * Limits.MAX_SERVER_MESSAGE_BYTES);
+          /* unsentBytes= */ 4 * ProtocolLimits.MAX_SERVER_MESSAGE_BYTES);
 
   /**
    * Checks the values.
@@ -71,7 +71,7 @@ public record KryoLimits(
     check("datagramsPerSecond", datagramsPerSecond, 1, 1_000_000);
     check("unreadMessages", unreadMessages, 1, 1 << 16);
     check("unreadDatagrams", unreadDatagrams, 1, 1 << 16);
-    check("unsentBytes", unsentBytes, Limits.MAX_SERVER_MESSAGE_BYTES + 64, 1 << 24);
+    check("unsentBytes", unsentBytes, ProtocolLimits.MAX_SERVER_MESSAGE_BYTES + 64, 1 << 24);
   }
 
   private static void check(String name, int value, int min, int max) {

@@ -1,7 +1,7 @@
 package carom.net.kryo.server;
 
+import carom.net.admission.AddressGroup;
 import carom.net.admission.Entrance;
-import carom.net.admission.Origin;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.FloodMeter;
 import carom.net.datagram.TokenBucket;
@@ -93,7 +93,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   private volatile int number;
   private byte[] greeting;
   private int workBits;
-  private Origin origin;
+  private AddressGroup origin;
 
   ServerConnection(ServerNetwork network, long token, long nonce) {
     this.network = network;
@@ -152,21 +152,21 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   }
 
   @Override
-  public Entrance.Stage stage() {
+  public Entrance.Standing standing() {
     return switch (phase) {
-      case PENDING -> Entrance.Stage.UNPROVEN;
-      case KEYING, CHALLENGED -> Entrance.Stage.PROVEN;
-      default -> Entrance.Stage.IN;
+      case PENDING -> Entrance.Standing.UNPROVEN;
+      case KEYING, CHALLENGED -> Entrance.Standing.PROVEN;
+      default -> Entrance.Standing.IN;
     };
   }
 
   @Override
-  public Origin origin() {
+  public AddressGroup origin() {
     return origin;
   }
 
   /** Notes where the client is, before it hears of this connection. */
-  void origin(Origin from) {
+  void origin(AddressGroup from) {
     origin = from;
   }
 

@@ -1,8 +1,8 @@
 package carom.net.kryo.server;
 
+import carom.net.admission.AddressGroup;
 import carom.net.admission.Entrance;
 import carom.net.admission.Hosts;
-import carom.net.admission.Origin;
 import carom.net.admission.WorkProof;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.LinkTable;
@@ -296,7 +296,7 @@ final class ServerNetwork implements Runnable {
       return false;
     }
     connection.remote(text(remote));
-    connection.origin(Origin.of(remote.getAddress()));
+    connection.origin(AddressGroup.of(remote.getAddress()));
     String host = connection.origin().host();
     int inside = open.get();
     connections.add(connection);

@@ -35,7 +35,7 @@ import static carom.physics.rows.JointRow.TURN_INTS;
 
 import carom.net.codec.BitCoder;
 import carom.net.codec.Bits;
-import carom.net.snapshot.exact.NearTables.Row;
+import carom.net.snapshot.exact.NearTables.Quantity;
 import carom.physics.rows.JointRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
@@ -134,7 +134,7 @@ public class NearRowCodec {
   }
 
   /** Codes a symbol. */
-  int symbol(BitCoder c, Row row, int context, int symbol) {
+  int symbol(BitCoder c, Quantity row, int context, int symbol) {
     int line = NearTables.line(row, context);
     return c.symbol(NearTables.TABLE, line, symbol, NearTables.SYMBOLS - 1);
   }
@@ -161,21 +161,21 @@ public class NearRowCodec {
 
   private void body(BitCoder c, int[] r, int at) {
     int rest = r[at + SLEEP_TIME];
-    int kind = symbol(c, Row.REST_KIND, 0, rest == 0 ? 0 : rest == ASLEEP ? 1 : 2);
-    r[at + SLEEP_TIME] = kind == 0 ? 0 : kind == 1 ? ASLEEP : real(c, Row.REST, 0, rest);
-    r[at + X] = like(c, Row.PLACE, 0, r[at + X], own.motion(X));
-    r[at + Y] = like(c, Row.PLACE, 1, r[at + Y], own.motion(Y));
+    int kind = symbol(c, Quantity.REST_KIND, 0, rest == 0 ? 0 : rest == ASLEEP ? 1 : 2);
+    r[at + SLEEP_TIME] = kind == 0 ? 0 : kind == 1 ? ASLEEP : real(c, Quantity.REST, 0, rest);
+    r[at + X] = like(c, Quantity.PLACE, 0, r[at + X], own.motion(X));
+    r[at + Y] = like(c, Quantity.PLACE, 1, r[at + Y], own.motion(Y));
     unit(c, 0, r, at + COS);
     int asleep = kind == 1 ? 1 : 0;
-    r[at + VX] = real(c, Row.VELOCITY, asleep, r[at + VX]);
+    r[at + VX] = real(c, Quantity.VELOCITY, asleep, r[at + VX]);
     int still = (r[at + VX] & Integer.MAX_VALUE) == 0 ? 2 : 0;
-    r[at + VY] = real(c, Row.VELOCITY, 2 + asleep + still, r[at + VY]);
+    r[at + VY] = real(c, Quantity.VELOCITY, 2 + asleep + still, r[at + VY]);
     still = (r[at + VY] & Integer.MAX_VALUE) == 0 ? still >> 1 : 0;
-    r[at + OMEGA] = real(c, Row.OMEGA, asleep + 2 * still, r[at + OMEGA]);
-    int which = symbol(c, Row.PUSHED, 0, notZero(r, at + LOADS, LOAD_INTS));
+    r[at + OMEGA] = real(c, Quantity.OMEGA, asleep + 2 * still, r[at + OMEGA]);
+    int which = symbol(c, Quantity.PUSHED, 0, notZero(r, at + LOADS, LOAD_INTS));
     for (int i = 0; i < LOAD_INTS; i++) {
       int to = at + LOADS + i;
-      r[to] = (which >>> i & 1) == 0 ? 0 : real(c, Row.PUSH, 0, r[to]);
+      r[to] = (which >>> i & 1) == 0 ? 0 : real(c, Quantity.PUSH, 0, r[to]);
     }
     boolean same = c.plain(r[at + ARCHETYPE] == lastArchetype ? 1 : 0, 1) != 0;
     lastArchetype = same ? lastArchetype : c.plain(r[at + ARCHETYPE], OwnCodec.ARCHETYPE_BITS);
@@ -211,27 +211,27 @@ public class NearRowCodec {
 
   private void joint(BitCoder c, int[] r, int at) {
     int step = r[at + JointRow.KEY] - lastJoint;
-    int symbol = symbol(c, Row.JOINT_KEY, 0, step > 0 && step < NearTables.SYMBOLS ? step : 0);
+    int symbol = symbol(c, Quantity.JOINT_KEY, 0, step > 0 && step < NearTables.SYMBOLS ? step : 0);
     lastJoint = symbol > 0 ? lastJoint + symbol : c.plain(r[at + JointRow.KEY], KEY_BITS);
     r[at + JointRow.KEY] = lastJoint;
     lastJointA = jointEnd(c, 0, r[at + JointRow.END_A], lastJointA);
     r[at + JointRow.END_A] = lastJointA;
     r[at + JointRow.END_B] = jointEnd(c, 1, r[at + JointRow.END_B], Math.max(0, lastJointA));
-    some(c, Row.JOINT_SET, 0, r, at + JointRow.SETTINGS, SETTINGS_HALF);
-    some(c, Row.JOINT_SET, 1, r, at + JointRow.SETTINGS + SETTINGS_HALF, SETTINGS_HALF);
-    some(c, Row.JOINT_TURNED, 0, r, at + JointRow.TURNS, TURN_INTS);
+    some(c, Quantity.JOINT_SET, 0, r, at + JointRow.SETTINGS, SETTINGS_HALF);
+    some(c, Quantity.JOINT_SET, 1, r, at + JointRow.SETTINGS + SETTINGS_HALF, SETTINGS_HALF);
+    some(c, Quantity.JOINT_TURNED, 0, r, at + JointRow.TURNS, TURN_INTS);
     impulses(c, 0, r, at + JointRow.IMPULSES, POINT_IMPULSES);
     impulses(c, 1, r, at + JointRow.IMPULSES + POINT_IMPULSES, IMPULSE_INTS - POINT_IMPULSES);
     for (int i = 0; i < JointRow.LOAD_INTS; i++) {
       int impulse = r[at + JointRow.IMPULSES + i];
       int guess = Float.floatToIntBits(SUBSTEP_RATE * Float.intBitsToFloat(impulse));
       int to = at + JointRow.LOADS + i;
-      r[to] = like(c, Row.JOINT_LOAD, i, r[to], guess);
+      r[to] = like(c, Quantity.JOINT_LOAD, i, r[to], guess);
     }
   }
 
   /** Codes ints of which most are zero, and of the others nothing is known. */
-  private void some(BitCoder c, Row row, int context, int[] r, int at, int count) {
+  private void some(BitCoder c, Quantity row, int context, int[] r, int at, int count) {
     int which = symbol(c, row, context, notZero(r, at, count));
     for (int i = 0; i < count; i++) {
       r[at + i] = (which >>> i & 1) == 0 ? 0 : c.plain(r[at + i], Integer.SIZE);
@@ -239,9 +239,9 @@ public class NearRowCodec {
   }
 
   private void impulses(BitCoder c, int context, int[] r, int at, int count) {
-    int which = symbol(c, Row.JOINT_PUSHED, context, notZero(r, at, count));
+    int which = symbol(c, Quantity.JOINT_PUSHED, context, notZero(r, at, count));
     for (int i = 0; i < count; i++) {
-      r[at + i] = (which >>> i & 1) == 0 ? 0 : real(c, Row.JOINT_IMPULSE, context, r[at + i]);
+      r[at + i] = (which >>> i & 1) == 0 ? 0 : real(c, Quantity.JOINT_IMPULSE, context, r[at + i]);
     }
   }
 
@@ -253,7 +253,7 @@ public class NearRowCodec {
     } else if (likely < 0 || symbol < 0 || symbol >= FAR_END) {
       symbol = FAR_END;
     }
-    symbol = symbol(c, Row.JOINT_END, context, symbol);
+    symbol = symbol(c, Quantity.JOINT_END, context, symbol);
     if (symbol == GROUND_END) {
       return JointRow.GROUND;
     }
@@ -267,28 +267,33 @@ public class NearRowCodec {
   private void contact(BitCoder c, int[] r, int at) {
     ends(c, r, at);
     int more = r[at + POINTS_AND_FLAGS] - 1;
-    int kind = symbol(c, Row.KIND, 0, r[at + PARTS] == 0 && more >>> 1 == 0 ? more : 2);
+    int kind = symbol(c, Quantity.KIND, 0, r[at + PARTS] == 0 && more >>> 1 == 0 ? more : 2);
     r[at + PARTS] = kind < 2 ? 0 : c.plain(r[at + PARTS], PARTS_BITS);
     r[at + POINTS_AND_FLAGS] = kind < 2 ? kind + 1 : c.plain(r[at + POINTS_AND_FLAGS], POINTS_BITS);
     int two = (r[at + POINTS_AND_FLAGS] & POINTS_MASK) > 1 ? 1 : 0;
     r[at + ID_0] = id(c, two, r[at + ID_0]);
     r[at + ID_1] = id(c, 2 + two, r[at + ID_1]);
     unit(c, 1, r, at + NORMAL_X);
-    r[at + NORMAL_IMPULSE_0] = real(c, Row.NORMAL, two, r[at + NORMAL_IMPULSE_0]);
+    r[at + NORMAL_IMPULSE_0] = real(c, Quantity.NORMAL, two, r[at + NORMAL_IMPULSE_0]);
     int first = r[at + NORMAL_IMPULSE_0] == 0 ? 0 : 1;
-    r[at + TANGENT_IMPULSE_0] = real(c, Row.TANGENT, first, r[at + TANGENT_IMPULSE_0]);
+    r[at + TANGENT_IMPULSE_0] = real(c, Quantity.TANGENT, first, r[at + TANGENT_IMPULSE_0]);
     r[at + NORMAL_IMPULSE_1] =
-        like(c, Row.SECOND, 2 * first + two, r[at + NORMAL_IMPULSE_1], r[at + NORMAL_IMPULSE_0]);
+        like(
+            c,
+            Quantity.SECOND,
+            2 * first + two,
+            r[at + NORMAL_IMPULSE_1],
+            r[at + NORMAL_IMPULSE_0]);
     int second = r[at + NORMAL_IMPULSE_1] == 0 ? 0 : 1;
     r[at + TANGENT_IMPULSE_1] =
-        real(c, Row.TANGENT, 2 + 2 * second + two, r[at + TANGENT_IMPULSE_1]);
-    r[at + ROLLING_IMPULSE] = real(c, Row.ROLLING, 0, r[at + ROLLING_IMPULSE]);
+        real(c, Quantity.TANGENT, 2 + 2 * second + two, r[at + TANGENT_IMPULSE_1]);
+    r[at + ROLLING_IMPULSE] = real(c, Quantity.ROLLING, 0, r[at + ROLLING_IMPULSE]);
     r[at + TOTAL_IMPULSE_0] =
-        like(c, Row.LAST, first, r[at + TOTAL_IMPULSE_0], all(r[at + NORMAL_IMPULSE_0]));
+        like(c, Quantity.LAST, first, r[at + TOTAL_IMPULSE_0], all(r[at + NORMAL_IMPULSE_0]));
     r[at + TOTAL_IMPULSE_1] =
         like(
             c,
-            Row.LAST,
+            Quantity.LAST,
             2 + 2 * second + two,
             r[at + TOTAL_IMPULSE_1],
             all(r[at + NORMAL_IMPULSE_1]));
@@ -319,7 +324,7 @@ public class NearRowCodec {
     } else if (before < 0 || symbol < 0 || symbol >= FAR_PLACE) {
       symbol = FAR_PLACE;
     }
-    symbol = symbol(c, Row.END, context, symbol);
+    symbol = symbol(c, Quantity.END, context, symbol);
     if (symbol == STATIC_AGAIN) {
       return lastStatic;
     }
@@ -336,7 +341,7 @@ public class NearRowCodec {
 
   private int id(BitCoder c, int context, int id) {
     boolean small = (id & ~0x707) == 0;
-    int symbol = symbol(c, Row.ID, context, small ? id >>> 5 | id & 7 : ANY_ID);
+    int symbol = symbol(c, Quantity.ID, context, small ? id >>> 5 | id & 7 : ANY_ID);
     return symbol < ANY_ID ? symbol >>> 3 << 8 | symbol & 7 : c.plain(id, Integer.SIZE);
   }
 
@@ -348,18 +353,18 @@ public class NearRowCodec {
     int a = r[at] & Integer.MAX_VALUE;
     int b = r[at + 1] & Integer.MAX_VALUE;
     int symbol = b > a ? 2 | r[at + 1] >>> 31 : r[at] >>> 31;
-    symbol = symbol(c, Row.LARGER, context, symbol);
+    symbol = symbol(c, Quantity.LARGER, context, symbol);
     int larger = at + (symbol >>> 1 & 1);
     int smaller = at + 1 - (symbol >>> 1 & 1);
-    r[smaller] = real(c, Row.SMALLER, context, r[smaller]);
+    r[smaller] = real(c, Quantity.SMALLER, context, r[smaller]);
     double s = Float.intBitsToFloat(r[smaller]);
     int guess = Float.floatToIntBits((float) Math.sqrt(1 - s * s));
-    int value = like(c, Row.OTHER, context, r[larger] & Integer.MAX_VALUE, guess);
+    int value = like(c, Quantity.OTHER, context, r[larger] & Integer.MAX_VALUE, guess);
     r[larger] = value & Integer.MAX_VALUE | symbol << 31;
   }
 
   /** Codes a float of which only the usual magnitude is known. */
-  private int real(BitCoder c, Row row, int context, int bits) {
+  private int real(BitCoder c, Quantity row, int context, int bits) {
     int symbol = ANYTHING;
     int exponent = (bits >>> MANTISSA_BITS & 0xff) - LEAST_EXPONENT;
     if ((bits & Integer.MAX_VALUE) == 0) {
@@ -379,7 +384,7 @@ public class NearRowCodec {
   }
 
   /** Codes a float that is mostly near a guess. */
-  private int like(BitCoder c, Row row, int context, int bits, int guess) {
+  private int like(BitCoder c, Quantity row, int context, int bits, int guess) {
     int from = Bits.orderedBits(guess);
     int off = Bits.orderedBits(bits) - from;
     int digits = Bits.width(Math.abs(off));

@@ -22,7 +22,7 @@ final class NearTables {
   private static final int LETTERS = 33;
 
   /** The quantities that symbols describe, each in a few contexts. */
-  enum Row {
+  enum Quantity {
     REST_KIND(1),
     REST(1),
     PLACE(2),
@@ -51,20 +51,20 @@ final class NearTables {
 
     private final int contexts;
 
-    Row(int contexts) {
+    Quantity(int contexts) {
       this.contexts = contexts;
     }
   }
 
   /** The first line of each row, by ordinal. */
-  private static final int[] FIRST = new int[Row.values().length];
+  private static final int[] FIRST = new int[Quantity.values().length];
 
   /** Number of lines in the file. */
   static final int LINES;
 
   static {
     int lines = 0;
-    for (Row row : Row.values()) {
+    for (Quantity row : Quantity.values()) {
       FIRST[row.ordinal()] = lines;
       lines += row.contexts;
     }
@@ -76,7 +76,7 @@ final class NearTables {
   private NearTables() {}
 
   /** Returns the line of a row's context. */
-  static int line(Row row, int context) {
+  static int line(Quantity row, int context) {
     return FIRST[row.ordinal()] + context;
   }
 

@@ -54,7 +54,7 @@ public final class FrameRing {
       throw new IllegalArgumentException("capacity=" + capacity + " is outside 1..65535");
     }
     this.capacity = capacity;
-    Identities.Pool pool = new Identities.Pool();
+    Identities.Recycler pool = new Identities.Recycler();
     for (int i = 0; i < SIZE; i++) {
       frames[i] = new FrameState(capacity, pool);
     }

@@ -22,7 +22,7 @@ public final class FrameState {
   private static final int MIN_LENGTH = 64;
 
   private final int capacity;
-  private final Identities.Pool pool;
+  private final Identities.Recycler pool;
   private int tick;
   private int limit;
   private boolean filling;
@@ -49,7 +49,7 @@ public final class FrameState {
 
   private int[] audience = {};
 
-  FrameState(int capacity, Identities.Pool pool) {
+  FrameState(int capacity, Identities.Recycler pool) {
     this.capacity = capacity;
     this.pool = pool;
   }
@@ -62,7 +62,7 @@ public final class FrameState {
    * @param fill puts the entities
    */
   public static FrameState of(int capacity, Consumer<FrameState> fill) {
-    FrameState frame = new FrameState(capacity, new Identities.Pool());
+    FrameState frame = new FrameState(capacity, new Identities.Recycler());
     frame.begin(0, null);
     fill.accept(frame);
     frame.end();

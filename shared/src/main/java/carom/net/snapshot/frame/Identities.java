@@ -67,7 +67,7 @@ final class Identities {
   }
 
   /** The identities that the frames of a ring take turns with. */
-  static final class Pool {
+  static final class Recycler {
     private Identities[] all = {};
 
     /** Returns identities without entities that no frame holds. */

@@ -65,7 +65,7 @@ public final class Deltas {
   private final QuantizedPose actual = new QuantizedPose();
   private final QuantizedPose residual = new QuantizedPose();
 
-  /** For how many ticks the body of the {@link #track} went on resting. */
+  /** Number of ticks for which the body of the {@link #track} went on resting. */
   private int rested;
 
   /** The baselines that were asked for in this tick: each has a row. */

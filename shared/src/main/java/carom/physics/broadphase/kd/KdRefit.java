@@ -65,7 +65,11 @@ public final class KdRefit {
 
   /** Returns the number of pieces to read. */
   private int pieces() {
-    return (tree.leaves + LEAVES - 1) / LEAVES;
+    return pieces(tree.leaves);
+  }
+
+  private static int pieces(int leaves) {
+    return (leaves + LEAVES - 1) / LEAVES;
   }
 
   /**
@@ -82,12 +86,14 @@ public final class KdRefit {
     return pieces();
   }
 
+  /** Makes room for as many leaves as the tree has room for, and for its boxes. */
   private void reserve() {
-    if (gone.length < tree.leaves) {
-      gone = new int[tree.leaves];
-      touched = new int[tree.leaves];
-      sums = new double[SUMS * pieces()];
-      invalid = new int[pieces()];
+    int room = tree.fill.length;
+    if (gone.length < room) {
+      gone = new int[room];
+      touched = new int[room];
+      sums = new double[SUMS * pieces(room)];
+      invalid = new int[pieces(room)];
     }
     if (stray.length < tree.size()) {
       stray = new int[Math.max(tree.size(), stray.length + (stray.length >> 1))];

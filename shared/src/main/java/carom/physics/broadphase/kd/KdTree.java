@@ -597,11 +597,7 @@ public final class KdTree implements SpatialIndex {
 
   /** Builds the whole tree from the first boxes of the builder's list. */
   private void buildAll(int count) {
-    int wanted = 1;
-    while ((long) wanted * FILL < count) {
-      wanted *= 2;
-    }
-    setLeaves(wanted);
+    setLeaves(leavesFor(count));
     frameX = 0;
     frameY = 0;
     buildSubtree(1, count);
@@ -660,18 +656,47 @@ public final class KdTree implements SpatialIndex {
 
   // ---------------------------------------------------------------- memory
 
+  /**
+   * Makes room for boxes before they come, so that those that leave and come back allocate nothing.
+   * The tree is rebuilt if its arrays are too small.
+   *
+   * @param count boxes in the tree
+   * @param idBound one more than the largest id
+   */
+  public void reserve(int count, int idBound) {
+    ensureId(idBound - 1);
+    ensureWork(Math.max(count, size));
+    if (fill.length < leavesFor(count)) {
+      int n = builder.gather(0, leaves);
+      makeLeaves(leavesFor(count));
+      buildAll(n);
+    }
+  }
+
+  private static int leavesFor(int count) {
+    int wanted = 1;
+    while ((long) wanted * FILL < count) {
+      wanted *= 2;
+    }
+    return wanted;
+  }
+
   private void setLeaves(int wanted) {
     leaves = wanted;
     if (fill.length < wanted) {
-      bounds = new float[8 * wanted];
-      split = new float[wanted];
-      splitsY = new boolean[wanted];
-      cell = new float[4 * wanted];
-      fill = new int[wanted];
-      hot = new boolean[2 * wanted];
-      ids = new int[SLOTS * wanted];
-      slots = new float[BLOCK * wanted];
+      makeLeaves(wanted);
     }
+  }
+
+  private void makeLeaves(int room) {
+    bounds = new float[8 * room];
+    split = new float[room];
+    splitsY = new boolean[room];
+    cell = new float[4 * room];
+    fill = new int[room];
+    hot = new boolean[2 * room];
+    ids = new int[SLOTS * room];
+    slots = new float[BLOCK * room];
   }
 
   private void ensureId(int id) {

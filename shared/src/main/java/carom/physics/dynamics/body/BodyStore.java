@@ -200,7 +200,7 @@ public final class BodyStore {
   /** Inner radius of the thinnest part that isn't a sensor, m; infinite without any. */
   public float[] innerRadius = new float[FIRST_CAPACITY];
 
-  /** For how long the body has been at rest, s, up to the world's sleep delay. */
+  /** Time for which the body has been at rest, s, up to the world's sleep delay. */
   public float[] sleepTime = new float[FIRST_CAPACITY];
 
   /** Distance from the centre of mass that no point of the body exceeds, m. */

@@ -54,7 +54,7 @@ public final class ColourMemo {
     rows = t.count();
     slots = b.slots();
     if (key.length < rows) {
-      key = new long[rows + rows / 2];
+      key = new long[t.capacity()];
       points = new byte[key.length];
     }
     if (inverseMass.length < slots) {

@@ -79,7 +79,7 @@ public final class ContactColours {
    * which bodies are at their borders.
    */
   public void assign(ContactTable t, BodyStore b, ActiveBodies active, Domains domains) {
-    ensure(t.count(), active.count, domains.count());
+    ensure(t.capacity(), active.list.length, domains.count());
     boolean divided = domains.count() > 1;
     if (divided) {
       domains.forgetBorders();
@@ -145,14 +145,12 @@ public final class ContactColours {
 
   private void ensure(int rows, int bodies, int domains) {
     if (row.length < rows) {
-      int capacity = rows + rows / 2;
-      row = new int[capacity];
-      group = new int[capacity];
+      row = new int[rows];
+      group = new int[rows];
     }
     if (taken.length < bodies) {
-      int capacity = Math.max(bodies, taken.length * 2);
-      taken = new long[capacity];
-      takenFixed = new long[capacity];
+      taken = new long[bodies];
+      takenFixed = new long[bodies];
     }
     groups = domains * GROUPS;
     if (size.length < groups) {

@@ -22,9 +22,6 @@ public final class ContactTable extends ContactColumns {
   private final RowOrder order = new RowOrder(this);
   private final ContactHash hash = new ContactHash();
 
-  /** Scratch: numbers of rows. */
-  private int[] listed = new int[0];
-
   /** Makes an empty table. */
   public ContactTable() {}
 
@@ -292,12 +289,10 @@ public final class ContactTable extends ContactColumns {
     copyRows(from, which, all, n);
   }
 
-  /** Returns scratch with room for the numbers of all rows. */
+  /** Returns scratch with room for the numbers of all rows, until rows are inserted. */
   int[] rowNumbers() {
-    if (listed.length < count()) {
-      listed = new int[capacity()];
-    }
-    return listed;
+    moves.reserve(capacity());
+    return moves.inserted;
   }
 
   /**

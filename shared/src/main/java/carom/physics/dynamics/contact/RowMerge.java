@@ -76,7 +76,7 @@ final class RowMerge {
   int find(
       long[] keys, int count, ShapeTable shapes, boolean every, ParallelFor parallel, RowMoves to) {
     int rows = table.count();
-    if (leaving.length < rows) {
+    if (leaving.length < table.key.length) {
       leaving = new int[table.key.length];
       ranges = Arrays.copyOf(ranges, RANGE * (leaving.length / GRAIN + 1));
     }

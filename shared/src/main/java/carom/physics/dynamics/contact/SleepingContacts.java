@@ -47,7 +47,7 @@ public final class SleepingContacts {
   private int hashedVersion = -1;
 
   /** Scratch: rows that are given out. */
-  private int[] taken = new int[0];
+  private int[] taken = new int[FIRST_CAPACITY];
 
   /** Returns whether the contacts of two bodies belong here. */
   public static boolean belongs(BodyStore bodies, int a, int b) {
@@ -80,21 +80,33 @@ public final class SleepingContacts {
     return rows.points[row] > 0 && (rows.flags[row] & ContactTable.VETOED) == 0;
   }
 
+  /** Makes room for rows and for the lists of bodies. */
+  public void reserve(int least, int bodies) {
+    rows.reserve(least);
+    if (2 * least > next.length) {
+      next = Arrays.copyOf(next, Math.max(2 * least, 2 * next.length));
+      previous = Arrays.copyOf(previous, next.length);
+      freeRows = Arrays.copyOf(freeRows, next.length / 2);
+      taken = new int[freeRows.length];
+    }
+    if (bodies > first.length) {
+      int old = first.length;
+      first = Arrays.copyOf(first, Math.max(bodies, 2 * old));
+      Arrays.fill(first, old, first.length, -1);
+    }
+  }
+
   /** Adds copies of another table's rows. */
   void put(ContactTable from, int[] which, int n) {
-    if (taken.length < n) {
-      taken = new int[n + (n >> 1)];
+    reserve(slots() + Math.max(0, n - freeCount), 0);
+    if (taken.length < freeRows.length) { // they came with a copy
+      taken = new int[freeRows.length];
     }
-    rows.reserve(slots() + Math.max(0, n - freeCount));
     for (int i = 0; i < n; i++) {
       taken[i] = freeCount > 0 ? freeRows[--freeCount] : rows.append();
     }
     rows.beginRowChange();
     rows.copyRows(from, which, taken, n);
-    if (2 * slots() > next.length) {
-      next = Arrays.copyOf(next, Math.max(2 * slots(), 2 * next.length));
-      previous = Arrays.copyOf(previous, next.length);
-    }
     for (int i = 0; i < n; i++) {
       link(2 * taken[i], rows.bodyA(taken[i]));
       link(2 * taken[i] + 1, rows.bodyB(taken[i]));
@@ -102,11 +114,7 @@ public final class SleepingContacts {
   }
 
   private void link(int end, int body) {
-    if (body >= first.length) {
-      int old = first.length;
-      first = Arrays.copyOf(first, Math.max(body + 1, 2 * old));
-      Arrays.fill(first, old, first.length, -1);
-    }
+    reserve(0, body + 1);
     int after = first[body];
     next[end] = after;
     previous[end] = -1;
@@ -140,9 +148,6 @@ public final class SleepingContacts {
     rows.beginRowChange();
     rows.key[row] = FREE;
     rows.flags[row] = 0;
-    if (freeCount == freeRows.length) {
-      freeRows = Arrays.copyOf(freeRows, 2 * freeCount);
-    }
     freeRows[freeCount++] = row;
   }
 
@@ -168,6 +173,7 @@ public final class SleepingContacts {
     if (to.next.length < next.length) {
       to.next = new int[next.length];
       to.previous = new int[next.length];
+      to.freeRows = new int[next.length / 2];
     }
     System.arraycopy(next, 0, to.next, 0, 2 * slots());
     System.arraycopy(previous, 0, to.previous, 0, 2 * slots());
@@ -176,9 +182,6 @@ public final class SleepingContacts {
     }
     System.arraycopy(first, 0, to.first, 0, first.length);
     Arrays.fill(to.first, first.length, to.first.length, -1);
-    if (to.freeRows.length < freeCount) {
-      to.freeRows = new int[freeRows.length];
-    }
     System.arraycopy(freeRows, 0, to.freeRows, 0, freeCount);
     to.freeCount = freeCount;
     return (4L * slots() + first.length + freeCount) * Integer.BYTES;

@@ -159,6 +159,12 @@ final class FastBodies {
     solverBodies = solved;
     stepS = dt;
     count = 0;
+    reserve(1);
+    if (flightOf.length < bodies.type.length) { // now, not in the step that first needs it
+      flightOf = new int[bodies.type.length];
+      Arrays.fill(flightOf, -1);
+      isDeep = Arrays.copyOf(isDeep, flightOf.length);
+    }
     moving = false;
     strikers.count = 0;
     for (int i = 0; i < active.count; i++) {
@@ -180,6 +186,16 @@ final class FastBodies {
       addStruck();
     }
     return count > 0 || (strikers.count > 0 && parts.anySensors());
+  }
+
+  private void reserve(int least) {
+    int old = flights.length;
+    if (least > old) {
+      flights = Arrays.copyOf(flights, Math.max(FIRST_CAPACITY, 2 * old));
+      for (int i = old; i < flights.length; i++) {
+        flights[i] = new Flight();
+      }
+    }
   }
 
   private boolean hasSensor(int body) {
@@ -260,12 +276,7 @@ final class FastBodies {
     if (atEdge) {
       return;
     }
-    if (count == flights.length) {
-      flights = Arrays.copyOf(flights, Math.max(FIRST_CAPACITY, count * 2));
-      for (int i = count; i < flights.length; i++) {
-        flights[i] = new Flight();
-      }
-    }
+    reserve(count + 1);
     Flight f = flights[count];
     motion(body, f.whole);
     if (way(f.whole) + arm(body) * Math.abs(f.whole.angleRad) <= least) {
@@ -323,10 +334,6 @@ final class FastBodies {
    * moved.
    */
   void sort() {
-    if (flightOf.length < bodies.slots()) {
-      flightOf = new int[bodies.type.length];
-      Arrays.fill(flightOf, -1);
-    }
     if (order.length < count) {
       order = new long[flights.length];
     }

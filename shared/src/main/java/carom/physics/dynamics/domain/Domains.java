@@ -62,7 +62,7 @@ public final class Domains {
   /** Number of threads that the domains are for. */
   private int threads;
 
-  /** For how many more steps the domains stay. */
+  /** Number of further steps for which the domains stay. */
   private int stepsLeft;
 
   private int edition;

@@ -57,6 +57,11 @@ public final class SolverSlots {
     return count;
   }
 
+  /** Returns how many slots there is room for, at least {@link #count}. */
+  public int capacity() {
+    return body.length;
+  }
+
   /** Returns the first slot of a part of a domain. */
   public int from(int domain, boolean border) {
     return border ? firstAtBorder[domain] : first[domain];

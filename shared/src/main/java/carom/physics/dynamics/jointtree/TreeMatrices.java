@@ -37,7 +37,7 @@ import static carom.physics.dynamics.solverbody.SolverBodies.DY;
 import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
 
 /**
- * How heavy the bodies of a tree are, seen from its joints: what {@link TreeSolver} finds once per
+ * The masses of a tree of bodies, as its joints see them. {@link TreeSolver} finds them once per
  * substep, when the lever arms have changed.
  *
  * <p><b>Elimination</b> goes from the leaves to the root. A body c, with all that hangs on it, is

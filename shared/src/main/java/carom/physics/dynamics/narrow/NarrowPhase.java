@@ -124,7 +124,7 @@ public final class NarrowPhase {
   /** Begins an update of all rows, from which {@link #leave} excepts some. */
   public void begin() {
     int count = contacts.count();
-    if (left.length < count) {
+    if (left.length < contacts.capacity()) {
       left = new boolean[contacts.capacity()];
       restless = Arrays.copyOf(restless, left.length / GROUP + 1);
     }

@@ -214,6 +214,14 @@ public final class PairFinder {
 
   // ---------------------------------------------------------------- questions
 
+  /**
+   * Returns how many parts, awake or not, any step may have to deal with; more than a few thousand
+   * don't count. What grows with them makes room for them in time.
+   */
+  public int fewMovableParts() {
+    return trees.fewMovable();
+  }
+
   /** Returns the number of parts of active bodies, as of the last {@link #refit}. */
   public int movingParts() {
     return trees.moving.size();

@@ -27,6 +27,9 @@ import carom.physics.dynamics.store.IntList;
  * of the body decides which tree its parts are inserted into; the methods assert it.
  */
 final class PartTrees {
+  /** Parts up to which there is room for all of them in both trees, so that few steps allocate. */
+  private static final int FEW = 2_048;
+
   /** The tree of the active bodies' parts. */
   final KdTree moving;
 
@@ -48,6 +51,9 @@ final class PartTrees {
   /** Scratch: parts that enter or leave a tree. */
   private final IntList batch = new IntList();
 
+  /** Number of parts of bodies that aren't static. */
+  private int movable;
+
   /** True if boxes in the moving tree changed since it was refitted. */
   private boolean stale;
 
@@ -67,6 +73,7 @@ final class PartTrees {
   void enter(int body) {
     boolean rests = rests(body);
     int first = bodies.firstPart[body];
+    movable += bodies.type[body] == BodyStore.STATIC ? 0 : bodies.partCount[body];
     for (int part = first; part < first + bodies.partCount[body]; part++) {
       if (rests) {
         boxes.setResting(body, part);
@@ -80,6 +87,7 @@ final class PartTrees {
   /** Removes the parts of a body. */
   void leave(int body) {
     int first = bodies.firstPart[body];
+    movable -= bodies.type[body] == BodyStore.STATIC ? 0 : bodies.partCount[body];
     for (int part = first; part < first + bodies.partCount[body]; part++) {
       if (!moving.remove(part)) {
         resting.remove(part);
@@ -103,6 +111,7 @@ final class PartTrees {
       parts.pending[pending.values[i]] = false;
     }
     pending.count = 0;
+    movable = 0;
     moving.clear();
     resting.clear();
   }
@@ -129,6 +138,11 @@ final class PartTrees {
     }
   }
 
+  /** Returns how many parts may come to either tree for which room is made before they do. */
+  int fewMovable() {
+    return Math.min(movable, FEW);
+  }
+
   private boolean rests(int body) {
     return bodies.type[body] == BodyStore.STATIC || bodies.asleep(body);
   }
@@ -143,6 +157,11 @@ final class PartTrees {
   /** Inserts the queued parts into the tree that the state of their body asks for. */
   void insertPending() {
     if (pending.count > 0) {
+      int few = fewMovable();
+      batch.ensureRoom(few);
+      moving.reserve(few, parts.body.length);
+      resting.reserve(
+          moving.size() + resting.size() + pending.count - movable + few, parts.body.length);
       insertPending(moving, false);
       insertPending(resting, true);
       pending.count = 0;

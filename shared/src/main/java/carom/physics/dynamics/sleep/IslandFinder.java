@@ -5,6 +5,7 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.dynamics.store.IntList;
 import carom.physics.settings.Settings;
 
 /**
@@ -36,8 +37,15 @@ final class IslandFinder {
     this.pairs = pairs;
   }
 
+  /** Makes room for as many bodies as the active list may hold, also in a list for them. */
+  void reserve(IntList also) {
+    islands.reserve(active.list.length);
+    also.ensureRoom(active.list.length);
+  }
+
   /** Finds all islands, and which of them contacts or joints keep awake. */
   void find() {
+    islands.reserve(active.list.length);
     islands.reset(active.count);
     for (int row = 0; row < contacts.count(); row++) {
       if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {

@@ -10,13 +10,16 @@ final class Islands {
   /** Per root: whether something keeps its island awake. */
   private boolean[] restless = new boolean[0];
 
-  /** Starts with an island per body. */
-  void reset(int count) {
-    if (parent.length < count) {
-      int capacity = Math.max(count, 2 * parent.length);
+  /** Makes room for bodies. */
+  void reserve(int capacity) {
+    if (parent.length < capacity) {
       parent = new int[capacity];
       restless = new boolean[capacity];
     }
+  }
+
+  /** Starts with an island per body, for which there is room. */
+  void reset(int count) {
     for (int i = 0; i < count; i++) {
       parent[i] = i;
       restless[i] = false;

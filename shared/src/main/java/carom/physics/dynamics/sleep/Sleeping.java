@@ -48,7 +48,6 @@ public final class Sleeping {
   /** Bodies about to fall asleep, or just woken. */
   private final IntList gathered = new IntList();
 
-  /** The requests of callbacks. */
   private final SleepRequests requests = new SleepRequests();
 
   /** Changes whenever a body falls asleep or wakes. */
@@ -353,6 +352,7 @@ public final class Sleeping {
 
   /** Measures how long bodies have been slow, and puts islands to sleep. */
   public void rest(float dt) {
+    islands.reserve(gathered);
     boolean any = false;
     for (int i = 0; i < active.count; i++) {
       any |= restTime.add(active.list[i], dt);

@@ -279,14 +279,19 @@ public final class ContactBlocks {
       colouring.assign(table, bodies, solverBodies.active, domains);
       solverBodies.assignSlots();
       memo.note(table, bodies, domains.edition());
-      findGroups();
+      findGroups(table.capacity() / LANES);
       giveLanes(table, domains);
       layOutBlocks(lanes, table.count(), solverBodies);
     }
   }
 
-  /** Gives each group its blocks, and finds out which colours there are. */
-  private void findGroups() {
+  /**
+   * Gives each group its blocks, and finds out which colours there are.
+   *
+   * @param most blocks that will hardly ever be exceeded: there is room for them at once, as crowds
+   *     go on meeting after their first step
+   */
+  private void findGroups(int most) {
     int groups = colouring.groups();
     int[] size = colouring.size;
     if (next.length < groups) {
@@ -315,7 +320,7 @@ public final class ContactBlocks {
       }
     }
     if (row.length < count * LANES) {
-      int capacity = count + count / 2; // room at once: crowds go on meeting after their first step
+      int capacity = Math.max(count + count / 2, most);
       used = new byte[capacity];
       traits = new byte[capacity];
       row = new int[capacity * LANES];

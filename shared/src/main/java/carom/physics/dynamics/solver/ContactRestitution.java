@@ -160,9 +160,10 @@ final class ContactRestitution {
 
   /** Finds the contacts that approach or part fast; returns whether any does. */
   private boolean findFast() {
-    if (news.length < blocks.count()) {
+    if (news.length < blocks.traits.length) {
       news = new int[blocks.traits.length];
       state = new byte[blocks.bodyA.length];
+      nextLink = new int[2 * blocks.bodyA.length];
     }
     Arrays.fill(news, 0, blocks.count(), 0);
     Arrays.fill(state, 0, blocks.count() * LANES, (byte) 0);
@@ -186,9 +187,6 @@ final class ContactRestitution {
       firstLink = new int[slots];
     }
     Arrays.fill(firstLink, 0, slots, NONE);
-    if (nextLink.length < 2 * blocks.bodyA.length) {
-      nextLink = new int[2 * blocks.bodyA.length];
-    }
     for (int block = 0; block < blocks.count(); block++) {
       int end = (blocks.traits[block] & RESTITUTION) != 0 ? blocks.used[block] : 0;
       for (int i = 0; i < end; i++) {

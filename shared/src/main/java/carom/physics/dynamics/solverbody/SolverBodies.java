@@ -201,7 +201,7 @@ public final class SolverBodies {
     slots.assign();
     count = slots.count();
     if (ax.length < count) {
-      int capacity = Math.max(count, ax.length * 2);
+      int capacity = slots.capacity();
       state = new float[capacity * STRIDE];
       withoutContacts = new float[capacity * VELOCITY];
       ax = new float[capacity];

@@ -21,17 +21,19 @@ public final class RowMoves {
   /** Largest number of arrays of a table. */
   private static final int MOST_ARRAYS = 16;
 
+  private static final int FIRST_CAPACITY = 128;
+
   /** Number of rows below which one thread moves them all. */
   private static final int FEWEST_SHARED = 2_048;
 
   /** The places of new rows, by their number. */
-  public int[] inserted = new int[64];
+  public int[] inserted = new int[FIRST_CAPACITY];
 
   /** Per run: first row, how many, how far. */
-  private int[] from = new int[64];
+  private int[] from = new int[FIRST_CAPACITY];
 
-  private int[] length = new int[64];
-  private int[] offset = new int[64];
+  private int[] length = new int[FIRST_CAPACITY];
+  private int[] offset = new int[FIRST_CAPACITY];
   private int count;
   private boolean all;
 

@@ -18,7 +18,7 @@ import carom.physics.particles.Particles;
 import carom.sim.random.SimRandom;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import java.util.ArrayList;
 import java.util.List;
@@ -82,7 +82,7 @@ public final class BenchmarkScenes {
     return new WorldDef().withSleeping(false).withContinuous(false);
   }
 
-  private static Scene scene(String name, String what, View view, Consumer<Stage<?>> builder) {
+  private static Scene scene(String name, String what, View view, Consumer<SceneWorld<?>> builder) {
     return new Scene(name, what, view, builder).with(def());
   }
 
@@ -104,12 +104,12 @@ public final class BenchmarkScenes {
   }
 
   /** Makes a static box of half-extents (100, 1) whose surface is y = 0. */
-  static void ground(Stage<?> s) {
+  static void ground(SceneWorld<?> s) {
     s.body(new BodyDef().shape(new Box(100, 1)).position(0, -1));
   }
 
   /** Makes rows of boxes of half-extents (h, h) from y0 upwards, centred at cx. */
-  static void pyramid(Stage<?> s, int base, double h, double cx, double y0) {
+  static void pyramid(SceneWorld<?> s, int base, double h, double cx, double y0) {
     Shape box = new Box((float) h, (float) h);
     for (int i = 0; i < base; i++) {
       for (int j = i; j < base; j++) {
@@ -122,7 +122,7 @@ public final class BenchmarkScenes {
     return a + (b - a) * rng.nextFloat();
   }
 
-  private static Body<?> put(Stage<?> s, Shape shape, double x, double y) {
+  private static Body<?> put(SceneWorld<?> s, Shape shape, double x, double y) {
     return s.body(new BodyDef(BodyType.DYNAMIC).shape(shape).position((float) x, (float) y));
   }
 
@@ -229,7 +229,7 @@ public final class BenchmarkScenes {
   }
 
   /** Makes a floor at y = 0 with two walls. */
-  static void bin(Stage<?> s, double width, double height) {
+  static void bin(SceneWorld<?> s, double width, double height) {
     float half = (float) (width / 2);
     s.body(new BodyDef().shape(new Box((float) (width / 2 + 2), 1)).position(0, -1));
     Shape wall = new Box(1, (float) (height / 2));
@@ -237,7 +237,7 @@ public final class BenchmarkScenes {
     s.body(new BodyDef().shape(wall).position(half + 1, (float) (height / 2)));
   }
 
-  private static void pile(Stage<?> s, int bodies, int columns, List<Shape> shapes) {
+  private static void pile(SceneWorld<?> s, int bodies, int columns, List<Shape> shapes) {
     SimRandom rng = new SimRandom(1);
     for (int k = 0; k < bodies; k++) {
       int column = k % columns;
@@ -267,7 +267,7 @@ public final class BenchmarkScenes {
         s -> jointGrid(s, perSide));
   }
 
-  private static <T> void jointGrid(Stage<T> s, int n) {
+  private static <T> void jointGrid(SceneWorld<T> s, int n) {
     Shape disc = new Circle(0.4f);
     Filter together = Filter.DEFAULT.withGroup(-1);
     // The middle columns are held: of 100, those from 47 to 53.
@@ -343,7 +343,7 @@ public final class BenchmarkScenes {
     return scene.with(scene.def().withGravity(0, 0));
   }
 
-  private static void closedSquare(Stage<?> s, double side) {
+  private static void closedSquare(SceneWorld<?> s, double side) {
     float far = (float) (side / 2 + 5);
     Shape upright = new Box(5, (float) (side / 2 + 10));
     Shape lying = new Box((float) (side / 2 + 10), 5);
@@ -353,7 +353,7 @@ public final class BenchmarkScenes {
     s.body(new BodyDef().shape(lying, IDEAL).position(0, far));
   }
 
-  private static void discs(Stage<?> s, int n, double side, double speed, float gravityScale) {
+  private static void discs(SceneWorld<?> s, int n, double side, double speed, float gravityScale) {
     SimRandom rng = new SimRandom(2);
     int m = (int) Math.ceil(Math.sqrt(n));
     double pitch = side / m;

@@ -16,7 +16,7 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import java.util.List;
 
@@ -58,7 +58,7 @@ final class CoupledScenes {
     }
   }
 
-  private static <T> void gears(Stage<T> s) {
+  private static <T> void gears(SceneWorld<T> s) {
     floor(s, 20);
     Wheel<T> drive = wheel(s, -9, 4, 10, 0, SceneColors.CORAL);
     Wheel<T> large = mesh(s, drive, 0, 24, SceneColors.STEEL);
@@ -89,7 +89,7 @@ final class CoupledScenes {
   }
 
   private static <T> Wheel<T> wheel(
-      Stage<T> s, double x, double y, int teeth, double phase, int rgb) {
+      SceneWorld<T> s, double x, double y, int teeth, double phase, int rgb) {
     double radius = MODULE * teeth;
     BodyDef def = new BodyDef(BodyType.DYNAMIC).position((float) x, (float) y);
     for (int i = 0; i < teeth; i++) {
@@ -109,7 +109,7 @@ final class CoupledScenes {
 
   /** Makes a wheel whose teeth mesh with those of another one, in a direction from it, rad. */
   private static <T> Wheel<T> mesh(
-      Stage<T> s, Wheel<T> from, double direction, int teeth, int rgb) {
+      SceneWorld<T> s, Wheel<T> from, double direction, int teeth, int rgb) {
     double apart = from.radius() + MODULE * teeth;
     double ahead = (direction - from.phase) * from.teeth / (2 * Math.PI);
     double phase = direction + Math.PI - (0.5 - ahead) * 2 * Math.PI / teeth;
@@ -141,7 +141,7 @@ final class CoupledScenes {
         y + in * sin + root * cos);
   }
 
-  private static <T> void pulleys(Stage<T> s) {
+  private static <T> void pulleys(SceneWorld<T> s) {
     floor(s, 20);
     fixed(s, new Box(11, 0.2f), 1, 10.2f, 0, SceneBodies.STONE);
     hang(s, crate(s, -8, 1.5f, 1, 0), crate(s, -5, 4, 1.5f, 1), 1);
@@ -166,7 +166,7 @@ final class CoupledScenes {
         });
   }
 
-  private static <T> Body<T> crate(Stage<T> s, float x, float y, float mass, int k) {
+  private static <T> Body<T> crate(SceneWorld<T> s, float x, float y, float mass, int k) {
     return s.body(
         new BodyDef(BodyType.DYNAMIC)
             .shape(new Box(0.5f, 0.5f), SceneColors.of(SceneColors.bright(k)).withDensity(mass))
@@ -175,7 +175,7 @@ final class CoupledScenes {
   }
 
   /** Hangs two bodies on one rope, straight below two wheels under the beam. */
-  private static <T> void hang(Stage<T> s, Body<T> a, Body<T> b, float ratio) {
+  private static <T> void hang(SceneWorld<T> s, Body<T> a, Body<T> b, float ratio) {
     float top = 9.6f;
     for (float x : new float[] {a.x(), b.x()}) {
       s.body(

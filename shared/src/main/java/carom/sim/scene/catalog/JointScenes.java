@@ -20,7 +20,7 @@ import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import java.util.List;
 
@@ -72,7 +72,7 @@ final class JointScenes {
             JointScenes::motors));
   }
 
-  private static <T> void bridge(Stage<T> s) {
+  private static <T> void bridge(SceneWorld<T> s) {
     fixed(s, new Box(3, 3), -13, 0, 0, SceneBodies.STONE);
     fixed(s, new Box(3, 3), 13, 0, 0, SceneBodies.STONE);
     int planks = 25;
@@ -101,7 +101,7 @@ final class JointScenes {
         });
   }
 
-  private static <T> void wreckingBall(Stage<T> s) {
+  private static <T> void wreckingBall(SceneWorld<T> s) {
     floor(s, 40);
     Capsule link = new Capsule(-0.3f, 0, 0.3f, 0, 0.08f);
     Body<T> last = null;
@@ -126,7 +126,7 @@ final class JointScenes {
     }
   }
 
-  private static <T> void car(Stage<T> s) {
+  private static <T> void car(SceneWorld<T> s) {
     int points = 101;
     float[] ground = new float[2 * points];
     for (int i = 0; i < points; i++) {
@@ -157,13 +157,13 @@ final class JointScenes {
         });
   }
 
-  private static <T> Joint<T> axle(Stage<T> s, Body<T> car, float x, float y, Material m) {
+  private static <T> Joint<T> axle(SceneWorld<T> s, Body<T> car, float x, float y, Material m) {
     Body<T> wheel = free(s, new Circle(0.5f), x, y, m);
     return s.joint(
         JointDef.wheel(car, wheel, x, y, 0, 1).limits(-0.3f, 0.25f).spring(4, 0.7f).motor(0, 12));
   }
 
-  private static <T> void ragdolls(Stage<T> s) {
+  private static <T> void ragdolls(SceneWorld<T> s) {
     for (int i = 0; i < 9; i++) {
       fixed(s, new Box(1.5f, 0.4f), -12 + 3 * i, 8.4f - i, 0, SceneBodies.STONE);
     }
@@ -174,7 +174,7 @@ final class JointScenes {
   }
 
   /** Makes a figure of ten parts, 1.9 m tall, with its hips at (x, y). */
-  private static <T> void ragdoll(Stage<T> s, float x, float y, int number) {
+  private static <T> void ragdoll(SceneWorld<T> s, float x, float y, int number) {
     Filter own = Filter.DEFAULT.withGroup(-1 - number);
     Material shirt = SceneColors.of(SceneColors.bright(number));
     Material skin = SceneColors.of(0xf0c9a4);
@@ -198,12 +198,12 @@ final class JointScenes {
   }
 
   private static <T> Body<T> part(
-      Stage<T> s, Shape shape, float x, float y, Material m, Filter own) {
+      SceneWorld<T> s, Shape shape, float x, float y, Material m, Filter own) {
     return s.body(
         new BodyDef(BodyType.DYNAMIC).shape(shape, m, own).position(x, y).angularDamping(0.5f));
   }
 
-  private static <T> void softWheels(Stage<T> s) {
+  private static <T> void softWheels(SceneWorld<T> s) {
     fixed(s, new Box(9, 0.4f), -8, 3.4f, -0.28f, SceneBodies.STONE);
     floor(s, 30);
     for (int i = 0; i < 6; i++) {
@@ -216,7 +216,7 @@ final class JointScenes {
   }
 
   private static <T> void softWheel(
-      Stage<T> s, float x, float y, float radius, float hertz, int rgb) {
+      SceneWorld<T> s, float x, float y, float radius, float hertz, int rgb) {
     int n = 20;
     Filter own = Filter.DEFAULT.withGroup(-Math.round(hertz));
     float half = radius * SceneBodies.PI / n;
@@ -245,13 +245,13 @@ final class JointScenes {
   }
 
   private static <T> void hinge(
-      Stage<T> s, Body<T> a, Body<T> b, float x, float y, float radius, double at) {
+      SceneWorld<T> s, Body<T> a, Body<T> b, float x, float y, float radius, double at) {
     float px = (float) (x + radius * StrictMath.cos(at));
     float py = (float) (y + radius * StrictMath.sin(at));
     s.joint(JointDef.revolute(a, b, px, py).spring(8, 0.5f));
   }
 
-  private static <T> void springs(Stage<T> s) {
+  private static <T> void springs(SceneWorld<T> s) {
     fixed(s, new Box(7, 0.2f), 0, 8.2f, 0, SceneBodies.STONE);
     float[] ratios = {0, 0.03f, 0.1f, 0.3f, 0.7f, 1, 3};
     for (int i = 0; i < ratios.length; i++) {
@@ -266,7 +266,7 @@ final class JointScenes {
     }
   }
 
-  private static <T> void ropes(Stage<T> s) {
+  private static <T> void ropes(SceneWorld<T> s) {
     fixed(s, new Box(11, 0.2f), 0, 10.2f, 0, SceneBodies.STONE);
     floor(s, 20);
     for (int k = 0; k < 5; k++) {
@@ -298,7 +298,7 @@ final class JointScenes {
     lamp.setVelocity(4, 0);
   }
 
-  private static <T> void motors(Stage<T> s) {
+  private static <T> void motors(SceneWorld<T> s) {
     trough(s, 14, 5);
     Body<T> mill =
         s.body(

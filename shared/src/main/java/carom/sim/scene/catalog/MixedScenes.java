@@ -26,7 +26,7 @@ import carom.physics.math.Aabb;
 import carom.sim.random.SimRandom;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import java.util.List;
 
@@ -76,7 +76,7 @@ final class MixedScenes {
             .with(new WorldDef().withGravity(0, 0)));
   }
 
-  private static void mixer(Stage<?> s) {
+  private static void mixer(SceneWorld<?> s) {
     trough(s, 9, 12);
     for (int side = -1; side <= 1; side += 2) {
       s.body(
@@ -102,7 +102,7 @@ final class MixedScenes {
     }
   }
 
-  private static <T> void galton(Stage<T> s) {
+  private static <T> void galton(SceneWorld<T> s) {
     Material peg = new Material(1, 0.1f, 0.4f).withTag(SceneColors.STEEL);
     for (int row = 0; row < 12; row++) {
       for (int i = 0; i <= row + 2; i++) {
@@ -129,7 +129,7 @@ final class MixedScenes {
         });
   }
 
-  private static void shapes(Stage<?> s) {
+  private static void shapes(SceneWorld<?> s) {
     trough(s, 11, 9);
     Shape[] kinds = {
       new Circle(0.5f),
@@ -156,7 +156,7 @@ final class MixedScenes {
     }
   }
 
-  private static <T> void sensors(Stage<T> s) {
+  private static <T> void sensors(SceneWorld<T> s) {
     trough(s, 9, 5);
     fixed(s, new Box(3.6f, 0.2f), -5.2f, 1.4f, -0.35f, SceneBodies.STONE);
     fixed(s, new Box(3.6f, 0.2f), 5.2f, 1.4f, 0.35f, SceneBodies.STONE);
@@ -181,7 +181,7 @@ final class MixedScenes {
                 }));
   }
 
-  private static <T> void filters(Stage<T> s) {
+  private static <T> void filters(SceneWorld<T> s) {
     trough(s, 8, 10);
     int[] colours = {SceneColors.CORAL, SceneColors.AMBER, SceneColors.SKY};
     for (int k = 0; k < 3; k++) {
@@ -209,7 +209,7 @@ final class MixedScenes {
         });
   }
 
-  private static void buoyancy(Stage<?> s) {
+  private static void buoyancy(SceneWorld<?> s) {
     trough(s, 12, 8);
     Aabb pool = new Aabb(-12, 0, 12, 4.5f);
     Material water = SceneColors.of(SceneColors.WATER);
@@ -233,7 +233,7 @@ final class MixedScenes {
     s.eachTick(tick -> fluid.apply(s.world(), 1f / Scene.DEFAULT_TICK_RATE));
   }
 
-  private static <T> void wind(Stage<T> s) {
+  private static <T> void wind(SceneWorld<T> s) {
     trough(s, 12, 9);
     fixed(
         s,
@@ -271,7 +271,7 @@ final class MixedScenes {
         });
   }
 
-  private static void orbits(Stage<?> s) {
+  private static void orbits(SceneWorld<?> s) {
     fixed(s, new Circle(2.5f), 0, 0, 0, SceneColors.of(SceneColors.AMBER));
     SimRandom rng = new SimRandom(3);
     for (int i = 0; i < 200; i++) {

@@ -17,7 +17,7 @@ import carom.physics.mover.Mover;
 import carom.physics.mover.MoverDef;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import java.util.List;
 
@@ -45,7 +45,7 @@ final class MoverScenes {
             MoverScenes::mover));
   }
 
-  private static <T> void mover(Stage<T> s) {
+  private static <T> void mover(SceneWorld<T> s) {
     floor(s, 18);
     int stone = SceneColors.STONE;
     Material rock = SceneColors.of(stone);
@@ -102,7 +102,7 @@ final class MoverScenes {
     shown.setVelocity(vx, vy);
   }
 
-  private static <T> Body<T> kinematic(Stage<T> s, Box shape, float x, float y) {
+  private static <T> Body<T> kinematic(SceneWorld<T> s, Box shape, float x, float y) {
     return s.body(
         new BodyDef(BodyType.KINEMATIC)
             .position(x, y)

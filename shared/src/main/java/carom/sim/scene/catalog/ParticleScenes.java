@@ -19,7 +19,7 @@ import carom.physics.particles.ParticleDef;
 import carom.physics.particles.Particles;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import java.util.List;
 
@@ -48,7 +48,7 @@ final class ParticleScenes {
             ParticleScenes::hourglass));
   }
 
-  private static void damBreak(Stage<?> s) {
+  private static void damBreak(SceneWorld<?> s) {
     trough(s, 12, 8);
     Particles water =
         s.particles(new ParticleDef(ParticleDef.Kind.WATER, 0.15f), SceneColors.WATER);
@@ -72,7 +72,7 @@ final class ParticleScenes {
     s.eachTick(tick -> gate.setVelocity(0, tick >= 60 && tick < 150 ? 5 : 0));
   }
 
-  private static <T> void waterWheel(Stage<T> s) {
+  private static <T> void waterWheel(SceneWorld<T> s) {
     trough(s, 9, 4);
     Particles water =
         s.particles(
@@ -112,7 +112,7 @@ final class ParticleScenes {
         from * sin + half * cos);
   }
 
-  private static void hourglass(Stage<?> s) {
+  private static void hourglass(SceneWorld<?> s) {
     Particles sand = s.particles(new ParticleDef(ParticleDef.Kind.SAND, 0.13f), SAND);
     float rim = 5.2f;
     float shoulder = 3.9f;

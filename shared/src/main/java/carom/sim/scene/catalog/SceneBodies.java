@@ -9,7 +9,7 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -21,12 +21,12 @@ final class SceneBodies {
   private SceneBodies() {}
 
   /** Makes a floor whose surface is y = 0. */
-  static void floor(Stage<?> s, float halfWidth) {
+  static void floor(SceneWorld<?> s, float halfWidth) {
     fixed(s, new Box(halfWidth, 0.5f), 0, -0.5f, 0, STONE);
   }
 
   /** Makes a floor with a wall at either end. */
-  static void trough(Stage<?> s, float halfWidth, float wallHeight) {
+  static void trough(SceneWorld<?> s, float halfWidth, float wallHeight) {
     floor(s, halfWidth + 0.5f);
     for (int side = -1; side <= 1; side += 2) {
       float x = side * (halfWidth + 0.25f);
@@ -35,17 +35,18 @@ final class SceneBodies {
   }
 
   /** Makes a static body. */
-  static <T> Body<T> fixed(Stage<T> s, Shape shape, float x, float y, float angle, Material m) {
+  static <T> Body<T> fixed(
+      SceneWorld<T> s, Shape shape, float x, float y, float angle, Material m) {
     return s.body(new BodyDef().shape(shape, m).position(x, y).angle(angle));
   }
 
   /** Makes a dynamic body. */
-  static <T> Body<T> free(Stage<T> s, Shape shape, float x, float y, Material m) {
+  static <T> Body<T> free(SceneWorld<T> s, Shape shape, float x, float y, Material m) {
     return s.body(new BodyDef(BodyType.DYNAMIC).shape(shape, m).position(x, y));
   }
 
   /** Makes a dynamic body of the default material in a colour. */
-  static <T> Body<T> free(Stage<T> s, Shape shape, float x, float y, int rgb) {
+  static <T> Body<T> free(SceneWorld<T> s, Shape shape, float x, float y, int rgb) {
     return free(s, shape, x, y, SceneColors.of(rgb));
   }
 
@@ -64,7 +65,7 @@ final class SceneBodies {
   }
 
   /** Removes dynamic bodies that fell below a height, so that an emitter can go on for ever. */
-  static <T> void removeBelow(Stage<T> s, float minY) {
+  static <T> void removeBelow(SceneWorld<T> s, float minY) {
     List<Body<T>> gone = new ArrayList<>();
     s.world()
         .forEachBody(

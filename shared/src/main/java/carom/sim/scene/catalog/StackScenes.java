@@ -18,7 +18,7 @@ import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import java.util.List;
 
@@ -71,7 +71,7 @@ final class StackScenes {
             StackScenes::bullets));
   }
 
-  private static void pyramid(Stage<?> s) {
+  private static void pyramid(SceneWorld<?> s) {
     floor(s, 60);
     Shape crate = new Box(0.5f, 0.5f);
     for (int row = 0; row < 20; row++) {
@@ -92,7 +92,7 @@ final class StackScenes {
         });
   }
 
-  private static void dominoes(Stage<?> s) {
+  private static void dominoes(SceneWorld<?> s) {
     floor(s, 40);
     float x = -8;
     float half = 0.25f;
@@ -107,7 +107,7 @@ final class StackScenes {
     }
   }
 
-  private static <T> void cradle(Stage<T> s) {
+  private static <T> void cradle(SceneWorld<T> s) {
     fixed(s, new Box(5, 0.2f), 0, 8.2f, 0, SceneBodies.STONE);
     Material steel = new Material(4, 0, 1).withTag(SceneColors.STEEL);
     int balls = 7;
@@ -123,7 +123,7 @@ final class StackScenes {
     }
   }
 
-  private static void arch(Stage<?> s) {
+  private static void arch(SceneWorld<?> s) {
     floor(s, 30);
     float inner = 4;
     float outer = 5.2f;
@@ -157,7 +157,7 @@ final class StackScenes {
     return (float) (radius * (isX ? StrictMath.cos(angle) : StrictMath.sin(angle)));
   }
 
-  private static void cardHouse(Stage<?> s) {
+  private static void cardHouse(SceneWorld<?> s) {
     floor(s, 20);
     double lean = StrictMath.toRadians(24);
     double half = 1;
@@ -191,7 +191,7 @@ final class StackScenes {
     }
   }
 
-  private static void sleepField(Stage<?> s) {
+  private static void sleepField(SceneWorld<?> s) {
     trough(s, 22, 4);
     for (int i = 0; i < 19; i++) {
       int height = 2 + i % 4;
@@ -212,7 +212,7 @@ final class StackScenes {
         });
   }
 
-  private static <T> void explosion(Stage<T> s) {
+  private static <T> void explosion(SceneWorld<T> s) {
     trough(s, 15, 6);
     for (int i = 0; i < 9; i++) {
       for (int j = 0; j < 7; j++) {
@@ -237,7 +237,7 @@ final class StackScenes {
         });
   }
 
-  private static void bullets(Stage<?> s) {
+  private static void bullets(SceneWorld<?> s) {
     trough(s, 12, 12);
     for (int lane = 0; lane < 4; lane++) {
       float y = 1 + 2.5f * lane;

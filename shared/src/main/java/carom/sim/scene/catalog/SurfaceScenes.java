@@ -17,7 +17,7 @@ import carom.physics.geometry.Chain;
 import carom.physics.geometry.Circle;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import java.util.ArrayList;
 import java.util.List;
@@ -64,7 +64,7 @@ final class SurfaceScenes {
             SurfaceScenes::terrain));
   }
 
-  private static <T> void conveyor(Stage<T> s) {
+  private static <T> void conveyor(SceneWorld<T> s) {
     for (int i = 0; i < 4; i++) {
       int side = i % 2 == 0 ? 1 : -1;
       Material belt = new Material(1, 0.9f, 0).withTangentSpeed(3 * side);
@@ -86,7 +86,7 @@ final class SurfaceScenes {
         });
   }
 
-  private static <T> void oneWayPlatforms(Stage<T> s) {
+  private static <T> void oneWayPlatforms(SceneWorld<T> s) {
     trough(s, 10, 9);
     Material grass = SceneColors.of(ONE_WAY);
     for (int row = 0; row < 3; row++) {
@@ -115,7 +115,7 @@ final class SurfaceScenes {
     s.listener(new OneWay<>((body, shape) -> body.material(shape).tag() == ONE_WAY));
   }
 
-  private static void bouncing(Stage<?> s) {
+  private static void bouncing(SceneWorld<?> s) {
     floor(s, 12);
     for (int i = 0; i <= 10; i++) {
       float e = i / 10f;
@@ -126,7 +126,7 @@ final class SurfaceScenes {
     }
   }
 
-  private static void frictionRamp(Stage<?> s) {
+  private static void frictionRamp(SceneWorld<?> s) {
     float slope = (float) StrictMath.toRadians(25);
     float cos = (float) StrictMath.cos(slope);
     float sin = (float) StrictMath.sin(slope);
@@ -146,7 +146,7 @@ final class SurfaceScenes {
     }
   }
 
-  private static void rolling(Stage<?> s) {
+  private static void rolling(SceneWorld<?> s) {
     for (int i = 0; i < 7; i++) {
       float y = 0.3f + 1.9f * i;
       fixed(s, new Box(13.5f, 0.1f), 0, y, 0, SceneBodies.STONE);
@@ -165,7 +165,7 @@ final class SurfaceScenes {
     }
   }
 
-  private static void terrain(Stage<?> s) {
+  private static void terrain(SceneWorld<?> s) {
     int points = 65;
     float[] hills = new float[2 * points];
     for (int i = 0; i < points; i++) {

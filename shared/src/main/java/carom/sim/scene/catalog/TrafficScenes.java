@@ -11,7 +11,7 @@ import carom.physics.geometry.Shape;
 import carom.physics.math.Trig;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
-import carom.sim.scene.Stage;
+import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
 import java.util.List;
 
@@ -46,7 +46,7 @@ final class TrafficScenes {
   }
 
   /** Makes a big box that turns round near either end of a trough, and hops now and then. */
-  private static <T> void plough(Stage<T> s) {
+  private static <T> void plough(SceneWorld<T> s) {
     SceneBodies.trough(s, 47, 20);
     Shape box = new Box(SMALL, SMALL);
     for (int k = 0; k < 900; k++) {
@@ -67,7 +67,7 @@ final class TrafficScenes {
         });
   }
 
-  private static <T> void ploughAbove(Stage<T> s) {
+  private static <T> void ploughAbove(SceneWorld<T> s) {
     Shape box = new Box(SMALL, SMALL);
     for (int k = 0; k < 900; k++) {
       int row = k / 30;
@@ -95,7 +95,7 @@ final class TrafficScenes {
         });
   }
 
-  private static void churn(Stage<?> s) {
+  private static void churn(SceneWorld<?> s) {
     Material wall = SceneBodies.STONE.withFriction(0.9f);
     s.body(
         new BodyDef(BodyType.KINEMATIC)

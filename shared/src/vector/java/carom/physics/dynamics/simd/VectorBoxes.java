@@ -42,7 +42,7 @@ public final class VectorBoxes extends BoxLanes {
   private static final int UNIT_COS = CELL_Y + LANES;
   private static final int UNIT_SIN = UNIT_COS + LANES;
 
-  /** From the centre of A's box to that of B's in A's axes, and back in B's. */
+  /** Offset from the centre of A's box to that of B's in A's axes, and back in B's. */
   private static final int DX = UNIT_SIN + LANES;
 
   private static final int DY = DX + LANES;

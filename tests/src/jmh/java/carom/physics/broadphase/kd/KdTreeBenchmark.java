@@ -14,7 +14,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Work of a KD-tree per box, with 10,000 boxes and about 0.9 pairs per box. */
+/** Measures the work of a KD-tree per box, with 10,000 boxes and about 0.9 pairs per box. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -58,7 +58,7 @@ public class KdTreeBenchmark {
     return (seed >>> 40) * 0x1p-24f;
   }
 
-  /** Every box moves 5 cm, to and fro; the tree takes it over. */
+  /** Moves every box by 5 cm, to and fro, and refits the tree. */
   @Benchmark
   @OperationsPerInvocation(BOXES)
   public void moveAndRefit() {
@@ -70,14 +70,14 @@ public class KdTreeBenchmark {
     tree.refit();
   }
 
-  /** The tree anew. */
+  /** Rebuilds the tree. */
   @Benchmark
   @OperationsPerInvocation(BOXES)
   public void rebuild() {
     tree.rebuild(boxes, ids, BOXES);
   }
 
-  /** All overlapping pairs of the tree with itself. */
+  /** Finds all overlapping pairs of the tree with itself. */
   @Benchmark
   @OperationsPerInvocation(BOXES)
   public int selfJoin() {
@@ -86,7 +86,7 @@ public class KdTreeBenchmark {
     return pairs;
   }
 
-  /** All overlapping pairs of two trees. */
+  /** Finds all overlapping pairs of two trees. */
   @Benchmark
   @OperationsPerInvocation(BOXES)
   public int join() {

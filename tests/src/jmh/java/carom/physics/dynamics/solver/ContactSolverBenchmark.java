@@ -26,8 +26,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * One pass of the contact solver over a pyramid of 55 rows, 1,540 boxes with 4,500 contacts of two
- * points. With {@code -prof gc}: anything above a few bytes means that vectors are boxed.
+ * Measures one pass of the contact solver over a pyramid of 55 rows, 1,540 boxes with 4,500
+ * contacts of two points. With {@code -prof gc}: anything above a few bytes means that vectors are
+ * boxed.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -39,7 +40,7 @@ public class ContactSolverBenchmark {
   private static final int ROWS = 55;
   private static final float DT = 1 / 60f;
 
-  /** Which kernels: {@code vector} or {@code scalar}. */
+  /** Name of the kernels: {@code vector} or {@code scalar}. */
   @Param({"vector", "scalar"})
   public String kernels;
 
@@ -120,14 +121,14 @@ public class ContactSolverBenchmark {
     phases.run();
   }
 
-  /** The pass with bias. */
+  /** Runs the pass with bias. */
   @Benchmark
   public void applyBiasedImpulses() {
     solver.applyBiasedImpulses(phases);
     phases.run();
   }
 
-  /** The pass without bias, with friction. */
+  /** Runs the pass without bias, with friction. */
   @Benchmark
   public void relax() {
     solver.relax(phases);

@@ -5,7 +5,7 @@ import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.client.link.ConnectionPhase;
 import carom.lab.measure.Figure;
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -80,7 +80,7 @@ public final class SnapshotFigures {
                   scene, datagrams / seconds, 1.0 * bytes / datagrams),
           Figure.shown(
                   label + "whole datagrams",
-                  kbit(bytes + Limits.DATAGRAM_OVERHEAD_BYTES * datagrams, seconds),
+                  kbit(bytes + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES * datagrams, seconds),
                   "kbit/s")
               .withNote("IP, UDP and frame included"));
     }

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.desktop.hud.HudLayout.Part;
+import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import org.junit.jupiter.api.Test;
 
@@ -16,12 +16,12 @@ final class HudLayoutTest {
   void partsCoverNeitherTheOwnBodyNorEachOther() {
     float[][] windows = {{1_280, 720}, {853, 480}, {1_024, 576}};
     for (float[] window : windows) {
-      Part[] parts = {
-        new Part(Spot.TOP),
-        new Part(Spot.TOP_RIGHT, Spot.TOP_LEFT, Spot.BOTTOM_RIGHT),
-        new Part(Spot.BOTTOM_LEFT, Spot.BOTTOM_RIGHT, Spot.TOP_LEFT),
-        new Part(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_RIGHT),
-        new Part(Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_LEFT)
+      Panel[] parts = {
+        new Panel(Spot.TOP),
+        new Panel(Spot.TOP_RIGHT, Spot.TOP_LEFT, Spot.BOTTOM_RIGHT),
+        new Panel(Spot.BOTTOM_LEFT, Spot.BOTTOM_RIGHT, Spot.TOP_LEFT),
+        new Panel(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_RIGHT),
+        new Panel(Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_LEFT)
       };
       float[][] sizes = {{180, 30}, {190, 142}, {460, 90}, {226, 88}, {250, 240}};
       boolean[] stood = new boolean[parts.length];
@@ -55,7 +55,7 @@ final class HudLayoutTest {
 
   @Test
   void aPartStaysWhileThePlayerIsElsewhere() {
-    Part part = new Part(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT);
+    Panel part = new Panel(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT);
     assertEquals(8, at(part, 640, 360));
     assertEquals(1_280 - 226 - 8, at(part, 100, 700), "the player is in its corner");
     assertEquals(1_280 - 226 - 8, at(part, 640, 360), "it doesn't go back by itself");
@@ -66,13 +66,13 @@ final class HudLayoutTest {
   void withoutRoomAPartIsntDrawnUnlessItMustBe() {
     layout.begin(300, 200);
     layout.keepFree(150, 100, 12);
-    Part large = new Part(Spot.TOP_LEFT);
+    Panel large = new Panel(Spot.TOP_LEFT);
     assertFalse(layout.place(large, 280, 180));
     assertTrue(layout.placeAnyhow(large, 280, 180));
-    assertFalse(layout.placeAnyhow(new Part(Spot.TOP_LEFT), 400, 180), "wider than the window");
+    assertFalse(layout.placeAnyhow(new Panel(Spot.TOP_LEFT), 400, 180), "wider than the window");
   }
 
-  private float at(Part part, float x, float y) {
+  private float at(Panel part, float x, float y) {
     layout.begin(1_280, 720);
     layout.keepFree(x, y, 12);
     assertTrue(layout.place(part, 226, 88));

@@ -34,7 +34,7 @@ final class NearTraining {
     private final double[][] seen = new double[NearTables.LINES][NearTables.SYMBOLS];
 
     @Override
-    int symbol(BitCoder c, NearTables.Row row, int context, int symbol) {
+    int symbol(BitCoder c, NearTables.Quantity row, int context, int symbol) {
       seen[NearTables.line(row, context)][symbol]++;
       return symbol;
     }

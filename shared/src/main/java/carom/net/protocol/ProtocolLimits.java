@@ -1,7 +1,7 @@
 package carom.net.protocol;
 
 /** Limits of the protocol. Decoders refuse values outside, and encoders never produce them. */
-public final class Limits {
+public final class ProtocolLimits {
 
   /**
    * Largest datagram in bytes, in either direction. With IP, UDP and tunnel headers it fits the MTU
@@ -116,5 +116,5 @@ public final class Limits {
   /** Longest value of a room's metadata. */
   public static final int MAX_METADATA_VALUE_BYTES = 48;
 
-  private Limits() {}
+  private ProtocolLimits() {}
 }

@@ -5,7 +5,7 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.utils.IntIntMap;
 
 /** The colours of everything that is not part of a level. */
-public final class Theme {
+public final class UiColours {
   public static final Color BACKDROP = rgb(0x0c1017);
   public static final Color PANEL = new Color(0.03f, 0.05f, 0.08f, 0.78f);
   public static final Color DIALOG = new Color(0.05f, 0.07f, 0.11f, 0.94f);
@@ -42,7 +42,7 @@ public final class Theme {
   private static final IntIntMap MAPPED = new IntIntMap();
   private static boolean colourBlind;
 
-  private Theme() {}
+  private UiColours() {}
 
   /** Sets the colours in which everything is drawn from now on. */
   public static void palette(Palette palette) {

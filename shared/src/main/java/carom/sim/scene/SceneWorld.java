@@ -21,7 +21,7 @@ import java.util.function.Function;
  *
  * @param <T> the world's user type
  */
-public final class Stage<T> {
+public final class SceneWorld<T> {
   private final World<T> world;
   private final Function<BodyDef, Body<T>> maker;
   private final Consumer<Body<T>> remover;
@@ -34,7 +34,7 @@ public final class Stage<T> {
    *
    * @param world where to build
    */
-  public Stage(World<T> world) {
+  public SceneWorld(World<T> world) {
     this(world, def -> world.createBody(def, null));
   }
 
@@ -44,7 +44,7 @@ public final class Stage<T> {
    * @param world where to build
    * @param maker makes the bodies in that world and gives them their users
    */
-  public Stage(World<T> world, Function<BodyDef, Body<T>> maker) {
+  public SceneWorld(World<T> world, Function<BodyDef, Body<T>> maker) {
     this(world, maker, world::destroyBody);
   }
 
@@ -55,7 +55,7 @@ public final class Stage<T> {
    * @param maker makes the bodies in that world and gives them their users
    * @param remover removes them from it
    */
-  public Stage(World<T> world, Function<BodyDef, Body<T>> maker, Consumer<Body<T>> remover) {
+  public SceneWorld(World<T> world, Function<BodyDef, Body<T>> maker, Consumer<Body<T>> remover) {
     this.world = world;
     this.maker = maker;
     this.remover = remover;

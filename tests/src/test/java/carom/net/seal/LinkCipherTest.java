@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.protocol.Limits;
+import carom.net.protocol.ProtocolLimits;
 import java.security.GeneralSecurityException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -20,7 +20,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** Goal: only what one side sent reaches the other, once. Method: both sides without sockets. */
-final class SealTest {
+final class LinkCipherTest {
   private static final int LINK = 0x1020304;
   private static final byte[] GREETING = {1, 2, 3};
   private static final byte TAG = 6;
@@ -44,13 +44,14 @@ final class SealTest {
 
   @Test
   void sealsAsTheTestCasesOfGcm() {
-    Seal seal = Seal.of(Encryption.ON, new byte[Seal.KEY_BYTES]);
+    LinkCipher seal = LinkCipher.of(Encryption.ON, new byte[LinkCipher.KEY_BYTES]);
     byte[] frame = new byte[32];
     seal.seal(0, frame, 0, 0, 16);
     assertEquals(
         "0388dace60b6a392f328c2b971b2fe78ab6e47d42cec13bdf53a67b21257bddf",
         HexFormat.of().formatHex(frame));
-    assertTrue(Seal.of(Encryption.ON, new byte[Seal.KEY_BYTES]).open(0, frame, 0, 0, 16));
+    assertTrue(
+        LinkCipher.of(Encryption.ON, new byte[LinkCipher.KEY_BYTES]).open(0, frame, 0, 0, 16));
     assertArrayEquals(new byte[16], Arrays.copyOf(frame, 16));
   }
 
@@ -65,7 +66,7 @@ final class SealTest {
         byte[] back = sealed(ends.server().datagramsOut(), fields);
         assertEquals(1 + length + DatagramSealer.EXTRA_BYTES, there.length);
         int ipAndUdp = 20 + 8;
-        assertEquals(Limits.DATAGRAM_OVERHEAD_BYTES, ipAndUdp + there.length - length);
+        assertEquals(ProtocolLimits.DATAGRAM_OVERHEAD_BYTES, ipAndUdp + there.length - length);
         assertEquals(LINK, DatagramOpener.link(there, there.length));
         assertEquals(length, ends.server().datagramsIn().open(there, there.length));
         assertEquals(length, ends.client().datagramsIn().open(back, back.length));
@@ -169,18 +170,20 @@ final class SealTest {
 
   @Test
   void noCounterServesTwice() {
-    byte[] material = new byte[Seal.KEY_BYTES];
-    StreamSeal stream = new StreamSeal(Seal.of(Encryption.ON, material), Seal.MAX_FRAMES - 1);
+    byte[] material = new byte[LinkCipher.KEY_BYTES];
+    StreamSeal stream =
+        new StreamSeal(LinkCipher.of(Encryption.ON, material), LinkCipher.MAX_FRAMES - 1);
     stream.seal(new byte[16], 0, 0);
     assertTrue(stream.isUsedUp());
     assertThrows(IllegalStateException.class, () -> stream.seal(new byte[16], 0, 0));
     DatagramSealer sealer =
-        new DatagramSealer(Seal.of(Encryption.ON, material), 1, 10, Seal.MAX_FRAMES - 1);
+        new DatagramSealer(
+            LinkCipher.of(Encryption.ON, material), 1, 10, LinkCipher.MAX_FRAMES - 1);
     assertFalse(sealer.isUsedUp());
     byte[] last = sealed(sealer, new byte[10]);
     assertTrue(sealer.isUsedUp());
     assertThrows(IllegalStateException.class, () -> sealer.seal(TAG, new byte[1], 0, 1));
-    DatagramOpener opener = new DatagramOpener(Seal.of(Encryption.ON, material), 1);
+    DatagramOpener opener = new DatagramOpener(LinkCipher.of(Encryption.ON, material), 1);
     assertEquals(10, opener.open(last, last.length));
   }
 

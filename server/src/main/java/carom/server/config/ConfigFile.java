@@ -19,8 +19,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /** Reads a file of settings, written in HOCON: {@code name = value} lines with comments. */
-final class SettingsFile {
-  private SettingsFile() {}
+final class ConfigFile {
+  private ConfigFile() {}
 
   /**
    * The value of a setting in a layer.

@@ -17,7 +17,7 @@ import javax.crypto.spec.SecretKeySpec;
  *
  * <p>The JDK's cipher allocates about 1 kB per frame, because it must be initialised anew for each.
  */
-abstract class Seal {
+abstract class LinkCipher {
   /** Bytes of the tag behind a frame. */
   static final int TAG_BYTES = 16;
 
@@ -36,7 +36,7 @@ abstract class Seal {
    *
    * @param material {@value #KEY_BYTES} bytes, used for nothing else
    */
-  static Seal of(Encryption encryption, byte[] material) {
+  static LinkCipher of(Encryption encryption, byte[] material) {
     return encryption == Encryption.ON ? new Gcm(material) : new Clear(material);
   }
 
@@ -57,7 +57,7 @@ abstract class Seal {
   abstract boolean open(long counter, byte[] bytes, int offset, int headLength, int bodyLength);
 
   /** Authenticated encryption by AES-128-GCM. */
-  private static final class Gcm extends Seal {
+  private static final class Gcm extends LinkCipher {
     private final Key key;
     private final byte[] mask;
     private final byte[] nonce = new byte[12];
@@ -110,7 +110,7 @@ abstract class Seal {
   }
 
   /** The session's key as the tag: nothing is secret to a reader, and blind senders fail. */
-  private static final class Clear extends Seal {
+  private static final class Clear extends LinkCipher {
     private final byte[] tag;
 
     Clear(byte[] material) {

@@ -2,8 +2,8 @@ package carom.client.replay;
 
 import carom.client.ClientConfig;
 import carom.net.protocol.ClientMessage;
-import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
@@ -22,7 +22,7 @@ import java.nio.file.StandardOpenOption;
  * <p>It requests several pieces at once while there is much to download, and one piece a few times
  * a second at the end. One thread, driven by {@link #update}; nothing here waits.
  */
-public final class Spectator implements LinkHandler, AutoCloseable {
+public final class RecordingDownload implements LinkHandler, AutoCloseable {
   private static final int PIECES_IN_FLIGHT = 16;
   private static final long ASK_AGAIN_NS = 200_000_000L;
   private static final long SILENCE_NS = 10_000_000_000L;
@@ -54,7 +54,7 @@ public final class Spectator implements LinkHandler, AutoCloseable {
    * @param target the file; overwritten
    * @throws IOException if the file can't be written
    */
-  public Spectator(ClientConfig config, int room, ClientTransport transport, Path target)
+  public RecordingDownload(ClientConfig config, int room, ClientTransport transport, Path target)
       throws IOException {
     this.config = config;
     this.room = room;
@@ -102,7 +102,8 @@ public final class Spectator implements LinkHandler, AutoCloseable {
     pending = atEnd ? 1 : PIECES_IN_FLIGHT;
     for (int i = 0; i < pending; i++) {
       link.send(
-          new ClientMessage.RecordingRequest(received + (long) i * Limits.MAX_LEVEL_CHUNK_BYTES));
+          new ClientMessage.RecordingRequest(
+              received + (long) i * ProtocolLimits.MAX_LEVEL_CHUNK_BYTES));
     }
   }
 
@@ -138,7 +139,7 @@ public final class Spectator implements LinkHandler, AutoCloseable {
     } catch (IOException e) {
       end("What is watched can't be kept: " + e);
     }
-    atEnd = chunk.bytes().length < Limits.MAX_LEVEL_CHUNK_BYTES;
+    atEnd = chunk.bytes().length < ProtocolLimits.MAX_LEVEL_CHUNK_BYTES;
   }
 
   @Override
