@@ -51,7 +51,7 @@ public final class Bot implements InputSource {
   private final Senses senses;
   private BotBrain brain;
 
-  /** What a skilled bot has for Carom's own games; asked as seldom as the bot decides. */
+  /** Brain of a skilled bot in Carom's own games; asked as seldom as the bot decides. */
   private BotBrain skill;
 
   private String brainGame = "";

@@ -11,7 +11,7 @@ final class Steering {
   /** Directions that are tried. */
   private static final int DIRECTIONS = 16;
 
-  /** How far ahead a wall makes a direction bad, metres. */
+  /** Distance ahead at which a wall makes a direction bad, metres. */
   private static final float LOOK_AHEAD = 1.6f;
 
   /** A bot that moved less than this in {@link #PATIENCE_TICKS}, metres, is stuck. */
@@ -19,7 +19,7 @@ final class Steering {
 
   private static final int PATIENCE_TICKS = 80;
 
-  /** How long a bot that was stuck goes another way. */
+  /** Time for which a bot that was stuck goes another way, ticks. */
   private static final int DETOUR_TICKS = 50;
 
   private float markX;
