@@ -57,6 +57,7 @@ final class ScreenCheck implements Hud.Witness {
   private final List<String> problems = new ArrayList<>();
   private final List<Box> panels = new ArrayList<>();
   private final List<Box> texts = new ArrayList<>();
+  private final List<Box> words = new ArrayList<>();
   private final GlyphLayout glyphs = new GlyphLayout();
   private float scale;
 
@@ -90,6 +91,12 @@ final class ScreenCheck implements Hud.Witness {
     texts.add(new Box(text, x, y - font.getCapHeight(), glyphs.width, font.getCapHeight()));
   }
 
+  @Override
+  public void word(BitmapFont font, String text, float x, float y) {
+    glyphs.setText(font, text);
+    words.add(new Box(text, x, y - font.getCapHeight(), glyphs.width, font.getCapHeight()));
+  }
+
   /** Checks what the HUD drew since it is the witness. */
   void hud(Hud hud, GameScreen game, Pixmap pixels) {
     scale = width / hud.windowWidth();
@@ -103,6 +110,11 @@ final class ScreenCheck implements Hud.Witness {
         if (panel.meets(other)) {
           problem("panels at %.0f, %.0f and %.0f, %.0f meet", panel.x, panel.y, other.x, other.y);
         }
+      }
+    }
+    for (Box word : words) {
+      if (!whole.contains(word)) {
+        problem("\"%s\" leaves the window", word.what);
       }
     }
     for (Box text : texts) {
