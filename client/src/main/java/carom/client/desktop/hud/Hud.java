@@ -16,6 +16,7 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.GlyphLayout;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
+import com.badlogic.gdx.graphics.g2d.TextureRegion;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Matrix4;
 import com.badlogic.gdx.math.Vector3;
@@ -353,6 +354,11 @@ public final class Hud implements Disposable {
   private void shadow(BitmapFont font, String text, float x, float y, Color tint) {
     shadow.set(0, 0, 0, 0.6f * tint.a);
     write(font, text, x + 1, y - 1, shadow);
+  }
+
+  /** Draws a picture. Stands between {@link #begin} and {@link #end}. */
+  void picture(TextureRegion picture, float x, float y, float w, float h) {
+    batch.draw(picture, x, y, w, h);
   }
 
   /** Returns a text that is no wider than a room, points: the beginning and dots, if it is. */
