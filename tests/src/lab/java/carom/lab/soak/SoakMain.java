@@ -1,6 +1,6 @@
 package carom.lab.soak;
 
-import carom.fixtures.Folders;
+import carom.testkit.Folders;
 import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
