@@ -91,7 +91,7 @@ final class TreeRecords {
 
   static final int BODY = 19;
 
-  /** What welds have beside these numbers. */
+  /** Numbers that welds have beside these. */
   final TreeWelds welds;
 
   private final JointTrees trees;
@@ -118,7 +118,7 @@ final class TreeRecords {
   /** Per tree: whether it has a weld. */
   boolean[] hasWelds = new boolean[0];
 
-  /** Whether any tree has a weld. */
+  /** Tells whether any tree has a weld. */
   boolean anyWelds;
 
   /** Per body: its offset in the solver's state. */

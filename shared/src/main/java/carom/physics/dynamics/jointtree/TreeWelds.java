@@ -42,6 +42,12 @@ final class TreeWelds {
    */
   private static final double CLOSED_SOFTNESS = 1e-7;
 
+  /**
+   * Softness of every weld, as a share of how easily what hangs on it turns. A beam sags by less
+   * than a micrometre per weld, whatever it carries. Rigid, it would hang up or down by rounding.
+   */
+  private static final double YIELD = 1e-4;
+
   /** The last column of S. */
   private static final int SXW = 0;
 
@@ -57,7 +63,7 @@ final class TreeWelds {
   /** Angular speed at which the bodies are turned back. */
   private static final int BIAS_W = 5;
 
-  /** The softness of the angle. */
+  /** The softness of the angle in this substep. */
   private static final int SOFT_W = 6;
 
   /** Angle of the joint as a rotation, when the step began. */
@@ -65,7 +71,10 @@ final class TreeWelds {
 
   private static final int BEGAN_SIN = 8;
 
-  private static final int ANGLE = 9;
+  /** The part of the softness that stays. */
+  private static final int CLOSED_W = 9;
+
+  private static final int ANGLE = 10;
 
   private final JointTrees trees;
   private final TreeRecords records;
@@ -101,7 +110,7 @@ final class TreeWelds {
     angle[at + PW] = j.impulseW[slot];
     double turning = (double) f.inertiaA + f.inertiaB;
     double soft = turning > 0 ? turning : (double) f.massA + f.massB;
-    angle[at + SOFT_W] = closed ? CLOSED_SOFTNESS * soft : 0;
+    angle[at + CLOSED_W] = closed ? CLOSED_SOFTNESS * soft : 0;
   }
 
   /** Returns the angular impulse of a weld in the last substep, N m s. */
@@ -147,7 +156,8 @@ final class TreeWelds {
     double xw = 0;
     double yy = xx;
     double yw = 0;
-    double ww = angle[i * ANGLE + SOFT_W];
+    double ww = angle[i * ANGLE + CLOSED_W];
+    angle[i * ANGLE + SOFT_W] = ww;
     if (c >= 0) {
       int n = c * BODY + INVERSE;
       double rx = d[at + (childIsB ? RBX : RAX)];
@@ -155,7 +165,8 @@ final class TreeWelds {
       double turn = m[n + 5];
       xw = m[n + 2] - ry * turn;
       yw = m[n + 4] + rx * turn;
-      ww += turn;
+      angle[i * ANGLE + SOFT_W] += YIELD * turn;
+      ww += turn + YIELD * turn;
       xx += m[n] - ry * (m[n + 2] + xw);
       xy += m[n + 1] + rx * m[n + 2] - ry * yw;
       yy += m[n + 3] + rx * (m[n + 4] + yw);
