@@ -189,7 +189,7 @@ final class HouseTest {
                 found.add(file + " " + method.getName() + ": lines=" + length);
               }
             }
-            return super.visitMethod(method, unused);
+            return super.visitMethod(method, null);
           }
         }.scan(unit, null);
       }

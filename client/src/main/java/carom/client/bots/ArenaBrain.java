@@ -193,8 +193,7 @@ final class ArenaBrain implements BotBrain {
     float least = Float.MAX_VALUE;
     for (int i = 0; i < s.view().entityCount(); i++) {
       Drawn other = s.view().entity(i);
-      boolean isRival =
-          isDisc(other) && other.archetype().tag() != s.own().archetype().tag();
+      boolean isRival = isDisc(other) && other.archetype().tag() != s.own().archetype().tag();
       if (isRival && s.distance(other) < least) {
         least = s.distance(other);
         rival = other;

@@ -27,6 +27,7 @@ import carom.physics.settings.Settings;
  *              contacts: warm start          first substep only
  *              joints: biased impulses       errors go away
  *              contacts: biased impulses     overlap goes away
+ *              beams: biased impulses        what contacts bent is straight again
  *              integrate positions           x += h v
  *              joints, contacts: relax       rigid, without bias: the speed of the bias goes
  *   finish     store                         velocities, poses and impulses
@@ -72,7 +73,11 @@ final class Substeps {
     stages = listener;
   }
 
-  /** Does all substeps of a step of some seconds. */
+  /**
+   * Does all substeps of a step of some seconds.
+   *
+   * <p>It stays whole, because its lines are the order of the stages, which decides the bits.
+   */
   void run(float dt) {
     int substeps = settings.substeps();
     float h = dt / substeps;
@@ -116,6 +121,11 @@ final class Substeps {
       }
       begins(StepStage.SOLVE);
       contactSolver.applyBiasedImpulses(phases);
+      if (jointsToo && jointSolver.settles()) {
+        beforeJoints();
+        jointSolver.settle();
+        afterJoints();
+      }
       begins(StepStage.INTEGRATE);
       solverBodies.integratePositions(phases);
       if (jointsToo) {

@@ -47,8 +47,9 @@ public final class Origin {
   }
 
   /**
-   * Returns the id of an entity that a client spawns and drops in the input of another player, whose
-   * spawns it doesn't predict. Players who spawn in the same tick have entities of the same origin.
+   * Returns the id of an entity that a client spawns and drops in the input of another player,
+   * whose spawns it doesn't predict. Players who spawn in the same tick have entities of the same
+   * origin.
    */
   public static int passing(int origin) {
     return FIRST - MOST_PER_CALL + (origin & NUMBER_MASK);

@@ -16,8 +16,8 @@ import java.util.function.LongFunction;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: skilled bots are company for people. Method: they play against each other, and against those
- * that know the rules only roughly, on a usual line in virtual time.
+ * Goal: skilled bots are company for people. Method: they play against each other, and against
+ * those that know the rules only roughly, on a usual line in virtual time.
  */
 final class BotPlayTest {
   private static final Impairment LINE =
