@@ -6,7 +6,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 
 /**
- * Where a stepper's servers keep their checkpoints.
+ * The place where a stepper's servers keep their checkpoints.
  *
  * @param parent the caller's folder
  * @param life counts the folders in it; each crash leaves a copy to the next server

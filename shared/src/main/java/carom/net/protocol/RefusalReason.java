@@ -31,7 +31,7 @@ public enum RefusalReason {
   ROOM_FULL("The room is full. Choose another one or try again in a moment.", true),
   /** The operator has banned the player's name or address. */
   BANNED("You are banned from this server.", false),
-  /** Only players of the operator's list may play. */
+  /** The player isn't on the operator's list of those who may play. */
   NOT_ALLOWED("This server is only for invited players.", false),
   /** The client asked to watch, and the server shows its games to nobody. */
   NOT_SHOWN("This server shows its games to nobody.", false),

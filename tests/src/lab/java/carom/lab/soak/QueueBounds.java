@@ -74,11 +74,11 @@ final class QueueBounds {
           Map.entry("Redirects.followedNs", 3L),
           Map.entry("ClientView.notices", 64L));
 
-  /** What may be long: fixed tables, and one entry for each key frame of a recording. */
+  /** Collections that may be long: fixed tables, and one entry for each key frame of a recording. */
   private static final Set<String> LONG =
       Set.of("RecordingFile.ends", "DelayedRecording.ticks", "DelayedRecording.types");
 
-  /** What holds data that never changes, or nothing of ours. */
+  /** Types that hold data that never changes, or nothing of ours. */
   private static final List<String> SKIPPED =
       List.of("carom.sim.level.", "carom.physics.geometry.", "carom.lab.", "carom.replay.Replay");
 
