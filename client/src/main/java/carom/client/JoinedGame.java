@@ -128,6 +128,13 @@ final class JoinedGame {
     sender =
         new InputSender(config, welcome.epoch(), tickRate, decoder, prediction, stats, connection);
     divergence = prediction == null ? null : new DivergenceReporter(prediction, connection);
+    pools = new PoolFollower(simulation.pools(), fields.inbox(), connection);
+    beginView(welcome, level, simulation);
+    composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
+  }
+
+  /** Tells the view what stays the same for as long as the game lasts. */
+  private void beginView(ServerMessage.Welcome welcome, Level level, Simulation simulation) {
     view.fields(fields);
     view.roster(List.of());
     view.tick(welcome.tick());
@@ -138,10 +145,8 @@ final class JoinedGame {
         welcome.playerId(),
         tickRate,
         prediction == null ? null : simulation);
-    pools = new PoolFollower(simulation.pools(), fields.inbox(), connection);
     view.pools(simulation.pools());
     view.geometry(simulation.world().queries());
-    composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
   }
 
   /** Places the joints of the level, which the server doesn't tell until they change. */

@@ -86,7 +86,7 @@ final class GameChoice {
   /** Returns the name of a level that is there, for the name of a level, file or game. */
   private String nameOfLevel(String flag, String name) {
     boolean isGame =
-        !Files.exists(path(flag, name))
+        !Files.isRegularFile(path(flag, name))
             && !MatchLibrary.builtInLevels().contains(name)
             && Games.names().contains(name);
     String levelName = isGame ? Games.create(name).defaultLevel() : name;
@@ -206,10 +206,11 @@ final class GameChoice {
   private Level load(String flag, String wanted) {
     try {
       Path file = path(flag, wanted);
-      if (Files.exists(file)) {
+      boolean isBuiltIn = MatchLibrary.builtInLevels().contains(wanted);
+      if (isBuiltIn ? Files.isRegularFile(file) : Files.exists(file)) { // no folder of that name
         return Level.load(file);
       }
-      if (MatchLibrary.builtInLevels().contains(wanted)) {
+      if (isBuiltIn) {
         return Level.builtIn(wanted);
       }
     } catch (LevelException e) {

@@ -530,6 +530,9 @@ public final class Joint<T> {
     refuseUnless(JointDef.canSpring(type), "setSpring");
     Limits.range("hertz", hertz, 0, Limits.MAX_HERTZ);
     Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
+    if (hertz > 0 && store.isRigidWeld(index)) {
+      world.dynamics().coolWelds(index);
+    }
     set(store.hertz, hertz);
     set(store.damping, dampingRatio);
     if (JointDef.hasCoordinateSpring(type)) {

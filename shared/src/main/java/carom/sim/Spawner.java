@@ -6,7 +6,6 @@ import carom.sim.entity.Player;
 import carom.sim.entity.ProvisionalEntities;
 import carom.sim.level.Archetype;
 import carom.sim.spawn.Origin;
-import carom.sim.spawn.OwnSpawns;
 
 /**
  * Creates and destroys entities. While {@link Game#input} of a player runs, that is what both sides
@@ -43,12 +42,16 @@ final class Spawner {
 
   /** Removes what a player's input spawned on PREDICTION, unless the player is the own one. */
   void dropUnpredicted(Player player) {
-    boolean predicted = parts.ownSpawns != null && parts.ownSpawns.predicts(player.id());
+    boolean predicted = isPredicted(player.id());
     for (int i = provisional.count() - 1; i >= 0 && !predicted; i--) {
       if (provisional.at(i).ownerId() == player.id()) {
         entities.despawn(provisional.at(i));
       }
     }
+  }
+
+  private boolean isPredicted(int playerId) {
+    return parts.ownSpawns != null && parts.ownSpawns.predicts(playerId);
   }
 
   /**
@@ -88,7 +91,12 @@ final class Spawner {
 
   private Entity predict(
       int origin, Archetype archetype, float x, float y, float angle, int ownerId) {
-    int key = parts.ownSpawns == null ? OwnSpawns.UNKNOWN : parts.ownSpawns.key(origin);
+    if (!isPredicted(ownerId)) {
+      // It goes with the end of the call. The own player's may have the same origin.
+      int id = Origin.passing(origin);
+      return entities.spawnProvisional(id, archetype, x, y, angle, ownerId, parts.tick);
+    }
+    int key = parts.ownSpawns.key(origin);
     Entity known = key < 0 ? null : entities.get(key & 0xffff);
     if (known != null && known.generation() == key >>> 16) {
       despawn(known); // the tick is computed again

@@ -5,6 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.LineMap;
+import com.sun.source.tree.MethodTree;
+import com.sun.source.util.DocTrees;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.SourcePositions;
+import com.sun.source.util.TreePathScanner;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -15,7 +22,11 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -32,6 +43,12 @@ final class HouseTest {
    * and why that can't be split.
    */
   private static final String REASON = "<b>Length.</b>";
+
+  private static final int MOST_LINES_OF_A_METHOD = 60;
+
+  /** How the doc comment of a longer method says why it isn't split. */
+  private static final Pattern REASON_OF_A_METHOD =
+      Pattern.compile("It\\s+stays\\s+whole,\\s+because(\\s+\\S+){6,}");
 
   /** The face that users import: its names stay, whatever their number. */
   private static final String FACE = "carom/physics";
@@ -139,6 +156,52 @@ final class HouseTest {
     return reason == null
         || !reason.matches("One idea: \\w[^.]{8,}\\. .*\\bbecause\\b( \\S+){8,}")
         || reason.matches("(?i).*(just above|more than [\\d,]+ lines|doc comments).*");
+  }
+
+  @Test
+  void longMethodsSayWhy() throws IOException {
+    List<Path> files = sources().values().stream().flatMap(List::stream).toList();
+    JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+    List<String> found = new ArrayList<>();
+    int[] methods = {0, 0};
+    try (StandardJavaFileManager manager = compiler.getStandardFileManager(null, null, null)) {
+      JavacTask task =
+          (JavacTask)
+              compiler.getTask(
+                  null, manager, null, null, null, manager.getJavaFileObjectsFromPaths(files));
+      DocTrees trees = DocTrees.instance(task);
+      for (CompilationUnitTree unit : task.parse()) {
+        new TreePathScanner<Void, Void>() {
+          @Override
+          public Void visitMethod(MethodTree method, Void unused) {
+            methods[0]++;
+            SourcePositions at = trees.getSourcePositions();
+            LineMap lines = unit.getLineMap();
+            long length =
+                lines.getLineNumber(at.getEndPosition(unit, method))
+                    - lines.getLineNumber(at.getStartPosition(unit, method))
+                    + 1;
+            if (length > MOST_LINES_OF_A_METHOD) {
+              methods[1]++;
+              String doc = trees.getDocComment(getCurrentPath());
+              if (doc == null || !REASON_OF_A_METHOD.matcher(doc).find()) {
+                String file = Path.of(unit.getSourceFile().toUri()).getFileName().toString();
+                found.add(file + " " + method.getName() + ": lines=" + length);
+              }
+            }
+            return super.visitMethod(method, null);
+          }
+        }.scan(unit, null);
+      }
+    }
+    assertEquals(
+        List.of(),
+        found,
+        "a method of more than "
+            + MOST_LINES_OF_A_METHOD
+            + " lines says in its doc comment: 'It stays whole, because ...'");
+    assertTrue(methods[0] > 9_000, "methods=" + methods[0]);
+    assertTrue(methods[1] > 4, "long methods=" + methods[1]);
   }
 
   @Test

@@ -27,8 +27,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * Goal: players watch a scene over the network. Method: two spectators, one of them on a bad line,
  * of a scene that moves and of one that makes bodies while it runs; every snapshot must be the
- * server's frame, and every body must be drawn where it was within the last half second. Particles must be the server's,
- * bit for bit.
+ * server's frame, and every body must be drawn where it was within the last half second. Particles
+ * must be the server's, bit for bit.
  */
 final class SceneScenarioTest {
   @ParameterizedTest

@@ -37,6 +37,9 @@ class ServerMainTest {
   @TempDir Path folder;
   private final List<Process> started = new ArrayList<>();
 
+  /** The folder in which processes start; null for the tests' own. */
+  private Path workingFolder;
+
   @AfterEach
   void endProcesses() {
     started.forEach(Process::destroyForcibly);
@@ -64,6 +67,7 @@ class ServerMainTest {
     command.add(ServerMain.class.getName());
     command.addAll(List.of(args));
     ProcessBuilder builder = new ProcessBuilder(command);
+    builder.directory(workingFolder == null ? null : workingFolder.toFile());
     builder.environment().put("CAROM_DATA", folder.resolve("data").toString());
     builder.environment().put("CAROM_WEB_PORT", "0");
     builder.environment().put("CAROM_QUERY_PORT", "0");
@@ -134,6 +138,14 @@ class ServerMainTest {
     String error = fails(2, "--level", level.toString());
     assertTrue(error.contains("broken.json"), error);
     assertTrue(fails(2, "--level", "missing.json").contains("missing.json"), err());
+  }
+
+  @Test
+  void aFolderWithTheNameOfALevelDoesNotHideIt() throws Exception {
+    workingFolder = folder;
+    Files.createDirectory(folder.resolve("platformer")); // as where a game's author works
+    String error = fails(2, "--game", "arena", "--level", "platformer");
+    assertTrue(error.contains("which is made for game platformer"), error);
   }
 
   @Test

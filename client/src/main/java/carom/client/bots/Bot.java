@@ -16,6 +16,9 @@ import java.util.Set;
  * the bot pushes a ball towards the other side's goal, or waits in front of its own. With gravity
  * it runs, jumps and collects coins. It decides several times a second, each bot at its own ticks,
  * and holds the same keys in between. In games that aren't Carom's own it also tries all keys.
+ *
+ * <p>A {@linkplain #skilled skilled} bot plays the arena and {@code rockets} better. Tests and
+ * figures keep to the others, so that what they measure stays comparable.
  */
 public final class Bot implements InputSource {
   private static final int THINK_TICKS = 7;
@@ -44,8 +47,13 @@ public final class Bot implements InputSource {
   private final SimRandom fingers;
 
   private final boolean roams;
+  private final boolean skilled;
   private final Senses senses;
   private BotBrain brain;
+
+  /** Brain of a skilled bot in Carom's own games; asked as seldom as the bot decides. */
+  private BotBrain skill;
+
   private String brainGame = "";
   private final Input held = new Input();
   private int thinkAt;
@@ -62,7 +70,7 @@ public final class Bot implements InputSource {
    * @param seed equal seeds that see equal pictures play the same
    */
   public Bot(long seed) {
-    this(seed, false);
+    this(seed, false, false);
   }
 
   /**
@@ -73,7 +81,12 @@ public final class Bot implements InputSource {
    *     flocks around few balls
    */
   public Bot(long seed, boolean roams) {
+    this(seed, roams, false);
+  }
+
+  private Bot(long seed, boolean roams, boolean skilled) {
     this.roams = roams;
+    this.skilled = skilled;
     random = new SimRandom(seed * 0x9e3779b97f4a7c15L + 1);
     fingers = new SimRandom(seed * 0xd1342543de82ef95L + 1);
     senses = new Senses(fingers);
@@ -92,11 +105,21 @@ public final class Bot implements InputSource {
     brainGame = brain.game();
   }
 
+  /**
+   * Returns a bot that knows how to play Carom's own games: company for people.
+   *
+   * @param seed equal seeds that see equal pictures play the same
+   */
+  public static Bot skilled(long seed) {
+    return new Bot(seed, false, true);
+  }
+
   @Override
   public void sample(ClientView view, int tick, Input out) {
     if (!roams && !view.game().equals(brainGame)) {
       brainGame = view.game();
       brain = BotBrains.create(brainGame);
+      skill = skilled ? BotBrains.shipped(brainGame) : null;
     }
     if (brain != null) {
       if (senses.look(view, tick)) {
@@ -115,6 +138,10 @@ public final class Bot implements InputSource {
       }
       if (roams) {
         roam();
+      } else if (skill != null) {
+        if (senses.look(view, tick)) {
+          skill.decide(senses, held);
+        }
       } else {
         play(view);
       }

@@ -44,6 +44,18 @@ public final class BotBrains {
     return FOUND.computeIfAbsent(game, BotBrains::find).map(Supplier::get).orElse(null);
   }
 
+  /** Returns a new instance of Carom's own brain for one of its games, or null. */
+  static BotBrain shipped(String game) {
+    switch (game) {
+      case "arena":
+        return new ArenaBrain();
+      case "rockets":
+        return new RocketBrain();
+      default:
+        return null;
+    }
+  }
+
   private static Optional<Supplier<BotBrain>> find(String game) {
     Iterator<ServiceLoader.Provider<BotBrain>> all =
         ServiceLoader.load(BotBrain.class, BotBrains.class.getClassLoader()).stream().iterator();

@@ -130,7 +130,8 @@ public final class BotFarm implements AutoCloseable {
 
   private GameClient newClient(BotPlayer p) {
     String name = config.name() + p.number;
-    Bot bot = new Bot(seed * 1_000_003 + p.number, roam);
+    long ofBot = seed * 1_000_003 + p.number;
+    Bot bot = roam ? new Bot(ofBot, true) : Bot.skilled(ofBot);
     return new GameClient(config.withName(name), transport, bot);
   }
 

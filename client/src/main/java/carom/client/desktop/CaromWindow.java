@@ -11,6 +11,7 @@ import carom.client.desktop.menu.StartTarget;
 import carom.client.desktop.menu.Widgets;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.LevelPictures;
 import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.scene.SceneScreen;
 import carom.client.desktop.sound.AudioDevice;
@@ -21,7 +22,9 @@ import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.SpectatorThread;
 import carom.client.settings.PlayerSettings;
+import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.transport.ClientTransport;
+import carom.sim.level.Level;
 import carom.sim.scene.Scene;
 import com.badlogic.gdx.Application;
 import com.badlogic.gdx.ApplicationAdapter;
@@ -31,6 +34,8 @@ import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.Screen;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * The application: shows one screen at a time, and keeps what outlives a screen: fonts, sound,
@@ -45,10 +50,12 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private final boolean hasSound;
   private final LocalGames games = LocalGames.find();
   private final KeyMap keys;
+  private final List<Level> levels = new ArrayList<>();
   private ClientConfig config;
   private Fonts fonts;
   private Widgets widgets;
   private Canvas canvas;
+  private LevelPictures pictures;
   private AudioDevice audio;
   private EventSounds sounds;
   private Screen screen;
@@ -85,6 +92,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     fonts.fit(Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
     widgets = new Widgets(fonts);
     canvas = new Canvas();
+    pictures = new LevelPictures(canvas);
     audio = new AudioDevice(hasSound);
     sounds = new EventSounds(audio, volume(options) / 100f);
     UiColours.palette(settings().palette());
@@ -123,7 +131,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     endLocalGame();
     endWatching();
     ServerAddress server = new ServerAddress(config.host(), config.tcpPort(), config.udpPort());
-    StartScreen start = new StartScreen(widgets, this, this, games, server.toText());
+    StartScreen start = new StartScreen(widgets, this, this, games, pictures, server.toText());
     start.message(message);
     show(start);
   }
@@ -133,7 +141,9 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
       config = config.withName(settings().name());
     }
     ClientConfig visit = config.withMinInterpolationMs(settings().interpolationMs());
-    GameScreen game = new GameScreen(canvas, fonts, sounds, keys, widgets, this, this::leave);
+    GameScreen game =
+        new GameScreen(
+            canvas, this::levelOf, pictures, fonts, sounds, keys, widgets, this, this::leave);
     ClientTransport transport = local == null ? sockets : local.transport();
     game.client(new GameClient(visit, transport, game.devices()));
     game.colour(settings().colour());
@@ -148,6 +158,17 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     if (local != null && !local.invitation().isEmpty()) {
       game.announce(local.invitation());
     }
+  }
+
+  /** Returns the level of a room if this machine has it, or null. */
+  private Level levelOf(RoomEntry room) {
+    if (levels.isEmpty() && games != null) {
+      games.levels().forEach(name -> levels.add(games.level(name)));
+    }
+    return levels.stream()
+        .filter(level -> level.name().equals(room.level()) && level.gameName().equals(room.game()))
+        .findFirst()
+        .orElse(null);
   }
 
   /** Leaves a game after the present frame. If no server was there, offers to start one. */
@@ -445,6 +466,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     }
     endWatching();
     audio.dispose();
+    pictures.dispose();
     canvas.dispose();
     widgets.dispose();
     fonts.dispose();

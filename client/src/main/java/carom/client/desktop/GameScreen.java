@@ -17,14 +17,17 @@ import carom.client.desktop.menu.SettingsHost;
 import carom.client.desktop.menu.Widgets;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.LevelPictures;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.desktop.sound.EventSounds;
 import carom.client.link.ConnectionPhase;
 import carom.client.settings.KeyAction;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.entity.Input;
+import carom.sim.level.Level;
 import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import com.badlogic.gdx.Gdx;
@@ -33,6 +36,7 @@ import com.badlogic.gdx.InputAdapter;
 import com.badlogic.gdx.ScreenAdapter;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import java.util.List;
+import java.util.function.Function;
 
 /**
  * One visit to a server, from connecting to leaving: updates the client, draws its view and samples
@@ -67,12 +71,16 @@ final class GameScreen extends ScreenAdapter {
   /**
    * Creates a screen without a client; call {@link #client} next.
    *
+   * @param levels returns a room's level, or null if this machine doesn't have it
+   * @param levelPictures stays the property of the caller
    * @param keys the player's keys
    * @param widgets for the pause menu
    * @param host holds the settings that the pause menu shows
    */
   GameScreen(
       Canvas canvas,
+      Function<RoomEntry, Level> levels,
+      LevelPictures levelPictures,
       Fonts fonts,
       EventSounds sounds,
       KeyMap keys,
@@ -90,7 +98,15 @@ final class GameScreen extends ScreenAdapter {
     curtain = new Curtain(picture.hud(), canvas);
     rooms =
         new RoomPanel(
-            picture.hud(), fonts, () -> client.listRooms(), name -> client.changeRoom(name));
+            picture.hud(),
+            fonts,
+            () -> client.listRooms(),
+            name -> client.changeRoom(name),
+            room -> {
+              boolean here = room.name().equals(client.view().room());
+              Level level = here ? client.view().level() : levels.apply(room);
+              return level == null ? null : levelPictures.of(level);
+            });
   }
 
   /** Returns the devices as a source of input. */
@@ -305,6 +321,7 @@ final class GameScreen extends ScreenAdapter {
   private void draw(ClientView view, long nowNs, float deltaSeconds) {
     Hud hud = picture.hud();
     boolean tab = !pause.isOpen() && keys.isDown(KeyAction.PLAYERS);
+    picture.panels(!rooms.isOpen());
     picture.draw(view, tab, nowNs, deltaSeconds);
     if (view.level() != null) {
       OrthographicCamera shown = picture.camera().gdx();
@@ -321,10 +338,12 @@ final class GameScreen extends ScreenAdapter {
       }
       conversation.draw(hud, nowNs);
     }
-    if (view.phase() == ConnectionPhase.PLAYING) {
+    if (view.phase() == ConnectionPhase.PLAYING && !rooms.isOpen()) {
       hints.draw(deltaSeconds);
     }
-    netGraph.draw(view, nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
+    if (!rooms.isOpen()) {
+      netGraph.draw(view, nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
+    }
     rooms.draw(view, deltaSeconds);
     if (pause.isOpen()) {
       hud.veil();

@@ -68,6 +68,10 @@ public final class SettingsFile {
     return Path.of(set ? config : home + "/.config", "carom", FILE);
   }
 
+  /**
+   * Returns the lines of the file. It stays whole, because it is one table: a line for each
+   * setting, with how it is written and read.
+   */
   private static List<Line> lines() {
     List<Line> lines = new ArrayList<>();
     lines.add(new Line("name", "name in games", s -> s.name(), (s, v) -> s.withName(v)));

@@ -41,88 +41,96 @@ public final class RoomCommands {
    */
   public static void add(CommandRegistry registry, List<Room> rooms, DataFolder data) {
     RoomCommands all = new RoomCommands(rooms, data);
-    registry.add(new Command("list", "[@ROOM]", "Shows the players.", all::list, all::onlyRooms));
+    all.addForPlayers(registry);
+    all.addForMatches(registry);
+  }
+
+  private void addForPlayers(CommandRegistry registry) {
+    registry.add(new Command("list", "[@ROOM]", "Shows the players.", this::list, this::onlyRooms));
     registry.add(
-        new Command("rooms", "", "Shows the rooms and what they play.", all::rooms, Command.NONE));
+        new Command("rooms", "", "Shows the rooms and what they play.", this::rooms, Command.NONE));
     registry.add(
         new Command(
             "say",
             "[@ROOM] TEXT",
             "Says a line to all players, or to those of a room.",
-            all::say,
-            all::onlyRooms));
+            this::say,
+            this::onlyRooms));
     registry.add(
         new Command(
             "kick",
             "PLAYER [REASON]",
             "Removes a player, by name or id, who may join again.",
-            all::kick,
-            all::players));
+            this::kick,
+            this::players));
     registry.add(
         new Command(
             "mute",
             "PLAYER",
             "Drops a player's chat and emotes for the rest of its stay.",
-            words -> all.mute(words, true),
-            all::players));
+            words -> mute(words, true),
+            this::players));
     registry.add(
         new Command(
             "unmute",
             "PLAYER",
             "Lets a muted player chat again.",
-            words -> all.mute(words, false),
-            all::players));
+            words -> mute(words, false),
+            this::players));
     registry.add(
         new Command(
             "spectate",
             "PLAYER",
             "Makes a player a spectator, who may ask to play again.",
-            all::spectate,
-            all::players));
+            this::spectate,
+            this::players));
+  }
+
+  private void addForMatches(CommandRegistry registry) {
     registry.add(
         new Command(
             "level",
             "[@ROOM] LEVEL",
             "Goes on with another level: a file, one of the data folder, or one that comes along.",
-            all::level,
-            all::levels));
+            this::level,
+            this::levels));
     registry.add(
         new Command(
             "game",
             "[@ROOM] GAME [LEVEL]",
             "Goes on with another game, in its default level or another.",
-            all::game,
-            all::games));
+            this::game,
+            this::games));
     registry.add(
         new Command(
             "record",
             "[@ROOM] [FILE | stop]",
             "Begins to record, to the data folder or a file or folder; or ends that.",
-            all::record,
+            this::record,
             place -> place == 0 ? List.of(STOP) : List.of()));
     registry.add(
         new Command(
             "save",
             "[@ROOM] [NAME]",
             "Saves the match to the data folder, under the room's name or another.",
-            all::save,
+            this::save,
             Command.NONE));
     registry.add(
         new Command(
-            "load", "[@ROOM] [NAME]", "Goes on with a saved match.", all::load, Command.NONE));
+            "load", "[@ROOM] [NAME]", "Goes on with a saved match.", this::load, Command.NONE));
     registry.add(
         new Command(
             "why",
             "PLAYER ENTITY",
             "Explains why a player was not sent an entity, or that it was.",
-            all::why,
-            all::players));
+            this::why,
+            this::players));
     registry.add(
         new Command(
             "fields",
             "[@ROOM] match | player N | entity N",
             "Shows the values of fields.",
-            all::fields,
+            this::fields,
             place -> place == 0 ? List.of(MATCH, "player", "entity") : List.of()));
   }
 

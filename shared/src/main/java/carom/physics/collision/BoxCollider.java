@@ -50,7 +50,11 @@ final class BoxCollider {
     return ofCorners;
   }
 
-  /** Computes the manifold of two boxes, as {@link Collider#collide} does. */
+  /**
+   * Computes the manifold of two boxes, as {@link Collider#collide} does. It stays whole, because
+   * its forty numbers stay in registers: a part of its own would take most of them as arguments, or
+   * write them to fields.
+   */
   void collide(Box a, Transform ta, Box b, Transform tb, float speculative, Manifold out) {
     ofCorners = false;
     float worldX = tb.x - ta.x;

@@ -367,6 +367,11 @@ public final class Collider {
     return apart;
   }
 
+  /**
+   * Computes the manifold of two polygons: moves B into A's frame, finds the best face of each, and
+   * clips against the better one. It stays whole, because what its first half finds is what its
+   * second half takes, a dozen numbers that would otherwise go through fields.
+   */
   private void polygons(
       Convex a, Transform ta, Convex b, Transform tb, float speculative, Manifold out) {
     float worldX = tb.x - ta.x;
@@ -615,7 +620,8 @@ public final class Collider {
   /**
    * Builds the manifold from the reference edge v1 v2 of polygon R, with its normal, and the edge
    * w1 w2 of polygon I that faces it. Everything is in A's frame. If {@code flipped}, R is B and I
-   * is A.
+   * is A. It stays whole, because both of its ends, corner beside corner and edge along edge, need
+   * nearly all positions that it computes first.
    */
   private void clip(
       float[] rx,

@@ -9,6 +9,7 @@ import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.SleepingContacts;
 import carom.physics.dynamics.continuous.ContinuousCollision;
+import carom.physics.dynamics.joint.ColdWelds;
 import carom.physics.dynamics.joint.JointEvents;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.joint.JointTransfer;
@@ -98,6 +99,7 @@ public final class Dynamics {
 
   private final SleepingContacts sleepers = new SleepingContacts();
   private final BodyContacts bodyContacts = new BodyContacts(contacts, sleepers);
+  private final ColdWelds coldWelds = new ColdWelds(joints, bodies);
   private final JointTransfer jointTransfer = new JointTransfer(bodies, joints);
   private final RowTransfer transfer;
 
@@ -194,8 +196,14 @@ public final class Dynamics {
    */
   public void destroyJoint(int joint) {
     sleeping.wakeEnds(joint);
+    coldWelds.cool(joint);
     joints.release(joint);
     refilter.markStale();
+  }
+
+  /** Lets the welds of a beam start cold, because one of them is about to become a spring. */
+  public void coolWelds(int joint) {
+    coldWelds.cool(joint);
   }
 
   /** Makes steps look for joints that break; the first joint that can calls it. */

@@ -27,6 +27,7 @@ import carom.physics.settings.Settings;
  *              contacts: warm start          first substep only
  *              joints: biased impulses       errors go away
  *              contacts: biased impulses     overlap goes away
+ *              beams: biased impulses        what contacts bent is straight again
  *              integrate positions           x += h v
  *              joints, contacts: relax       rigid, without bias: the speed of the bias goes
  *   finish     store                         velocities, poses and impulses
@@ -116,6 +117,11 @@ final class Substeps {
       }
       begins(StepStage.SOLVE);
       contactSolver.applyBiasedImpulses(phases);
+      if (jointsToo && jointSolver.settles()) {
+        beforeJoints();
+        jointSolver.settle();
+        afterJoints();
+      }
       begins(StepStage.INTEGRATE);
       solverBodies.integratePositions(phases);
       if (jointsToo) {

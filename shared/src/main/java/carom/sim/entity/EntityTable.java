@@ -248,19 +248,21 @@ public final class EntityTable
   }
 
   /**
-   * Creates an entity that the server hasn't told yet, in place of one of the same origin. It has
-   * no part in the order of ids.
+   * Creates an entity that the server hasn't told yet, in place of one of the same id. It has no
+   * part in the order of ids.
+   *
+   * @param id its origin, or {@link Origin#passing}
    */
   public Entity spawnProvisional(
-      int origin, Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
-    if (provisional.get(origin) != null) {
-      despawn(provisional.get(origin));
+      int id, Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
+    if (provisional.get(id) != null) {
+      despawn(provisional.get(id));
     }
-    Entity entity = new Entity(this, origin, 0, archetype, ownerId);
+    Entity entity = new Entity(this, id, 0, archetype, ownerId);
     createBody(entity, x, y, angle, tick);
     provisional.add(entity);
     noteChange();
-    areas.come(origin, entity.body(), archetype);
+    areas.come(id, entity.body(), archetype);
     return entity;
   }
 

@@ -36,9 +36,9 @@ import java.util.TreeMap;
  *
  * <p>Every body is an entity, and bodies that look the same share an archetype. Joints are sent as
  * in any game. A client of a scene with particles runs the scene, too, from a state of the
- * server's, and shows the particles of that. Both sides learn the archetypes by
- * running the scene's actions {@value #PREVIEW_TICKS} ticks ahead in a world that stands still. A
- * body that first appears later, with a look of its own, is seen as a dot.
+ * server's, and shows the particles of that. Both sides learn the archetypes by running the scene's
+ * actions {@value #PREVIEW_TICKS} ticks ahead in a world that stands still. A body that first
+ * appears later, with a look of its own, is seen as a dot.
  */
 public final class SceneGame implements Game {
   /** Prefix of the names of these games; the scene's name follows. */

@@ -31,6 +31,7 @@ public final class Origin {
   public static final int MOST_PER_PLAYER = 32;
 
   private static final int NUMBER_BITS = 6;
+  private static final int NUMBER_MASK = MOST_PER_CALL - 1;
   private static final int TICK_MASK = (1 << 24) - 1;
 
   private Origin() {}
@@ -45,9 +46,18 @@ public final class Origin {
     return FIRST | (tick & TICK_MASK) << NUMBER_BITS | number;
   }
 
-  /** Returns whether an id is an origin: that of a provisional entity. */
+  /**
+   * Returns the id of an entity that a client spawns and drops in the input of another player,
+   * whose spawns it doesn't predict. Players who spawn in the same tick have entities of the same
+   * origin.
+   */
+  public static int passing(int origin) {
+    return FIRST - MOST_PER_CALL + (origin & NUMBER_MASK);
+  }
+
+  /** Returns whether an id is that of a provisional entity: an origin, or a passing one. */
   public static boolean isProvisional(int id) {
-    return id >= FIRST;
+    return id >= FIRST - MOST_PER_CALL;
   }
 
   /** Returns by how many ticks one origin is later than another; negative if it is earlier. */

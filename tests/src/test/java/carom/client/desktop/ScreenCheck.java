@@ -15,6 +15,7 @@ import com.badlogic.gdx.scenes.scene2d.ui.Label;
 import com.badlogic.gdx.scenes.scene2d.ui.ScrollPane;
 import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
 import com.badlogic.gdx.scenes.scene2d.ui.TextField;
+import com.badlogic.gdx.scenes.scene2d.utils.Layout;
 import com.badlogic.gdx.utils.Align;
 import java.util.ArrayList;
 import java.util.List;
@@ -56,6 +57,7 @@ final class ScreenCheck implements Hud.Witness {
   private final List<String> problems = new ArrayList<>();
   private final List<Box> panels = new ArrayList<>();
   private final List<Box> texts = new ArrayList<>();
+  private final List<Box> words = new ArrayList<>();
   private final GlyphLayout glyphs = new GlyphLayout();
   private float scale;
 
@@ -89,6 +91,12 @@ final class ScreenCheck implements Hud.Witness {
     texts.add(new Box(text, x, y - font.getCapHeight(), glyphs.width, font.getCapHeight()));
   }
 
+  @Override
+  public void word(BitmapFont font, String text, float x, float y) {
+    glyphs.setText(font, text);
+    words.add(new Box(text, x, y - font.getCapHeight(), glyphs.width, font.getCapHeight()));
+  }
+
   /** Checks what the HUD drew since it is the witness. */
   void hud(Hud hud, GameScreen game, Pixmap pixels) {
     scale = width / hud.windowWidth();
@@ -104,6 +112,11 @@ final class ScreenCheck implements Hud.Witness {
         }
       }
     }
+    for (Box word : words) {
+      if (!whole.contains(word)) {
+        problem("\"%s\" leaves the window", word.what);
+      }
+    }
     for (Box text : texts) {
       boolean inPanel = panels.stream().anyMatch(p -> p.contains(text));
       if (!inPanel && panels.stream().anyMatch(p -> p.meets(text))) {
@@ -116,7 +129,7 @@ final class ScreenCheck implements Hud.Witness {
     }
     checkTexts(texts, whole, scale);
     Drawn own = game == null ? null : game.view().own();
-    if (own != null && texts.stream().noneMatch(t -> t.what.endsWith("are here"))) {
+    if (own != null && texts.stream().noneMatch(ScreenCheck::isOfDialog)) {
       Vector3 at = hud.at(game.camera(), own.x(), own.y());
       for (Box panel : panels) {
         if (panel.meets(new Box("own body", at.x - 8, at.y - 8, 16, 16))) {
@@ -124,6 +137,11 @@ final class ScreenCheck implements Hud.Witness {
         }
       }
     }
+  }
+
+  /** Returns whether a text is that of the table or the list of rooms, which the player called. */
+  private static boolean isOfDialog(Box text) {
+    return text.what.endsWith("are here") || text.what.equals("Rooms");
   }
 
   private Box pixelsOf(Box points, float windowHeight) {
@@ -157,6 +175,11 @@ final class ScreenCheck implements Hud.Witness {
     scale = width / stage.getWidth();
     List<Box> labels = new ArrayList<>();
     collect(stage.getRoot(), null, labels);
+    ScrollPane pane = pane(stage.getRoot());
+    float needed = pane == null ? 0 : ((Layout) pane.getActor()).getMinWidth();
+    if (pane != null && needed > pane.getWidth() + TOLERANCE) {
+      problem("a page needs a width of %.0f and has %.0f", needed, pane.getWidth());
+    }
     Box whole = new Box("window", 0, 0, stage.getWidth(), stage.getHeight());
     checkTexts(labels, whole, scale);
     for (Box label : labels) {

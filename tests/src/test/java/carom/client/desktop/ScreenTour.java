@@ -77,6 +77,7 @@ final class ScreenTour {
     for (String page :
         new String[] {"Join a server", "Play here", "Replays", "Scenes", "Settings"}) {
       press(page);
+      frames(10); // levels are drawn one by one
       look(page);
       if (page.equals("Scenes") || page.equals("Settings")) {
         scroll(page);
@@ -117,6 +118,10 @@ final class ScreenTour {
     look("table");
     robot.keyRelease(KeyEvent.VK_TAB);
     until(() -> !Gdx.input.isKeyPressed(Keys.TAB));
+    typed(Keys.F2);
+    until(() -> !screen().view().rooms().isEmpty());
+    look("rooms");
+    typed(Keys.F2);
     typed(Keys.ESCAPE);
     look("menu");
     press("Settings");

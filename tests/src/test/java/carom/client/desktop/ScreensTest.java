@@ -59,7 +59,7 @@ final class ScreensTest {
   @Test
   void aGameWithChatTableAndMenu() throws Exception {
     for (Look look : LOOKS) {
-      assertInOrder("game", look, 6);
+      assertInOrder("game", look, 7);
     }
   }
 

@@ -118,6 +118,24 @@ final class JointRowsTest {
       }
     },
 
+    /** A heavy load on a boom of welds that turns on a hinge, with a rod: a joint tree. */
+    BOOM {
+      @Override
+      void build(Rig r) {
+        Body<String> last = null;
+        for (int i = 0; i < 12; i++) {
+          Body<String> piece = r.body(new Box(0.25f, 0.1f), 0.5f * i, 6);
+          r.joint(
+              i == 0
+                  ? JointDef.revolute(null, piece, -0.25f, 6)
+                  : JointDef.weld(last, piece, 0.5f * i - 0.25f, 6));
+          last = piece;
+        }
+        Body<String> load = r.body(new Box(1.5f, 1.5f), 5.5f, 3);
+        r.joint(JointDef.distance(last, load, 5.5f, 6, 5.5f, 4.5f));
+      }
+    },
+
     /** A winch with a ratchet, a piston, a slide in a groove, and drag. */
     WINCH {
       @Override

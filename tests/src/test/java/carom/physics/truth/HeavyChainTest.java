@@ -25,7 +25,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Chains and other trees of hinges and rods that carry far more than their links weigh. */
+/**
+ * Chains and other trees of hinges, rods and welds that carry far more than their links weigh. What
+ * welds alone do is in {@link HeavyBeamTest}.
+ */
 final class HeavyChainTest {
   private static final Material M = Material.DEFAULT;
 
@@ -35,11 +38,13 @@ final class HeavyChainTest {
     ROD,
     /** A rod whose limits are its length, not between centres. */
     LIMITED_ROD,
+    /** A weld, but for the first one, which is a hinge: else nothing swings. */
+    WELD,
     /** All of them in turn. */
     MIXED;
 
     private Link at(int i) {
-      return this == MIXED ? values()[i % MIXED.ordinal()] : this;
+      return this == MIXED ? values()[i % MIXED.ordinal()] : this == WELD && i == 0 ? HINGE : this;
     }
   }
 
@@ -57,6 +62,7 @@ final class HeavyChainTest {
     float wayY = next.y() - fromY;
     return switch (link) {
       case HINGE -> JointDef.revolute(before, next, x, y);
+      case WELD -> JointDef.weld(before, next, x, y);
       case ROD -> JointDef.distance(before, next, fromX, fromY, next.x(), next.y());
       case LIMITED_ROD -> {
         float length = .75f * (float) Math.hypot(wayX, wayY);
@@ -142,6 +148,17 @@ final class HeavyChainTest {
     "LIMITED_ROD,60,300,59.7",
     "LIMITED_ROD,120,1,119.7",
     "LIMITED_ROD,200,50,199.7",
+    "WELD,30,1000,31",
+    "WELD,100,100,101",
+    "WELD,5,300,4.55",
+    "WELD,10,100,9.6",
+    "WELD,10,1000,9.6",
+    "WELD,10,10000,9.6",
+    "WELD,20,50,19.7",
+    "WELD,30,100,29.6",
+    "WELD,60,300,59.7",
+    "WELD,120,1,119.7",
+    "WELD,200,50,199.7",
     "MIXED,30,1000,31",
     "MIXED,100,100,101",
     "MIXED,5,300,4.55",
@@ -187,6 +204,10 @@ final class HeavyChainTest {
     "ROD,10,100000",
     "ROD,300,1",
     "LIMITED_ROD,30,1000",
+    "WELD,30,1000",
+    "WELD,100,100",
+    "WELD,10,100000",
+    "WELD,300,1",
     "MIXED,30,1000",
     "MIXED,100,100"
   })
@@ -306,7 +327,7 @@ final class HeavyChainTest {
     }
   }
 
-  /** Returns by how much the worst joint doesn't hold: its gap, or the error of its length, m. */
+  /** Returns by how much the worst joint fails: gap or error of length, m, or of an angle, rad. */
   private static double worstError(World<String> w) {
     double worst = 0;
     for (int i = 0; i < w.jointCount(); i++) {
@@ -315,7 +336,8 @@ final class HeavyChainTest {
       if (j.type() == JointType.DISTANCE) {
         apart = Math.abs(apart - (j.isLimited() ? j.lower() : j.rest()));
       }
-      worst = Math.max(worst, apart);
+      double turned = j.type() == JointType.WELD ? Math.abs(j.angle()) : 0;
+      worst = Math.max(worst, Math.max(apart, turned));
     }
     return worst;
   }

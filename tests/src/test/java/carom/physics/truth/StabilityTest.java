@@ -225,6 +225,21 @@ final class StabilityTest {
     assertTrue(Lab.kinetic(run.world()) < 50, "energy=" + Lab.kinetic(run.world()));
   }
 
+  /** 1,500 bodies of three parts each come to rest, and all of them sleep after ten seconds. */
+  @Test
+  void thePileOfCompoundsFallsAsleep() {
+    Scene pile = Scenes.get("pile_compounds");
+    SceneRun run = pile.with(pile.def().withSleeping(true)).start();
+    run.steps(200);
+    int[] awake = {0};
+    run.world().forEachAwake(b -> awake[0] += b.type() == BodyType.DYNAMIC ? 1 : 0);
+    assertEquals(1500, awake[0], "all fall or tremble at first");
+    run.steps(400);
+    awake[0] = 0;
+    run.world().forEachAwake(b -> awake[0] += b.type() == BodyType.DYNAMIC ? 1 : 0);
+    assertEquals(0, awake[0], "energy=" + Lab.kinetic(run.world()));
+  }
+
   /** The net falls, snaps taut and swings: no joint opens by 0.6 m in any of the 300 steps. */
   @Test
   void theNetOf10000HoldsThroughoutItsFall() {

@@ -238,6 +238,24 @@ final class SpawnInInputTest {
   }
 
   @Test
+  void playersWhoSpawnInTheSameTickDontTakeEachOthersEntities() {
+    for (int key : new int[] {OwnSpawns.UNKNOWN, 7 | 3 << 16}) {
+      Simulation s = client(told(key));
+      s.mirror().join(1, "Ben");
+      s.mirror().spawn(1, 0, rules.man, 4, 0, 0, 1);
+      s.player(0).input().hold(Input.ACTION, true);
+      s.player(1).input().hold(Input.ACTION, true);
+      s.step();
+      Entity mine = s.player(0).spawned(0);
+      assertSame(mine, s.entity(key < 0 ? Origin.of(1, 0) : 7), "key=" + key);
+      assertEquals(0, mine.ownerId(), "key=" + key);
+      assertEquals(1, s.player(0).spawnedCount());
+      assertEquals(0, s.player(1).spawnedCount());
+      assertEquals(key < 0 ? 1 : 0, s.mirror().provisionalCount());
+    }
+  }
+
+  @Test
   void aClientDespawnsInItsInputOnlyWhatIsItsPlayers() {
     Simulation s = client(told(OwnSpawns.UNKNOWN));
     s.player(0).input().hold(Input.ACTION, true);

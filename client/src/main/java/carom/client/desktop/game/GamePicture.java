@@ -52,6 +52,7 @@ public final class GamePicture implements Disposable {
   private final Pointers pointers;
   private Labels labels = (view, hud, camera, nowNs) -> {};
   private boolean showDebug;
+  private boolean showPanels = true;
   private double seconds;
 
   /** Creates a picture. The arguments stay the property of the caller. */
@@ -90,6 +91,11 @@ public final class GamePicture implements Disposable {
   /** Sets what a player is told who waits alone for others; empty for nothing. */
   public void adviceAlone(String text) {
     clock.adviceAlone(text);
+  }
+
+  /** Shows or hides clock, scores, gauges and notices, which a dialog would cover. */
+  public void panels(boolean shown) {
+    showPanels = shown;
   }
 
   /** Shows or hides the debug layers. */
@@ -178,6 +184,9 @@ public final class GamePicture implements Disposable {
     labels.draw(view, hud, camera, nowNs);
     pointers.draw(view, camera);
     hud.names(view, camera, pixelsPerMetre);
+    if (!showPanels) {
+      return;
+    }
     boolean over = clock.isOver(view);
     clock.draw(view);
     if (table || over) {

@@ -43,17 +43,18 @@ final class Impacts {
   private static final float QUIET_SECONDS = 0.12f; // between two blows to one body
   private static final float RING_SECONDS = 0.35f;
   private static final float SPARK_SECONDS = 0.45f;
+  private static final float SPARK_METRES = 0.08f; // width of a new one
   private static final float GLOW_M = 0.35f;
   private static final int BLOWS = 32;
   private static final int SPARKS = 256;
 
+  private final SeenEntities entities = new SeenEntities();
+
   // What each entity did a frame ago.
-  private int[] generation = new int[0];
   private float[] lastX = new float[0];
   private float[] lastY = new float[0];
   private float[] fromX = new float[0]; // velocity before the blow that goes on
   private float[] fromY = new float[0];
-  private double[] quietUntil = new double[0];
   private boolean[] struck = new boolean[0];
 
   private final float[] blowX = new float[BLOWS];
@@ -62,27 +63,20 @@ final class Impacts {
   private final float[] blowAge = new float[BLOWS];
   private int nextBlow;
 
-  private final float[] sparkX = new float[SPARKS];
-  private final float[] sparkY = new float[SPARKS];
-  private final float[] sparkVx = new float[SPARKS];
-  private final float[] sparkVy = new float[SPARKS];
-  private final float[] sparkAge = new float[SPARKS];
-  private final int[] sparkRgb = new int[SPARKS];
-  private int nextSpark;
+  private final Specks sparks = new Specks(SPARKS, SPARK_SECONDS);
 
   private final Color color = new Color();
   private double now;
 
   Impacts() {
     Arrays.fill(blowAge, RING_SECONDS);
-    Arrays.fill(sparkAge, SPARK_SECONDS);
   }
 
   /** Forgets everything, for another level. */
   void clear() {
-    Arrays.fill(generation, -1);
+    entities.clear();
     Arrays.fill(blowAge, RING_SECONDS);
-    Arrays.fill(sparkAge, SPARK_SECONDS);
+    sparks.clear();
   }
 
   /** Lets time pass and detects blows; call it once per frame. */
@@ -108,13 +102,7 @@ final class Impacts {
     for (int i = 0; i < BLOWS; i++) {
       blowAge[i] = Math.min(RING_SECONDS, blowAge[i] + seconds);
     }
-    for (int i = 0; i < SPARKS; i++) {
-      sparkAge[i] = Math.min(SPARK_SECONDS, sparkAge[i] + seconds);
-      sparkX[i] += sparkVx[i] * seconds;
-      sparkY[i] += sparkVy[i] * seconds;
-      sparkVx[i] += gravityX * seconds;
-      sparkVy[i] += gravityY * seconds;
-    }
+    sparks.fly(gravityX, gravityY, seconds);
   }
 
   /**
@@ -132,10 +120,8 @@ final class Impacts {
   void watch(
       int id, int instance, Archetype kind, float x, float y, float vx, float vy, float seconds) {
     grow(id);
-    if (generation[id] != instance) {
-      generation[id] = instance;
+    if (!entities.sees(id, instance)) {
       struck[id] = false;
-      quietUntil[id] = 0;
     } else {
       boolean steered = kind.appearance().look() == Look.PLAYER;
       float limit =
@@ -162,10 +148,10 @@ final class Impacts {
     float blow = Vector2.len(dx, dy);
     float loss = Vector2.len(fromX[id], fromY[id]) - Vector2.len(lastX[id], lastY[id]);
     // What a player gains is a jump or a dash.
-    if (blow < LEAST_M_S || (steered && loss < LEAST_LOSS_M_S) || now < quietUntil[id]) {
+    if (blow < LEAST_M_S || (steered && loss < LEAST_LOSS_M_S) || entities.isQuiet(id, now)) {
       return;
     }
-    quietUntil[id] = now + QUIET_SECONDS;
+    entities.quieten(id, now + QUIET_SECONDS);
     float nx = dx / blow;
     float ny = dy / blow;
     float extent = WorldPainter.extent(kind);
@@ -195,13 +181,9 @@ final class Impacts {
       float along = MathUtils.random(-1f, 1f);
       float off = MathUtils.random(0.05f, 0.7f);
       float speed = MathUtils.random(0.4f, 1f) * (3 + 9 * size);
-      sparkX[nextSpark] = x;
-      sparkY[nextSpark] = y;
-      sparkVx[nextSpark] = (nx * off - ny * along) * speed;
-      sparkVy[nextSpark] = (ny * off + nx * along) * speed;
-      sparkAge[nextSpark] = MathUtils.random(0, 0.4f) * SPARK_SECONDS;
-      sparkRgb[nextSpark] = rgb;
-      nextSpark = (nextSpark + 1) % SPARKS;
+      float vx = (nx * off - ny * along) * speed;
+      float vy = (ny * off + nx * along) * speed;
+      sparks.add(x, y, vx, vy, SPARK_METRES, MathUtils.random(0, 0.4f), rgb);
     }
   }
 
@@ -241,32 +223,28 @@ final class Impacts {
       }
     }
     for (int i = 0; i < SPARKS; i++) {
-      float left = 1 - sparkAge[i] / SPARK_SECONDS;
+      float left = sparks.left(i);
       if (left > 0) {
         canvas.line(
-            sparkX[i],
-            sparkY[i],
-            sparkX[i] - sparkVx[i] * 0.04f,
-            sparkY[i] - sparkVy[i] * 0.04f,
-            0.03f + 0.05f * left,
-            UiColours.shade(sparkRgb[i], 1.6f, left, color));
+            sparks.x(i),
+            sparks.y(i),
+            sparks.x(i) - sparks.velocityX(i) * 0.04f,
+            sparks.y(i) - sparks.velocityY(i) * 0.04f,
+            SPARK_METRES * (0.375f + 0.625f * left),
+            UiColours.shade(sparks.rgb(i), 1.6f, left, color));
       }
     }
   }
 
   private void grow(int id) {
-    int size = generation.length;
-    if (id < size) {
+    int larger = entities.sizeFor(id);
+    if (larger == lastX.length) {
       return;
     }
-    int larger = Math.max(64, Math.max(id + 1, 2 * size));
-    generation = Arrays.copyOf(generation, larger);
-    Arrays.fill(generation, size, larger, -1);
     lastX = Arrays.copyOf(lastX, larger);
     lastY = Arrays.copyOf(lastY, larger);
     fromX = Arrays.copyOf(fromX, larger);
     fromY = Arrays.copyOf(fromY, larger);
-    quietUntil = Arrays.copyOf(quietUntil, larger);
     struck = Arrays.copyOf(struck, larger);
   }
 }

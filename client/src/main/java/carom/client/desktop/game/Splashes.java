@@ -23,7 +23,7 @@ import java.util.Arrays;
 final class Splashes {
   /** Says where water is. */
   @FunctionalInterface
-  interface Water {
+  interface WaterMap {
     /** Returns the colour of the water at a point, 0xRRGGBB, or {@link #NONE}. */
     int rgbAt(float x, float y);
   }
@@ -43,35 +43,23 @@ final class Splashes {
   private static final int DROPS = 400;
   private static final int MOST_OF_A_HIT = 48;
 
-  // What each entity did a frame ago.
-  private int[] generation = new int[0];
-  private boolean[] wet = new boolean[0];
-  private double[] quietUntil = new double[0];
+  private final Specks drops = new Specks(DROPS, DROP_SECONDS);
+  private final SeenEntities entities = new SeenEntities();
 
-  private final float[] dropX = new float[DROPS];
-  private final float[] dropY = new float[DROPS];
-  private final float[] dropVx = new float[DROPS];
-  private final float[] dropVy = new float[DROPS];
-  private final float[] dropAge = new float[DROPS];
-  private final float[] dropSize = new float[DROPS];
-  private final int[] dropRgb = new int[DROPS];
-  private int nextDrop;
+  /** By slot: whether the entity's front was in water a frame ago. */
+  private boolean[] wet = new boolean[0];
 
   private final Color color = new Color();
-  private final Water ofView = this::waterOfView;
+  private final WaterMap ofView = this::waterOfView;
   private ClientView seen;
   private float upX;
   private float upY;
   private double now;
 
-  Splashes() {
-    Arrays.fill(dropAge, DROP_SECONDS);
-  }
-
   /** Forgets everything, for another level. */
   void clear() {
-    Arrays.fill(generation, -1);
-    Arrays.fill(dropAge, DROP_SECONDS);
+    entities.clear();
+    drops.clear();
   }
 
   /** Lets time pass and detects hits; call it once per frame. */
@@ -120,23 +108,18 @@ final class Splashes {
   }
 
   /** Moves the drops; those that fall back into water are gone. */
-  void age(Water water, float gravityX, float gravityY, float seconds) {
+  void age(WaterMap water, float gravityX, float gravityY, float seconds) {
     now += seconds;
     float gravity = Vector2.len(gravityX, gravityY);
     upX = gravity == 0 ? 0 : -gravityX / gravity;
     upY = gravity == 0 ? 0 : -gravityY / gravity;
+    drops.fly(gravityX, gravityY, seconds);
     for (int i = 0; i < DROPS; i++) {
-      if (dropAge[i] >= DROP_SECONDS) {
-        continue;
-      }
-      dropAge[i] += seconds;
-      dropVx[i] += gravityX * seconds;
-      dropVy[i] += gravityY * seconds;
-      dropX[i] += dropVx[i] * seconds;
-      dropY[i] += dropVy[i] * seconds;
-      boolean falls = dropVx[i] * upX + dropVy[i] * upY < 0;
-      if (falls && dropAge[i] > LEAST_DROP_SECONDS && water.rgbAt(dropX[i], dropY[i]) != NONE) {
-        dropAge[i] = DROP_SECONDS;
+      if (drops.lives(i)
+          && drops.seconds(i) > LEAST_DROP_SECONDS
+          && drops.velocityX(i) * upX + drops.velocityY(i) * upY < 0
+          && water.rgbAt(drops.x(i), drops.y(i)) != NONE) {
+        drops.end(i);
       }
     }
   }
@@ -153,17 +136,17 @@ final class Splashes {
    * @param vy velocity, m/s
    */
   void watch(
-      Water water, int id, int instance, float extent, float x, float y, float vx, float vy) {
-    grow(id);
+      WaterMap water, int id, int instance, float extent, float x, float y, float vx, float vy) {
+    int slots = entities.sizeFor(id);
+    if (slots != wet.length) {
+      wet = Arrays.copyOf(wet, slots);
+    }
     float speed = Vector2.len(vx, vy);
     float ahead = speed == 0 ? 0 : 0.7f * extent / speed;
     int rgb = water.rgbAt(x + vx * ahead, y + vy * ahead);
-    boolean isNew = generation[id] != instance;
-    if (isNew) {
-      generation[id] = instance;
-      quietUntil[id] = 0;
-    } else if (rgb != NONE && !wet[id] && speed > LEAST_M_S && now >= quietUntil[id]) {
-      quietUntil[id] = now + QUIET_SECONDS;
+    boolean wasThere = entities.sees(id, instance);
+    if (wasThere && rgb != NONE && !wet[id] && speed > LEAST_M_S && !entities.isQuiet(id, now)) {
+      entities.quieten(id, now + QUIET_SECONDS);
       splash(x + vx * ahead, y + vy * ahead, vx, vy, speed, extent, rgb);
     }
     wet[id] = rgb != NONE;
@@ -177,47 +160,31 @@ final class Splashes {
       float aside = MathUtils.random(-1f, 1f);
       float out = aside * 0.55f * speed + 0.3f * along;
       float rise = (1.1f - Math.abs(aside)) * MathUtils.random(0.25f, 0.95f) * speed;
-      dropX[nextDrop] = x - upY * aside * extent;
-      dropY[nextDrop] = y + upX * aside * extent;
-      dropVx[nextDrop] = upX * rise - upY * out;
-      dropVy[nextDrop] = upY * rise + upX * out;
-      dropAge[nextDrop] = MathUtils.random(0, 0.3f) * DROP_SECONDS;
-      dropSize[nextDrop] = MathUtils.random(0.05f, 0.13f);
-      dropRgb[nextDrop] = rgb;
-      nextDrop = (nextDrop + 1) % DROPS;
+      drops.add(
+          x - upY * aside * extent,
+          y + upX * aside * extent,
+          upX * rise - upY * out,
+          upY * rise + upX * out,
+          MathUtils.random(0.05f, 0.13f),
+          MathUtils.random(0, 0.3f),
+          rgb);
     }
   }
 
   /** Returns how many drops show. */
   int showing() {
-    int n = 0;
-    for (float age : dropAge) {
-      n += age < DROP_SECONDS ? 1 : 0;
-    }
-    return n;
+    return drops.living();
   }
 
   /** Draws the drops. */
   void draw(Canvas canvas) {
     for (int i = 0; i < DROPS; i++) {
-      float left = 1 - dropAge[i] / DROP_SECONDS;
+      float left = drops.left(i);
       if (left > 0) {
-        UiColours.shade(dropRgb[i], 1, Math.min(1, 2.5f * left), color);
+        UiColours.shade(drops.rgb(i), 1, Math.min(1, 2.5f * left), color);
         color.lerp(1, 1, 1, color.a, 0.55f);
-        canvas.disc(dropX[i], dropY[i], dropSize[i] * (0.4f + 0.6f * left), color);
+        canvas.disc(drops.x(i), drops.y(i), drops.size(i) * (0.4f + 0.6f * left), color);
       }
     }
-  }
-
-  private void grow(int id) {
-    int size = generation.length;
-    if (id < size) {
-      return;
-    }
-    int larger = Math.max(64, Math.max(id + 1, 2 * size));
-    generation = Arrays.copyOf(generation, larger);
-    Arrays.fill(generation, size, larger, -1);
-    wet = Arrays.copyOf(wet, larger);
-    quietUntil = Arrays.copyOf(quietUntil, larger);
   }
 }

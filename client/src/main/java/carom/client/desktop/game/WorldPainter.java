@@ -102,15 +102,7 @@ final class WorldPainter {
     canvas.begin(camera.combined, pixelsPerMetre);
     backdrop(level, camera);
     areasBehind(view, seconds);
-    for (Scenery s : scenery) {
-      shapes.pose(s.x + SHADOW_X_M, s.y + SHADOW_Y_M, s.cos, s.sin);
-      shadow(s.archetype, 1);
-    }
-    for (int i = 0; i < view.entityCount(); i++) {
-      Drawn drawn = view.entity(i);
-      pose(drawn, SHADOW_X_M, SHADOW_Y_M);
-      shadow(drawn.archetype(), drawn.alpha());
-    }
+    shadows(view);
     if (view.pools() != null) {
       pools.draw(view.pools(), camera, pixelsPerMetre);
     }
@@ -148,6 +140,18 @@ final class WorldPainter {
     impacts.draw(canvas);
     flashes.draw(canvas);
     canvas.end();
+  }
+
+  private void shadows(ClientView view) {
+    for (Scenery s : scenery) {
+      shapes.pose(s.x + SHADOW_X_M, s.y + SHADOW_Y_M, s.cos, s.sin);
+      shadow(s.archetype, 1);
+    }
+    for (int i = 0; i < view.entityCount(); i++) {
+      Drawn drawn = view.entity(i);
+      pose(drawn, SHADOW_X_M, SHADOW_Y_M);
+      shadow(drawn.archetype(), drawn.alpha());
+    }
   }
 
   private void joints(ClientView view, float pixelsPerMetre) {

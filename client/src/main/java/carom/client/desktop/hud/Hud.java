@@ -16,6 +16,7 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.GlyphLayout;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
+import com.badlogic.gdx.graphics.g2d.TextureRegion;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Matrix4;
 import com.badlogic.gdx.math.Vector3;
@@ -40,6 +41,9 @@ public final class Hud implements Disposable {
 
     /** Hears of a text; y is the top of its capitals. */
     void text(BitmapFont font, String text, float x, float y, Color tint);
+
+    /** Hears of a word of the world, which lies below all panels; y is the top of its capitals. */
+    void word(BitmapFont font, String text, float x, float y);
   }
 
   private final Canvas canvas;
@@ -179,7 +183,11 @@ public final class Hud implements Disposable {
     float x = MathUtils.clamp(at.x, w / 2 + PAD, Math.max(w / 2 + PAD, width - w / 2 - PAD));
     float y = MathUtils.clamp(at.y, glyphs.height + PAD, height - PAD);
     places.take(x - w / 2, y - glyphs.height, w, glyphs.height);
-    centred(font, text, x, y, textColor);
+    if (witness != null) {
+      witness.word(font, text, x - w / 2, y);
+    }
+    shadow(font, text, x - w / 2, y, textColor);
+    write(font, text, x - w / 2, y, textColor);
   }
 
   /** Draws a word around a place on the screen. */
@@ -339,9 +347,18 @@ public final class Hud implements Disposable {
 
   /** Draws text as {@link #left} does, with a shadow that keeps it legible on any ground. */
   public void shadowed(BitmapFont font, String text, float x, float y, Color tint) {
+    shadow(font, text, x, y, tint);
+    left(font, text, x, y, tint);
+  }
+
+  private void shadow(BitmapFont font, String text, float x, float y, Color tint) {
     shadow.set(0, 0, 0, 0.6f * tint.a);
     write(font, text, x + 1, y - 1, shadow);
-    left(font, text, x, y, tint);
+  }
+
+  /** Draws a picture. Stands between {@link #begin} and {@link #end}. */
+  void picture(TextureRegion picture, float x, float y, float w, float h) {
+    batch.draw(picture, x, y, w, h);
   }
 
   /** Returns a text that is no wider than a room, points: the beginning and dots, if it is. */
@@ -390,8 +407,6 @@ public final class Hud implements Disposable {
   /** Draws text around x, with a shadow that keeps it legible on any ground. */
   void centred(BitmapFont font, String text, float x, float y, Color tint) {
     glyphs.setText(font, text);
-    shadow.set(0, 0, 0, 0.6f * tint.a);
-    write(font, text, x - glyphs.width / 2 + 1, y - 1, shadow);
-    left(font, text, x - glyphs.width / 2, y, tint);
+    shadowed(font, text, x - glyphs.width / 2, y, tint);
   }
 }

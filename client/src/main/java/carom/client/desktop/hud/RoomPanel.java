@@ -6,8 +6,10 @@ import carom.client.view.ClientView;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.graphics.g2d.TextureRegion;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * The server's rooms over the picture, one of which the player can go to. Opened by a key, steered
@@ -19,11 +21,14 @@ public final class RoomPanel {
   private static final float WIDTH = 640;
   private static final int MAX_LINES = 14;
   private static final float ASK_SECONDS = 2;
+  private static final float PICTURE_WIDTH = 288;
+  private static final float PICTURE_HEIGHT = 162;
 
   private final Hud hud;
   private final Fonts fonts;
   private final Runnable ask;
   private final Consumer<String> go;
+  private final Function<RoomEntry, TextureRegion> pictures;
   private boolean open;
   private float untilAsking;
   private int selected;
@@ -34,12 +39,19 @@ public final class RoomPanel {
    *
    * @param ask asks the server for its rooms
    * @param go asks the server to go to the room of this name
+   * @param pictures returns that of a room's level, or null if the level isn't known here
    */
-  public RoomPanel(Hud hud, Fonts fonts, Runnable ask, Consumer<String> go) {
+  public RoomPanel(
+      Hud hud,
+      Fonts fonts,
+      Runnable ask,
+      Consumer<String> go,
+      Function<RoomEntry, TextureRegion> pictures) {
     this.hud = hud;
     this.fonts = fonts;
     this.ask = ask;
     this.go = go;
+    this.pictures = pictures;
   }
 
   /** Opens the panel, or closes it. */
@@ -89,7 +101,10 @@ public final class RoomPanel {
     int first = Math.max(0, Math.min(selected - MAX_LINES / 2, rooms.size() - MAX_LINES));
     int lines = Math.min(MAX_LINES, rooms.size() - first);
     float width = Math.min(WIDTH, hud.windowWidth() - 2 * PAD);
-    float height = (lines + 2) * LINE + 3 * PAD;
+    TextureRegion picture = selected < rooms.size() ? pictures.apply(rooms.get(selected)) : null;
+    boolean fits = hud.height() >= (lines + 2) * LINE + 6 * PAD + PICTURE_HEIGHT;
+    float shown = picture == null || !fits ? 0 : PICTURE_HEIGHT + PAD;
+    float height = (lines + 2) * LINE + 3 * PAD + shown;
     float x = (hud.windowWidth() - width) / 2;
     float top = (hud.height() + height) / 2;
     hud.panel(x, top - height, width, height, UiColours.DIALOG);
@@ -109,6 +124,10 @@ public final class RoomPanel {
       hud.left(fonts.text(), room.game() + ", " + room.level(), x + 0.30f * width, y, tint);
       hud.left(fonts.text(), room.phase(), x + 0.68f * width, y, tint);
       hud.left(fonts.text(), room.players() + "/" + room.places(), x + 0.86f * width, y, tint);
+    }
+    if (shown > 0) {
+      float y = top - height + 2 * PAD + 10;
+      hud.picture(picture, x + (width - PICTURE_WIDTH) / 2, y, PICTURE_WIDTH, PICTURE_HEIGHT);
     }
     hud.left(
         fonts.small(),

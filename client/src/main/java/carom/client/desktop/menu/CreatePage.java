@@ -1,10 +1,12 @@
 package carom.client.desktop.menu;
 
 import carom.client.app.LocalGames;
+import carom.client.desktop.paint.LevelPictures;
 import carom.game.Games;
 import carom.sim.level.Level;
 import com.badlogic.gdx.scenes.scene2d.Actor;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
+import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -13,11 +15,13 @@ import java.util.Map;
 final class CreatePage implements Page {
   private static final float LABEL_WIDTH = 220;
   private static final int USUAL_BOTS = 5;
+  private static final int CARDS_IN_A_ROW = 3;
 
   private final Widgets widgets;
   private final SettingsHost host;
   private final StartTarget target;
   private final LocalGames games;
+  private final LevelPictures pictures;
   private final Runnable rebuild;
   private final Map<String, Level> known = new HashMap<>();
   private String level;
@@ -31,11 +35,17 @@ final class CreatePage implements Page {
    * @param rebuild asks for the page to be built anew
    */
   CreatePage(
-      Widgets widgets, SettingsHost host, StartTarget target, LocalGames games, Runnable rebuild) {
+      Widgets widgets,
+      SettingsHost host,
+      StartTarget target,
+      LocalGames games,
+      LevelPictures pictures,
+      Runnable rebuild) {
     this.widgets = widgets;
     this.host = host;
     this.target = target;
     this.games = games;
+    this.pictures = pictures;
     this.rebuild = rebuild;
     level = games.levels().get(0);
   }
@@ -70,28 +80,50 @@ final class CreatePage implements Page {
             }));
     into.add(widgets.muted("Level")).padTop(8);
     into.add(widgets.note(Games.create(level(level).gameName()).description())).growX().row();
-    for (String name : games.levels()) {
-      String text = (name.equals(level) ? "> " : "") + name + "     " + about(level(name));
-      into.add(widgets.row(text, () -> choose(name)))
-          .colspan(2)
-          .height(Widgets.HEIGHT)
-          .growX()
-          .row();
+    Table cards = new Table();
+    cards.defaults().space(8).growX().uniformX();
+    for (int i = 0; i < games.levels().size(); i++) {
+      cards.add(card(games.levels().get(i)));
+      if (i % CARDS_IN_A_ROW == CARDS_IN_A_ROW - 1) {
+        cards.row();
+      }
     }
+    into.add(cards).colspan(2).growX().row();
+  }
+
+  /** Returns a button that shows a level, and a line about it. */
+  private TextButton card(String name) {
+    Level shown = level(name);
+    return widgets.card(
+        pictures.has(shown) ? pictures.of(shown) : null,
+        (name.equals(level) ? "> " : "") + name,
+        about(shown),
+        () -> choose(name));
+  }
+
+  /** Draws one level after the other, so that the page shows at once. */
+  @Override
+  public boolean update(long nowNs) {
+    for (String name : games.levels()) {
+      if (!pictures.has(level(name))) {
+        pictures.of(level(name));
+        return true;
+      }
+    }
+    return false;
   }
 
   private Level level(String name) {
     return known.computeIfAbsent(name, games::level);
   }
 
-  /** Returns a level's name, what is played in it, and how large it is. */
-  static String about(Level level) {
+  /** Returns a level's name and how large it is. */
+  private static String about(Level level) {
     Level.Bounds bounds = level.bounds();
     return String.format(
         Locale.ROOT,
-        "%s: %s, %.0f x %.0f m",
+        "%s, %.0f x %.0f m",
         level.name(),
-        level.gameName(),
         bounds.maxX() - bounds.minX(),
         bounds.maxY() - bounds.minY());
   }

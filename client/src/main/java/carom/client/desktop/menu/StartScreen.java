@@ -1,6 +1,7 @@
 package carom.client.desktop.menu;
 
 import carom.client.app.LocalGames;
+import carom.client.desktop.paint.LevelPictures;
 import carom.client.desktop.paint.UiColours;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.ScreenAdapter;
@@ -35,15 +36,21 @@ public final class StartScreen extends ScreenAdapter {
    * Creates a screen. The widgets and the host stay the property of the caller.
    *
    * @param games starts games on this machine; null when this build can't
+   * @param pictures of levels; stays the property of the caller
    * @param server address that stands in the field to join
    */
   public StartScreen(
-      Widgets widgets, SettingsHost host, StartTarget target, LocalGames games, String server) {
+      Widgets widgets,
+      SettingsHost host,
+      StartTarget target,
+      LocalGames games,
+      LevelPictures pictures,
+      String server) {
     this.widgets = widgets;
     this.target = target;
     Runnable rebuild = () -> stale = true;
     join = new JoinPage(widgets, host, target, server, rebuild);
-    create = games == null ? null : new CreatePage(widgets, host, target, games, rebuild);
+    create = games == null ? null : new CreatePage(widgets, host, target, games, pictures, rebuild);
     if (create != null) {
       pages.put("Play here", create);
     }

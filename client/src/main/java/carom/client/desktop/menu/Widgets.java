@@ -7,6 +7,7 @@ import com.badlogic.gdx.graphics.Pixmap;
 import com.badlogic.gdx.graphics.Texture;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.NinePatch;
+import com.badlogic.gdx.graphics.g2d.TextureRegion;
 import com.badlogic.gdx.scenes.scene2d.Actor;
 import com.badlogic.gdx.scenes.scene2d.ui.Image;
 import com.badlogic.gdx.scenes.scene2d.ui.Label;
@@ -21,6 +22,7 @@ import com.badlogic.gdx.scenes.scene2d.utils.TextureRegionDrawable;
 import com.badlogic.gdx.utils.Align;
 import com.badlogic.gdx.utils.Array;
 import com.badlogic.gdx.utils.Disposable;
+import com.badlogic.gdx.utils.Scaling;
 
 /**
  * Makes the parts of a menu: labels, buttons, fields, panels. A button's action is its user object,
@@ -32,6 +34,9 @@ public final class Widgets implements Disposable {
   static final float HEIGHT = 36;
 
   private static final float BAR_GAP = 12;
+
+  /** Height of a card's picture. */
+  private static final float CARD_PICTURE = 96;
 
   private final Fonts fonts;
   private final Array<Disposable> owned = new Array<>();
@@ -140,6 +145,27 @@ public final class Widgets implements Disposable {
     row.getLabelCell().minWidth(0);
     row.add(right).padLeft(12);
     return row;
+  }
+
+  /**
+   * Returns a button that is a picture with two lines below it.
+   *
+   * @param picture 16:9; null for one that isn't there yet
+   */
+  TextButton card(TextureRegion picture, String text, String about, Runnable action) {
+    TextButton card = button(text, action);
+    Label label = card.getLabel();
+    label.setEllipsis(true);
+    Label line = small(about);
+    line.setEllipsis(true);
+    line.setAlignment(Align.center);
+    Image image = picture == null ? new Image() : new Image(picture);
+    image.setScaling(Scaling.fit);
+    card.clearChildren();
+    card.add(image).height(CARD_PICTURE).prefWidth(0).growX().padTop(6).row();
+    card.add(label).minWidth(0).prefWidth(0).growX().padTop(4).row();
+    card.add(line).minWidth(0).prefWidth(0).growX().padBottom(6);
+    return card;
   }
 
   private static TextButton button(

@@ -216,7 +216,8 @@ public final class KeptManifolds {
   }
 
   /**
-   * Finds where two polygons touch.
+   * Finds where two polygons touch. It stays whole, because it is a ladder of ways out, the most
+   * frequent one first, and each step needs the pose of B in A's frame.
    *
    * @param row where to keep it
    * @param a A's part

@@ -424,6 +424,11 @@ public final class JointStore {
         && ((flags[slot] & LIMITED) == 0 || lower[slot] == upper[slot]);
   }
 
+  /** Returns whether a joint is a weld without springs. */
+  public boolean isRigidWeld(int slot) {
+    return type[slot] == WELD && hertz[slot] == 0 && angularHertz[slot] == 0;
+  }
+
   /** Returns the length of a rod, m. */
   public float rodLength(int slot) {
     return (flags[slot] & LIMITED) == 0 ? rest[slot] : lower[slot];

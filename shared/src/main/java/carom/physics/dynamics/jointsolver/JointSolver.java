@@ -209,7 +209,8 @@ public final class JointSolver {
     for (int i = 0; i < count; i++) {
       int slot = found[i];
       boolean plain = isPlainRevolute(slot);
-      if ((plain || store.isRod(slot)) && trees.has(slot)) {
+      boolean rigid = plain || store.isRod(slot) || store.isRigidWeld(slot);
+      if (rigid && trees.has(slot)) {
         group[i] = NO_GROUP;
         continue;
       }
@@ -287,6 +288,19 @@ public final class JointSolver {
       run(c, biasing);
     }
     treeSolver.applyBiasedImpulses();
+  }
+
+  /** Returns whether {@link #settle} does anything. */
+  public boolean settles() {
+    return treeSolver.hasWelds();
+  }
+
+  /**
+   * Solves trees with welds once more before bodies move. Contacts have pushed single pieces, and
+   * to draw these back in the next substep makes rigid beams tremble.
+   */
+  public void settle() {
+    treeSolver.settle();
   }
 
   /** Visits each joint once after bodies moved, rigid. */

@@ -128,23 +128,7 @@ final class JointVisit extends ConstraintRow {
       int slot = joints.joint[k];
       load(k);
       switch (j.type[slot]) {
-        case JointStore.REVOLUTE -> {
-          int flags = j.flags[slot];
-          boolean ratchet = j.isRatchet(slot);
-          if (ratchet
-              || (flags & (JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG)) != 0) {
-            angleRow();
-            float angle = angle(k);
-            double turned = j.winds(slot) ? j.windB(slot, angle) : angle;
-            solveCoordinate(slot, (float) turned, bias);
-            if (ratchet) {
-              solveRatchet(slot, turned, bias);
-            }
-          }
-          if (!joints.inTree[k]) {
-            solvePoint(slot, bias);
-          }
-        }
+        case JointStore.REVOLUTE -> solveRevolute(k, slot, bias);
         case JointStore.DISTANCE -> {
           float length = lengthRow();
           solveCoordinate(slot, length, bias);
@@ -169,51 +153,81 @@ final class JointVisit extends ConstraintRow {
           solveCoordinate(slot, along, bias);
           solveSlider(k, slot, bias);
         }
-        case JointStore.WELD -> {
-          angleRow();
-          float angular = j.angularHertz[slot];
-          if (angular == 0) {
-            j.impulseW[slot] += solveRigid(bias ? angle(k) : 0, j.impulseW[slot], bias);
-          } else if (bias) {
-            float old = j.impulseW[slot];
-            j.impulseW[slot] +=
-                solveSpring(
-                    angle(k), angular, j.angularDamping[slot], old, Float.POSITIVE_INFINITY);
-          }
-          if (j.hertz[slot] == 0) {
-            solvePoint(slot, bias);
-          } else if (bias) {
-            solveSoftPoint(slot, Float.POSITIVE_INFINITY);
-          }
-        }
-        case JointStore.WHEEL -> {
-          if ((j.flags[slot] & JointStore.DRIVEN) != 0) {
-            angleRow();
-            solveMotor(slot);
-          }
-          float along = axisRow(k);
-          solveSpringAndLimits(slot, along, bias);
-          float across = acrossRow(k);
-          j.impulseX[slot] += solveRigid(across, j.impulseX[slot], bias);
-        }
-        case JointStore.MOTOR -> {
-          if (isFriction(slot)) {
-            solveFriction(slot);
-          } else if (bias) {
-            angleRow();
-            float old = j.impulseW[slot];
-            float most = j.maxTorque[slot];
-            j.impulseW[slot] +=
-                solveSpring(angle(k), j.angularHertz[slot], j.angularDamping[slot], old, most);
-            solveSoftPoint(slot, j.maxForce[slot]);
-          }
-        }
+        case JointStore.WELD -> solveWeld(k, slot, bias);
+        case JointStore.WHEEL -> solveWheel(k, slot, bias);
+        case JointStore.MOTOR -> solveMotorJoint(k, slot, bias);
         default -> {
           if (bias) {
             solveSoftPoint(slot, j.maxForce[slot]);
           }
         }
       }
+    }
+  }
+
+  /** Visits a revolute joint: what acts about its axis, then its point. */
+  private void solveRevolute(int k, int slot, boolean bias) {
+    JointStore j = store;
+    int flags = j.flags[slot];
+    boolean ratchet = j.isRatchet(slot);
+    if (ratchet || (flags & (JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG)) != 0) {
+      angleRow();
+      float angle = angle(k);
+      double turned = j.winds(slot) ? j.windB(slot, angle) : angle;
+      solveCoordinate(slot, (float) turned, bias);
+      if (ratchet) {
+        solveRatchet(slot, turned, bias);
+      }
+    }
+    if (!joints.inTree[k]) {
+      solvePoint(slot, bias);
+    }
+  }
+
+  /** Visits a weld: the angle, then the point, each rigid or by a spring. */
+  private void solveWeld(int k, int slot, boolean bias) {
+    JointStore j = store;
+    angleRow();
+    float angular = j.angularHertz[slot];
+    if (angular == 0) {
+      j.impulseW[slot] += solveRigid(bias ? angle(k) : 0, j.impulseW[slot], bias);
+    } else if (bias) {
+      float old = j.impulseW[slot];
+      j.impulseW[slot] +=
+          solveSpring(angle(k), angular, j.angularDamping[slot], old, Float.POSITIVE_INFINITY);
+    }
+    if (j.hertz[slot] == 0) {
+      solvePoint(slot, bias);
+    } else if (bias) {
+      solveSoftPoint(slot, Float.POSITIVE_INFINITY);
+    }
+  }
+
+  /** Visits a wheel: its motor, its spring along the axis, and what holds it on the axis. */
+  private void solveWheel(int k, int slot, boolean bias) {
+    JointStore j = store;
+    if ((j.flags[slot] & JointStore.DRIVEN) != 0) {
+      angleRow();
+      solveMotor(slot);
+    }
+    float along = axisRow(k);
+    solveSpringAndLimits(slot, along, bias);
+    float across = acrossRow(k);
+    j.impulseX[slot] += solveRigid(across, j.impulseX[slot], bias);
+  }
+
+  /** Visits a motor joint, or a friction joint, which has no springs. */
+  private void solveMotorJoint(int k, int slot, boolean bias) {
+    JointStore j = store;
+    if (isFriction(slot)) {
+      solveFriction(slot);
+    } else if (bias) {
+      angleRow();
+      float old = j.impulseW[slot];
+      float most = j.maxTorque[slot];
+      j.impulseW[slot] +=
+          solveSpring(angle(k), j.angularHertz[slot], j.angularDamping[slot], old, most);
+      solveSoftPoint(slot, j.maxForce[slot]);
     }
   }
 

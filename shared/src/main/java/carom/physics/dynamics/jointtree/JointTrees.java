@@ -5,24 +5,27 @@ import carom.physics.dynamics.joint.JointStore;
 import java.util.Arrays;
 
 /**
- * Finds the trees of revolute joints and rods that carry too much to be solved joint by joint: a
- * wrecking ball on a chain, a long bridge.
+ * Finds the trees of revolute joints, welds and rods that carry too much to be solved joint by
+ * joint: a wrecking ball on a chain, a long bridge, a beam.
  *
  * <p>Bodies that can be moved and the joints between them are a graph. What can't be moved is no
- * part of it, so a bridge between two rocks is a tree as well. Revolute joints come first: a rod
- * that would close a cycle, or that is with one, stays out, and is solved by itself. So no rod
- * takes the tree of a chain of hinges away. A joint's <i>load</i> is the mass that hangs on its
- * lighter side (all of the tree's, where both sides are held), in masses of its lighter body.
- * Solved one by one, a joint opens in proportion to it.
+ * part of it, so a bridge between two rocks is a tree as well. Revolute joints come first, then
+ * welds, then rods: a weld or rod that would close a cycle, or that is with one, stays out, and is
+ * solved by itself. So none takes the tree of a chain of hinges away. A joint's <i>load</i> is the
+ * mass that hangs on its lighter side (all of the tree's, where both sides are held), in masses of
+ * its lighter body. Solved one by one, a joint opens in proportion to it.
  *
  * <pre>
  *   rock --- 1 kg --- 1 kg --- 1 kg --- 100 kg     loads: 103, 102, 101, 100
  *   truck 500 kg --- 1 kg --- 1 kg --- 1 kg        loads: 3, 2, 1
  * </pre>
  *
- * <p>A tree without a cycle in which a load is {@value #LEAST_LOAD} or more is listed here, its
- * joints from the root to the leaves, for {@link TreeSolver}. Its root is a joint with what can't
+ * <p>A tree without a cycle is listed here, its joints from the root to the leaves, for {@link
+ * TreeSolver}, if a load is {@value #LEAST_LOAD} or more; or if it is held and has a weld, since
+ * each piece of a beam bends all welds up to where it is held. Its root is a joint with what can't
  * be moved, if there is one. All others are solved joint by joint, as if this class didn't exist.
+ * So are light welded bodies that move freely: a contact knows the mass of the piece it touches,
+ * not that of all, and bodies that stand on small rigid pieces bounce.
  *
  * <p>The lists follow from the awake joints and the masses of their bodies alone, so they are no
  * state: not from the slots of bodies, and from those of joints only in the order of sums.
@@ -135,13 +138,8 @@ public final class JointTrees {
     bodyStart[0] = 0;
     lookedCount = 0;
     search++;
-    if (n < 2) {
-      return;
-    }
     ensure(n, b.slots(), j.slots());
-    if (findComponents(list, n) < 2) {
-      return;
-    }
+    findComponents(list, n);
     for (int i = 0; i < n; i++) {
       int k = list[i];
       if (isOpen(k) && isHeld(k)) {
@@ -181,24 +179,23 @@ public final class JointTrees {
     }
   }
 
-  /** Finds the components of the graph, and returns the number of its joints. */
-  private int findComponents(int[] list, int n) {
-    int size = 0;
+  /** Finds the components of the graph. */
+  private void findComponents(int[] list, int n) {
     for (int i = 0; i < n; i++) {
-      int k = list[i];
-      if (joints.type[k] == JointStore.REVOLUTE) {
-        connect(k);
-        size++;
+      if (joints.type[list[i]] == JointStore.REVOLUTE) {
+        connect(list[i]);
       }
     }
     for (int i = 0; i < n; i++) {
-      int k = list[i];
-      if (joints.isRod(k) && keepsTrees(k)) {
-        connect(k);
-        size++;
+      if (joints.isRigidWeld(list[i]) && keepsTrees(list[i])) {
+        connect(list[i]);
       }
     }
-    return size;
+    for (int i = 0; i < n; i++) {
+      if (joints.isRod(list[i]) && keepsTrees(list[i])) {
+        connect(list[i]);
+      }
+    }
   }
 
   private void connect(int k) {
@@ -292,7 +289,9 @@ public final class JointTrees {
       }
     }
     noteMasses(from, size);
-    if (size - from < 2 || largestLoad(from, size, total, held[component]) < LEAST_LOAD) {
+    boolean heavy =
+        size - from > 1 && largestLoad(from, size, total, held[component]) >= LEAST_LOAD;
+    if (!heavy && !(held[component] > 0 && hasWeld(from, size))) {
       for (int i = from; i < size; i++) {
         found[slot[i]] = 0;
       }
@@ -336,6 +335,15 @@ public final class JointTrees {
       inverseMass[2 * lookedCount + 1] = bodies.invMass[joints.bodyB[k]];
       lookedCount++;
     }
+  }
+
+  private boolean hasWeld(int from, int to) {
+    for (int i = from; i < to; i++) {
+      if (joints.isRigidWeld(slot[i])) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns the largest load of joints listed from the root to the leaves. */

@@ -45,7 +45,7 @@ import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
  * Algorithms"); seen from the other side of its joint it is
  *
  * <pre>
- *   S = (Jc A^-1 Jc' + c)^-1            2 x 2
+ *   S = (Jc A^-1 Jc' + c)^-1            2 x 2, of welds 3 x 3
  *   A of the parent += Jp' S Jp
  * </pre>
  *
@@ -86,6 +86,7 @@ final class TreeMatrices {
   private int[] bodyB;
   private boolean[] childIsB;
   private boolean[] rod;
+  private boolean[] weld;
 
   /** State of the bodies. */
   private float[] v = new float[0];
@@ -113,6 +114,7 @@ final class TreeMatrices {
     bodyB = records.bodyB;
     childIsB = records.childIsB;
     rod = records.rod;
+    weld = records.weld;
   }
 
   /** Finds lever arms and gaps with the bodies where they are now, and eliminates. */
@@ -130,7 +132,11 @@ final class TreeMatrices {
       beginMatrix(b * BODY);
     }
     for (int i = last - 1; i >= first; i--) {
-      eliminate(i);
+      if (weld[i]) {
+        eliminateWeld(i);
+      } else {
+        eliminate(i);
+      }
     }
     if (trees.up[firstBody] < 0) {
       invert(firstBody * BODY);
@@ -207,6 +213,14 @@ final class TreeMatrices {
     d[at + BIAS_Y] = bias * ny;
     double pull = -(d[at + PX] * nx + d[at + PY] * ny);
     d[at + ACROSS] = pull > 0 && length > TreeRecords.LEAST_LENGTH ? h * pull / length : 0;
+  }
+
+  private void eliminateWeld(int i) {
+    if (trees.child[i] >= 0) {
+      invert(trees.child[i] * BODY);
+    }
+    records.welds.measure(i, biasRate);
+    records.welds.eliminate(i);
   }
 
   /** Finds how heavy a joint's child is, with all that hangs on it, and adds it to the parent. */

@@ -91,6 +91,9 @@ final class TreeRecords {
 
   static final int BODY = 19;
 
+  /** Numbers that welds have beside these. */
+  final TreeWelds welds;
+
   private final JointTrees trees;
   private final JointFrame frame = new JointFrame();
 
@@ -106,8 +109,17 @@ final class TreeRecords {
   /** Per joint: whether it is a rod. */
   boolean[] rod = new boolean[0];
 
+  /** Per joint: whether it is a weld. */
+  boolean[] weld = new boolean[0];
+
   /** Per tree: whether it has a rod. */
   boolean[] hasRods = new boolean[0];
+
+  /** Per tree: whether it has a weld. */
+  boolean[] hasWelds = new boolean[0];
+
+  /** Tells whether any tree has a weld. */
+  boolean anyWelds;
 
   /** Per body: its offset in the solver's state. */
   int[] offset = new int[0];
@@ -124,24 +136,31 @@ final class TreeRecords {
   /** Makes records of these trees. */
   TreeRecords(JointTrees trees) {
     this.trees = trees;
+    welds = new TreeWelds(trees, this);
   }
 
   /** Loads the joints and bodies of all trees as a step begins. */
-  void load(JointStore j, BodyStore bodies, int[] slotOf) {
+  void load(JointStore j, BodyStore bodies, int[] slotOf, float[] state) {
     ensure(trees.start[trees.count], trees.bodyStart[trees.count]);
+    welds.begin(trees.start[trees.count], state);
+    anyWelds = false;
     for (int t = 0; t < trees.count; t++) {
       hasRods[t] = false;
+      hasWelds[t] = false;
       for (int i = trees.start[t]; i < trees.start[t + 1]; i++) {
         frame.load(trees.slot[i], j, bodies, slotOf);
         pack(i, j, bodies, trees.closed[t]);
         hasRods[t] |= rod[i];
+        hasWelds[t] |= weld[i];
       }
+      anyWelds |= hasWelds[t];
     }
   }
 
   private void ensure(int joints, int bodyCount) {
     if (hasRods.length < trees.count) {
       hasRods = new boolean[Math.max(trees.count, 2 * hasRods.length)];
+      hasWelds = new boolean[hasRods.length];
     }
     if (bodyA.length < joints) {
       int capacity = Math.max(joints, 2 * bodyA.length);
@@ -149,6 +168,7 @@ final class TreeRecords {
       bodyB = new int[capacity];
       childIsB = new boolean[capacity];
       rod = new boolean[capacity];
+      weld = new boolean[capacity];
       joint = new double[capacity * JOINT];
     }
     if (offset.length < bodyCount) {
@@ -180,6 +200,10 @@ final class TreeRecords {
     } else {
       d[at + PX] = j.impulseX[f.slot];
       d[at + PY] = j.impulseY[f.slot];
+    }
+    weld[i] = j.isRigidWeld(f.slot);
+    if (weld[i]) {
+      welds.pack(i, f, j, closed);
     }
     d[at + SOFT] = closed ? CLOSED_SOFTNESS * ((double) f.massA + f.massB) : 0;
     loadBody(childIsB[i] ? p : c, f.offsetA, f.massA, f.inertiaA, bodies);
@@ -231,7 +255,8 @@ final class TreeRecords {
       int slot = trees.slot[i];
       float x = (float) joint[i * JOINT + PX];
       float y = (float) joint[i * JOINT + PY];
-      if (!(Math.abs(x) + Math.abs(y) <= Float.MAX_VALUE)) {
+      float w = weld[i] ? (float) welds.impulse(i) : 0;
+      if (!(Math.abs(x) + Math.abs(y) + Math.abs(w) <= Float.MAX_VALUE)) {
         j.forget(slot);
         continue;
       }
@@ -245,10 +270,13 @@ final class TreeRecords {
       } else {
         j.impulseX[slot] = x;
         j.impulseY[slot] = y;
+        if (weld[i]) {
+          j.impulseW[slot] = w;
+        }
       }
       j.forceX[slot] = x * inverseH;
       j.forceY[slot] = y * inverseH;
-      j.torque[slot] = 0;
+      j.torque[slot] = w * inverseH;
     }
   }
 }

@@ -32,9 +32,10 @@ import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.parallel.ParallelFor;
 
 /**
- * Solves the points and lengths of {@linkplain JointTrees trees} of joints directly: after a visit
- * all of a tree's joints hold at once, whatever hangs on them. Solved one by one, a load is noticed
- * by one more joint per visit, and a joint is a spring that is as weak as its bodies are light.
+ * Solves the points, angles and lengths of {@linkplain JointTrees trees} of joints directly: after
+ * a visit all of a tree's joints hold at once, whatever hangs on them. Solved one by one, a load is
+ * noticed by one more joint per visit, and a joint is a spring that is as weak as its bodies are
+ * light.
  *
  * <p><b>Equations.</b> With the masses M, the joints' matrix J and the speeds e at which anchors
  * part too fast, the change of velocities u and the impulses p are
@@ -68,6 +69,7 @@ public final class TreeSolver {
   private int[] bodyA;
   private int[] bodyB;
   private boolean[] childIsB;
+  private boolean[] weld;
   private int[] offset;
   private boolean[] turns;
 
@@ -78,6 +80,7 @@ public final class TreeSolver {
   private final ParallelFor.Range measuring = (from, to, worker) -> measureTrees(from, to);
   private final ParallelFor.Range warming = (from, to, worker) -> warmTrees(from, to);
   private final ParallelFor.Range biasing = (from, to, worker) -> biasTrees(from, to);
+  private final ParallelFor.Range settling = (from, to, worker) -> settleTrees(from, to);
   private final ParallelFor.Range relaxing = (from, to, worker) -> relaxTrees(from, to);
 
   /** Makes a solver of these trees, which threads share. */
@@ -88,6 +91,11 @@ public final class TreeSolver {
     matrices = new TreeMatrices(trees, records);
   }
 
+  /** Returns whether a tree has a weld. */
+  public boolean hasWelds() {
+    return trees.count > 0 && records.anyWelds;
+  }
+
   /** Begins a step: loads the joints and bodies of all trees. */
   public void begin(
       JointStore j, BodyStore bodyStore, int[] slotOf, float[] state, float substep, float rate) {
@@ -95,12 +103,13 @@ public final class TreeSolver {
     if (trees.count == 0) {
       return;
     }
-    records.load(j, bodyStore, slotOf);
+    records.load(j, bodyStore, slotOf, state);
     joint = records.joint;
     body = records.body;
     bodyA = records.bodyA;
     bodyB = records.bodyB;
     childIsB = records.childIsB;
+    weld = records.weld;
     offset = records.offset;
     turns = records.turns;
     matrices.begin(state, substep, rate);
@@ -115,6 +124,11 @@ public final class TreeSolver {
   /** Solves all joints before bodies move, with bias, which draws anchors together. */
   public void applyBiasedImpulses() {
     parallel.run(0, trees.count, 1, biasing);
+  }
+
+  /** Solves trees with welds once more before bodies move, with bias. */
+  public void settle() {
+    parallel.run(0, trees.count, 1, settling);
   }
 
   /** Solves all joints after bodies moved, rigid. */
@@ -137,6 +151,9 @@ public final class TreeSolver {
       double[] d = joint;
       for (int i = trees.start[t]; i < trees.start[t + 1]; i++) {
         applyImpulse(i, d[i * JOINT + PX], d[i * JOINT + PY]);
+        if (weld[i]) {
+          applyTurn(i, records.welds.impulse(i));
+        }
       }
     }
   }
@@ -146,6 +163,9 @@ public final class TreeSolver {
     for (int i = trees.start[t]; i < trees.start[t + 1]; i++) {
       joint[i * JOINT + PX] = 0;
       joint[i * JOINT + PY] = 0;
+      if (weld[i]) {
+        records.welds.forget(i);
+      }
     }
     solve(t, false);
   }
@@ -153,6 +173,14 @@ public final class TreeSolver {
   private void biasTrees(int from, int to) {
     for (int t = from; t < to; t++) {
       solve(t, true);
+    }
+  }
+
+  private void settleTrees(int from, int to) {
+    for (int t = from; t < to; t++) {
+      if (records.hasWelds[t]) {
+        solve(t, true);
+      }
     }
   }
 
@@ -178,6 +206,18 @@ public final class TreeSolver {
     }
   }
 
+  private void applyTurn(int i, double turn) {
+    int p = trees.parent[i];
+    int c = trees.child[i];
+    double sign = childIsB[i] ? 1 : -1;
+    if (p >= 0) {
+      change(p, 0, 0, -sign * turn);
+    }
+    if (c >= 0) {
+      change(c, 0, 0, sign * turn);
+    }
+  }
+
   private void change(int b, double px, double py, double turn) {
     int at = b * BODY;
     int o = offset[b];
@@ -191,7 +231,11 @@ public final class TreeSolver {
   private void solve(int t, boolean bias) {
     records.clearImpulses(trees.bodyStart[t], trees.bodyStart[t + 1]);
     for (int i = trees.start[t + 1] - 1; i >= trees.start[t]; i--) {
-      gather(i, bias);
+      if (weld[i]) {
+        gatherWeld(i, bias);
+      } else {
+        gather(i, bias);
+      }
     }
     int root = trees.bodyStart[t];
     if (trees.up[root] < 0) {
@@ -199,7 +243,25 @@ public final class TreeSolver {
       addVelocity(root);
     }
     for (int i = trees.start[t]; i < trees.start[t + 1]; i++) {
-      release(i);
+      if (weld[i]) {
+        releaseWeld(i);
+      } else {
+        release(i);
+      }
+    }
+  }
+
+  private void gatherWeld(int i, boolean bias) {
+    if (trees.child[i] >= 0) {
+      applyInverse(trees.child[i] * BODY);
+    }
+    records.welds.gather(i, bias);
+  }
+
+  private void releaseWeld(int i) {
+    records.welds.release(i);
+    if (trees.child[i] >= 0) {
+      addVelocity(trees.child[i]);
     }
   }
 

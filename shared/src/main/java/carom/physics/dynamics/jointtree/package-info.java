@@ -1,6 +1,6 @@
 /**
- * Trees of revolute joints and rods that are solved as a whole, because they carry far more than
- * they weigh.
+ * Trees of revolute joints, welds and rods that are solved as a whole, because they carry far more
+ * than they weigh.
  *
  * <p>May import {@code dynamics.body}, {@code joint}, {@code solver} and {@code parallel}. Read
  * first: {@code JointTrees}, {@code TreeSolver}.

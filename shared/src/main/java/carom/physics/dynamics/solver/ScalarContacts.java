@@ -119,7 +119,8 @@ final class ScalarContacts {
 
   /**
    * Visits a contact once: friction, then the normals with their springs. The gaps are those of the
-   * last {@link #relax}.
+   * last {@link #relax}. It stays whole, because it mirrors the vector kernel line by line, and the
+   * velocities that it changes stay in registers.
    */
   void applyBiasedImpulses(int block, int i) {
     float[] d = blocks.data;
@@ -195,7 +196,10 @@ final class ScalarContacts {
     applyImpulse(lane, at, normal, tangent, wa, wb);
   }
 
-  /** Visits a contact once after the bodies have moved: the normals, rigid, then friction. */
+  /**
+   * Visits a contact once after the bodies have moved: the normals, rigid, then friction. It stays
+   * whole, because it mirrors the vector kernel line by line, as {@link #applyBiasedImpulses} does.
+   */
   void relax(int block, int i) {
     float[] d = blocks.data;
     int lane = block * LANES + i;

@@ -11,7 +11,7 @@ final class SplashesTest {
   private static final int BLUE = 0x3a86c8;
 
   private final Splashes splashes = new Splashes();
-  private final Splashes.Water lake = (x, y) -> y < 0 ? BLUE : Splashes.NONE;
+  private final Splashes.WaterMap lake = (x, y) -> y < 0 ? BLUE : Splashes.NONE;
   private float y = 3;
 
   private void frames(int count, float vy) {
