@@ -421,6 +421,14 @@ public final class GameClient implements AutoCloseable {
     return game == null ? null : game.decoder();
   }
 
+  /**
+   * Returns which run of its server the client plays in, as the server's seats count it; 0 before
+   * joining. A server that goes on after a crash is another run.
+   */
+  public int incarnation() {
+    return game == null ? 0 : game.incarnation();
+  }
+
   /** Returns what is left to fade of corrections of the own body, metres. */
   public double visualErrorMetres() {
     return game == null ? 0 : game.visualErrorMetres();

@@ -67,6 +67,7 @@ final class JoinedGame {
   private final Input input = new Input();
   private final int tickRate;
   private final int playerId;
+  private final int incarnation;
   private long firstSnapshotNs;
 
   /**
@@ -92,6 +93,7 @@ final class JoinedGame {
     this.view = view;
     this.stats = stats;
     playerId = welcome.playerId();
+    incarnation = welcome.incarnation();
     this.source = source;
     tickRate = welcome.tickRate();
     fields = new RemoteFields(simulation.schema(), () -> view.view().tick());
@@ -317,6 +319,11 @@ final class JoinedGame {
   /** Ends the stay: fires the events that wait. The picture stays. */
   void close() {
     events.close();
+  }
+
+  /** Returns which run of the server the stay belongs to. */
+  int incarnation() {
+    return incarnation;
   }
 
   /** Returns what has arrived, exactly as the server sent it. Read-only. */

@@ -366,6 +366,7 @@ public final class Server implements AutoCloseable {
     }
     started = true;
     loader.start();
+    disk.start();
     workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
     workers.get(0).start(Thread.NORM_PRIORITY);
     rooms.forEach(this::begin);

@@ -35,10 +35,11 @@ public final class SimulatedClient {
   private final GameClient client;
   private final Impairment impairment;
   private InputSource script;
+  private final OutageTransport line;
   private ImpairedLink link;
   private boolean frozen;
   private boolean dead;
-  private long blackoutEndNs = Long.MIN_VALUE;
+  private long blackoutEndNs;
 
   private SnapshotDecoder checkedDecoder;
   private int checkedTick;
@@ -56,8 +57,9 @@ public final class SimulatedClient {
     this.name = config.name();
     this.impairment = impairment;
     this.script = script;
+    line = new OutageTransport(transport);
     ImpairedClientTransport impaired =
-        new ImpairedClientTransport(transport, impairment, new KryoMessageCodec(), clock);
+        new ImpairedClientTransport(line, impairment, new KryoMessageCodec(), clock);
     ClientTransport remembering =
         new ClientTransport() {
           @Override
@@ -77,24 +79,27 @@ public final class SimulatedClient {
   // ---- driven by the stepper
 
   void update(long nowNs, List<Room> rooms) {
+    if (line.isDead() && nowNs - blackoutEndNs >= 0) {
+      line.dead(false);
+    }
     if (frozen || dead) {
       return;
-    }
-    if (blackoutEndNs != Long.MIN_VALUE && nowNs - blackoutEndNs >= 0) {
-      blackoutEndNs = Long.MIN_VALUE;
-      impair(impairment);
     }
     client.update(nowNs);
     check(rooms == null ? null : truth(rooms));
   }
 
   /**
-   * Returns the frames of the match that the client plays, or null while the room plays another.
+   * Returns the frames of the match that the client plays, or null while the room plays another, or
+   * the client hasn't heard that its server crashed.
    */
   private FrameRing truth(List<Room> rooms) {
     for (Room room : rooms) {
       if (room.name().equals(client.view().room())) {
-        return room.match().number() == client.view().matchNumber() ? room.frames() : null;
+        boolean same =
+            room.match().number() == client.view().matchNumber()
+                && room.seats().incarnation() == client.incarnation();
+        return same ? room.frames() : null;
       }
     }
     return null;
@@ -195,10 +200,10 @@ public final class SimulatedClient {
     link.impair(up, down);
   }
 
-  /** Loses every datagram in both directions until a moment of virtual time. */
+  /** Lets nothing through in either direction until a moment of virtual time. */
   void blackout(long endNs) {
     blackoutEndNs = endNs;
-    impair(impairment.withLoss(100));
+    line.dead(true);
   }
 
   /**
@@ -249,9 +254,9 @@ public final class SimulatedClient {
     return link != null && !dead;
   }
 
-  /** Returns whether its process stands still, or the network lets no datagram through. */
+  /** Returns whether its process stands still, or the network lets nothing through. */
   public boolean isCutOff() {
-    return frozen || dead || blackoutEndNs != Long.MIN_VALUE;
+    return frozen || dead || line.isDead();
   }
 
   /** Returns figures about the connection. */

@@ -29,6 +29,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
@@ -55,6 +56,9 @@ public final class Stepper implements AutoCloseable {
   private long nowNs;
   private long lookNs;
   private long lookedNs;
+  private ServerTransport transport;
+  private KeptRooms kept; // null if servers keep nothing
+  private Consumer<Server> starts = started -> {};
   private Server server;
   private long hash;
   private int hashedTick = -1;
@@ -160,11 +164,40 @@ public final class Stepper implements AutoCloseable {
     lookNs = ns;
   }
 
-  /** Starts a fresh server at the same address, after {@link #stopServer}. */
+  /** Starts another server at the same address, after the last one has ended. */
   public void startServer() {
-    server = servers.apply(wire.serve());
+    transport = wire.serve();
+    server = servers.apply(transport);
     hashedTick = -1;
+    if (kept != null) {
+      kept.begin(server);
+    }
+    starts.accept(server);
     server.tick(nowNs);
+  }
+
+  /** Sets who sees each server that starts from now on, before its first tick. */
+  public void whenStarted(Consumer<Server> listener) {
+    starts = listener;
+  }
+
+  /**
+   * Makes servers that start from now on keep checkpoints in a folder, one in so many seconds, and
+   * go on from those that are there.
+   */
+  public void keepCheckpoints(Path folder, int seconds) {
+    kept = new KeptRooms(folder, 0, seconds);
+  }
+
+  /**
+   * Ends the server's process without a goodbye or a last checkpoint. What it had written stays, if
+   * it {@linkplain #keepCheckpoints keeps checkpoints}.
+   */
+  public void crashServer() {
+    requireHealthy();
+    transport.close();
+    kept = kept.crash(server);
+    server = null;
   }
 
   /** Stops the server as an operator does. The server says goodbye to all clients. */
@@ -320,7 +353,10 @@ public final class Stepper implements AutoCloseable {
     return wire.udpPort();
   }
 
-  /** Loses a client's datagrams in both directions for some time. */
+  /**
+   * Kills a client's line for some time: nothing gets through in either direction, reliable
+   * messages wait, and new links connect when the line is back.
+   */
   public void blackout(SimulatedClient client, double seconds) {
     client.blackout(nowNs + (long) (seconds * 1e9));
   }

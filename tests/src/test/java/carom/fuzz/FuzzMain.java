@@ -1,6 +1,6 @@
 package carom.fuzz;
 
-import carom.fixtures.Folders;
+import carom.testkit.Folders;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;

@@ -173,8 +173,9 @@ class SessionScenarioTest {
       stepper.player(client).score(7);
       stepper.blackout(client, 15);
       stepper.run(15);
-      assertTrue(client.stats().reconnects() > 0, client::toString);
+      assertEquals(ConnectionPhase.RECONNECTING, client.view().phase(), client::toString);
       stepper.run(5);
+      assertTrue(client.stats().reconnects() > 0, client::toString);
       assertEquals(ConnectionPhase.PLAYING, client.view().phase(), client::toString);
       assertSame(body, stepper.body(client));
       assertEquals(7, stepper.player(client).score());

@@ -23,6 +23,7 @@ import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.LevelException;
 import carom.sim.match.NextMatch;
+import carom.testkit.Folders;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
@@ -61,9 +62,8 @@ class CheckpointTest {
 
   private Path crash() throws Exception {
     Path kept = folder.resolve("kept" + copies);
-    KeptServer.settle(kept);
     copies++;
-    return KeptServer.copy(kept, folder.resolve("kept" + copies));
+    return Folders.copy(kept, folder.resolve("kept" + copies));
   }
 
   /** Plays for a second and leaves two bodies behind, whose players have lost their links. */
@@ -238,7 +238,6 @@ class CheckpointTest {
     kept.runTo(kept.tick() + 10);
     bob.input.hold(Input.ACTION, false);
     kept.runTo(150);
-    KeptServer.settle(folder.resolve("kept0")); // so that another checkpoint may begin
     kept.runTo(300);
     Path crashed = crash();
     kept.close();
@@ -420,7 +419,6 @@ class CheckpointTest {
     int secondsTick;
     try (KeptServer kept = new KeptServer(KeptServer.library(), levels, path, START_NS)) {
       play(kept, 3);
-      KeptServer.settle(path); // so that another checkpoint may begin
       kept.runTo(150);
       secondsTick = kept.tick();
       Path crashed = crash();

@@ -3,10 +3,10 @@ package carom.server;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.fixtures.Folders;
 import carom.replay.RecordingReader;
 import carom.server.metrics.Counter;
 import carom.sim.SimState;
+import carom.testkit.Folders;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
@@ -65,10 +65,8 @@ class HostileSlotTest {
     try (KeptServer server = start(kept)) {
       server.join("Ann", 0);
       server.runTo(70);
-      KeptServer.settle(kept);
       server.runTo(90);
-      KeptServer.settle(kept);
-      original = KeptServer.copy(kept, folder.resolve("original")).resolve("cup");
+      original = Folders.copy(kept, folder.resolve("original")).resolve("cup");
     }
     try (Stream<Path> files = Files.list(original)) {
       List<Integer> logs =

@@ -2,7 +2,6 @@ package carom.server;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.fixtures.Folders;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.InProcessNetwork;
 import carom.server.config.RoomConfig;
@@ -15,12 +14,10 @@ import carom.sim.level.LevelException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 
 /** A server in virtual time that keeps checkpoints, and what a crash leaves of it. */
 final class KeptServer implements AutoCloseable {
@@ -130,45 +127,6 @@ final class KeptServer implements AutoCloseable {
     }
     assertTrue(client.decoder != null && client.decoder.hasAck(), () -> "" + client.messages);
     return client;
-  }
-
-  /** Copies a folder of checkpoints as a crash at this moment would leave it. */
-  static Path copy(Path folder, Path to) throws IOException {
-    for (int attempt = 0; ; attempt++) {
-      try (Stream<Path> files = Files.walk(folder)) {
-        for (Path file : files.toList()) {
-          Path target = to.resolve(folder.relativize(file).toString());
-          if (Files.isDirectory(file)) {
-            Files.createDirectories(target);
-          } else {
-            Files.copy(file, target);
-          }
-        }
-        return to;
-      } catch (IOException | UncheckedIOException e) {
-        // A slot was deleted while it was listed; a crash leaves no such picture.
-        if (attempt == 100) {
-          throw e;
-        }
-        Folders.delete(to);
-      }
-    }
-  }
-
-  /** Waits until the disk has had time for what was handed to it. */
-  static void settle(Path folder) throws IOException, InterruptedException {
-    long last = -1;
-    for (int same = 0; same < 3; ) {
-      Thread.sleep(50);
-      long size;
-      try (Stream<Path> files = Files.walk(folder)) {
-        size = files.mapToLong(file -> file.toFile().length() + file.hashCode()).sum();
-      } catch (UncheckedIOException e) {
-        size = -1;
-      }
-      same = size == last ? same + 1 : 0;
-      last = size;
-    }
   }
 
   @Override

@@ -10,8 +10,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The threads that write the checkpoints of all rooms: one compresses and writes, the other waits
- * until the disk has what was written, so that no log waits with it. Any thread.
+ * Writes the checkpoints of all rooms. After {@link #start} two threads do it: one compresses and
+ * writes, the other waits until the disk has what was written, so that no log waits with it. Before
+ * that, all happens at once on the caller's thread, so that servers driven by hand do the same in
+ * each run. Any thread.
  */
 public final class SlotDisk implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(SlotDisk.class);
@@ -21,19 +23,25 @@ public final class SlotDisk implements AutoCloseable {
   private final ExecutorService syncs = thread("carom-checkpoints-sync");
 
   private final int mostStateBytes;
+  private volatile boolean hasThreads;
 
-  /** Creates the threads, which begin with the first task. */
+  /** Creates a disk without threads. */
   public SlotDisk() {
     this(Recorder.MOST_STATE_BYTES);
   }
 
   /**
-   * Creates the threads as above.
+   * Creates a disk as above.
    *
    * @param mostStateBytes largest state of a room that is kept, bytes
    */
   public SlotDisk(int mostStateBytes) {
     this.mostStateBytes = mostStateBytes;
+  }
+
+  /** Lets threads write from now on. They begin with the first task. */
+  public void start() {
+    hasThreads = true;
   }
 
   /** Returns how logs behind checkpoints are written. */
@@ -57,12 +65,20 @@ public final class SlotDisk implements AutoCloseable {
 
   /** Writes after all that was asked for before. */
   void write(Runnable task) {
-    writes.execute(task);
+    run(task, writes);
   }
 
   /** Syncs after all that was asked for before. */
   void sync(Runnable task) {
-    syncs.execute(task);
+    run(task, syncs);
+  }
+
+  private void run(Runnable task, ExecutorService thread) {
+    if (hasThreads) {
+      thread.execute(task);
+    } else {
+      task.run();
+    }
   }
 
   /**
@@ -72,7 +88,7 @@ public final class SlotDisk implements AutoCloseable {
    */
   public boolean flush() {
     CountDownLatch written = new CountDownLatch(1);
-    writes.execute(written::countDown);
+    write(written::countDown);
     try {
       return written.await(CLOSE_S, TimeUnit.SECONDS);
     } catch (InterruptedException e) {

@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -32,6 +33,7 @@ public final class RoomPictures {
 
   private final AtomicReference<PictureRequest> wanted = new AtomicReference<>();
   private final AtomicReference<Picture> made = new AtomicReference<>();
+  private final AtomicLong count = new AtomicLong();
 
   // The room's thread only.
   private final Floats cells = new Floats(Picture.CELL * MAX_CELLS);
@@ -54,6 +56,13 @@ public final class RoomPictures {
     return made.getAndSet(null);
   }
 
+  /**
+   * Returns the number of pictures that the room has made, at most one for each tick. Any thread.
+   */
+  public long count() {
+    return count.getAcquire();
+  }
+
   /** Returns whether somebody waits for a picture. */
   public boolean isWanted() {
     return wanted.get() != null;
@@ -70,6 +79,7 @@ public final class RoomPictures {
     }
     try {
       made.set(draw(request, match, simulation, bySeat));
+      count.setRelease(count.getPlain() + 1);
     } catch (RuntimeException e) {
       broken = true;
       LOG.error("a picture of the room can't be made; nobody can watch it any longer", e);

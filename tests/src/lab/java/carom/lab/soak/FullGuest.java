@@ -37,8 +37,18 @@ final class FullGuest implements Guest {
   }
 
   @Override
+  public String name() {
+    return client.name();
+  }
+
+  @Override
   public String room() {
     return client.view().room();
+  }
+
+  @Override
+  public int playerId() {
+    return client.view().playerId();
   }
 
   @Override
@@ -89,5 +99,10 @@ final class FullGuest implements Guest {
   @Override
   public long compared() {
     return client.compared();
+  }
+
+  @Override
+  public String toString() {
+    return client.toString();
   }
 }

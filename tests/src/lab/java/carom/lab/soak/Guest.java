@@ -14,13 +14,19 @@ interface Guest {
   /** Returns whether it plays. */
   boolean isPlaying();
 
+  /** Returns the name that it asks for; no other client has the same. */
+  String name();
+
   /** Returns the name of the room that welcomed it, or an empty text. */
   String room();
+
+  /** Returns the number of its seat in that room, or -1. */
+  int playerId();
 
   /** Breaks the connection; the client comes back. */
   void cut();
 
-  /** Loses all datagrams for some time, s. */
+  /** Kills the line for some time, s: nothing gets through, and new links don't connect. */
   void blackout(double seconds);
 
   /** Stops the process, or lets it go on. */

@@ -23,7 +23,7 @@ record Incident(double atS, Kind kind, int client, long detail) {
     DIE(3),
     /** The connection breaks, and the client comes back. */
     CUT(4),
-    /** No datagram arrives for up to twelve seconds. */
+    /** The client's line is dead for up to twenty seconds. */
     BLACKOUT(3),
     /** The client's process stands still for up to three seconds. */
     FREEZE(3),
@@ -39,8 +39,10 @@ record Incident(double atS, Kind kind, int client, long detail) {
     LEVEL(3),
     /** The server's process stands still for up to two seconds. */
     STALL(1),
-    /** The server is stopped and started again. */
-    RESTART(1);
+    /** The server is stopped and started again; every other time its world begins anew. */
+    RESTART(1),
+    /** The server's process is killed, and another one goes on from its checkpoints. */
+    CRASH(1);
 
     private final int weight;
 

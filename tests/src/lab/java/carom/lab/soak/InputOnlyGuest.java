@@ -19,6 +19,7 @@ import carom.sim.message.MessageKind.Direction;
 import carom.sim.message.MessageKinds;
 import carom.sim.message.MessageRates;
 import carom.sim.random.SimRandom;
+import carom.testkit.OutageTransport;
 import java.util.function.LongSupplier;
 
 /**
@@ -30,6 +31,9 @@ final class InputOnlyGuest implements Guest, LinkHandler {
   private static final long RETRY_NS = 500_000_000L;
   private static final int MOST_ARRIVALS = 1_000;
 
+  /** Silence after which the link is given up, as a real client does. */
+  private static final long SILENCE_NS = 6_000_000_000L;
+
   /** Inputs that each datagram repeats. */
   private static final int REPEATED = 6;
 
@@ -38,7 +42,7 @@ final class InputOnlyGuest implements Guest, LinkHandler {
   private static final int MAX_MARGIN = 4;
 
   private final String name;
-  private final ClientTransport transport;
+  private final OutageTransport line;
   private final LongSupplier clock;
   private final SimRandom random;
   private final int near;
@@ -51,7 +55,9 @@ final class InputOnlyGuest implements Guest, LinkHandler {
   private Impairment network;
   private ImpairedLink link;
   private long retryNs = Long.MIN_VALUE;
-  private long blackoutEndNs = Long.MIN_VALUE;
+  private long blackoutEndNs;
+  private boolean greeted;
+  private long lastHeardNs;
   private boolean frozen;
   private boolean gone;
   private ServerMessage.Welcome welcome;
@@ -72,7 +78,7 @@ final class InputOnlyGuest implements Guest, LinkHandler {
       boolean predicts,
       long seed) {
     this.name = name;
-    this.transport = transport;
+    line = new OutageTransport(transport);
     this.clock = clock;
     this.network = network.withSeed(seed);
     near = predicts ? InputDatagram.NEAR_ISLAND : InputDatagram.NEAR_NONE;
@@ -81,12 +87,11 @@ final class InputOnlyGuest implements Guest, LinkHandler {
 
   @Override
   public void update(long nowNs) {
+    if (line.isDead() && nowNs - blackoutEndNs >= 0) {
+      line.dead(false);
+    }
     if (gone || frozen) {
       return;
-    }
-    if (blackoutEndNs != Long.MIN_VALUE && nowNs - blackoutEndNs >= 0) {
-      blackoutEndNs = Long.MIN_VALUE;
-      impair(network);
     }
     if (link == null) {
       if (retryNs == Long.MIN_VALUE || nowNs - retryNs >= 0) {
@@ -94,7 +99,11 @@ final class InputOnlyGuest implements Guest, LinkHandler {
       }
       return;
     }
+    greet();
     link.poll(this, MOST_ARRIVALS);
+    if (link != null && nowNs - lastHeardNs > SILENCE_NS) {
+      drop("nothing was heard");
+    }
     if (link != null && heads != null) {
       sendInputs(nowNs);
       stream.flush((number, bytes) -> link.send(new ClientMessage.GameMessage(number, bytes)));
@@ -102,7 +111,16 @@ final class InputOnlyGuest implements Guest, LinkHandler {
   }
 
   private void connect() {
-    link = new ImpairedLink(transport.connect("localhost", 0, 0), network, clock);
+    link = new ImpairedLink(line.connect("localhost", 0, 0), network, clock);
+    greeted = false;
+    lastHeardNs = clock.getAsLong();
+  }
+
+  private void greet() {
+    if (greeted || link.state() != Link.State.OPEN) {
+      return;
+    }
+    greeted = true;
     long secret = welcome == null ? 0 : welcome.sessionSecret();
     link.send(new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), name, secret));
   }
@@ -145,6 +163,7 @@ final class InputOnlyGuest implements Guest, LinkHandler {
 
   @Override
   public void message(Link from, Object message) {
+    lastHeardNs = clock.getAsLong();
     if (message instanceof ServerMessage.Welcome w) {
       begin(w);
     } else if (message instanceof ServerMessage.Heard heard) {
@@ -187,6 +206,7 @@ final class InputOnlyGuest implements Guest, LinkHandler {
       return;
     }
     heardAny = true;
+    lastHeardNs = clock.getAsLong();
     if (heads.newestTick() > before) {
       heardNs = clock.getAsLong();
       int margin = heads.margin();
@@ -223,8 +243,18 @@ final class InputOnlyGuest implements Guest, LinkHandler {
   }
 
   @Override
+  public String name() {
+    return name;
+  }
+
+  @Override
   public String room() {
     return welcome == null ? "" : welcome.room();
+  }
+
+  @Override
+  public int playerId() {
+    return welcome == null ? -1 : welcome.playerId();
   }
 
   @Override
@@ -235,8 +265,7 @@ final class InputOnlyGuest implements Guest, LinkHandler {
   @Override
   public void blackout(double seconds) {
     blackoutEndNs = clock.getAsLong() + (long) (seconds * 1e9);
-    Impairment none = network.withLoss(100);
-    link.impair(none, none);
+    line.dead(true);
   }
 
   @Override
@@ -247,7 +276,7 @@ final class InputOnlyGuest implements Guest, LinkHandler {
   @Override
   public void impair(Impairment next) {
     network = next;
-    if (link != null && blackoutEndNs == Long.MIN_VALUE) {
+    if (link != null) {
       link.impair(next, next);
     }
   }
@@ -288,5 +317,10 @@ final class InputOnlyGuest implements Guest, LinkHandler {
   @Override
   public long compared() {
     return 0;
+  }
+
+  @Override
+  public String toString() {
+    return name;
   }
 }

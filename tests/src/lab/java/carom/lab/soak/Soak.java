@@ -6,16 +6,22 @@ import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
+import carom.server.Server;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.match.LoadedLevel;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
+import carom.sim.Game;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
+import carom.sim.level.LevelException;
 import carom.sim.message.Emote;
+import carom.testkit.Folders;
 import carom.testkit.Stepper;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,6 +29,7 @@ import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /**
  * One soak. It lets a server and its clients live through a script of incidents, and checks after
@@ -33,11 +40,14 @@ import java.util.Map;
  *   <li>what a client shows is there, and what is there it shows, see {@link EntityWatch};
  *   <li>all bodies have finite poses and velocities;
  *   <li>no more seats are taken than a room has, and the server counts no error;
+ *   <li>every queue is within its bound, see {@link QueueBounds};
+ *   <li>a server that starts after another one goes on from a state that was, see {@link
+ *       ProvenStates}, and players come back to their seats, see {@link Comebacks};
  *   <li>a recording of each server's life replays to the same hashes.
  * </ul>
  *
- * <p>All of it is in memory and virtual time, but for recordings: equal settings and incidents give
- * equal soaks.
+ * <p>All of it is in memory and virtual time, but for recordings and checkpoints: equal settings
+ * and incidents give equal soaks.
  */
 final class Soak {
   /**
@@ -46,9 +56,11 @@ final class Soak {
    * @param seconds length, s of virtual time
    * @param clients largest number of clients at a time
    * @param play what clients do
-   * @param recordings folder for recordings, or null for none
+   * @param folder for recordings and checkpoints
+   * @param records whether what happens is recorded and computed again
    */
-  record Settings(long seed, double seconds, int clients, Play play, Path recordings) {}
+  record Settings(
+      long seed, double seconds, int clients, Play play, Path folder, boolean records) {}
 
   /** The work that the clients of a soak do, from the most to the least. */
   enum Play {
@@ -66,7 +78,41 @@ final class Soak {
   /** Of input-only clients, one in so many has the server send it a predicted set. */
   private static final int PREDICTED = 4;
 
-  private static final int SEATS = 12; // of each room, fewer than clients: some are refused
+  /** Seats of each room, fewer than clients: some are refused. */
+  static final int SEATS = 12;
+
+  private static final int CHECKPOINT_S = 20;
+
+  /** Time between two looks at all queues, ns; longer where nothing else takes time. */
+  private static final long LOOK_NS = 1_000_000_000L;
+
+  private static final int RARE_LOOKS = 10;
+
+  private static final LoadedLevel WORKSHOP = new LoadedLevel(Workshop.level());
+
+  /** The installed games and levels, and one of joints. */
+  private static final MatchLibrary LIBRARY =
+      new MatchLibrary() {
+        @Override
+        public Game game(String name) {
+          return INSTALLED.game(name);
+        }
+
+        @Override
+        public LoadedLevel level(String name) throws LevelException {
+          return name.equals(WORKSHOP.level().name()) ? WORKSHOP : INSTALLED.level(name);
+        }
+      };
+
+  private static final List<RoomConfig> ROOMS =
+      List.of(
+          room("cup", "arena", "platformer", "commons"),
+          room("jump", "platformer", "rockets"),
+          room("works", WORKSHOP.level().name(), "arena"));
+
+  private static RoomConfig room(String name, String... levels) {
+    return new RoomConfig(name, "", List.of(levels), SEATS, 1, Map.of());
+  }
 
   private final Settings settings;
   private final Stepper stepper;
@@ -75,9 +121,14 @@ final class Soak {
   private final Map<Room, EntityWatch> watches = new HashMap<>();
   private final Map<Room, Integer> checkedTicks = new HashMap<>();
   private final Map<Guest, Long> thawNs = new HashMap<>();
+  private final ProvenStates states = new ProvenStates();
+  private final Comebacks comebacks = new Comebacks();
+  private final QueueBounds queues = new QueueBounds();
   private final long startNs;
-  private List<Path> recorded = List.of();
+  private long lookNs;
+  private boolean crashed;
   private int lives;
+  private int worlds;
   private long ticks;
   private long compared;
   private long entitiesSeen;
@@ -86,17 +137,15 @@ final class Soak {
 
   Soak(Settings settings) throws IOException {
     this.settings = settings;
-    List<RoomConfig> rooms =
-        List.of(
-            new RoomConfig(
-                "cup", "", List.of("arena", "platformer", "commons"), SEATS, 1, Map.of()),
-            new RoomConfig("jump", "", List.of("platformer", "arena"), SEATS, 1, Map.of()));
     ServerConfig config = ServerConfig.defaults().withSeed(settings.seed);
-    stepper = Stepper.ofRooms(config, MatchLibrary.INSTALLED, rooms.toArray(new RoomConfig[0]));
+    stepper = Stepper.ofRooms(config, LIBRARY, ROOMS.toArray(new RoomConfig[0]));
     stepper.expectExpulsions();
     clients = new Guest[settings.clients];
     startNs = stepper.nowNs();
-    begin();
+    stepper.stopServer();
+    stepper.whenStarted(this::begin);
+    beginWorld();
+    stepper.startServer();
   }
 
   /**
@@ -113,7 +162,7 @@ final class Soak {
         }
         step();
       }
-      end();
+      end(false);
     }
   }
 
@@ -124,8 +173,17 @@ final class Soak {
 
   /** Returns what the soak saw, for people. */
   String summary() {
-    return "ticks=%d states compared=%d entities seen=%d replayed ticks=%d incidents=%s"
-        .formatted(ticks, compared, entitiesSeen, replayed, happened);
+    return ("ticks=%d states compared=%d entities seen=%d replayed ticks=%d%nincidents=%s%nplayers"
+            + " who came back to their seats=%d, %s%n%s")
+        .formatted(
+            ticks,
+            compared,
+            entitiesSeen,
+            replayed,
+            happened,
+            comebacks.came(),
+            states.summary(),
+            queues.summary());
   }
 
   private void step() {
@@ -139,6 +197,7 @@ final class Soak {
     for (Guest client : clients) {
       if (client != null) {
         client.update(stepper.nowNs());
+        comebacks.look(client, stepper.nowNs());
       }
     }
     for (Room room : stepper.server().rooms()) {
@@ -146,7 +205,14 @@ final class Soak {
         checkedTicks.put(room, room.tick());
         ticks++;
         check(room);
+        states.tick(room);
       }
+    }
+    if (stepper.nowNs() - lookNs >= 0) {
+      lookNs = stepper.nowNs() + LOOK_NS * (settings.play == Play.INPUT_ONLY ? RARE_LOOKS : 1);
+      List<Object> roots = new ArrayList<>(stepper.clients());
+      roots.add(stepper.server());
+      queues.check(roots);
     }
   }
 
@@ -205,7 +271,7 @@ final class Soak {
       case BLACKOUT -> {
         if (there && client.isConnected()) {
           disturb(client);
-          client.blackout(incident.detail() % 12_000 / 1e3);
+          client.blackout(incident.detail() % 20_000 / 1e3);
         }
       }
       case FREEZE -> {
@@ -234,7 +300,8 @@ final class Soak {
       }
       case MOVE -> {
         if (isPlaying(client)) {
-          client.changeRoom(client.room().equals("cup") ? "jump" : "cup");
+          comebacks.forget(client);
+          client.changeRoom(ROOMS.get((int) (incident.detail() % ROOMS.size())).name());
         }
       }
       case LEVEL -> {
@@ -243,9 +310,16 @@ final class Soak {
       }
       case STALL -> stepper.stallServer(incident.detail() % 2_000 / 1e3);
       case RESTART -> {
-        end();
+        boolean anew = incident.detail() % 2 == 0;
+        end(false);
+        if (anew) {
+          beginWorld();
+        }
         stepper.startServer();
-        begin();
+      }
+      case CRASH -> {
+        end(true);
+        stepper.startServer();
       }
       default -> throw new AssertionError(incident);
     }
@@ -283,6 +357,7 @@ final class Soak {
     }
     client.end(incident.kind() == Incident.Kind.DIE);
     clients[incident.client()] = null;
+    comebacks.forget(client);
     thawNs.remove(client);
     compared += client.compared();
   }
@@ -299,24 +374,53 @@ final class Soak {
 
   // ---- the lives of the server
 
-  private void begin() throws IOException {
-    if (settings.recordings != null) {
-      Path folder = Files.createDirectories(settings.recordings.resolve("life" + lives));
-      recorded = stepper.server().record(folder);
-    }
-    lives++;
+  /** Lets the next server begin anew. */
+  private void beginWorld() throws IOException {
+    Path folder = settings.folder.resolve("world" + worlds);
+    Folders.delete(folder);
+    worlds++;
+    stepper.keepCheckpoints(settings.folder.resolve("world" + worlds), CHECKPOINT_S);
+    states.forget();
+    comebacks.forgetAll();
   }
 
-  private void end() throws IOException {
+  private Path recordings() {
+    return settings.folder.resolve("life" + lives);
+  }
+
+  private void begin(Server server) {
+    states.requireResumed(server.rooms(), crashed);
+    lives++;
+    if (settings.records) {
+      try {
+        server.record(Files.createDirectories(recordings()));
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+  }
+
+  private void end(boolean crash) throws IOException {
     long failed = stepper.count(Counter.SESSIONS_FAILED) + stepper.count(Counter.GAME_FAILURES);
     if (failed > 0) {
       throw new AssertionError("the server counted failures; " + stepper.server().status());
     }
-    stepper.stopServer();
+    crashed = crash;
+    comebacks.serverEnds(stepper.server().rooms(), stepper.nowNs());
+    if (crash) {
+      stepper.crashServer();
+    } else {
+      stepper.stopServer();
+    }
     watches.clear();
     checkedTicks.clear();
-    for (Path file : new ArrayList<>(recorded)) {
-      replay(file);
+    if (settings.records) {
+      try (Stream<Path> files = Files.list(recordings())) {
+        for (Path file : files.toList()) {
+          replay(file);
+        }
+      }
+      Folders.delete(recordings());
     }
   }
 
@@ -330,6 +434,5 @@ final class Soak {
         replayed++;
       }
     }
-    Files.delete(file);
   }
 }

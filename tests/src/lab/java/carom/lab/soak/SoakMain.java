@@ -1,6 +1,6 @@
 package carom.lab.soak;
 
-import carom.fixtures.Folders;
+import carom.testkit.Folders;
 import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -114,17 +114,15 @@ public final class SoakMain implements Callable<Integer> {
   private record Outcome(double seconds, String summary, Throwable failure) {}
 
   private Outcome attempt(List<Incident> script, double seconds) throws IOException {
-    Path folder = noRecordings ? null : Files.createTempDirectory("carom-soak");
-    Soak soak = new Soak(new Soak.Settings(seed, seconds, clients, play(), folder));
+    Path folder = Files.createTempDirectory("carom-soak");
+    Soak soak = new Soak(new Soak.Settings(seed, seconds, clients, play(), folder, !noRecordings));
     Throwable failure = null;
     try {
       soak.run(script);
     } catch (AssertionError | RuntimeException | IOException e) {
       failure = e;
     } finally {
-      if (folder != null) {
-        Folders.delete(folder);
-      }
+      Folders.delete(folder);
     }
     return new Outcome(soak.elapsedS(), soak.summary(), failure);
   }

@@ -80,7 +80,7 @@ final class SoakTest {
 
   private void soak(double seconds, Soak.Play play) throws Exception {
     System.out.printf("soak: seed=%d seconds=%.0f play=%s%n", SEED, seconds, play);
-    Soak soak = new Soak(new Soak.Settings(SEED, seconds, 16, play, folder));
+    Soak soak = new Soak(new Soak.Settings(SEED, seconds, 16, play, folder, true));
     try {
       soak.run(Incident.script(SEED, seconds, 16));
     } catch (AssertionError | RuntimeException e) {

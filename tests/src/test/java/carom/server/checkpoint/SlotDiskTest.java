@@ -14,6 +14,7 @@ class SlotDiskTest {
   @Test
   void noErrorKeepsTheNextCheckpointFromTheDisk() throws Exception {
     try (SlotDisk disk = new SlotDisk(1_000)) {
+      disk.start();
       CountDownLatch done = new CountDownLatch(2);
       disk.write(() -> fail(new OutOfMemoryError("on purpose")));
       disk.sync(() -> fail(new NoClassDefFoundError("on purpose")));

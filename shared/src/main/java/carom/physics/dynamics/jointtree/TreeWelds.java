@@ -43,8 +43,9 @@ final class TreeWelds {
   private static final double CLOSED_SOFTNESS = 1e-7;
 
   /**
-   * Softness of every weld, as a share of how easily what hangs on it turns. A beam sags by less
-   * than a micrometre per weld, whatever it carries. Rigid, it would hang up or down by rounding.
+   * Softness of every weld, as a share of how easily what hangs on it turns. A beam of 30 pieces
+   * with 1,000 times a piece's mass at its end sags by 0.9 mm. Rigid, it would end above or below
+   * level by rounding.
    */
   private static final double YIELD = 1e-4;
 
