@@ -42,6 +42,25 @@ final class ImpactTest {
     assertEquals(3, row.get(4).velocityX(), .03);
   }
 
+  /** Over any gap up to 10 cm, wherever in a step of 5 cm the first disc arrives. */
+  @ParameterizedTest
+  @ValueSource(doubles = {.25, .5})
+  void aRowHandsTheSpeedOnOverAnyGap(double radius) {
+    for (int mm = 0; mm <= 100; mm++) {
+      for (int phase = 0; phase < 5; phase++) {
+        World<String> w = Lab.space();
+        Body<String> last = null;
+        for (int i = 0; i < 5; i++) {
+          double x = i * (2 * radius + mm / 1000.0) + (i > 0 ? .5 + phase / 100.0 : 0);
+          last = Lab.disc(w, x, 0, radius, ELASTIC);
+          last.setVelocity(i == 0 ? 3 : 0, 0);
+        }
+        Lab.seconds(w, 1);
+        assertEquals(3, last.velocityX(), .03, "gap=" + mm + " mm phase=" + phase);
+      }
+    }
+  }
+
   /** Rows of any length and order of creation. */
   @ParameterizedTest
   @CsvSource({"3,1", "5,2", "12,3", "20,4"})

@@ -36,6 +36,8 @@ final class SeamTest {
   private enum Floor {
     BOXES((w, r) -> row(w, r, new Box(.5f, .5f, 0, -.5f), 1, 0)),
     SMALL_BOXES((w, r) -> row(w, r, new Box(.125f, .125f, 0, -.125f), .25f, 0)),
+    TILES_OF_8_CM((w, r) -> row(w, r, new Box(.04f, .25f, 0, -.25f), .08f, 0)),
+    TILES_OF_5_CM((w, r) -> row(w, r, new Box(.025f, .25f, 0, -.25f), .05f, 0)),
     THIN_BOXES((w, r) -> row(w, r, new Box(.5f, .02f, 0, -.02f), 1, 0)),
     OVERLAPPING_BOXES((w, r) -> row(w, r, new Box(.55f, .5f, 0, -.5f), 1, 0)),
     WEDGES((w, r) -> row(w, r, Polygon.of(-.5f, 0, -.2f, -1, .2f, -1, .5f, 0), 1, 0)),

@@ -69,6 +69,7 @@ public final class Seams {
   private int[] rows = new int[64];
   private int[] next = new int[64];
   private boolean[] ended = new boolean[64];
+  private boolean[] settled = new boolean[64];
   private int entries;
 
   // Scratch: the contact with S, in world axes relative to the body of S.
@@ -143,6 +144,7 @@ public final class Seams {
       rows = Arrays.copyOf(rows, 2 * entries);
       next = Arrays.copyOf(next, 2 * entries);
       ended = Arrays.copyOf(ended, 2 * entries);
+      settled = Arrays.copyOf(settled, 2 * entries);
     }
     if (head[mover] < 0) {
       if (moverCount == movers.length) {
@@ -165,10 +167,35 @@ public final class Seams {
     }
     int count = 0;
     for (int i = first; i >= 0; i = next[i]) {
+      settled[i] = !ended[i];
       for (int j = first; j >= 0; j = next[j]) {
         if (i != j && !ended[j] && covers(rows[j], rows[i])) {
           count += finish(rows[i], rows[j]);
+          settled[i] = true;
           break;
+        }
+      }
+    }
+    return count + endBeyond(first);
+  }
+
+  /**
+   * Ends contacts that only ended ones cover: a ground of small tiles goes on from one that holds,
+   * tile by tile. Those that end each other in a circle stay.
+   */
+  private int endBeyond(int first) {
+    int count = 0;
+    boolean more = true;
+    while (more) {
+      more = false;
+      for (int i = first; i >= 0; i = next[i]) {
+        for (int j = first; j >= 0 && !settled[i]; j = next[j]) {
+          if (settled[j] && covers(rows[j], rows[i]) && allCovered) {
+            contacts.end(rows[i]);
+            settled[i] = true;
+            more = true;
+            count++;
+          }
         }
       }
     }

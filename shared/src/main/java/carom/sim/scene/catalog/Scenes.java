@@ -22,6 +22,7 @@ public final class Scenes {
     ParticleScenes.all().forEach(Scenes::add);
     TrafficScenes.all().forEach(Scenes::add);
     MoverScenes.all().forEach(Scenes::add);
+    TruthScenes.all().forEach(Scenes::add);
   }
 
   private Scenes() {}
