@@ -74,7 +74,7 @@ final class QueueBounds {
           Map.entry("Redirects.followedNs", 3L),
           Map.entry("ClientView.notices", 64L));
 
-  /** Collections that may be long: fixed tables, and one entry for each key frame of a recording. */
+  /** Collections that may be long: fixed tables, and one entry for each keyframe of a recording. */
   private static final Set<String> LONG =
       Set.of("RecordingFile.ends", "DelayedRecording.ticks", "DelayedRecording.types");
 
