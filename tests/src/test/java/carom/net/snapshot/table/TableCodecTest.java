@@ -80,7 +80,8 @@ class TableCodecTest {
       s.present[i] = !s.whole[i] || !layout.startsEmpty() || random.nextBoolean();
       s.identity[i] = s.whole[i] && s.present[i] ? random.nextInt(1 << layout.identityBits()) : 0;
       long all = layout.width() == Long.SIZE ? -1 : (1L << layout.width()) - 1;
-      s.mask[i] = s.present[i] ? random.nextLong() & random.nextLong() & all : 0;
+      long half = random.nextLong() & all;
+      s.mask[i] = s.present[i] ? half & random.nextLong() : 0; // a quarter of the bits
       s.age[i] = layout.isUrgent() ? random.nextInt(64) : 0;
       s.words[i] = new int[Long.bitCount(s.mask[i])];
       int at = 0;
