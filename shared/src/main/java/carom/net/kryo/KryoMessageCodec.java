@@ -329,7 +329,7 @@ public final class KryoMessageCodec implements MessageCodec {
   private static final class PaceSerializer extends MessageSerializer<Pace> {
     @Override
     protected void write(Output out, Pace m) {
-      out.writeByte(m.percent());
+      out.writeByte(inRange("percent", m.percent(), 1, 100));
     }
 
     @Override

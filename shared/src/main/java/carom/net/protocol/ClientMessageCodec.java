@@ -69,6 +69,13 @@ public final class ClientMessageCodec {
       buffer.put((byte) DatagramMark.checkedEpoch(request.epoch()));
       buffer.putInt(request.offset());
     } else if (message instanceof ClientMessage.Look look) {
+      if (!isFollowable(look.follows())) {
+        throw new IllegalArgumentException(
+            "Look.follows="
+                + look.follows()
+                + " is outside -1.."
+                + (ProtocolLimits.MAX_PLAYERS - 1));
+      }
       buffer.put(LOOK);
       buffer.putFloat(look.x());
       buffer.putFloat(look.y());
@@ -241,10 +248,13 @@ public final class ClientMessageCodec {
             && Float.isFinite(y)
             && Float.isFinite(halfWidth)
             && Float.isFinite(halfHeight);
-    boolean player = follows >= ClientMessage.Look.NOBODY && follows < ProtocolLimits.MAX_PLAYERS;
-    return numbers && halfWidth >= 0 && halfHeight >= 0 && player
+    return numbers && halfWidth >= 0 && halfHeight >= 0 && isFollowable(follows)
         ? new ClientMessage.Look(x, y, halfWidth, halfHeight, follows)
         : null;
+  }
+
+  private static boolean isFollowable(int player) {
+    return player >= ClientMessage.Look.NOBODY && player < ProtocolLimits.MAX_PLAYERS;
   }
 
   /** Writes a report. A report of the own body alone has a tag and a shorter layout of its own. */
