@@ -73,6 +73,10 @@ public final class SnapshotSender {
   private int rateAccumulator;
   private int ticksSinceSent;
   private int ticksSinceHeard;
+
+  /** Ticks for which a client that was silent is still sent more keep-alives. */
+  private int answerTicks;
+
   private boolean due;
   private long datagramsSent;
   private long datagramsSettled;
@@ -144,6 +148,9 @@ public final class SnapshotSender {
 
   /** Takes a client's acks as they are; see {@link SnapshotEncoder#receiveAck}. */
   public void receiveAck(int ackSequence, long ackBits) {
+    if (isSilent()) {
+      answerTicks = keepAliveTicks; // it waits to learn which of its inputs were used
+    }
     ticksSinceHeard = 0;
     encoder.receiveAck(ackSequence, ackBits);
     settle(ackSequence);
@@ -200,6 +207,7 @@ public final class SnapshotSender {
     rateAccumulator = Math.min(tickRateHz + snapshotRateHz - 1, rateAccumulator + snapshotRateHz);
     ticksSinceSent++;
     ticksSinceHeard++;
+    answerTicks = Math.max(0, answerTicks - 1);
     due = rateAccumulator >= tickRateHz;
     if (due) {
       view.update(frames.newest(), encoder);
@@ -228,8 +236,11 @@ public final class SnapshotSender {
     if (late) {
       return lateTicks;
     }
-    boolean silent = ticksSinceHeard > SILENT_PAUSES * keepAliveTicks;
-    return news || silent ? newsTicks : keepAliveTicks;
+    return news || isSilent() || answerTicks > 0 ? newsTicks : keepAliveTicks;
+  }
+
+  private boolean isSilent() {
+    return ticksSinceHeard > SILENT_PAUSES * keepAliveTicks;
   }
 
   /** Returns whether the snapshot prepared last may be sent. */
