@@ -42,6 +42,21 @@ check "$runtime has a runtime" has "$work/list" "^-rwx.* carom-$version/runtime/
 unzip -Z "$plain" >"$work/list"
 check "$plain has no runtime" lacks "$work/list" ' [^ ]*/runtime/'
 
+# What cmd needs of the scripts for Windows: both characters at each line's end, a label for each jump, quotes in pairs.
+unzip -q "$plain" -d "$work/windows"
+for bat in "$work/windows/carom-$version"/bin/*.bat; do
+    name=${bat##*/}
+    check "$name ends its lines with CR and LF" lacks "$bat" '[^\r]$'
+    tr -d '\r' <"$bat" | sed 's/%[A-Z_]*:"=%//g' >"$work/bat" # which takes quotes out of a variable
+    for label in $(grep -oiP '\bgoto :?\K\w+' "$work/bat" | sort -u); do
+        check "$name has the label $label" has "$work/bat" "^:$label\$"
+    done
+    check "$name has quotes in pairs" lacks "$work/bat" '^(?!@?rem\b|echo\b)[^"]*"([^"]*"[^"]*")*[^"]*$'
+    check "$name starts a class that a library holds" sh -c "
+        class=\$(grep -oP -- '-classpath \"%CLASSPATH%\" \K[\w.]+' '$work/bat' | tr . /)
+        [ -n \"\$class\" ] && for jar in '$work/windows/carom-$version'/lib/*.jar; do unzip -l \"\$jar\"; done | grep -q \" \$class.class\""
+done
+
 # A PATH with everything of this system but Java.
 mkdir "$work/path"
 for tool in /usr/bin/* /bin/*; do
