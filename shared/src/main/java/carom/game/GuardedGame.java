@@ -61,17 +61,17 @@ public final class GuardedGame implements Game {
       (game, s, e, none) -> Objects.requireNonNull(game.audience(s, e), "audience");
 
   private final Game game;
-  private final FailureListener watch;
+  private final FailureListener listener;
 
   /**
    * Guards a game.
    *
    * @param game the game to guard
-   * @param watch receives each failure, during the step
+   * @param listener receives each failure, during the step
    */
-  public GuardedGame(Game game, FailureListener watch) {
+  public GuardedGame(Game game, FailureListener listener) {
     this.game = game;
-    this.watch = watch;
+    this.listener = listener;
   }
 
   @Override
@@ -281,6 +281,6 @@ public final class GuardedGame implements Game {
 
   private void failed(String callback, Simulation s, Object subject, Throwable failure) {
     String of = subject instanceof Player p ? " of player " + p.id() : " of " + subject;
-    watch.failed(subject == null ? callback : callback + of, s, failure);
+    listener.failed(subject == null ? callback : callback + of, s, failure);
   }
 }

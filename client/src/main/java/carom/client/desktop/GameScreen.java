@@ -91,7 +91,7 @@ final class GameScreen extends ScreenAdapter {
     this.fonts = fonts;
     this.keys = keys;
     controls = new Controls(keys);
-    pause = new PauseMenu(widgets, host, new PauseChoice());
+    pause = new PauseMenu(widgets, host, new PauseActions());
     picture = new GamePicture(canvas, fonts, sounds);
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
     hints = new KeyHints(picture.hud(), fonts, picture.game());
@@ -179,7 +179,7 @@ final class GameScreen extends ScreenAdapter {
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
   }
 
-  private final class PauseChoice implements PauseMenu.Actions {
+  private final class PauseActions implements PauseMenu.Actions {
     @Override
     public void resume() {
       show();

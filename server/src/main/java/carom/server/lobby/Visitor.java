@@ -98,11 +98,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    * Returns the stage; a visitor with a seat and one that asks for it never displace each other.
    */
   @Override
-  public Entrance.Standing standing() {
+  public Entrance.Proof proof() {
     if (done || state == SessionState.LOADING) {
-      return Entrance.Standing.IN;
+      return Entrance.Proof.IN;
     }
-    return waiting == null ? Entrance.Standing.UNPROVEN : Entrance.Standing.PROVEN;
+    return waiting == null ? Entrance.Proof.UNPROVEN : Entrance.Proof.PROVEN;
   }
 
   /** Refuses the visitor because others need its place at the door. */

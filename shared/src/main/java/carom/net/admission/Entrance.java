@@ -22,7 +22,7 @@ import java.util.function.Consumer;
  */
 public final class Entrance<T extends Entrance.Guest> {
   /** Tells what a guest has proven. It only goes on. Any thread may change it. */
-  public enum Standing {
+  public enum Proof {
     /** The guest has proven nothing. */
     UNPROVEN,
     /** The guest has proven that it can be reached, has worked, or knows what to say. */
@@ -37,7 +37,7 @@ public final class Entrance<T extends Entrance.Guest> {
     AddressGroup origin();
 
     /** Returns what it has proven by now. */
-    Standing standing();
+    Proof proof();
   }
 
   /** A network's share of the places is one in so many, and a host's is half of that. */
@@ -77,13 +77,13 @@ public final class Entrance<T extends Entrance.Guest> {
   /** Moves guests on by what they have proven meanwhile. Its cost grows with those who wait. */
   public void sort() {
     for (T guest : unproven.all()) {
-      if (guest.standing() != Standing.UNPROVEN) {
+      if (guest.proof() != Proof.UNPROVEN) {
         unproven.remove(guest);
         moveOn(guest, unproven);
       }
     }
     for (T guest : proven.all()) {
-      if (guest.standing() == Standing.IN) {
+      if (guest.proof() == Proof.IN) {
         proven.remove(guest);
       }
     }
@@ -110,12 +110,12 @@ public final class Entrance<T extends Entrance.Guest> {
 
   /** Finds a place for a guest that has been taken out. Returns false if it has proven no more. */
   private boolean moveOn(T guest, Waiting from) {
-    Standing standing = guest.standing();
-    if (standing == Standing.PROVEN && from == unproven) {
+    Proof proof = guest.proof();
+    if (proof == Proof.PROVEN && from == unproven) {
       place(guest, proven);
       return true;
     }
-    return standing == Standing.IN;
+    return proof == Proof.IN;
   }
 
   /** Guests in the order of their coming, of all and of each group. */

@@ -20,7 +20,7 @@ import java.util.function.Consumer;
 public final class DatagramPort implements Runnable {
 
   /**
-   * Receives datagrams, called on the port's thread. The port counts what it throws and goes on.
+   * Hears of datagrams, called on the port's thread. The port counts what it throws and goes on.
    */
   public interface Listener {
     /**
@@ -56,7 +56,7 @@ public final class DatagramPort implements Runnable {
 
   private final DatagramChannel channel;
   private final Selector selector;
-  private final Listener receiver;
+  private final Listener listener;
   private final Consumer<Throwable> errors;
   private final ByteBuffer in;
   private final ByteBuffer out;
@@ -69,14 +69,14 @@ public final class DatagramPort implements Runnable {
    * @param address an address of this machine, or the wildcard address, and a port number; 0 takes
    *     a free port
    * @param maxBytes bytes of the longest datagram; of a longer one the rest is cut off
-   * @param receiver takes the datagrams
+   * @param listener takes the datagrams
    * @param errors learns of failures, which the port survives; any thread
    * @throws IOException when the port can't be opened; nothing stays open then
    */
   public DatagramPort(
-      InetSocketAddress address, int maxBytes, Listener receiver, Consumer<Throwable> errors)
+      InetSocketAddress address, int maxBytes, Listener listener, Consumer<Throwable> errors)
       throws IOException {
-    this.receiver = receiver;
+    this.listener = listener;
     this.errors = errors;
     in = ByteBuffer.allocateDirect(maxBytes);
     out = ByteBuffer.allocateDirect(maxBytes);
@@ -158,7 +158,7 @@ public final class DatagramPort implements Runnable {
       }
       received++;
       try {
-        receiver.datagram(from, in.flip(), System.nanoTime());
+        listener.datagram(from, in.flip(), System.nanoTime());
       } catch (RuntimeException | Error x) {
         errors.accept(x);
       }

@@ -23,7 +23,7 @@ import java.util.List;
 public final class Assembly {
   private final String name;
   private final List<AssemblyDef.Part> parts;
-  private final List<AssemblyDef.PartJoint> links;
+  private final List<AssemblyDef.PartJoint> joints;
   private final List<Archetype> archetypes = new ArrayList<>();
   private final int[] definitions;
 
@@ -33,11 +33,11 @@ public final class Assembly {
     }
     name = def.name;
     parts = List.copyOf(def.parts);
-    links = List.copyOf(def.links);
+    joints = List.copyOf(def.joints);
     for (AssemblyDef.Part part : parts) {
       archetypes.add(registered.add(part.archetype()));
     }
-    definitions = new int[links.size() * JointDefRow.INTS];
+    definitions = new int[joints.size() * JointDefRow.INTS];
     define(def);
   }
 
@@ -50,12 +50,12 @@ public final class Assembly {
       BodyDef body = archetypes.get(i).body(part.x(), part.y(), part.angle());
       bodies.add(world.createBody(body, null));
     }
-    for (int i = 0; i < links.size(); i++) {
-      AssemblyDef.PartJoint link = links.get(i);
-      JointDef<Object> how = link.how().apply(bodies.get(link.a()), bodies.get(link.b()));
+    for (int i = 0; i < joints.size(); i++) {
+      AssemblyDef.PartJoint part = joints.get(i);
+      JointDef<Object> how = part.how().apply(bodies.get(part.a()), bodies.get(part.b()));
       Joint<Object> joint = world.createJoint(how);
-      if (joint.bodyA() != bodies.get(link.a()) || joint.bodyB() != bodies.get(link.b())) {
-        throw def.wrong("joint=" + link.name() + " must hold the two bodies it is given");
+      if (joint.bodyA() != bodies.get(part.a()) || joint.bodyB() != bodies.get(part.b())) {
+        throw def.wrong("joint=" + part.name() + " must hold the two bodies it is given");
       }
       world.readJoint(joint, definitions, i * JointDefRow.INTS);
     }
@@ -78,7 +78,7 @@ public final class Assembly {
 
   /** Returns the number of joints. */
   public int jointCount() {
-    return links.size();
+    return joints.size();
   }
 
   /**
@@ -105,14 +105,14 @@ public final class Assembly {
    * @throws IllegalArgumentException if there is none of that name; the message lists the names
    */
   public int joint(String jointName) {
-    for (int i = 0; i < links.size(); i++) {
-      if (links.get(i).name().equals(jointName)) {
+    for (int i = 0; i < joints.size(); i++) {
+      if (joints.get(i).name().equals(jointName)) {
         return i;
       }
     }
     List<String> names = new ArrayList<>();
-    for (AssemblyDef.PartJoint link : links) {
-      names.add(link.name());
+    for (AssemblyDef.PartJoint part : joints) {
+      names.add(part.name());
     }
     throw unknown("joint", jointName, names);
   }
@@ -139,12 +139,12 @@ public final class Assembly {
 
   /** Returns the number of body A of a joint. */
   public int bodyA(int joint) {
-    return links.get(joint).a();
+    return joints.get(joint).a();
   }
 
   /** Returns the number of body B of a joint. */
   public int bodyB(int joint) {
-    return links.get(joint).b();
+    return joints.get(joint).b();
   }
 
   /**

@@ -35,7 +35,7 @@ public final class AssemblyDef {
 
   final String name;
   final List<Part> parts = new ArrayList<>();
-  final List<PartJoint> links = new ArrayList<>();
+  final List<PartJoint> joints = new ArrayList<>();
 
   /** Creates an assembly without bodies. The name is for people and for error messages. */
   public AssemblyDef(String name) {
@@ -86,15 +86,15 @@ public final class AssemblyDef {
       String a,
       String b,
       BiFunction<Body<Object>, Body<Object>, JointDef<Object>> how) {
-    for (PartJoint link : links) {
-      if (link.name.equals(jointName)) {
+    for (PartJoint part : joints) {
+      if (part.name.equals(jointName)) {
         throw wrong("joint=" + jointName + " is there already; give each joint a name of its own");
       }
     }
-    if (links.size() == MAX_JOINTS) {
+    if (joints.size() == MAX_JOINTS) {
       throw wrong("joint=" + jointName + " exceeds the limit of " + MAX_JOINTS);
     }
-    links.add(new PartJoint(jointName, required(jointName, a), required(jointName, b), how));
+    joints.add(new PartJoint(jointName, required(jointName, a), required(jointName, b), how));
     return this;
   }
 

@@ -1,12 +1,12 @@
 package carom.lab.soak;
 
+import carom.fixtures.Cars;
 import carom.game.Games;
 import carom.physics.Body;
 import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
-import carom.physics.geometry.Circle;
 import carom.sim.Game;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
@@ -16,7 +16,6 @@ import carom.sim.event.EventKind;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.joint.Assembly;
-import carom.sim.joint.AssemblyDef;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -103,24 +102,9 @@ final class Workshop implements Game {
 
   @Override
   public void setUp(Simulation s) {
-    ArchetypeDef wheel =
-        new ArchetypeDef("wheel").shape(new Circle(0.45f), new Material(1, 1.2f, 0.1f));
-    car =
-        s.assemblies()
-            .add(
-                new AssemblyDef("car")
-                    .body(
-                        "chassis", new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), METAL), 0, 0)
-                    .body("rear", wheel, -1, -0.6f)
-                    .body("front", wheel, 1, -0.6f)
-                    .joint("drive", "chassis", "rear", (a, b) -> axle(a, b, -1).motor(0, 40))
-                    .joint("roll", "chassis", "front", (a, b) -> axle(a, b, 1)));
+    car = s.assemblies().add(Cars.car(new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), METAL)));
     crate = s.archetypes().add(new ArchetypeDef("crate").shape(new Box(0.4f, 0.4f), METAL));
     snap = s.eventKinds().add("snap", 0xffd166, 1, "snap");
-  }
-
-  private static JointDef<Object> axle(Body<Object> chassis, Body<Object> wheel, float x) {
-    return JointDef.wheel(chassis, wheel, x, -0.6f, 0, 1).limits(-0.3f, 0.3f).spring(4, 0.7f);
   }
 
   @Override

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 class EntranceTest {
   private static final class Guest implements Entrance.Guest {
     private final AddressGroup origin;
-    private Entrance.Standing stage = Entrance.Standing.UNPROVEN;
+    private Entrance.Proof proof = Entrance.Proof.UNPROVEN;
 
     Guest(String address) {
       origin = AddressGroup.ofRemote(address + ":1");
@@ -26,8 +26,8 @@ class EntranceTest {
     }
 
     @Override
-    public Entrance.Standing standing() {
-      return stage;
+    public Entrance.Proof proof() {
+      return proof;
     }
   }
 
@@ -77,16 +77,16 @@ class EntranceTest {
   @Test
   void theUnprovenNeverDisplaceTheProven() {
     Guest proven = guest("10.0.0.1");
-    proven.stage = Entrance.Standing.PROVEN;
+    proven.proof = Entrance.Proof.PROVEN;
     for (int i = 0; i < 2_000; i++) {
       guest("10." + i / 250 + "." + i % 250 + ".1");
     }
     assertFalse(evicted.contains(proven));
-    proven.stage = Entrance.Standing.IN;
+    proven.proof = Entrance.Proof.IN;
     entrance.sort();
     for (int i = 0; i < 20; i++) {
       Guest other = guest("10.0." + i + ".7");
-      other.stage = Entrance.Standing.PROVEN;
+      other.proof = Entrance.Proof.PROVEN;
       entrance.sort();
     }
     assertFalse(evicted.contains(proven), "it is in, and holds no place");
@@ -115,16 +115,16 @@ class EntranceTest {
       present.removeAll(evicted);
       evicted.clear();
       Guest one = present.get(random.nextInt(present.size()));
-      one.stage = Entrance.Standing.values()[random.nextInt(one.stage.ordinal(), 3)];
+      one.proof = Entrance.Proof.values()[random.nextInt(one.proof.ordinal(), 3)];
       if (random.nextInt(4) == 0) {
         entrance.remove(one);
         present.remove(one);
       }
       if (random.nextInt(10) == 0) {
         entrance.sort();
-        present.removeIf(g -> g.stage == Entrance.Standing.IN);
+        present.removeIf(g -> g.proof == Entrance.Proof.IN);
       }
-      long unproven = present.stream().filter(g -> g.stage == Entrance.Standing.UNPROVEN).count();
+      long unproven = present.stream().filter(g -> g.proof == Entrance.Proof.UNPROVEN).count();
       assertTrue(unproven <= 64, "seed=" + seed + " unproven=" + unproven);
     }
   }

@@ -28,7 +28,7 @@ public final class PauseMenu implements Disposable {
   private static final float SETTINGS_WIDTH = 560;
 
   private final Widgets widgets;
-  private final Actions choice;
+  private final Actions actions;
   private final MenuStage stage = new MenuStage(this::submit, this::back);
   private final SettingsPage settings;
   private boolean open;
@@ -36,9 +36,9 @@ public final class PauseMenu implements Disposable {
   private boolean stale;
 
   /** Creates a menu that is closed. The widgets and the host stay the property of the caller. */
-  public PauseMenu(Widgets widgets, SettingsHost host, Actions choice) {
+  public PauseMenu(Widgets widgets, SettingsHost host, Actions actions) {
     this.widgets = widgets;
-    this.choice = choice;
+    this.actions = actions;
     settings = new SettingsPage(widgets, host, stage, () -> stale = true);
   }
 
@@ -58,7 +58,7 @@ public final class PauseMenu implements Disposable {
 
   private void close() {
     open = false;
-    choice.resume();
+    actions.resume();
   }
 
   private void submit() {
@@ -96,8 +96,8 @@ public final class PauseMenu implements Disposable {
       panel.add(widgets.button("Back to the game", this::close)).row();
       panel.add(widgets.button("Settings", () -> turn(true))).row();
       panel.add(widgets.button("Rooms", this::rooms)).row();
-      panel.add(widgets.button("Leave the game", choice::leave)).row();
-      panel.add(widgets.button("Quit Carom", choice::quit)).row();
+      panel.add(widgets.button("Leave the game", actions::leave)).row();
+      panel.add(widgets.button("Quit Carom", actions::quit)).row();
     }
     Table root = new Table();
     if (showsSettings) {
@@ -110,7 +110,7 @@ public final class PauseMenu implements Disposable {
 
   private void rooms() {
     close();
-    choice.rooms();
+    actions.rooms();
   }
 
   /** Draws the menu if it is open. */

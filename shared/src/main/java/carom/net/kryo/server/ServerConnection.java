@@ -152,11 +152,11 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   }
 
   @Override
-  public Entrance.Standing standing() {
+  public Entrance.Proof proof() {
     return switch (phase) {
-      case PENDING -> Entrance.Standing.UNPROVEN;
-      case KEYING, CHALLENGED -> Entrance.Standing.PROVEN;
-      default -> Entrance.Standing.IN;
+      case PENDING -> Entrance.Proof.UNPROVEN;
+      case KEYING, CHALLENGED -> Entrance.Proof.PROVEN;
+      default -> Entrance.Proof.IN;
     };
   }
 
