@@ -55,6 +55,7 @@ public final class OperatorCommands {
   private final MatchChange changes;
   private final LongSupplier clock;
   private final BooleanSupplier closed;
+  private final Runnable wake;
   private final ArrayBlockingQueue<FutureTask<?>> waiting = new ArrayBlockingQueue<>(MAX_WAITING);
 
   /**
@@ -62,8 +63,9 @@ public final class OperatorCommands {
    *
    * @param number number of the room
    * @param closed returns whether the room is closed
+   * @param wake ends the nap of the room's thread, because a command waits
    */
-  OperatorCommands(RoomParts parts, int number, BooleanSupplier closed) {
+  OperatorCommands(RoomParts parts, int number, BooleanSupplier closed, Runnable wake) {
     room = parts.context;
     this.number = number;
     sessions = parts.sessions;
@@ -72,6 +74,7 @@ public final class OperatorCommands {
     changes = parts.changes;
     clock = parts.clock;
     this.closed = closed;
+    this.wake = wake;
   }
 
   /** Carries out the commands that wait; on the room's thread. */
@@ -331,6 +334,7 @@ public final class OperatorCommands {
     if (!waiting.offer(command)) {
       throw new NoAnswer("too many questions at once; ask again");
     }
+    wake.run();
     try {
       return command.get(ANSWER_S, TimeUnit.SECONDS);
     } catch (InterruptedException e) {
