@@ -104,7 +104,8 @@ public final class Room {
     context = parts.context;
     end = new RoomEnd(parts);
     ticks = new RoomTick(parts, end);
-    operator = new OperatorCommands(parts, number, end::isClosed, () -> wake.run());
+    operator =
+        new OperatorCommands(parts, number, settings.name(), end::isClosed, () -> wake.run());
     pictures = new RoomPictures(this::wakeIfPaused);
     context.match().capture().capture();
   }
@@ -237,7 +238,7 @@ public final class Room {
         && context.age() > 0
         && parts.sessions.count() == 0
         && parts.arrivals.isEmpty()
-        && !parts.recording.isOn();
+        && !parts.recording.needsTicks();
   }
 
   /** Returns when the next tick is due; valid after the first {@link #doWork}. */
