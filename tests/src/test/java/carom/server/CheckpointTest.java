@@ -155,7 +155,7 @@ class CheckpointTest {
           watching.messages.stream()
               .filter(ServerMessage.Roster.class::isInstance)
               .flatMap(message -> ((ServerMessage.Roster) message).entries().stream())
-              .filter(entry -> entry.id() == 1)
+              .filter(entry -> entry.playerId() == 1)
               .reduce((before, last) -> last)
               .orElseThrow()
               .colour(),
