@@ -207,6 +207,7 @@ public final class Server implements AutoCloseable {
     for (Room room : rooms) {
       room.checkpoint(disk, folder.resolve(room.name()), seconds);
     }
+    rooms.forEach(room -> room.reconcile(rooms));
   }
 
   /**
@@ -408,6 +409,9 @@ public final class Server implements AutoCloseable {
       disk.flush();
       try {
         room.checkpoint(disk, checkpoints.resolve(room.name()), checkpointS);
+        List<Room> others = new ArrayList<>(rooms);
+        others.set(index, room);
+        room.reconcile(others);
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }

@@ -72,6 +72,23 @@ class IdleTest {
   }
 
   @Test
+  void aRoomThatMayBeWatchedPausesUntilSomebodyWatches() throws Exception {
+    try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
+      rig.server.allowSpectators(1);
+      rig.seconds(10);
+      assertTrue(rig.room.isPaused());
+      int tick = rig.room.tick();
+      rig.room.counters().set(Counter.SPECTATORS, 1);
+      rig.seconds(1);
+      assertFalse(rig.room.isPaused());
+      assertEquals(tick + 60, rig.room.tick(), 1);
+      rig.room.counters().set(Counter.SPECTATORS, 0);
+      rig.seconds(1);
+      assertTrue(rig.room.isPaused());
+    }
+  }
+
+  @Test
   void roomsRunOnUnlessToldToPause() {
     try (Rig rig = new Rig(PAUSES.withPausesIdleRooms(false), new TestGame(3))) {
       rig.seconds(1);

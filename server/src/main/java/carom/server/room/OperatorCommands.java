@@ -49,6 +49,7 @@ public final class OperatorCommands {
 
   private final RoomContext room;
   private final int number;
+  private final String name;
   private final RoomSessions sessions;
   private final Departures departures;
   private final RoomRecording recording;
@@ -61,11 +62,13 @@ public final class OperatorCommands {
    * Creates an empty queue of commands.
    *
    * @param number number of the room
+   * @param name name of the room
    * @param closed returns whether the room is closed
    */
-  OperatorCommands(RoomParts parts, int number, BooleanSupplier closed) {
+  OperatorCommands(RoomParts parts, int number, String name, BooleanSupplier closed) {
     room = parts.context;
     this.number = number;
+    this.name = name;
     sessions = parts.sessions;
     departures = parts.departures;
     recording = parts.recording;
@@ -168,8 +171,7 @@ public final class OperatorCommands {
     int numberInName = room.label().isEmpty() ? 0 : number;
     String game = room.match().info().game();
     Path file = RecordingFile.fileFor(target, game, numberInName).toAbsolutePath();
-    return ask(
-        () -> closed.getAsBoolean() ? "room=" + number + " is closed" : recording.begin(file));
+    return ask(() -> closed.getAsBoolean() ? "room=" + name + " is closed" : recording.begin(file));
   }
 
   /**
@@ -209,7 +211,7 @@ public final class OperatorCommands {
     return ask(
         () -> {
           if (closed.getAsBoolean()) {
-            return "room=" + number + " is closed";
+            return "room=" + name + " is closed";
           }
           changes.begin(next, wanted, clock.getAsLong());
           MatchInfo match = next.info();
@@ -234,7 +236,7 @@ public final class OperatorCommands {
         return "not saved: the game keeps more than its state";
       }
       saved.write(file);
-      return "saved room=" + number + " to " + file;
+      return "saved room=" + name + " to " + file;
     } catch (NoAnswer e) {
       return "not saved: " + e.getMessage();
     } catch (IOException e) {

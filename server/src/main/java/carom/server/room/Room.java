@@ -29,6 +29,7 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 
@@ -103,7 +104,7 @@ public final class Room {
     context = parts.context;
     end = new RoomEnd(parts);
     ticks = new RoomTick(parts, end);
-    operator = new OperatorCommands(parts, number, end::isClosed);
+    operator = new OperatorCommands(parts, number, settings.name(), end::isClosed);
     context.match().capture().capture();
   }
 
@@ -174,6 +175,22 @@ public final class Room {
   }
 
   /**
+   * Gives up the seats of players who, as other rooms were kept, have gone there; after all rooms
+   * go on from their checkpoints, and before the first {@link #doWork}.
+   *
+   * @param rooms all rooms of the server; others may be running
+   */
+  public void reconcile(List<Room> rooms) {
+    parts.moves.reconcile(rooms, parts.clock.getAsLong());
+  }
+
+  /** Returns whether players who come are on the disk in a moment; from any thread. */
+  boolean isKept() {
+    RoomCheckpoints checkpoints = parts.checkpoints;
+    return checkpoints != null && checkpoints.isKept();
+  }
+
+  /**
    * Hands over a player whose level is loaded; from any thread.
    *
    * @return false when too many are on their way or the room is closed; the link and the claim stay
@@ -200,7 +217,11 @@ public final class Room {
       return parts.partings.doWork(nowNs);
     }
     int work = pollAll(nowNs) + parts.partings.doWork(nowNs);
+    seats().expire(nowNs);
     paused = isIdle();
+    if (paused && parts.checkpoints != null) {
+      parts.checkpoints.rests(nowNs);
+    }
     int due = parts.pace.due(paused, ticks.tick(), nowNs);
     for (int left = due; left > 0 && !end.isClosed(); left--) {
       ticks.run(nowNs, left <= MAX_SENDS_PER_BURST);
@@ -218,7 +239,7 @@ public final class Room {
         && context.age() > 0
         && parts.sessions.count() == 0
         && parts.arrivals.isEmpty()
-        && !parts.recording.isOn();
+        && !parts.recording.needsTicks();
   }
 
   /** Returns when the next tick is due; valid after the first {@link #doWork}. */

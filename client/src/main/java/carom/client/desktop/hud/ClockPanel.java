@@ -32,7 +32,7 @@ public final class ClockPanel {
   private final Canvas canvas;
   private final Fonts fonts;
   private final ShownGame game;
-  private final Panel part = new Panel(Spot.TOP);
+  private final Panel panel = new Panel(Spot.TOP);
   private final Vector3 at = new Vector3();
   private String adviceAlone = "";
 
@@ -90,12 +90,12 @@ public final class ClockPanel {
     }
     float wide = below.isEmpty() ? w : Math.max(w, hud.width(fonts.small(), below) + 2 * PAD);
     float h = below.isEmpty() ? LINE : LINE + 20;
-    if ((text.isEmpty() && teams == 0) || !hud.layout().placeAnyhow(part, wide, h)) {
+    if ((text.isEmpty() && teams == 0) || !hud.layout().placeAnyhow(panel, wide, h)) {
       return;
     }
-    hud.panel(part.x(), part.y(), wide, h);
-    float x = part.x() + (wide - w) / 2 + PAD;
-    float top = part.y() + h - 9;
+    hud.panel(panel.x(), panel.y(), wide, h);
+    float x = panel.x() + (wide - w) / 2 + PAD;
+    float top = panel.y() + h - 9;
     for (int team = 1; team <= (teams + 1) / 2; team++) {
       x = drawScore(view, team, x, top);
     }
@@ -104,7 +104,7 @@ public final class ClockPanel {
     hud.left(
         fonts.small(),
         below,
-        part.x() + (wide - hud.width(fonts.small(), below)) / 2,
+        panel.x() + (wide - hud.width(fonts.small(), below)) / 2,
         top - 21,
         UiColours.ACCENT);
     hud.end();
