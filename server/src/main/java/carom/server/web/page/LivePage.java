@@ -18,6 +18,7 @@ import io.undertow.websockets.spi.WebSocketHttpExchange;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.RejectedExecutionException;
@@ -108,7 +109,7 @@ public final class LivePage implements AutoCloseable {
     } else if (exchange.getRequestPath().equals(SOCKET)) {
       if (!guard.acceptsOrigin(exchange)) {
         refuse(exchange, "only the page itself may connect");
-      } else if (viewers.size() >= MAX_VIEWERS) {
+      } else if (viewers.size() >= MAX_VIEWERS && !strangerGivesWay()) {
         exchange.setStatusCode(StatusCodes.SERVICE_UNAVAILABLE);
         exchange.getResponseSender().send("too many pages are open\n");
       } else {
@@ -153,6 +154,20 @@ public final class LivePage implements AutoCloseable {
             });
     channel.resumeReceives();
     clock.execute(LastingThread.guarded(() -> greet(viewer)));
+  }
+
+  /**
+   * Ends the oldest connection that may do nothing but log in, so that strangers keep no operator
+   * out. Returns whether there was one.
+   */
+  private boolean strangerGivesWay() {
+    Optional<Viewer> first = viewers.stream().filter(viewer -> !watches(viewer)).findFirst();
+    first.ifPresent(
+        viewer -> {
+          viewers.remove(viewer);
+          viewer.refuse("too many pages are open");
+        });
+    return first.isPresent();
   }
 
   private boolean watches(Viewer viewer) {
