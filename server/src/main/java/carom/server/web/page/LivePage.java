@@ -22,6 +22,7 @@ import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -59,6 +60,9 @@ public final class LivePage implements AutoCloseable {
       new WebSocketProtocolHandshakeHandler(this::connected);
   private final ScheduledThreadPoolExecutor clock;
   private final ThreadPoolExecutor commands;
+
+  // The page's thread only.
+  private ScheduledFuture<?> pictures; // null while nobody watches
   private long sampledNs = System.nanoTime();
 
   /** Begins to note figures; {@link #serves} and {@link #handle} show them. */
@@ -83,8 +87,6 @@ public final class LivePage implements AutoCloseable {
             new ArrayBlockingQueue<>(MAX_COMMANDS),
             daemon("carom-page-commands"));
     clock.scheduleAtFixedRate(LastingThread.guarded(this::second), 1, 1, TimeUnit.SECONDS);
-    clock.scheduleWithFixedDelay(
-        LastingThread.guarded(this::pictures), PICTURE_MS, PICTURE_MS, TimeUnit.MILLISECONDS);
   }
 
   private static ThreadFactory daemon(String name) {
@@ -153,7 +155,16 @@ public final class LivePage implements AutoCloseable {
               }
             });
     channel.resumeReceives();
-    clock.execute(LastingThread.guarded(() -> greet(viewer)));
+    clock.execute(LastingThread.guarded(() -> begin(viewer)));
+  }
+
+  private void begin(Viewer viewer) {
+    if (pictures == null) {
+      pictures =
+          clock.scheduleWithFixedDelay(
+              LastingThread.guarded(this::pictures), 0, PICTURE_MS, TimeUnit.MILLISECONDS);
+    }
+    greet(viewer);
   }
 
   /**
@@ -288,6 +299,8 @@ public final class LivePage implements AutoCloseable {
 
   private void pictures() {
     if (viewers.isEmpty()) {
+      pictures.cancel(false);
+      pictures = null;
       return;
     }
     long nowNs = System.nanoTime();
