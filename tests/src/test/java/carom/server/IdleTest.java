@@ -6,7 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.server.picture.PictureRequest;
 import java.nio.file.Path;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -58,6 +63,32 @@ class IdleTest {
       assertEquals(tick, rig.room.tick());
       rig.join("Bob");
       assertEquals(0, rig.count(Counter.TICKS_DROPPED));
+    }
+  }
+
+  @Test
+  void thePausedRoomsThreadNapsUntilSomebodyNeedsIt() throws Exception {
+    try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
+      RoomDuty duty = new RoomDuty(rig.room, 0);
+      AtomicInteger calls = new AtomicInteger();
+      rig.room.onNeeded(calls::incrementAndGet);
+      rig.seconds(1);
+      assertEquals(Long.MAX_VALUE, duty.napNs(rig.nowNs));
+      assertEquals(0, calls.get());
+
+      rig.room.pictures().ask(new PictureRequest(false, false, false, Set.of()));
+      assertEquals(1, calls.get(), "somebody wants to see it");
+      Future<Integer> said = CompletableFuture.supplyAsync(() -> rig.room.operator().say("hello"));
+      while (!said.isDone()) {
+        rig.seconds(0.1);
+      }
+      assertEquals(2, calls.get(), "an operator asks");
+
+      rig.join("Ann");
+      assertEquals(3, calls.get(), "a player comes");
+      assertTrue(duty.napNs(rig.nowNs) < 20_000_000, "ticks are due");
+      rig.room.pictures().ask(new PictureRequest(false, false, false, Set.of()));
+      assertEquals(3, calls.get(), "a room that ticks looks itself");
     }
   }
 

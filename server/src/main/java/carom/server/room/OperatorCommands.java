@@ -56,6 +56,7 @@ public final class OperatorCommands {
   private final MatchChange changes;
   private final LongSupplier clock;
   private final BooleanSupplier closed;
+  private final Runnable wake;
   private final ArrayBlockingQueue<FutureTask<?>> waiting = new ArrayBlockingQueue<>(MAX_WAITING);
 
   /**
@@ -64,8 +65,10 @@ public final class OperatorCommands {
    * @param number number of the room
    * @param name name of the room
    * @param closed returns whether the room is closed
+   * @param wake ends the nap of the room's thread, because a command waits
    */
-  OperatorCommands(RoomParts parts, int number, String name, BooleanSupplier closed) {
+  OperatorCommands(
+      RoomParts parts, int number, String name, BooleanSupplier closed, Runnable wake) {
     room = parts.context;
     this.number = number;
     this.name = name;
@@ -75,6 +78,7 @@ public final class OperatorCommands {
     changes = parts.changes;
     clock = parts.clock;
     this.closed = closed;
+    this.wake = wake;
   }
 
   /** Carries out the commands that wait; on the room's thread. */
@@ -333,6 +337,7 @@ public final class OperatorCommands {
     if (!waiting.offer(command)) {
       throw new NoAnswer("too many questions at once; ask again");
     }
+    wake.run();
     try {
       return command.get(ANSWER_S, TimeUnit.SECONDS);
     } catch (InterruptedException e) {

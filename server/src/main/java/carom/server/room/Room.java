@@ -63,11 +63,12 @@ public final class Room {
   private final RoomContext context;
   private final int number;
   private final RoomConfig settings;
-  private final RoomPictures pictures = new RoomPictures();
+  private final RoomPictures pictures;
   private final RoomEnd end;
   private final RoomTick ticks;
   private final OperatorCommands operator;
   private volatile boolean paused;
+  private volatile Runnable wake = () -> {};
 
   /**
    * Builds the level and sets up the game of the first match.
@@ -104,7 +105,9 @@ public final class Room {
     context = parts.context;
     end = new RoomEnd(parts);
     ticks = new RoomTick(parts, end);
-    operator = new OperatorCommands(parts, number, settings.name(), end::isClosed);
+    operator =
+        new OperatorCommands(parts, number, settings.name(), end::isClosed, () -> wake.run());
+    pictures = new RoomPictures(this::wakeIfPaused);
     context.match().capture().capture();
   }
 
@@ -115,6 +118,22 @@ public final class Room {
    */
   public void helpedBy(Workers helpers) {
     context.helpedBy(helpers);
+  }
+
+  /**
+   * Sets what tells the thread of a paused room that it is needed: a player comes, an operator asks
+   * something, or somebody wants a picture. Before the first turn.
+   *
+   * @param newWake runs on any thread and returns at once
+   */
+  public void onNeeded(Runnable newWake) {
+    wake = newWake;
+  }
+
+  private void wakeIfPaused() {
+    if (paused) {
+      wake.run();
+    }
   }
 
   /**
@@ -200,6 +219,7 @@ public final class Room {
     if (end.isClosed() || !parts.arrivals.offer(admission)) {
       return false;
     }
+    wake.run();
     // A room that closes in between has either told this player goodbye, or never will.
     return !end.isClosed() || !parts.arrivals.withdraw(admission);
   }

@@ -9,6 +9,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeoutException;
 import java.util.function.ToDoubleFunction;
@@ -167,11 +168,9 @@ final class FloodTrial {
             + " | p99 with / without: median, least, most | inputs missing without, with |");
     System.out.println("| --- | --- | --- | --- | --- | --- |");
     for (Row row : rows) {
-      List<Double> ratios = new ArrayList<>();
-      for (int i = 0; i < row.with.size(); i++) {
-        ratios.add(row.with.get(i).p99 / row.without.get(i).p99);
-      }
-      ratios.sort(null);
+      double[] ratios = new double[row.with.size()];
+      Arrays.setAll(ratios, i -> row.with.get(i).p99 / row.without.get(i).p99);
+      Arrays.sort(ratios);
       System.out.printf(
           "| %s | %.0f | %.2f, %.2f ms | %.2f, %.2f ms | %.2f, %.2f, %.2f | %.2f, %.2f %% |%n",
           row.flood.name(),
@@ -180,9 +179,9 @@ final class FloodTrial {
           median(row.with, Turn::p50),
           median(row.without, Turn::p99),
           median(row.with, Turn::p99),
-          ratios.get(ratios.size() / 2),
-          ratios.get(0),
-          ratios.get(ratios.size() - 1),
+          median(ratios),
+          ratios[0],
+          ratios[ratios.length - 1],
           median(row.without, Turn::missing),
           median(row.with, Turn::missing));
     }
@@ -190,7 +189,10 @@ final class FloodTrial {
   }
 
   private static double median(List<Turn> turns, ToDoubleFunction<Turn> value) {
-    double[] sorted = turns.stream().mapToDouble(value).sorted().toArray();
-    return sorted[sorted.length / 2];
+    return median(turns.stream().mapToDouble(value).sorted().toArray());
+  }
+
+  private static double median(double[] sorted) {
+    return (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]) / 2;
   }
 }
