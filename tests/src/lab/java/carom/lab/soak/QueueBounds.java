@@ -120,7 +120,7 @@ final class QueueBounds {
   /** A field that is looked at: a reference, or a number that is in the list. */
   private record Probe(Field field, Bound bound) {}
 
-  /** How objects of a class are looked at, if they are. */
+  /** The fields of a class whose values the scan looks at; none if it skips the class. */
   private record Plan(List<Probe> probes, boolean isArray) {
     static final Plan SKIP = new Plan(List.of(), false);
     static final Plan ARRAY = new Plan(List.of(), true);

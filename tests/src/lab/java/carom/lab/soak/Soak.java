@@ -35,7 +35,7 @@ import java.util.Map;
  * <ul>
  *   <li>each state that a client decodes, if clients decode, equals the server's of that tick;
  *   <li>what a client shows is there, and what is there it shows, see {@link EntityWatch};
- *   <li>all bodies have finite poses and velocities;
+ *   <li>all bodies have finite poses and velocities, and all that a checkpoint holds is in range;
  *   <li>no more seats are taken than a room has, and the server counts no error;
  *   <li>every queue is within its bound, see {@link QueueBounds};
  *   <li>a server that starts after another one goes on from a state that was, with the players who
@@ -88,6 +88,17 @@ final class Soak {
 
   /** Time after which a server that has begun has its first ticks behind it, ns. */
   private static final long SETTLED_NS = 100_000_000L;
+
+  /**
+   * What a server never counts here. A checkpoint fails where any number of the whole state isn't
+   * finite or in its range.
+   */
+  private static final List<Counter> FAILURES =
+      List.of(
+          Counter.SESSIONS_FAILED,
+          Counter.GAME_FAILURES,
+          Counter.CHECKPOINTS_FAILED,
+          Counter.CALLBACKS_ABANDONED);
 
   private static final LoadedLevel WORKSHOP = new LoadedLevel(Workshop.level());
 
@@ -428,9 +439,11 @@ final class Soak {
   }
 
   private void end(boolean crash) throws IOException {
-    long failed = stepper.count(Counter.SESSIONS_FAILED) + stepper.count(Counter.GAME_FAILURES);
-    if (failed > 0) {
-      throw new AssertionError("the server counted failures; " + stepper.server().status());
+    for (Counter failures : FAILURES) {
+      if (stepper.count(failures) > 0) {
+        throw new AssertionError(
+            failures + "=" + stepper.count(failures) + "; " + stepper.server().status());
+      }
     }
     crashed = crash;
     comebacks.serverEnds(stepper.server().rooms(), stepper.nowNs());
