@@ -179,8 +179,7 @@ class RoomChangeCrashTest {
   }
 
   /** Starts a server from a copy, and compares its seats with the logs. */
-  private void check(
-      Crash crash, Map<String, FakeClient> players, Set<String> seen, String what)
+  private void check(Crash crash, Map<String, FakeClient> players, Set<String> seen, String what)
       throws Exception {
     Map<String, Set<String>> logged = new LinkedHashMap<>();
     for (String room : ROOMS) {
