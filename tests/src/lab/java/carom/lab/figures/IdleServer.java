@@ -24,8 +24,8 @@ import java.util.regex.Pattern;
 
 /**
  * Measures what an idle server takes, by thread, and how soon somebody plays who joins it. Linux
- * only. Arguments: the server's process, seconds to measure after a minute of settling, and for the
- * joins host, TCP port, UDP port and how many.
+ * only. Arguments: the server's process, seconds to measure after a minute of settling (0 for joins
+ * alone), and for the joins host, TCP port, UDP port and how many.
  */
 public final class IdleServer {
   private static final long SETTLE_MS = 60_000;
@@ -46,9 +46,19 @@ public final class IdleServer {
 
   /** Measures, and prints a row for each thread, their sum, and the joins. */
   public static void main(String[] args) throws Exception {
-    Path process = Path.of("/proc", args[0]);
-    Thread.sleep(SETTLE_MS);
     double seconds = Double.parseDouble(args[1]);
+    if (seconds > 0) {
+      measure(Path.of("/proc", args[0]), seconds);
+    }
+    if (args.length > 2) {
+      joins(
+          args[2], Integer.parseInt(args[3]), Integer.parseInt(args[4]), Integer.parseInt(args[5]));
+    }
+  }
+
+  private static void measure(Path process, double seconds)
+      throws IOException, InterruptedException {
+    Thread.sleep(SETTLE_MS);
     Map<String, ThreadTimes> before = threads(process);
     long beganNs = System.nanoTime();
     Thread.sleep((long) (seconds * 1_000));
@@ -56,9 +66,6 @@ public final class IdleServer {
     show(before, after, (System.nanoTime() - beganNs) / NS_PER_S);
     System.out.printf(
         Locale.ROOT, "resident %.1f MB%n", number(RESIDENT, process.resolve("status")) / 1_024.0);
-    if (args.length > 2) {
-      joins(args[2], Integer.parseInt(args[3]), Integer.parseInt(args[4]), Integer.parseInt(args[5]));
-    }
   }
 
   private static Map<String, ThreadTimes> threads(Path process) throws IOException {
@@ -72,7 +79,7 @@ public final class IdleServer {
           threads.put(
               "" + task.getFileName(), new ThreadTimes(name, Long.parseLong(times[0]), wakes));
         } catch (NoSuchFileException e) {
-          continue; // the thread has ended meanwhile
+          // the thread has ended meanwhile
         }
       }
     }
