@@ -55,7 +55,7 @@ public final class BotFarm implements AutoCloseable {
     boolean joined;
     boolean playing;
 
-    /** Whether the bot plays, or loads the next match of a game in which it played. */
+    /** The bot plays, or loads the next match of a game in which it played. */
     boolean stays;
 
     boolean broken;

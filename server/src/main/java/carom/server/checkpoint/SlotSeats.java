@@ -8,7 +8,7 @@ import java.util.List;
 
 /**
  * The seats that the file beside a log must have. The file is written before each block of the log,
- * and holds whoever plays before or after that block. So wherever the log ends, each player that it
+ * and holds all who play before or after that block. So wherever the log ends, each player that it
  * has there has a seat in the file, and the log alone decides who plays.
  *
  * <pre>

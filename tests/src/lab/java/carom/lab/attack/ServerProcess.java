@@ -54,11 +54,16 @@ final class ServerProcess implements AutoCloseable {
     reader.start();
   }
 
-  /** Starts a program of Carom with this process's classes; its output is one stream. */
+  /**
+   * Starts a program of Carom with this process's classes and its script's flags for the JVM; its
+   * output is one stream.
+   */
   static Process start(String program, List<String> flags) throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-Xmx512m", "-XX:+UseSerialGC", "-Dkryo.unsafe=false"));
+    command.addAll(List.of("-Xms192m", "-Xmx512m", "-Xmn8m", "-XX:+UseSerialGC"));
+    command.addAll(List.of("-XX:ThreadPriorityPolicy=1", "-XX:CompilerThreadPriority=10"));
+    command.addAll(List.of("-XX:-PrintWarnings", "-Dkryo.unsafe=false"));
     command.addAll(List.of("--add-modules", "jdk.incubator.vector", "-cp", Lab.classPath()));
     command.add(program);
     command.addAll(flags);

@@ -57,7 +57,7 @@ public final class RoomRecording {
     return recorder != null || awaited != null || beside != null && beside.isOn();
   }
 
-  /** Returns whether each tick is to be recorded although nobody plays. */
+  /** Returns whether each tick must be recorded although nobody plays. */
   public boolean needsTicks() {
     boolean unseen =
         sink instanceof DelayedRecording delayed
