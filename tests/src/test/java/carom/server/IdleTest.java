@@ -109,11 +109,14 @@ class IdleTest {
       rig.seconds(10);
       assertTrue(rig.room.isPaused());
       int tick = rig.room.tick();
-      rig.room.counters().set(Counter.SPECTATORS, 1);
+      int[] woken = {0};
+      rig.room.onNeeded(() -> woken[0]++);
+      rig.room.watchedBy(1);
+      assertEquals(1, woken[0], "its thread may sleep");
       rig.seconds(1);
       assertFalse(rig.room.isPaused());
       assertEquals(tick + 60, rig.room.tick(), 1);
-      rig.room.counters().set(Counter.SPECTATORS, 0);
+      rig.room.watchedBy(0);
       rig.seconds(1);
       assertTrue(rig.room.isPaused());
     }

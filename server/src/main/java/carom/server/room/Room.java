@@ -121,13 +121,19 @@ public final class Room {
   }
 
   /**
-   * Sets what tells the thread of a paused room that it is needed: a player comes, an operator asks
-   * something, or somebody wants a picture. Before the first turn.
+   * Sets what tells the thread of a paused room that it is needed: a player comes, somebody
+   * watches, an operator asks something, or somebody wants a picture. Before the first turn.
    *
    * @param newWake runs on any thread and returns at once
    */
   public void onNeeded(Runnable newWake) {
     wake = newWake;
+  }
+
+  /** Sets how many people watch, for whom the room goes on without players. The lobby's thread. */
+  public void watchedBy(long spectators) {
+    counters().set(Counter.SPECTATORS, spectators);
+    wake.run();
   }
 
   private void wakeIfPaused() {
