@@ -2,7 +2,7 @@
 // What players wrote, such as names, goes to the page as text only, never as HTML.
 
 import {Chart} from './charts.js';
-import {Scene} from './scene.js';
+import {Scene, hex} from './scene.js';
 
 const $ = id => document.getElementById(id);
 const MAX_LINES = 500;
@@ -36,13 +36,13 @@ const charts = [
     {name: 'load_percent', label: 'of a tick\'s time, 95 %', colour: 1}, {name: 'pace_percent', label: 'pace of time', colour: 2}]},
   {title: 'Bandwidth', unit: 'kbit/s', series: [
     {name: 'outKbit', label: 'out', colour: 1}, {name: 'inKbit', label: 'in', colour: 3}]},
-  {title: 'Clients', unit: '', series: [
+  {title: 'Clients', unit: '', whole: true, series: [
     {name: 'players', label: 'players', colour: 1}, {name: 'spectators', label: 'spectators', colour: 4},
     {name: 'players_in_grace', label: 'expected back', colour: 2}]},
-  {title: 'Corrections', unit: 'per s', series: [
+  {title: 'Corrections', unit: 'per s', whole: true, series: [
     {name: 'near_disagreements', label: 'predicted otherwise', colour: 2},
     {name: 'divergences_unexplained', label: 'without a reason', colour: 6}]},
-  {title: 'Trouble', unit: 'per s', series: [
+  {title: 'Trouble', unit: 'per s', whole: true, series: [
     {name: 'ticks_late', label: 'ticks late', colour: 2}, {name: 'ticks_dropped', label: 'dropped', colour: 6},
     {name: 'snapshots_postponed', label: 'snapshots late', colour: 4}, {name: 'inputs_missing', label: 'inputs missing', colour: 5}]},
   {title: 'Page', unit: 'ms', series: [{name: 'picture', label: 'pictures, of each tick', colour: 5}]},
@@ -216,6 +216,7 @@ function showPlayers(players) {
   const follow = $('follow'), chosen = follow.value;
   scene.names = new Map(players.map(player => [player.id, player.name]));
   scene.teams = new Map(players.filter(player => player.team > 0).map(player => [player.id, player.team]));
+  scene.chosen = new Map(players.filter(player => player.rgb !== undefined).map(player => [player.id, hex(player.rgb)]));
   const wanted = ['', ...players.map(player => String(player.id))];
   const names = ['nobody', ...players.map(player => player.name)];
   if (document.activeElement !== follow
@@ -234,6 +235,7 @@ function showPlayers(players) {
       player.ms ? player.ms + ' ms' : '–', percent(player.loss), player.kbit === undefined ? '–' : player.kbit.toFixed(0),
       percent(player.right), player.address || ''];
     values.forEach((value, i) => { if (row.cells[i].textContent !== String(value)) row.cells[i].textContent = value; });
+    row.cells[0].style.setProperty('--mark', scene.playerColour(player.id));
     row.cells[4].classList.toggle('bad', player.ms > 250);
     row.cells[5].classList.toggle('bad', player.loss > 0.05);
     row.cells[7].classList.toggle('bad', player.right < 0.9);

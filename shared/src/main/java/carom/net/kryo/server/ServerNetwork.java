@@ -6,6 +6,7 @@ import carom.net.admission.Hosts;
 import carom.net.admission.WorkProof;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.LinkTable;
+import carom.net.datagram.TokenBucket;
 import carom.net.frame.Frame;
 import carom.net.kryo.FrameCodec;
 import carom.net.kryo.KryoMessageCodec;
@@ -42,8 +43,15 @@ import org.jctools.queues.atomic.SpscAtomicArrayQueue;
 final class ServerNetwork implements Runnable {
   private static final int SELECT_MILLIS =
       30; // above 25, or KryoNet also sleeps after 100 quiet selects
+
+  /** Longest wait without a connection: a new one and the end of the server wake the thread. */
+  private static final int IDLE_SELECT_MILLIS = 10_000;
+
   private static final long SWEEP_NANOS = 50_000_000L;
   private static final long KEY_IDLE_SECONDS = 10;
+
+  /** Largest number of datagrams per second that are opened although no link has their address. */
+  static final int ELSEWHERE_PER_SECOND = 500;
 
   private static final long SHUTDOWN_NANOS = 2 * SWEEP_NANOS + Frame.LINGER_NANOS;
 
@@ -63,6 +71,7 @@ final class ServerNetwork implements Runnable {
   private final ConcurrentLinkedQueue<ServerConnection> closing = new ConcurrentLinkedQueue<>();
   private volatile Thread thread;
   private volatile boolean stopping;
+  private volatile Runnable wake = () -> {};
 
   // used by the network thread
   private final List<ServerConnection> connections = new ArrayList<>();
@@ -75,6 +84,13 @@ final class ServerNetwork implements Runnable {
   final Hosts hosts = new Hosts();
 
   // used by the port's thread
+  /**
+   * Limits datagrams of links from addresses that aren't theirs. They are opened in case that a
+   * client has moved; a forged one costs three times as much as a genuine one, because the JCE
+   * refuses it by an exception.
+   */
+  final TokenBucket elsewhere = new TokenBucket(ELSEWHERE_PER_SECOND, ELSEWHERE_PER_SECOND);
+
   private final byte[] received = new byte[Frame.SERVER_BUFFER_BYTES];
   private final ByteBuffer receivedView = ByteBuffer.wrap(received);
   private final WorkProof workProof = new WorkProof();
@@ -182,6 +198,7 @@ final class ServerNetwork implements Runnable {
    */
   void stop() {
     stopping = true;
+    acceptor.wake();
     boolean interrupted = false;
     long deadline = System.nanoTime() + 5_000_000_000L;
     Thread running = thread;
@@ -195,6 +212,11 @@ final class ServerNetwork implements Runnable {
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  /** Sets what runs when a link has opened. */
+  void onOpened(Runnable newWake) {
+    wake = newWake;
   }
 
   Link accept() {
@@ -213,7 +235,7 @@ final class ServerNetwork implements Runnable {
   public void run() {
     long nextSweep = System.nanoTime();
     while (!stopping) {
-      nextSweep = step(SELECT_MILLIS, nextSweep);
+      nextSweep = step(connections.isEmpty() ? IDLE_SELECT_MILLIS : SELECT_MILLIS, nextSweep);
     }
     long start = System.nanoTime();
     each(connection -> connection.dismissGently("the server is shutting down", start));
@@ -394,6 +416,8 @@ final class ServerNetwork implements Runnable {
       link.close(full());
     } else if (!opened.offer(link)) {
       link.close("the server is busy");
+    } else {
+      wake.run();
     }
   }
 
