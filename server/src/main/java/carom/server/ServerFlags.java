@@ -14,9 +14,11 @@ import carom.server.lobby.Lobby;
 import carom.server.query.ProtocolFlags;
 import carom.server.recording.RotationLimit;
 import carom.server.web.WebFlags;
+import java.io.File;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Arrays;
@@ -261,9 +263,9 @@ final class ServerFlags {
       names = "--record",
       paramLabel = "FILE",
       description =
-          "Record the game to this new file, or to a new file in this folder; 'carom replay FILE'"
-              + " computes it again.")
-  Path record;
+          "Record the game to this new file, or to a new file in this folder, which ends with a"
+              + " slash if it isn't there yet; 'carom replay FILE' computes it again.")
+  private String record;
 
   @Option(
       names = "--record-rotate",
@@ -431,7 +433,7 @@ final class ServerFlags {
     requireRange(
         "--budget", budget, ServerConfig.MIN_BUDGET / 1_000, ServerConfig.MAX_BUDGET / 1_000);
     requireRange("--log-keep", logKeep, 0, MAX_LOGS);
-    if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
+    if (record != null && roomCount() > 1 && !recordsToFolder()) {
       throw bad("--record=" + record + " is no folder; rooms=" + roomCount() + " need one");
     }
     requireRange("--spectator-delay", spectatorDelayS, 0, MAX_SPECTATOR_DELAY_S);
@@ -481,7 +483,7 @@ final class ServerFlags {
   private void checkRotation() {
     boolean rotates = rotation().rotates();
     requireRange("--record-keep", recordKeep, 0, MAX_KEPT);
-    if (rotates && (record == null || !Files.isDirectory(record))) {
+    if (rotates && !recordsToFolder()) {
       throw bad("--record-rotate=" + recordRotate + " needs a folder; give one by --record");
     }
     if (rotates && spectatorDelayS > 0) {
@@ -570,6 +572,21 @@ final class ServerFlags {
     } catch (UnknownHostException e) {
       throw bad(flag + "=" + text + " is no address; give one such as 127.0.0.1 or ::1");
     }
+  }
+
+  /** Returns the file or folder of {@code --record}, or null if nothing is recorded. */
+  Path record() {
+    try {
+      return record == null ? null : Path.of(record);
+    } catch (InvalidPathException e) {
+      throw bad("--record=" + record + " can't be the name of a file or folder");
+    }
+  }
+
+  /** Returns whether {@code --record} names a folder: one that is there, or to be made. */
+  boolean recordsToFolder() {
+    return record != null
+        && (record.endsWith("/") || record.endsWith(File.separator) || Files.isDirectory(record()));
   }
 
   /** Returns the limit of {@code --record-rotate} for each file. */

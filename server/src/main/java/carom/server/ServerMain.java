@@ -375,7 +375,7 @@ public final class ServerMain implements Callable<Integer> {
       flags.protocols.open(flags.bindAddress(), data, settings(), commands, facts, logins.rcon());
       WebSubject subject =
           new WebSubject(name, version(), server.rooms(), server.networkCounters(), logins);
-      return flags.web.open(subject, data, flags.record, settings(), commands, logTail);
+      return flags.web.open(subject, data, flags.record(), settings(), commands, logTail);
     } catch (IOException e) {
       server.close();
       throw new StartFailure(e.getMessage(), e);

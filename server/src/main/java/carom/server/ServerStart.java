@@ -16,6 +16,7 @@ import carom.server.recording.RotationLimit;
 import carom.server.session.SessionMemory;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.slf4j.Logger;
@@ -133,22 +134,25 @@ final class ServerStart {
   }
 
   private void record(Server server) throws StartFailure {
-    if (flags.record == null) {
+    Path target = flags.record();
+    if (target == null) {
       return;
     }
     RotationLimit rotation = flags.rotation();
     try {
+      if (flags.recordsToFolder()) {
+        Files.createDirectories(target);
+      }
       if (rotation.rotates()) {
-        server.recordRotating(flags.record, rotation, flags.recordKeep);
-        log.info("recording: {}, another file every {}", flags.record, rotation);
+        server.recordRotating(target, rotation, flags.recordKeep);
+        log.info("recording: {}, another file every {}", target, rotation);
       } else {
-        server.record(flags.record).forEach(file -> log.info("recording: {}", file));
+        server.record(target).forEach(file -> log.info("recording: {}", file));
       }
     } catch (FileAlreadyExistsException e) {
-      throw flags.bad(
-          "--record=" + flags.record + " is there already; name a new file or a folder");
+      throw flags.bad("--record=" + target + " is there already; name a new file or a folder");
     } catch (IOException e) {
-      throw new StartFailure("--record=" + flags.record + " can't be written: " + e, e);
+      throw new StartFailure("--record=" + target + " can't be written: " + e, e);
     } catch (IllegalArgumentException e) {
       throw flags.bad("--record-rotate: " + e.getMessage());
     }

@@ -21,6 +21,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -178,9 +179,25 @@ class ServerMainTest {
     Path file = Files.writeString(folder.resolve("file"), "");
     String[] taken = {"--tcp-port", "0", "--udp-port", "0", "--record", file.toString()};
     assertTrue(fails(2, taken).contains("is there already; name a new file"), err());
+    String[] inside = {"--tcp-port", "0", "--udp-port", "0", "--record", file + "/"};
+    assertTrue(fails(1, inside).contains("can't be written: java.nio.file.FileAlready"), err());
     String nowhere = folder.resolve("no").resolve("file").toString();
     String[] lost = {"--tcp-port", "0", "--udp-port", "0", "--record", nowhere};
     assertTrue(fails(1, lost).contains("can't be written: java.nio.file.NoSuchFile"), err());
+  }
+
+  @Test
+  void aFolderForRecordingsThatEndsWithASlashIsMade() throws Exception {
+    Path games = folder.resolve("new").resolve("games");
+    Process process =
+        start("--tcp-port", "0", "--udp-port", "0", "--rooms", "2", "--record", games + "/");
+    String line = process.inputReader(StandardCharsets.UTF_8).readLine();
+    assertTrue(READY.matcher(String.valueOf(line)).matches(), err());
+    process.toHandle().destroy();
+    assertTrue(process.waitFor(10, TimeUnit.SECONDS), "doesn't stop");
+    try (Stream<Path> files = Files.list(games)) {
+      assertEquals(2, files.filter(file -> file.toString().endsWith(".carom")).count(), err());
+    }
   }
 
   @Test
