@@ -44,8 +44,8 @@ final class TreeContactTest {
   }
 
   /**
-   * A disc strikes a free bar of welded pieces, whose ends are heavy, without restitution: the
-   * impulse is {@code v / (1/m + 1/M + r^2 / I)}, as for a rigid bar.
+   * A disc hits a free bar of welded pieces, whose ends are heavy, without restitution: the impulse
+   * is {@code v / (1/m + 1/M + r^2 / I)}, as for a rigid bar.
    */
   @ParameterizedTest
   @CsvSource({"50,3.5", "50,1.5", "1,2.5", "1000,5.5"})

@@ -95,7 +95,7 @@ public final class JointSolver {
   /** {@link JointStore#version} that the colours are of. They are kept until it changes. */
   private int colouredVersion = -1;
 
-  /** Whether this step's joints are others than the last one's. */
+  /** True if this step's joints are others than the last one's. */
   private boolean anew;
 
   // The stages, made once so that a step allocates nothing.
