@@ -123,6 +123,9 @@ public final class ContactTable extends ContactColumns {
       } else if (oldPoints > 1 && oldId1 == m.id0) {
         c[at + NORMAL0] = oldNormal1;
         c[at + TANGENT0] = oldTangent1;
+      } else if (oldPoints == 1 && n == 1 && shareCorner(oldId0, m.id0)) {
+        c[at + NORMAL0] = oldNormal0;
+        c[at + TANGENT0] = oldTangent0;
       }
     }
     if (n > 1) {
@@ -135,6 +138,16 @@ public final class ContactTable extends ContactColumns {
         c[at + TANGENT1] = oldTangent0;
       }
     }
+  }
+
+  /**
+   * Returns whether two single points are at the same corner of A, or of B. A corner that stands on
+   * a face at 45 degrees is paired with one or the other end of that face, as rounding has it. If
+   * it lost its load then, all that rests on it would drop for a step.
+   */
+  private static boolean shareCorner(int oldId, int newId) {
+    int different = oldId ^ newId;
+    return (different & 0xff) == 0 || different >>> 8 == 0;
   }
 
   /** Leaves a row as it is for a step. */
