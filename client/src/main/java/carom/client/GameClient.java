@@ -405,10 +405,17 @@ public final class GameClient implements AutoCloseable {
    *
    * @param x middle of the picture while there is no own body, metres
    * @param y middle of the picture while there is no own body, metres
-   * @param width of the picture, metres
-   * @param height of the picture, metres
+   * @param width of the picture, metres, 0 or more
+   * @param height of the picture, metres, 0 or more
+   * @throws IllegalArgumentException when a number isn't finite or a size is negative
    */
   public void look(float x, float y, float width, float height) {
+    boolean numbers = Float.isFinite(x) && Float.isFinite(y);
+    if (!numbers || !(width >= 0 && height >= 0) || Float.isInfinite(width + height)) {
+      throw new IllegalArgumentException(
+          "look x=%s y=%s width=%s height=%s must be finite, with sizes of 0 or more"
+              .formatted(x, y, width, height));
+    }
     boolean follows = view().own() != null || view().watchedPlayer() >= 0;
     interest.show(follows ? 0 : x, follows ? 0 : y, width, height);
   }

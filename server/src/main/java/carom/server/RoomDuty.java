@@ -10,9 +10,6 @@ record RoomDuty(Room room, long beginNs) implements Worker.Duty {
   /** Longest nap, ns. The thread also empties the inboxes between ticks. */
   private static final long NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
 
-  /** Nap while the room waits for its first player, ns: the most that a player waits for it. */
-  private static final long IDLE_NAP_NS = TimeUnit.MILLISECONDS.toNanos(50);
-
   @Override
   public void turn(long nowNs) {
     if (nowNs - beginNs >= 0) {
@@ -25,7 +22,10 @@ record RoomDuty(Room room, long beginNs) implements Worker.Duty {
     if (nowNs - beginNs < 0) {
       return beginNs - nowNs;
     }
-    return room.isPaused() ? IDLE_NAP_NS : Math.min(room.nextDeadlineNs() - nowNs, NAP_NS);
+    if (room.isPaused()) {
+      return room.isDeserted() ? Long.MAX_VALUE : NAP_NS; // who needs the room wakes its thread
+    }
+    return Math.min(room.nextDeadlineNs() - nowNs, NAP_NS);
   }
 
   @Override

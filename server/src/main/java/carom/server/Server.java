@@ -73,8 +73,11 @@ public final class Server implements AutoCloseable {
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
 
-  /** Nap of the lobby while it waits for the first player, ns: the most that a player waits. */
-  private static final long IDLE_NAP_NS = TimeUnit.MILLISECONDS.toNanos(50);
+  /** Nap of the lobby while nobody is there, ns, if the transport doesn't tell of new links. */
+  private static final long LOOKING_NAP_NS = TimeUnit.MILLISECONDS.toNanos(50);
+
+  /** Nap of the lobby while nobody is there and the transport tells, ns: for lines of the log. */
+  private static final long IDLE_NAP_NS = TimeUnit.SECONDS.toNanos(1);
 
   /** Longest time between checkpoints, s. */
   public static final int MAX_CHECKPOINT_S = 600;
@@ -207,6 +210,7 @@ public final class Server implements AutoCloseable {
     for (Room room : rooms) {
       room.checkpoint(disk, folder.resolve(room.name()), seconds);
     }
+    rooms.forEach(room -> room.reconcile(rooms));
   }
 
   /**
@@ -367,8 +371,12 @@ public final class Server implements AutoCloseable {
     started = true;
     loader.start();
     disk.start();
-    workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
-    workers.get(0).start(Thread.NORM_PRIORITY);
+    LobbyDuty duty = new LobbyDuty();
+    Worker worker = new Worker("carom-lobby", duty, clock, this::workerEnded);
+    lobby.onNeeded(worker::wake);
+    duty.idleNapNs = transport.onOpened(worker::wake) ? IDLE_NAP_NS : LOOKING_NAP_NS;
+    workers.add(worker);
+    worker.start(Thread.NORM_PRIORITY);
     rooms.forEach(this::begin);
     watchdog.start();
   }
@@ -382,6 +390,7 @@ public final class Server implements AutoCloseable {
     long beginNs = clock.getAsLong() + (room.number() - 1) * config.tickNs() / rooms.size();
     String name = "carom-room-" + room.number();
     Worker worker = new Worker(name, new RoomDuty(room, beginNs), clock, this::workerEnded);
+    room.onNeeded(worker::wake);
     workers.add(worker);
     worker.start(Thread.MAX_PRIORITY);
     watchdog.watch(
@@ -408,6 +417,9 @@ public final class Server implements AutoCloseable {
       disk.flush();
       try {
         room.checkpoint(disk, checkpoints.resolve(room.name()), checkpointS);
+        List<Room> others = new ArrayList<>(rooms);
+        others.set(index, room);
+        room.reconcile(others);
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }
@@ -433,6 +445,8 @@ public final class Server implements AutoCloseable {
 
   /** The work of the lobby's thread. */
   private final class LobbyDuty implements Worker.Duty {
+    private long idleNapNs;
+
     @Override
     public void turn(long nowNs) {
       lobbyTurn(nowNs);
@@ -440,7 +454,7 @@ public final class Server implements AutoCloseable {
 
     @Override
     public long napNs(long nowNs) {
-      return lobby.isDeserted() ? IDLE_NAP_NS : LOBBY_NAP_NS;
+      return lobby.isDeserted() ? idleNapNs : LOBBY_NAP_NS;
     }
 
     @Override

@@ -65,7 +65,7 @@ import picocli.CommandLine.TypeConversionException;
  *
  * <p>Exit codes: 0 after {@code --help}, {@code --version} and the command {@code stop}; 1 when a
  * port is not available or the server failed; 2 for flags or a level file that can't be used; 143
- * after SIGTERM and 130 after Ctrl-C, as is usual in shells.
+ * after SIGTERM and 130 after Ctrl-C, as is usual in shells, but 0 if gradlew started the server.
  */
 @Command(
     name = "carom-server",
@@ -308,6 +308,9 @@ public final class ServerMain implements Callable<Integer> {
             },
             "carom-stop");
     Runtime.getRuntime().addShutdownHook(hook);
+    if (ReadyLine.isByGradle()) {
+      Signals.register("INT", ServerMain::stopSoon); // another code would be a failed build
+    }
     CommandRegistry commands = commands(server);
     CommandInspector.show(commands);
     server.roomBegins(RoomInspector::show);
@@ -343,7 +346,6 @@ public final class ServerMain implements Callable<Integer> {
     RoomCommands.add(commands, server.rooms(), flags.dataFolder());
     AccessCommands.add(commands, access, server.rooms());
     server.chatCommands(new AdminChat(commands, access, server.rooms()));
-    ServerCommands.add(commands, server::status, settings(), ServerMain::replay);
     RedirectCommands.add(commands, server.rooms(), server::redirectVisitors, ServerMain::stopSoon);
     Map<String, Consumer<String>> live =
         Map.of(
@@ -351,6 +353,13 @@ public final class ServerMain implements Callable<Integer> {
             text -> access.onlyAllowed(Boolean.parseBoolean(text)),
             "log-level",
             ServerMain::logLevel);
+    ServerCommands.add(
+        commands,
+        server::status,
+        settings(),
+        live.keySet(),
+        flags.dataFolder()::recordingFiles,
+        ServerMain::replay);
     ReloadCommand.add(commands, settings(), this::settingsNow, live, access::reload);
     return commands;
   }

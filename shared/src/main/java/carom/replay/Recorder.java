@@ -410,6 +410,11 @@ public final class Recorder implements Journal {
     out.text(why);
   }
 
+  /** Hands in what has been recorded since the last block, between two steps. */
+  public void flush() {
+    seal(Block.TICKS);
+  }
+
   /** Returns the last recorded tick. */
   public int tick() {
     return lastTick;

@@ -2,6 +2,7 @@ package carom.client;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.bots.Bot;
@@ -125,6 +126,31 @@ final class ClientServerScenarioTest {
     if (server != null) {
       server.close();
     }
+  }
+
+  @Test
+  void aPictureWithoutNumbersIsRefusedWhereItIsShown() throws Exception {
+    serve("arena");
+    GameClient client = join(Impairment.NONE, InputSource.IDLE);
+    for (float[] wrong :
+        new float[][] {
+          {Float.NaN, 0, 8, 6},
+          {0, Float.NEGATIVE_INFINITY, 8, 6},
+          {0, 0, Float.NaN, 6},
+          {0, 0, 8, -1},
+          {0, 0, Float.POSITIVE_INFINITY, 6}
+        }) {
+      String message =
+          assertThrows(
+                  IllegalArgumentException.class,
+                  () -> client.look(wrong[0], wrong[1], wrong[2], wrong[3]))
+              .getMessage();
+      assertTrue(message.contains("must be finite, with sizes of 0 or more"), message);
+    }
+    run(1);
+    client.look(1, 2, 16, 9);
+    run(1);
+    assertEquals(ConnectionPhase.PLAYING, client.view().phase());
   }
 
   @Test

@@ -437,7 +437,7 @@ final class HostileServerTest {
     for (int i = 0; i < 300 && client.view().phase() == ConnectionPhase.PLAYING; i++) {
       for (int k = 0; k < 20; k++) {
         guest.link.send(new ServerMessage.Notice("n" + i + "." + k + "x".repeat(400)));
-        guest.link.send(new ServerMessage.GameMessage(i, bytes));
+        guest.link.send(new ServerMessage.GameMessage(i + 1, bytes));
         guest.link.send(new ServerMessage.PoolChunk(256 * 1_024, 0, new byte[4_000]));
         guest.link.send(
             new ServerMessage.Roster(

@@ -110,6 +110,9 @@ final class BanTest {
   void aBannedPlayerIsRemovedAndStaysOutUntilUnbanned() throws Exception {
     FakeClient bob = join("Bob B");
     assertTrue(commands.run("ban Rob").text().contains("to ban a name in advance: ban name Rob"));
+    String mistyped = commands.run("ban \"bob b\" 7x threats in chat").text();
+    assertTrue(mistyped.startsWith("TIME=7x is none, so nobody is banned; give 30m"), mistyped);
+    assertEquals("nobody is banned", run("ban"));
     String answer = run("ban \"bob b\" 7d threats in chat");
     String expected = "banned name \"Bob B\" and address 127.0.0.1 of \"Bob B\" until 20";
     assertTrue(answer.startsWith(expected), answer);

@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.fixtures.CrouchGame;
 import carom.fixtures.CrouchGame.Rule;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.replay.RecordingReader;
 import carom.server.checkpoint.RoomCheckpoints;
@@ -23,6 +25,9 @@ import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.level.LevelException;
 import carom.sim.match.NextMatch;
+import carom.sim.message.BuiltInKinds;
+import carom.sim.message.MessageKind.Direction;
+import carom.sim.message.PlayerColour;
 import carom.testkit.Folders;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
@@ -112,6 +117,49 @@ class CheckpointTest {
       }
       kept.runTo(600);
       assertEquals(expected, kept.hash(), "seed=" + seed);
+    } finally {
+      kept.close();
+    }
+  }
+
+  @Test
+  void theColourThatAPlayerChoseOutlivesTheCrash() throws Exception {
+    List<String> levels = List.of("platformer");
+    long secret;
+    KeptServer kept =
+        new KeptServer(KeptServer.library(), levels, folder.resolve("kept0"), START_NS);
+    try {
+      kept.join("Ann", 0);
+      FakeClient bob = kept.join("Bob", 0);
+      byte[] colour =
+          kept.room()
+              .simulation()
+              .messageKinds()
+              .encode(BuiltInKinds.COLOUR.of(PlayerColour.VIOLET), Direction.FROM_CLIENT);
+      bob.link.send(new ClientMessage.GameMessage(1, colour));
+      kept.runTo(kept.tick() + 150); // the game, and then a checkpoint, take it
+      secret = bob.welcome.sessionSecret();
+      Path crashed = crash();
+      kept.close();
+      kept = new KeptServer(KeptServer.library(), levels, crashed, START_NS + kept.nowNs);
+      FakeClient watching = kept.join("Eve", 0);
+      kept.runTo(kept.tick() + 30);
+      assertEquals(SessionState.GRACE, kept.room().session(1).state());
+      assertEquals(PlayerColour.VIOLET, kept.room().session(1).player().colour());
+      assertEquals(PlayerColour.OF_THE_GAME, kept.room().session(0).player().colour());
+      kept.join("Bob", secret);
+      kept.runTo(kept.tick() + 30);
+      assertEquals(PlayerColour.VIOLET, kept.room().session(1).player().colour());
+      assertEquals(
+          PlayerColour.VIOLET.number(),
+          watching.messages.stream()
+              .filter(ServerMessage.Roster.class::isInstance)
+              .flatMap(message -> ((ServerMessage.Roster) message).entries().stream())
+              .filter(entry -> entry.playerId() == 1)
+              .reduce((before, last) -> last)
+              .orElseThrow()
+              .colour(),
+          "others are told");
     } finally {
       kept.close();
     }

@@ -117,6 +117,14 @@ class HangTest {
     loop(games[0]);
     await("it is found", () -> server.count(Counter.CALLBACKS_ABANDONED) == 1);
     await(
+        "its thread has the lowest priority",
+        () ->
+            Thread.getAllStackTraces().keySet().stream()
+                .anyMatch(
+                    thread ->
+                        thread.getName().equals("carom-room-1")
+                            && thread.getPriority() == Thread.MIN_PRIORITY));
+    await(
         "the link is closed",
         () -> {
           ann.step(0);

@@ -6,7 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.server.picture.PictureRequest;
 import java.nio.file.Path;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -62,12 +67,58 @@ class IdleTest {
   }
 
   @Test
+  void thePausedRoomsThreadNapsUntilSomebodyNeedsIt() throws Exception {
+    try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
+      RoomDuty duty = new RoomDuty(rig.room, 0);
+      AtomicInteger calls = new AtomicInteger();
+      rig.room.onNeeded(calls::incrementAndGet);
+      rig.seconds(1);
+      assertEquals(Long.MAX_VALUE, duty.napNs(rig.nowNs));
+      assertEquals(0, calls.get());
+
+      rig.room.pictures().ask(new PictureRequest(false, false, false, Set.of()));
+      assertEquals(1, calls.get(), "somebody wants to see it");
+      Future<Integer> said = CompletableFuture.supplyAsync(() -> rig.room.operator().say("hello"));
+      while (!said.isDone()) {
+        rig.seconds(0.1);
+      }
+      assertEquals(2, calls.get(), "an operator asks");
+
+      rig.join("Ann");
+      assertEquals(3, calls.get(), "a player comes");
+      assertTrue(duty.napNs(rig.nowNs) < 20_000_000, "ticks are due");
+      rig.room.pictures().ask(new PictureRequest(false, false, false, Set.of()));
+      assertEquals(3, calls.get(), "a room that ticks looks itself");
+    }
+  }
+
+  @Test
   void aRecordedRoomRunsOn(@TempDir Path folder) throws Exception {
     try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
       rig.server.record(folder.resolve("game.carom"));
       rig.seconds(1);
       assertFalse(rig.room.isPaused());
       assertEquals(60, rig.room.tick(), 1);
+    }
+  }
+
+  @Test
+  void aRoomThatMayBeWatchedPausesUntilSomebodyWatches() throws Exception {
+    try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
+      rig.server.allowSpectators(1);
+      rig.seconds(10);
+      assertTrue(rig.room.isPaused());
+      int tick = rig.room.tick();
+      int[] woken = {0};
+      rig.room.onNeeded(() -> woken[0]++);
+      rig.room.watchedBy(1);
+      assertEquals(1, woken[0], "its thread may sleep");
+      rig.seconds(1);
+      assertFalse(rig.room.isPaused());
+      assertEquals(tick + 60, rig.room.tick(), 1);
+      rig.room.watchedBy(0);
+      rig.seconds(1);
+      assertTrue(rig.room.isPaused());
     }
   }
 

@@ -253,15 +253,24 @@ class ServerMainTest {
 
   @Test
   void ctrlCEndsItInGoodOrderWithTheExitCodeOfShells() throws Exception {
+    assertEndsByCtrlC(130, "TERM=dumb");
+  }
+
+  @Test
+  void ctrlCIsNoFailureOfABuildWhereGradlewStartedIt() throws Exception {
+    assertEndsByCtrlC(0, "JAVA_TOOL_OPTIONS=-Dcarom.terminal=true");
+  }
+
+  private void assertEndsByCtrlC(int exitCode, String variable) throws Exception {
     // A shell without job control starts background jobs with SIGINT ignored, which Java keeps.
-    List<String> reset = List.of("env", "--default-signal=INT");
+    List<String> reset = List.of("env", "--default-signal=INT", variable);
     Process process = start(reset, "--tcp-port", "0", "--udp-port", "0", "--log-keep", "0");
     BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
     assertTrue(READY.matcher(out.readLine()).find(), err());
     String pid = Long.toString(process.pid());
     assertEquals(0, new ProcessBuilder("kill", "-INT", pid).start().waitFor());
     assertTrue(process.waitFor(20, TimeUnit.SECONDS), err());
-    assertEquals(130, process.exitValue(), err());
+    assertEquals(exitCode, process.exitValue(), err());
     assertTrue(err().contains("stop: asked to"), err());
     assertTrue(err().contains("stopped: "), err());
   }

@@ -54,6 +54,10 @@ public final class BotFarm implements AutoCloseable {
     int retries;
     boolean joined;
     boolean playing;
+
+    /** The bot plays, or loads the next match of a game in which it played. */
+    boolean stays;
+
     boolean broken;
     boolean waiting;
 
@@ -185,11 +189,14 @@ public final class BotFarm implements AutoCloseable {
       p.broken = true;
       LOG.error("a bot broke and is taken out", e);
     }
-    boolean playing = !p.broken && p.client.view().phase() == ConnectionPhase.PLAYING;
-    if (p.playing && !playing) {
+    ConnectionPhase phase = p.client.view().phase();
+    boolean playing = !p.broken && phase == ConnectionPhase.PLAYING;
+    boolean stays = playing || p.stays && !p.broken && phase == ConnectionPhase.LOADING;
+    if (p.stays && !stays) {
       p.disconnects++;
       LOG.warn("a bot stopped playing: {}", p.client.view().message());
     }
+    p.stays = stays;
     if (playing && staySeconds > 0) {
       playing = !comesAndGoes(p, nowNs);
     }
@@ -219,6 +226,7 @@ public final class BotFarm implements AutoCloseable {
       return false;
     }
     replaceClient(p, nowNs);
+    p.stays = false;
     p.attempts = 1;
     p.entered = false;
     return true;

@@ -60,6 +60,10 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private EventSounds sounds;
   private Screen screen;
   private LocalGames.LocalGame local;
+
+  /** Whether the server is among those played on lately, or needn't be. */
+  private boolean noted;
+
   private SpectatorThread spectator;
 
   /** Downloads from the server to which the one that is watched has sent us; null without. */
@@ -130,10 +134,13 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private void start(String message) {
     endLocalGame();
     endWatching();
-    ServerAddress server = new ServerAddress(config.host(), config.tcpPort(), config.udpPort());
-    StartScreen start = new StartScreen(widgets, this, this, games, pictures, server.toText());
+    StartScreen start = new StartScreen(widgets, this, this, games, pictures, server().toText());
     start.message(message);
     show(start);
+  }
+
+  private ServerAddress server() {
+    return new ServerAddress(config.host(), config.tcpPort(), config.udpPort());
   }
 
   private void play() {
@@ -149,11 +156,8 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     game.colour(settings().colour());
     game.netGraph(options.netGraph());
     game.debug(options.debug());
-    game.adviceAlone(
-        local != null
-            ? "You are alone here. For bots: Esc, Leave the game, Play here"
-            : "You are alone here. For bots: carom-bots --host "
-                + new ServerAddress(config.host(), config.tcpPort(), config.udpPort()).toText());
+    game.adviceAlone(AloneAdvice.of(local != null, server()));
+    noted = local != null;
     show(game);
     if (local != null && !local.invitation().isEmpty()) {
       game.announce(local.invitation());
@@ -253,7 +257,6 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
             .withServer(server.host(), server.tcpPort(), server.udpPort())
             .withName(settings().name())
             .withRoom(room.isEmpty() ? options.config().room() : room);
-    change(settings().withRecent(server.toText()));
     later(this::play);
   }
 
@@ -434,6 +437,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     seconds += delta;
     lookAtDownload(delta);
     screen.render(delta);
+    noteVisit();
     boolean over = options.seconds() > 0 && seconds >= options.seconds();
     if (Gdx.input.isKeyJustPressed(Keys.F12)) {
       Pictures.save("carom-" + System.currentTimeMillis() + ".png");
@@ -443,6 +447,14 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
         Pictures.save(options.screenshot());
       }
       Gdx.app.exit();
+    }
+  }
+
+  /** Keeps the server among those played on lately, once the player is in its game. */
+  private void noteVisit() {
+    if (!noted && screen instanceof GameScreen game && game.hasPlayed()) {
+      noted = true;
+      change(settings().withRecent(server().toText()));
     }
   }
 

@@ -37,6 +37,7 @@ import com.badlogic.gdx.ScreenAdapter;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 
 /**
  * One visit to a server, from connecting to leaving: updates the client, draws its view and samples
@@ -133,8 +134,8 @@ final class GameScreen extends ScreenAdapter {
   }
 
   /** Sets what a player is told who waits alone for others. */
-  void adviceAlone(String text) {
-    picture.adviceAlone(text);
+  void adviceAlone(UnaryOperator<String> ofRoom) {
+    picture.adviceAlone(ofRoom);
   }
 
   /** Returns what the picture shows of the world. */

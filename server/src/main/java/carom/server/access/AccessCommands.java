@@ -33,6 +33,9 @@ public final class AccessCommands {
   private static final String ACCOUNT = "account";
   private static final Pattern TIME = Pattern.compile("(\\d{1,5})([mhdw])");
 
+  /** A word that an operator who mistyped a time may have meant as one. */
+  private static final Pattern LIKE_TIME = Pattern.compile("\\d+\\w*");
+
   private final AccessLists lists;
   private final List<Room> rooms;
 
@@ -146,6 +149,11 @@ public final class AccessCommands {
         next++;
       } else if (words.word(next, "TIME").equals(FOREVER)) {
         next++;
+      } else if (LIKE_TIME.matcher(words.word(next, "TIME")).matches()) {
+        throw new CommandException(
+            "TIME=%s is none, so nobody is banned; give 30m, 12h, 7d, 2w or forever, and put a"
+                    .formatted(words.word(next, "TIME"))
+                + " reason that begins with a number in quotes");
       }
     }
     String reason = words.rest(next);

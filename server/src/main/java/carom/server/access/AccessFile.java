@@ -172,7 +172,11 @@ final class AccessFile {
       DataFolder.replace(file, text.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new IOException(
-          file + " can't be written (" + e + "), so nothing has changed; make it writable", e);
+          file
+              + " can't be written ("
+              + e
+              + "), so nothing has changed; free the disk or let this user write it",
+          e);
     }
     noteTime();
     entries = read();

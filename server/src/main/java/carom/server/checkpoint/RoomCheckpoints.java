@@ -1,7 +1,8 @@
 package carom.server.checkpoint;
 
 import carom.net.protocol.Protocol;
-import carom.net.protocol.SessionState;
+import carom.replay.Block;
+import carom.replay.BlockSink;
 import carom.replay.Recorder;
 import carom.replay.RecordingHeader;
 import carom.server.config.RoomConfig;
@@ -16,7 +17,6 @@ import carom.sim.SimState;
 import carom.sim.Simulation;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -24,7 +24,7 @@ import org.slf4j.LoggerFactory;
 /**
  * Keeps a room on the disk, so that another process can go on with it. Every few seconds a new slot
  * begins: the whole state, which is the checkpoint, and then the inputs of each tick. Beside it, a
- * small file says who plays.
+ * small file says who the players are ({@link SlotSeats}).
  *
  * <pre>
  *   slot 12   state ── inputs ── inputs ── inputs ── end │
@@ -39,9 +39,6 @@ import org.slf4j.LoggerFactory;
  */
 public final class RoomCheckpoints {
   private static final Logger LOG = LoggerFactory.getLogger(RoomCheckpoints.class);
-
-  /** Seats that change are written so often in a second. */
-  private static final int SEATS_PER_SECOND = 4;
 
   private static final long NS_PER_MS = 1_000_000;
 
@@ -94,8 +91,13 @@ public final class RoomCheckpoints {
   private long slotHash;
   private SavedEvents events;
   private int dueTick;
+  private final SlotSeats seats;
   private int seatsVersion;
-  private int seatsTick;
+
+  /** The last tick that has been handed to the disk. */
+  private int handedTick;
+
+  private long nowNs;
   private boolean countedFailure;
 
   /** True if the disk took no checkpoint lately, which the log has. The disk's thread ends it. */
@@ -115,6 +117,7 @@ public final class RoomCheckpoints {
     this.disk = disk;
     folder = new SlotFolder(path);
     intervalTicks = seconds * room.config().tickRateHz();
+    seats = new SlotSeats(room.seats(), room.bySeat());
   }
 
   /**
@@ -167,15 +170,16 @@ public final class RoomCheckpoints {
    * @param newCourse tells where the room is, from now on
    * @param newRoomSeed seed of the room's first match
    */
-  public void begin(RoomCourse newCourse, long newRoomSeed, long nowNs) {
+  public void begin(RoomCourse newCourse, long newRoomSeed, long timeNs) {
     course = newCourse;
     roomSeed = newRoomSeed;
-    healthyNs = nowNs + HEALTHY_S * 1_000 * NS_PER_MS;
-    beginMatch(nowNs);
+    healthyNs = timeNs + HEALTHY_S * 1_000 * NS_PER_MS;
+    beginMatch(timeNs);
   }
 
   /** Keeps another match from now on, which has begun with its players. */
-  public void beginMatch(long nowNs) {
+  public void beginMatch(long timeNs) {
+    nowNs = timeNs;
     if (abandoned) {
       return;
     }
@@ -192,7 +196,7 @@ public final class RoomCheckpoints {
     MatchInfo info = course.match().info();
     toldTooLarge = false;
     header = RecordingHeader.of(s, info.seed(), Protocol.physicsDigest());
-    beginSlot(nowNs);
+    beginSlot();
   }
 
   /** Ends the log of the present match, because another one begins or the room ends. */
@@ -205,8 +209,15 @@ public final class RoomCheckpoints {
     closeSlot();
   }
 
-  /** Begins a slot if one is due, and writes the seats if they have changed; once per tick. */
-  public void tickEnds(long nowNs) {
+  /** Returns whether what happens in the room is on the disk in a moment; from any thread. */
+  public boolean isKept() {
+    SlotFile present = slot;
+    return present != null && present.failure() == null;
+  }
+
+  /** Begins a slot if one is due; once per tick. */
+  public void tickEnds(long timeNs) {
+    nowNs = timeNs;
     if (header == null || abandoned) {
       return;
     }
@@ -215,13 +226,46 @@ public final class RoomCheckpoints {
     if (failure != null) {
       giveUp(failure);
       if (tick >= dueTick && (slot == null || slot.queuedBytes() == 0)) {
-        beginSlot(nowNs);
+        beginSlot();
       }
     } else if (tick >= dueTick && slot.isSafe()) {
-      beginSlot(nowNs);
-    } else if (seatsVersion != room.seats().version()
-        && (tick - seatsTick) * SEATS_PER_SECOND >= room.config().tickRateHz()) {
-      writeSeats(nowNs);
+      beginSlot();
+    }
+  }
+
+  /** Hands the disk what has happened since the last block, because the room pauses. */
+  public void rests(long timeNs) {
+    nowNs = timeNs;
+    if (header != null && recorder != null && !abandoned && isKept()) {
+      recorder.flush();
+      if (seatsVersion != room.seats().version()) {
+        writeSeats(slot);
+      }
+    }
+  }
+
+  /** Hands the disk a block, and before it the seats of those who come or go in it. */
+  private boolean take(SlotFile to, Block type, byte[] bytes, int length) {
+    if (type != Block.TICKS) {
+      return to.take(type, bytes, length);
+    }
+    boolean changed = seatsVersion != room.seats().version();
+    if (changed) {
+      writeSeats(to);
+    }
+    handedTick = course.match().simulation().tick();
+    boolean taken = to.take(type, bytes, length);
+    if (changed) {
+      settle(to);
+    }
+    return taken;
+  }
+
+  /** Frees the seats that players have left in other rooms, once the disk has their arrival. */
+  private void settle(SlotFile to) {
+    List<Seats.Seat> arrived = seats.unsettled();
+    if (!arrived.isEmpty()) {
+      to.then(() -> arrived.forEach(Seats.Seat::settle));
     }
   }
 
@@ -242,17 +286,18 @@ public final class RoomCheckpoints {
     }
   }
 
-  private void beginSlot(long nowNs) {
+  private void beginSlot() {
     Simulation s = course.match().simulation();
     SlotFile next = new SlotFile(disk, folder, ++lastSlot);
+    BlockSink sink = (type, bytes, length) -> take(next, type, bytes, length);
     dueTick = s.tick() + intervalTicks;
     countedFailure = false;
     try {
       if (recorder == null) {
-        recorder = new Recorder(s, header, next, disk.pace());
+        recorder = new Recorder(s, header, sink, disk.pace());
         s.addJournal(recorder);
       } else {
-        recorder.goOn(s, "CHECKPOINT", header, next);
+        recorder.goOn(s, "CHECKPOINT", header, sink);
       }
     } catch (IllegalArgumentException e) {
       if (!toldTooLarge) {
@@ -276,7 +321,11 @@ public final class RoomCheckpoints {
     slotTick = s.tick();
     slotHash = s.stateHash();
     events = SavedEvents.of(course.match().capture().frames().events(), room.bySeat());
-    writeSeats(nowNs);
+    handedTick = slotTick - 1;
+    seats.clear();
+    writeSeats(next);
+    handedTick = slotTick;
+    settle(next);
     int number = next.number();
     boolean healthy = nowNs - healthyNs >= 0;
     next.sync(
@@ -339,15 +388,8 @@ public final class RoomCheckpoints {
     }
   }
 
-  private void writeSeats(long nowNs) {
+  private void writeSeats(SlotFile to) {
     seatsVersion = room.seats().version();
-    seatsTick = course.match().simulation().tick();
-    List<SavedSeat> seats = new ArrayList<>();
-    for (Session session : room.bySeat()) {
-      if (session != null) {
-        seats.add(saved(session, nowNs));
-      }
-    }
     SavedRoom saved =
         new SavedRoom(
             Protocol.physicsDigest(),
@@ -360,24 +402,8 @@ public final class RoomCheckpoints {
             slotTick,
             slotHash,
             events,
-            seats);
-    slot.seats(saved.toBytes());
-  }
-
-  private SavedSeat saved(Session session, long nowNs) {
-    Seats.Seat seat = session.seat();
-    boolean left = session.state() == SessionState.GRACE;
-    long leftMs = (session.graceEndNs() - nowNs) / NS_PER_MS;
-    return new SavedSeat(
-        seat.id(),
-        seat.wantedName(),
-        seat.name(),
-        seat.account(),
-        seat.secret(),
-        seat.isMuted(),
-        left ? (int) Math.max(0, leftMs) : SavedSeat.PLAYED,
-        seat.courseTick(),
-        events.lackedBy(seat.secret()));
+            seats.next(handedTick + 1, events, nowNs));
+    to.seats(saved.toBytes());
   }
 
   /**
@@ -386,12 +412,13 @@ public final class RoomCheckpoints {
    * @param good whether the room ends in good order; otherwise its state isn't worth another
    *     checkpoint
    */
-  public void end(boolean good, long nowNs) {
+  public void end(boolean good, long timeNs) {
+    nowNs = timeNs;
     if (header == null || abandoned) {
       return;
     }
     if (good && recorder != null && course.match().simulation().tick() > slotTick) {
-      beginSlot(nowNs);
+      beginSlot();
     }
     if (!good) {
       addFailure();

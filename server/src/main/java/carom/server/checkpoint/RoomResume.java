@@ -1,5 +1,6 @@
 package carom.server.checkpoint;
 
+import carom.net.protocol.ProtocolLimits;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.room.match.Match;
@@ -13,14 +14,18 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Brings a room back from one slot: builds the match in the state of the checkpoint, computes the
  * logged ticks again, and gives the players their seats back. Each tick is compared with its
- * recorded hash, and the room goes on from the last one that is equal.
+ * recorded hash, and the room goes on from the last one that is equal. Who plays then, the log
+ * says; who they are, the file of seats.
  *
  * <p>Before the room's first turn, on one thread.
  */
@@ -37,8 +42,11 @@ final class RoomResume {
   private SavedRoom saved;
   private Match match;
   private NextMatch pending;
-  private List<Session> sessions;
-  private List<SavedSeat> waiting;
+
+  /** The saved seats, those of the players who came last first. */
+  private List<SavedSeat> seats;
+
+  private Session[] bySeat;
   private long inputs;
 
   /** Reason why the log ends before its end, or null. */
@@ -75,11 +83,13 @@ final class RoomResume {
     long provenHash = s.stateHash();
     for (int id = 0; id < s.playerCapacity(); id++) {
       Player player = s.participant(id);
-      if (player != null && sessions.stream().noneMatch(session -> session.player() == player)) {
-        s.leave(player); // its seat was not on the disk yet, or is no seat of this room
+      if (player != null && bySeat[id] == null) {
+        s.leave(player); // its seat is none of this room
       }
     }
+    List<Session> sessions = Arrays.stream(bySeat).filter(Objects::nonNull).toList();
     sessions.forEach(session -> session.seat().returnsTo(s.tick()));
+    reserveSeats();
     loader.goOn(saved.match(), saved.roomSeed());
     LOG.info(
         "resumed room={} tick={} checkpoint={} inputs={} players={} hash={}",
@@ -109,7 +119,8 @@ final class RoomResume {
   private int play(int last) throws IOException {
     forgetSeats();
     pending = saved.pending();
-    waiting = new ArrayList<>(saved.seats());
+    seats = new ArrayList<>(saved.seats());
+    seats.sort(Comparator.comparingInt(SavedSeat::sinceTick).reversed());
     inputs = 0;
     trouble = null;
     try (RecordingReader reader = RecordingReader.open(folder.log(slot))) {
@@ -132,7 +143,9 @@ final class RoomResume {
       saved.events().restore(match.capture().frames().events());
       seatPlayers();
       match.capture().capture();
-      return replay == null ? s.tick() : replay(replay, last);
+      int proven = replay == null ? s.tick() : replay(replay, last);
+      seatPlayers(); // those who left behind the last tick
+      return proven;
     } catch (MatchLoader.Unplayable e) {
       throw new SlotException(e.getMessage());
     }
@@ -173,26 +186,48 @@ final class RoomResume {
   private void tickEnds() {
     seatPlayers();
     match.capture().capture();
-    for (Session session : sessions) {
-      session.replication().listen();
+    for (Session session : bySeat) {
+      if (session != null) {
+        session.replication().listen();
+      }
     }
     NextMatch wanted = match.simulation().outbox().takeNextMatch();
     pending = pending == null ? wanted : pending;
   }
 
-  /** Gives seats back to the saved players that are in the match by now. */
+  /** Gives seats back to the saved players that are in the match, and takes them from others. */
   private void seatPlayers() {
-    for (int i = waiting.size() - 1; i >= 0; i--) {
-      SavedSeat seat = waiting.get(i);
-      Player player = match.simulation().participant(seat.id());
-      if (player != null && player.name().equals(seat.name())) {
-        waiting.remove(i);
+    Simulation s = match.simulation();
+    for (int id = 0; id < bySeat.length; id++) {
+      if (bySeat[id] != null && s.participant(id) != bySeat[id].player()) {
+        vacate(id);
+      }
+    }
+    for (SavedSeat seat : seats) {
+      Player player = s.participant(seat.id());
+      if (player != null
+          && seat.id() < bySeat.length
+          && bySeat[seat.id()] == null
+          && s.tick() >= seat.sinceTick()
+          && player.name().equals(seat.name())) {
         seat(seat, player);
       }
     }
   }
 
-  private void seat(SavedSeat saved, Player player) {
+  /** Reserves the seats of players who have gone to other rooms, which may not know of them. */
+  private void reserveSeats() {
+    for (SavedSeat seat : seats) {
+      if (seat.reserved() && seat.id() < bySeat.length && bySeat[seat.id()] == null) {
+        Seats.Seat reserved = restore(seat);
+        if (reserved != null) {
+          room.seats().reserve(reserved, nowNs + room.config().graceMs() * NS_PER_MS);
+        }
+      }
+    }
+  }
+
+  private Seats.Seat restore(SavedSeat saved) {
     Seats.Seat seat =
         room.seats()
             .restore(
@@ -201,7 +236,16 @@ final class RoomResume {
                 saved.name(),
                 saved.account(),
                 saved.secret(),
-                saved.courseTick());
+                saved.courseTick(),
+                saved.moves());
+    if (seat != null) {
+      seat.mute(saved.muted());
+    }
+    return seat;
+  }
+
+  private void seat(SavedSeat saved, Player player) {
+    Seats.Seat seat = restore(saved);
     if (seat == null) {
       return; // the room has fewer seats now
     }
@@ -215,18 +259,24 @@ final class RoomResume {
             room.counters());
     int graceMs = saved.graceMs() == SavedSeat.PLAYED ? room.config().graceMs() : saved.graceMs();
     session.await(nowNs + graceMs * NS_PER_MS);
-    seat.mute(saved.muted());
     for (int event : saved.events()) {
       session.replication().offer(event);
     }
-    sessions.add(session);
+    bySeat[saved.id()] = session;
+  }
+
+  private void vacate(int id) {
+    room.seats().vacate(bySeat[id].seat());
+    bySeat[id] = null;
   }
 
   /** Takes all seats back, for another pass or because the slot is of no use. */
   void forgetSeats() {
-    if (sessions != null) {
-      sessions.forEach(session -> room.seats().vacate(session.seat()));
+    for (int id = 0; bySeat != null && id < bySeat.length; id++) {
+      if (bySeat[id] != null) {
+        vacate(id);
+      }
     }
-    sessions = new ArrayList<>();
+    bySeat = new Session[ProtocolLimits.MAX_PLAYERS];
   }
 }

@@ -45,7 +45,7 @@ record SavedRoom(
     SavedEvents events,
     List<SavedSeat> seats) {
   private static final long MAGIC = 0x4341524f4d534541L; // "CAROMSEA"
-  private static final int FORMAT = 2;
+  private static final int FORMAT = 3;
   private static final int HEAD_BYTES = 20;
   private static final int MAX_CONFIG = 1 << 16;
   private static final int MAX_NAME = 1 << 12;

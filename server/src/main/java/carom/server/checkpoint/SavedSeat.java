@@ -15,6 +15,9 @@ import carom.server.session.Seats;
  * @param muted whether its chat is dropped
  * @param graceMs what was left of the grace period, ms; {@link #PLAYED} if the player was there
  * @param courseTick as {@link Seats.Seat#courseTick}
+ * @param moves as {@link Seats.Seat#moves}
+ * @param reserved whether the player has gone to another room, which may not know it after a crash
+ * @param sinceTick first tick at whose end the player may sit there
  * @param events places, in the list of the room, of the events that the player may not have heard
  *     of; never changed
  */
@@ -28,12 +31,20 @@ public record SavedSeat(
     boolean muted,
     int graceMs,
     int courseTick,
+    int moves,
+    boolean reserved,
+    int sinceTick,
     int[] events) {
   /** Stands for the whole grace period. */
   public static final int PLAYED = -1;
 
   private static final int MAX_GRACE_MS = 600_000;
   private static final int BYTES = 44;
+
+  /** Returns whether it is the seat with this id of the player with this secret. */
+  boolean is(Seats.Seat seat) {
+    return id == seat.id() && secret == seat.secret();
+  }
 
   /** Returns the least bytes that a seat takes. */
   static int bytes() {
@@ -52,11 +63,15 @@ public record SavedSeat(
     boolean muted = a.flag("muted", !reads && s.muted);
     int grace = a.integer("grace ms", reads ? 0 : s.graceMs, PLAYED, MAX_GRACE_MS);
     int course = a.integer("course tick", reads ? 0 : s.courseTick, 0, Seats.Seat.SAME_COURSE);
+    int moves = a.integer("moves", reads ? 0 : s.moves, 0, Integer.MAX_VALUE);
+    boolean reserved = a.flag("reserved", !reads && s.reserved);
+    int since = a.integer("since", reads ? 0 : s.sinceTick, 0, Integer.MAX_VALUE);
     int count = a.count("events of seat", reads ? 0 : s.events.length, eventCount, Integer.BYTES);
     int[] events = reads ? new int[count] : s.events;
     a.integers("event of seat", events, count, 0, Math.max(0, eventCount - 1));
     return reads
-        ? new SavedSeat(id, wanted, name, account, secret, muted, grace, course, events)
+        ? new SavedSeat(
+            id, wanted, name, account, secret, muted, grace, course, moves, reserved, since, events)
         : s;
   }
 }

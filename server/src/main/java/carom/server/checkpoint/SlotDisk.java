@@ -2,6 +2,7 @@ package carom.server.checkpoint;
 
 import carom.replay.Recorder;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
@@ -23,11 +24,12 @@ public final class SlotDisk implements AutoCloseable {
   private final ExecutorService syncs = thread("carom-checkpoints-sync");
 
   private final int mostStateBytes;
+  private final Executor byHand;
   private volatile boolean hasThreads;
 
   /** Creates a disk without threads. */
   public SlotDisk() {
-    this(Recorder.MOST_STATE_BYTES);
+    this(Runnable::run);
   }
 
   /**
@@ -36,7 +38,21 @@ public final class SlotDisk implements AutoCloseable {
    * @param mostStateBytes largest state of a room that is kept, bytes
    */
   public SlotDisk(int mostStateBytes) {
+    this(mostStateBytes, Runnable::run);
+  }
+
+  /**
+   * Creates a disk as above.
+   *
+   * @param byHand runs each step of writing before {@link #start}, at once and in order
+   */
+  public SlotDisk(Executor byHand) {
+    this(Recorder.MOST_STATE_BYTES, byHand);
+  }
+
+  private SlotDisk(int mostStateBytes, Executor byHand) {
     this.mostStateBytes = mostStateBytes;
+    this.byHand = byHand;
   }
 
   /** Lets threads write from now on. They begin with the first task. */
@@ -77,7 +93,7 @@ public final class SlotDisk implements AutoCloseable {
     if (hasThreads) {
       thread.execute(task);
     } else {
-      task.run();
+      byHand.execute(task);
     }
   }
 

@@ -86,6 +86,11 @@ final class SlotFile implements BlockSink {
     disk.write(() -> attempt(() -> folder.writeSeats(number, bytes)));
   }
 
+  /** Does something on the disk's thread after all that was handed in is written; or never. */
+  void then(Runnable task) {
+    disk.write(() -> attempt(task::run));
+  }
+
   /**
    * Waits, on the disk's thread, until all that was handed in is on the disk.
    *

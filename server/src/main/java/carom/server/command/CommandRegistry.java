@@ -103,9 +103,11 @@ public final class CommandRegistry {
     }
     Command command = commands.get(name(words));
     long rooms = words.stream().skip(1).filter(word -> word.startsWith("@")).count();
-    return command == null
-        ? List.of()
-        : command.completer().words((int) (words.size() - 1 - rooms));
+    if (command == null) {
+      return List.of();
+    }
+    List<String> next = command.completer().words((int) (words.size() - 1 - rooms));
+    return rooms == 0 ? next : next.stream().filter(word -> !word.startsWith("@")).toList();
   }
 
   private List<String> names(int place) {

@@ -93,31 +93,35 @@ public final class RoomCommands {
             "[@ROOM] LEVEL",
             "Goes on with another level: a file, one of the data folder, or one that comes along.",
             this::level,
-            this::levels));
+            behindRoom(this::levels)));
     registry.add(
         new Command(
             "game",
             "[@ROOM] GAME [LEVEL]",
             "Goes on with another game, in its default level or another.",
             this::game,
-            this::games));
+            behindRoom(this::games)));
     registry.add(
         new Command(
             "record",
             "[@ROOM] [FILE | stop]",
             "Begins to record, to the data folder or a file or folder; or ends that.",
             this::record,
-            place -> place == 0 ? List.of(STOP) : List.of()));
+            behindRoom(place -> place == 0 ? List.of(STOP) : List.of())));
     registry.add(
         new Command(
             "save",
             "[@ROOM] [NAME]",
             "Saves the match to the data folder, under the room's name or another.",
             this::save,
-            Command.NONE));
+            behindRoom(Command.NONE)));
     registry.add(
         new Command(
-            "load", "[@ROOM] [NAME]", "Goes on with a saved match.", this::load, Command.NONE));
+            "load",
+            "[@ROOM] [NAME]",
+            "Goes on with a saved match.",
+            this::load,
+            behindRoom(place -> place == 0 ? data.savedNames() : List.of())));
     registry.add(
         new Command(
             "why",
@@ -131,7 +135,18 @@ public final class RoomCommands {
             "[@ROOM] match | player N | entity N",
             "Shows the values of fields.",
             this::fields,
-            place -> place == 0 ? List.of(MATCH, "player", "entity") : List.of()));
+            behindRoom(place -> place == 0 ? List.of(MATCH, "player", "entity") : List.of())));
+  }
+
+  /** Adds the rooms to the words of a command that is about one room, if there are several. */
+  private Command.Completer behindRoom(Command.Completer others) {
+    return place -> {
+      List<String> words = new ArrayList<>(others.words(place));
+      if (rooms.size() > 1) {
+        words.addAll(finder.names());
+      }
+      return words;
+    };
   }
 
   private List<String> onlyRooms(int place) {

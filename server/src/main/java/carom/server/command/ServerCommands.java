@@ -4,6 +4,7 @@ import carom.server.config.EffectiveSettings;
 import carom.server.config.Setting;
 import carom.text.Suggestion;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 
@@ -11,12 +12,17 @@ import java.util.function.UnaryOperator;
 public final class ServerCommands {
   private final Supplier<List<String>> status;
   private final EffectiveSettings settings;
+  private final Set<String> live;
   private final UnaryOperator<String> replay;
 
   private ServerCommands(
-      Supplier<List<String>> status, EffectiveSettings settings, UnaryOperator<String> replay) {
+      Supplier<List<String>> status,
+      EffectiveSettings settings,
+      Set<String> live,
+      UnaryOperator<String> replay) {
     this.status = status;
     this.settings = settings;
+    this.live = live;
     this.replay = replay;
   }
 
@@ -25,14 +31,18 @@ public final class ServerCommands {
    *
    * @param status returns lines about rooms and load
    * @param settings the effective settings
+   * @param live names of the settings that {@code reload} brings into force
+   * @param recordings returns the files that may be computed again, for completion
    * @param replay computes a recording again and returns the outcome
    */
   public static void add(
       CommandRegistry registry,
       Supplier<List<String>> status,
       EffectiveSettings settings,
+      Set<String> live,
+      Supplier<List<String>> recordings,
       UnaryOperator<String> replay) {
-    ServerCommands all = new ServerCommands(status, settings, replay);
+    ServerCommands all = new ServerCommands(status, settings, live, replay);
     registry.add(
         new Command(
             "status", "", "Shows load and traffic since the start.", all::status, Command.NONE));
@@ -40,7 +50,7 @@ public final class ServerCommands {
         new Command(
             "config",
             "[SETTING]",
-            "Shows the settings that are set, or one with its origin and what it does.",
+            "Shows all settings with value and origin, or one with its default and what it does.",
             all::config,
             place -> place == 0 ? settings.names() : List.of()));
     registry.add(
@@ -49,7 +59,7 @@ public final class ServerCommands {
             "FILE",
             "Computes a recording again and compares every tick; takes a core for a while.",
             all::replay,
-            Command.NONE));
+            place -> place == 0 ? recordings.get() : List.of()));
   }
 
   private String status(CommandWords words) throws CommandException {
@@ -64,8 +74,7 @@ public final class ServerCommands {
     }
     TextTable table = new TextTable("setting", "value", "origin");
     for (Setting setting : settings.all()) {
-      table.add(
-          setting.name(), setting.value().isEmpty() ? "-" : setting.value(), setting.origin());
+      table.add(setting.name(), setting.shown(), setting.origin());
     }
     return table.toString();
   }
@@ -78,15 +87,16 @@ public final class ServerCommands {
                 () ->
                     new CommandException(
                         "unknown setting=" + name + Suggestion.didYouMean(name, settings.names())));
-    return "%s = %s\n  from: %s\n  default: %s\n  %s\n  set it with --%s, %s or in the file; it holds from the next start"
+    return "%s = %s\n  from: %s\n  default: %s\n  %s\n  set it with --%s, %s or in the file; it holds from %s"
         .formatted(
             setting.name(),
-            setting.value().isEmpty() ? "-" : setting.value(),
+            setting.shown(),
             setting.origin(),
-            setting.defaultValue().isEmpty() ? "-" : setting.defaultValue(),
+            setting.shownDefault(),
             setting.doc(),
             setting.name(),
-            setting.variable());
+            setting.variable(),
+            live.contains(setting.name()) ? "the command 'reload' on" : "the next start");
   }
 
   private String replay(CommandWords words) throws CommandException {

@@ -20,6 +20,8 @@ public record DataFolder(Path root) {
   public static final String CONFIG = "carom.conf";
 
   private static final String LEVEL = ".json";
+  private static final String SAVED = ".carom-save";
+  private static final String RECORDING = ".carom";
 
   /** Returns the folder of the log, which is rotated. */
   public Path logs() {
@@ -65,19 +67,36 @@ public record DataFolder(Path root) {
 
   /** Returns the file of a saved match. */
   public Path saved(String name) {
-    return root.resolve("saves").resolve(name + ".carom-save");
+    return root.resolve("saves").resolve(name + SAVED);
+  }
+
+  /** Returns the names of the saved matches, sorted. */
+  public List<String> savedNames() {
+    return names(root.resolve("saves"), SAVED);
+  }
+
+  /** Returns the files in the folder for recordings, sorted. */
+  public List<String> recordingFiles() {
+    return names(recordings(), RECORDING).stream()
+        .map(name -> recordings().resolve(name + RECORDING).toString())
+        .toList();
   }
 
   /** Returns the names of the levels in the folder, sorted. */
   public List<String> levelNames() {
-    if (!Files.isDirectory(levels())) {
+    return names(levels(), LEVEL);
+  }
+
+  /** Returns the names of a folder's files that have an ending, without it, sorted. */
+  private static List<String> names(Path folder, String ending) {
+    if (!Files.isDirectory(folder)) {
       return List.of();
     }
-    try (Stream<Path> files = Files.list(levels())) {
+    try (Stream<Path> files = Files.list(folder)) {
       return files
           .map(file -> file.getFileName().toString())
-          .filter(name -> name.endsWith(LEVEL))
-          .map(name -> name.substring(0, name.length() - LEVEL.length()))
+          .filter(name -> name.endsWith(ending))
+          .map(name -> name.substring(0, name.length() - ending.length()))
           .sorted()
           .toList();
     } catch (IOException e) {

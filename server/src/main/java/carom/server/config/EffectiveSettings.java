@@ -11,8 +11,6 @@ import java.util.regex.Pattern;
  * @param all the settings
  */
 public record EffectiveSettings(List<Setting> all) {
-  private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?");
-
   /** Texts that need no quotes. */
   private static final Pattern PLAIN = Pattern.compile("(?!.*//)[-\\w./%]([-\\w./% ]*[-\\w./%])?");
 
@@ -63,9 +61,7 @@ public record EffectiveSettings(List<Setting> all) {
           + String.join(", ", values.stream().map(EffectiveSettings::literal).toList())
           + "]";
     }
-    String unit = SettingUnits.plain(setting.kind());
-    boolean bare = !unit.isEmpty() && NUMBER.matcher(values.get(0)).matches();
-    return literal(values.get(0)) + (bare ? " " + unit : "");
+    return literal(SettingUnits.with(setting.kind(), values.get(0)));
   }
 
   private static String literal(String text) {

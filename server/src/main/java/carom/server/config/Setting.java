@@ -34,6 +34,20 @@ public record Setting(
     return String.join(", ", values);
   }
 
+  /** Returns the effective value for people: with its unit, and a dash for none. */
+  public String shown() {
+    return shown(value());
+  }
+
+  /** Returns the default for people: with its unit, and a dash for none. */
+  public String shownDefault() {
+    return shown(defaultValue);
+  }
+
+  private String shown(String text) {
+    return text.isEmpty() ? "-" : SettingUnits.with(kind, text);
+  }
+
   /** Returns whether a layer above the default sets this. */
   public boolean isSet() {
     return !origin.equals(DEFAULT);

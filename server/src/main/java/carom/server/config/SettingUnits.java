@@ -19,6 +19,8 @@ import picocli.CommandLine.TypeConversionException;
 public final class SettingUnits {
   private static final Pattern NUMBER = Pattern.compile("([-+]?[0-9.]+)\\s*([a-zA-Z%]*)");
 
+  private static final Pattern BARE = Pattern.compile("-?\\d+(\\.\\d+)?");
+
   /** Units by label; the first of each is that of plain numbers. */
   private static final Map<String, Map<String, BigDecimal>> UNITS =
       Map.of(
@@ -47,6 +49,12 @@ public final class SettingUnits {
   public static String plain(String label) {
     Map<String, BigDecimal> units = UNITS.get(label);
     return units == null ? "" : units.keySet().iterator().next();
+  }
+
+  /** Returns a value with the unit that it is in, unless it names one or there is none. */
+  static String with(String label, String value) {
+    String unit = plain(label);
+    return unit.isEmpty() || !BARE.matcher(value).matches() ? value : value + " " + unit;
   }
 
   /** Makes all options of a program that are measured in a unit accept it. */

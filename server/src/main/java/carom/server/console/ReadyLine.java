@@ -17,6 +17,11 @@ public final class ReadyLine {
 
   private ReadyLine() {}
 
+  /** Returns whether gradlew starts the server for a person at a terminal. */
+  public static boolean isByGradle() {
+    return Boolean.getBoolean(TERMINAL_PROPERTY);
+  }
+
   /** Prints the line, with the ports at which players can join. */
   public static void print(PrintStream out, int tcp, int udp) {
     out.println("ready tcp=" + tcp + " udp=" + udp);
@@ -33,7 +38,7 @@ public final class ReadyLine {
   public static void printHints(PrintStream out, int tcp, String page, boolean onlyHere) {
     if (isOnTerminal()) {
       out.println();
-      hints(tcp, page, Boolean.getBoolean(TERMINAL_PROPERTY), onlyHere).forEach(out::println);
+      hints(tcp, page, isByGradle(), onlyHere).forEach(out::println);
       out.println();
       out.flush();
     }
@@ -83,7 +88,7 @@ public final class ReadyLine {
    * without a terminal; its {@code isTerminal} tells.
    */
   private static boolean isOnTerminal() {
-    if (Boolean.getBoolean(TERMINAL_PROPERTY)) {
+    if (isByGradle()) {
       return true;
     }
     Console console = System.console();

@@ -43,6 +43,8 @@ public final class Lobby {
   /** Server to which the next turn sends those who wait or watch; null for none. */
   private final AtomicReference<ServerMessage.Redirect> redirect = new AtomicReference<>();
 
+  private volatile Runnable wake = () -> {};
+
   /**
    * Creates a lobby in front of rooms.
    *
@@ -137,6 +139,16 @@ public final class Lobby {
    */
   public void redirect(ServerMessage.Redirect to) {
     redirect.set(to);
+    wake.run();
+  }
+
+  /**
+   * Sets what tells the lobby's thread that it is needed; before the first turn.
+   *
+   * @param newWake runs on any thread and returns at once
+   */
+  public void onNeeded(Runnable newWake) {
+    wake = newWake;
   }
 
   private void sendAway() {

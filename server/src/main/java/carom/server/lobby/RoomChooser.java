@@ -17,14 +17,35 @@ final class RoomChooser {
     this.ticksUntilLoadIsKnown = ticksUntilLoadIsKnown;
   }
 
-  /** Returns the room that holds a seat for a session's secret, or null. */
+  /**
+   * Returns the room that holds a seat for a session's secret, or null; of several, the one to
+   * which the player went last.
+   */
   Room expecting(long resumeSecret) {
+    Room last = null;
+    int most = -1;
     for (Room room : rooms) {
-      if (!room.hasFailed() && room.seats().knows(resumeSecret)) {
-        return room;
+      int moves = room.hasFailed() ? -1 : room.seats().movesOf(resumeSecret);
+      if (moves > most) {
+        most = moves;
+        last = room;
       }
     }
-    return null;
+    return last;
+  }
+
+  /**
+   * Returns whether a seat will be free in a moment, because its player has gone to another room.
+   *
+   * @param requested the one room that matters, or null for all open rooms
+   */
+  boolean hasReserved(Room requested) {
+    for (Room room : requested == null ? rooms : List.of(requested)) {
+      if (!room.hasFailed() && room.seats().hasReserved()) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**

@@ -8,7 +8,6 @@ import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.server.metrics.Counter;
 import carom.server.recording.DelayedRecording;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
@@ -145,8 +144,7 @@ final class Spectators implements LinkHandler {
   }
 
   private void count(Room room) {
-    room.counters()
-        .set(Counter.SPECTATORS, spectators.stream().filter(s -> s.room == room).count());
+    room.watchedBy(spectators.stream().filter(s -> s.room == room).count());
   }
 
   /** Answers requests and drops silent spectators. Returns the amount of work done. */

@@ -349,7 +349,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return true; // the seat asked for is soon free
     }
     promised = chooser.askToGiveWay(waiting.account(), origin, requested);
-    boolean asked = promised != null;
+    boolean asked = promised != null || chooser.hasReserved(requested);
     Visitor crowding = asked ? null : context.oldestOfBusiestHost(origin.host(), requested);
     if (crowding != null) {
       asked = true;

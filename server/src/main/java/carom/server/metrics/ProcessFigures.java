@@ -18,6 +18,7 @@ import java.nio.file.Path;
 public record ProcessFigures(long cpuNs, long heapBytes, double residentBytes) {
   private static final Path STATUS = Path.of("/proc/self/status");
   private static final String RESIDENT = "VmRSS:";
+  private static final String UNIT = " kB";
   private static final double BYTES_PER_KB = 1_024;
 
   /** Reads the figures. Any thread; takes about 50 us. */
@@ -41,13 +42,15 @@ public record ProcessFigures(long cpuNs, long heapBytes, double residentBytes) {
 
   /** Reads a line such as {@code VmRSS: 107520 kB}. */
   static double resident(String status) {
-    return status
-        .lines()
-        .filter(line -> line.startsWith(RESIDENT) && line.endsWith(" kB"))
-        .map(line -> line.substring(RESIDENT.length(), line.length() - " kB".length()).strip())
-        .filter(number -> number.matches("\\d{1,15}"))
-        .mapToDouble(number -> BYTES_PER_KB * Long.parseLong(number))
-        .findFirst()
-        .orElse(Double.NaN);
+    int line = status.startsWith(RESIDENT) ? 0 : status.indexOf("\n" + RESIDENT) + 1;
+    int end = status.indexOf(UNIT + "\n", line);
+    if (!status.startsWith(RESIDENT, line) || end < line + RESIDENT.length()) {
+      return Double.NaN;
+    }
+    try {
+      return BYTES_PER_KB * Long.parseLong(status.substring(line + RESIDENT.length(), end).strip());
+    } catch (NumberFormatException e) {
+      return Double.NaN;
+    }
   }
 }

@@ -31,6 +31,7 @@ public final class RoomPictures {
   private static final int MAX_CELLS = 20_000;
   private static final int MAX_CONTACTS = 20_000;
 
+  private final Runnable asked;
   private final AtomicReference<PictureRequest> wanted = new AtomicReference<>();
   private final AtomicReference<Picture> made = new AtomicReference<>();
   private final AtomicLong count = new AtomicLong();
@@ -43,12 +44,19 @@ public final class RoomPictures {
   private int[] generations = {};
   private boolean broken;
 
-  /** Creates the pictures of a room that nobody watches. */
-  public RoomPictures() {}
+  /**
+   * Creates the pictures of a room that nobody watches.
+   *
+   * @param asked runs after each request, on the thread that asks
+   */
+  public RoomPictures(Runnable asked) {
+    this.asked = asked;
+  }
 
   /** Asks for a picture. It replaces a request that waits. Any thread. */
   public void ask(PictureRequest request) {
     wanted.set(request);
+    asked.run();
   }
 
   /** Returns the picture that was made last, once, or null. Any thread. */

@@ -15,15 +15,18 @@ import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Source RCON: the operator's commands over TCP, for programs that know the password. Each
- * connection has a daemon thread, and there are at most {@value #MAX_CONNECTIONS}. RCON sends the
- * password and all commands unencrypted.
+ * connection has a daemon thread, and there are at most {@value #MAX_CONNECTIONS}: of one more, the
+ * one that has waited longest without the password gives way. RCON sends the password and all
+ * commands unencrypted.
  */
 public final class RemoteConsole implements AutoCloseable {
   /** Most connections at once. */
@@ -51,6 +54,9 @@ public final class RemoteConsole implements AutoCloseable {
   private final Secret password;
   private final LoginThrottle throttle;
   private final Set<Socket> connections = ConcurrentHashMap.newKeySet();
+
+  /** Connections that haven't logged in, in the order of their coming. */
+  private final Queue<Socket> strangers = new ConcurrentLinkedQueue<>();
 
   /** A message of the protocol. */
   record Packet(int id, int type, String body) {}
@@ -98,15 +104,16 @@ public final class RemoteConsole implements AutoCloseable {
   private void accept() {
     try {
       Socket socket = server.accept();
-      if (connections.size() >= MAX_CONNECTIONS || throttle.mustWait(socket.getInetAddress())) {
+      if (throttle.mustWait(socket.getInetAddress()) || !hasRoom()) {
         socket.close();
         return;
       }
       connections.add(socket);
+      strangers.add(socket);
       try {
         start("carom-rcon-client", () -> serve(socket));
       } catch (Error e) { // the system has no thread left
-        connections.remove(socket);
+        forget(socket);
         socket.close();
         throw e;
       }
@@ -139,8 +146,27 @@ public final class RemoteConsole implements AutoCloseable {
     } catch (IOException e) {
       LOG.debug("rcon: a connection broke", e);
     } finally {
-      connections.remove(socket);
+      forget(socket);
     }
+  }
+
+  private void forget(Socket socket) {
+    strangers.remove(socket);
+    connections.remove(socket);
+  }
+
+  /** Returns whether there is a place, for which the stranger who has waited longest gives way. */
+  private boolean hasRoom() throws IOException {
+    if (connections.size() < MAX_CONNECTIONS) {
+      return true;
+    }
+    Socket oldest = strangers.poll();
+    if (oldest == null) {
+      return false;
+    }
+    connections.remove(oldest);
+    oldest.close();
+    return true;
   }
 
   /** Returns whether the first message is the right password. Another message is no try. */
@@ -151,6 +177,9 @@ public final class RemoteConsole implements AutoCloseable {
       return false;
     }
     boolean right = password.matches(first.body);
+    if (right && !strangers.remove(socket)) {
+      return false; // it gave way in this moment
+    }
     // Some servers send an empty answer before; clients that read ahead lose what follows it.
     write(out, right ? first.id : REFUSED, AUTH_ANSWER, "");
     if (right) {

@@ -65,6 +65,11 @@ public final class DelayedRecording implements BlockSink, AutoCloseable {
     return delayTicks != Integer.MAX_VALUE;
   }
 
+  /** Returns whether the recording is for spectators alone: nobody keeps it. */
+  public boolean isOnlyShown() {
+    return temporary && isShown();
+  }
+
   @Override
   public boolean take(Block type, byte[] bytes, int length) {
     boolean taken = file.take(type, bytes, length);

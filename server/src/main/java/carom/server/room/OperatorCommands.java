@@ -49,29 +49,36 @@ public final class OperatorCommands {
 
   private final RoomContext room;
   private final int number;
+  private final String name;
   private final RoomSessions sessions;
   private final Departures departures;
   private final RoomRecording recording;
   private final MatchChange changes;
   private final LongSupplier clock;
   private final BooleanSupplier closed;
+  private final Runnable wake;
   private final ArrayBlockingQueue<FutureTask<?>> waiting = new ArrayBlockingQueue<>(MAX_WAITING);
 
   /**
    * Creates an empty queue of commands.
    *
    * @param number number of the room
+   * @param name name of the room
    * @param closed returns whether the room is closed
+   * @param wake ends the nap of the room's thread, because a command waits
    */
-  OperatorCommands(RoomParts parts, int number, BooleanSupplier closed) {
+  OperatorCommands(
+      RoomParts parts, int number, String name, BooleanSupplier closed, Runnable wake) {
     room = parts.context;
     this.number = number;
+    this.name = name;
     sessions = parts.sessions;
     departures = parts.departures;
     recording = parts.recording;
     changes = parts.changes;
     clock = parts.clock;
     this.closed = closed;
+    this.wake = wake;
   }
 
   /** Carries out the commands that wait; on the room's thread. */
@@ -168,8 +175,7 @@ public final class OperatorCommands {
     int numberInName = room.label().isEmpty() ? 0 : number;
     String game = room.match().info().game();
     Path file = RecordingFile.fileFor(target, game, numberInName).toAbsolutePath();
-    return ask(
-        () -> closed.getAsBoolean() ? "room=" + number + " is closed" : recording.begin(file));
+    return ask(() -> closed.getAsBoolean() ? "room=" + name + " is closed" : recording.begin(file));
   }
 
   /**
@@ -209,7 +215,7 @@ public final class OperatorCommands {
     return ask(
         () -> {
           if (closed.getAsBoolean()) {
-            return "room=" + number + " is closed";
+            return "room=" + name + " is closed";
           }
           changes.begin(next, wanted, clock.getAsLong());
           MatchInfo match = next.info();
@@ -234,7 +240,7 @@ public final class OperatorCommands {
         return "not saved: the game keeps more than its state";
       }
       saved.write(file);
-      return "saved room=" + number + " to " + file;
+      return "saved room=" + name + " to " + file;
     } catch (NoAnswer e) {
       return "not saved: " + e.getMessage();
     } catch (IOException e) {
@@ -331,6 +337,7 @@ public final class OperatorCommands {
     if (!waiting.offer(command)) {
       throw new NoAnswer("too many questions at once; ask again");
     }
+    wake.run();
     try {
       return command.get(ANSWER_S, TimeUnit.SECONDS);
     } catch (InterruptedException e) {

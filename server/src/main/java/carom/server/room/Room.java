@@ -29,6 +29,7 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 
@@ -62,11 +63,12 @@ public final class Room {
   private final RoomContext context;
   private final int number;
   private final RoomConfig settings;
-  private final RoomPictures pictures = new RoomPictures();
+  private final RoomPictures pictures;
   private final RoomEnd end;
   private final RoomTick ticks;
   private final OperatorCommands operator;
   private volatile boolean paused;
+  private volatile Runnable wake = () -> {};
 
   /**
    * Builds the level and sets up the game of the first match.
@@ -103,7 +105,9 @@ public final class Room {
     context = parts.context;
     end = new RoomEnd(parts);
     ticks = new RoomTick(parts, end);
-    operator = new OperatorCommands(parts, number, end::isClosed);
+    operator =
+        new OperatorCommands(parts, number, settings.name(), end::isClosed, () -> wake.run());
+    pictures = new RoomPictures(this::wakeIfPaused);
     context.match().capture().capture();
   }
 
@@ -114,6 +118,28 @@ public final class Room {
    */
   public void helpedBy(Workers helpers) {
     context.helpedBy(helpers);
+  }
+
+  /**
+   * Sets what tells the thread of a paused room that it is needed: a player comes, somebody
+   * watches, an operator asks something, or somebody wants a picture. Before the first turn.
+   *
+   * @param newWake runs on any thread and returns at once
+   */
+  public void onNeeded(Runnable newWake) {
+    wake = newWake;
+  }
+
+  /** Sets how many people watch, for whom the room goes on without players. The lobby's thread. */
+  public void watchedBy(long spectators) {
+    counters().set(Counter.SPECTATORS, spectators);
+    wake.run();
+  }
+
+  private void wakeIfPaused() {
+    if (paused) {
+      wake.run();
+    }
   }
 
   /**
@@ -174,6 +200,22 @@ public final class Room {
   }
 
   /**
+   * Gives up the seats of players who, as other rooms were kept, have gone there; after all rooms
+   * go on from their checkpoints, and before the first {@link #doWork}.
+   *
+   * @param rooms all rooms of the server; others may be running
+   */
+  public void reconcile(List<Room> rooms) {
+    parts.moves.reconcile(rooms, parts.clock.getAsLong());
+  }
+
+  /** Returns whether players who come are on the disk in a moment; from any thread. */
+  boolean isKept() {
+    RoomCheckpoints checkpoints = parts.checkpoints;
+    return checkpoints != null && checkpoints.isKept();
+  }
+
+  /**
    * Hands over a player whose level is loaded; from any thread.
    *
    * @return false when too many are on their way or the room is closed; the link and the claim stay
@@ -183,6 +225,7 @@ public final class Room {
     if (end.isClosed() || !parts.arrivals.offer(admission)) {
       return false;
     }
+    wake.run();
     // A room that closes in between has either told this player goodbye, or never will.
     return !end.isClosed() || !parts.arrivals.withdraw(admission);
   }
@@ -200,7 +243,11 @@ public final class Room {
       return parts.partings.doWork(nowNs);
     }
     int work = pollAll(nowNs) + parts.partings.doWork(nowNs);
+    seats().expire(nowNs);
     paused = isIdle();
+    if (paused && parts.checkpoints != null) {
+      parts.checkpoints.rests(nowNs);
+    }
     int due = parts.pace.due(paused, ticks.tick(), nowNs);
     for (int left = due; left > 0 && !end.isClosed(); left--) {
       ticks.run(nowNs, left <= MAX_SENDS_PER_BURST);
@@ -218,7 +265,7 @@ public final class Room {
         && context.age() > 0
         && parts.sessions.count() == 0
         && parts.arrivals.isEmpty()
-        && !parts.recording.isOn();
+        && !parts.recording.needsTicks();
   }
 
   /** Returns when the next tick is due; valid after the first {@link #doWork}. */

@@ -9,16 +9,21 @@ import carom.server.room.match.RoomContext;
 import carom.server.session.Admission;
 import carom.server.session.Seats;
 import carom.server.session.Session;
+import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Lets players see the other rooms and go there. A player who changes the room keeps link, secret
- * and name; the session ends here, and the other room begins one that loads its match. The room's
- * thread.
+ * and name; the session ends here, and the other room begins one that loads its match.
+ *
+ * <p>A crash at any moment of that leaves the player one seat: in the other room if its log has the
+ * arrival, or else here. The room's thread.
  */
 final class RoomMoves {
   private static final Logger LOG = LoggerFactory.getLogger(RoomMoves.class);
+
+  private static final long NS_PER_MS = 1_000_000;
 
   /** A client is told the rooms at most so often. */
   private static final int LISTS_PER_SECOND = 2;
@@ -72,14 +77,18 @@ final class RoomMoves {
       stay(session, "You are in room " + name + " already.");
       return;
     }
-    Seats.Seat seat = to.seats().takeFor(session.seat());
+    Seats.Seat seat = to.seats().takeFor(session.seat(), room.seats());
     if (seat == null) {
       stay(session, "Room " + name + " is full. " + directory.describe());
       return;
     }
-    if (!room.seats().release(session.seat())) {
+    long untilNs = nowNs + room.config().graceMs() * NS_PER_MS;
+    if (!room.seats().reserve(session.seat(), untilNs)) {
       to.seats().unclaim(seat); // the player comes back over another link; the request waits
       return;
+    }
+    if (!to.isKept()) {
+      seat.settle(); // otherwise as soon as the arrival there is on the disk
     }
     Link link = departures.moveOut(session, name);
     if (!to.admit(new Admission(seat, link, session.epoch(), Admission.NO_MATCH))) {
@@ -88,6 +97,37 @@ final class RoomMoves {
       departures.part(link, "room takes nobody", nowNs);
       to.seats().unclaim(seat);
     }
+  }
+
+  /**
+   * Gives up the seats of players who have gone on to other rooms, after a crash that this room
+   * survived in a state before and another one in a state after that; before the first tick. So
+   * each player has one seat in all rooms.
+   *
+   * @param rooms all rooms of the server
+   */
+  void reconcile(List<Room> rooms, long nowNs) {
+    for (int i = 0; i < sessions.count(); i++) {
+      if (hasGoneOn(sessions.get(i).seat(), self, rooms)) {
+        sessions.get(i).endGrace(nowNs);
+      }
+    }
+    for (Room one : rooms) {
+      for (Seats.Seat seat : one.seats().reserved()) {
+        if (hasGoneOn(seat, one, rooms)) {
+          one.seats().free(seat);
+        }
+      }
+    }
+  }
+
+  private static boolean hasGoneOn(Seats.Seat seat, Room room, List<Room> rooms) {
+    for (Room other : rooms) {
+      if (other != room && other.seats().movesOf(seat.secret()) > seat.moves()) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static void stay(Session session, String why) {

@@ -13,6 +13,7 @@ import java.util.Locale;
  * @param state {@code playing}, {@code watching}, {@code loading} or {@code grace}
  * @param team the player's team
  * @param score the player's score
+ * @param rgb the colour that the player has chosen, 0xRRGGBB; -1 for none
  * @param link what the line and the predictions have done since the link began
  * @param playedTicks ticks for which the player has played over its present link
  */
@@ -24,6 +25,7 @@ public record PlayerInfo(
     String state,
     int team,
     int score,
+    int rgb,
     LinkFigures link,
     int playedTicks) {
   /** Describes a session. The room's thread. */
@@ -37,6 +39,7 @@ public record PlayerInfo(
         watches ? "watching" : session.state().name().toLowerCase(Locale.ROOT),
         session.player().team(),
         session.player().score(),
+        session.player().colour().rgb(),
         session.replication().figures(),
         session.playedTicks());
   }

@@ -4,7 +4,9 @@ import carom.net.admission.AddressGroup;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.ProtocolLimits;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.function.LongSupplier;
 
@@ -15,6 +17,12 @@ import java.util.function.LongSupplier;
  *
  * <p>A seat is taken while a link on its way claims it or a session in the room occupies it; a
  * returning player claims a seat that is still occupied.
+ *
+ * <p>A player who goes to another room of a server that keeps checkpoints leaves a
+ * <em>reserved</em> seat behind. It is free when the other room has the arrival on the disk ({@link
+ * Seat#settle}), so that after a crash the player has a seat in one of the two rooms. A player has
+ * seats of several rooms only then; the one to which the player went last counts ({@link
+ * #movesOf}).
  */
 public final class Seats {
   private static final long RESUME_INTERVAL_MS = 1_500;
@@ -27,6 +35,7 @@ public final class Seats {
   private final Set<String> foldedNames = new HashSet<>();
   private final Set<String> skeletons = new HashSet<>();
   private int takenCount;
+  private int reservedCount;
   private final LongSupplier secrets;
   private final int incarnation;
   private int version;
@@ -62,14 +71,21 @@ public final class Seats {
    *
    * @param account as {@link Seat#account}
    * @param courseTick as {@link Seat#courseTick}
+   * @param moves as {@link Seat#moves}
    * @return the seat, or null if there is no such seat, or it is taken
    */
   public synchronized Seat restore(
-      int id, String wantedName, String name, String account, long secret, int courseTick) {
+      int id,
+      String wantedName,
+      String name,
+      String account,
+      long secret,
+      int courseTick,
+      int moves) {
     if (id >= taken.length || taken[id] != null || secret == 0) {
       return null;
     }
-    Seat seat = new Seat(id, wantedName, name, account, secret);
+    Seat seat = new Seat(id, wantedName, name, account, secret, moves);
     seat.seatedAt(seatings++, UNKNOWN);
     seat.courseTick = courseTick;
     seat.occupied = true;
@@ -98,7 +114,7 @@ public final class Seats {
    * @param origin where the player comes from
    */
   public synchronized Seat take(String wantedName, String account, AddressGroup origin) {
-    return take(wantedName, account, origin, freshSecret());
+    return take(wantedName, account, origin, freshSecret(), 0);
   }
 
   /**
@@ -106,19 +122,28 @@ public final class Seats {
    * player keeps the secret and stays muted.
    *
    * @param from the seat in the other room
+   * @param room the seats of the other room
    */
-  public synchronized Seat takeFor(Seat from) {
-    Seat seat = take(from.wantedName, from.account, from.group, from.secret);
-    if (seat != null) {
-      seat.muted = from.muted;
+  public Seat takeFor(Seat from, Seats room) {
+    Seat back = find(from.secret); // the player was here a moment ago
+    if (back != null) {
+      free(back);
     }
-    return seat;
+    synchronized (this) {
+      Seat seat = take(from.wantedName, from.account, from.group, from.secret, from.moves + 1);
+      if (seat != null) {
+        seat.muted = from.muted;
+        seat.behind = () -> room.free(from);
+      }
+      return seat;
+    }
   }
 
-  private Seat take(String wantedName, String account, AddressGroup origin, long secret) {
+  private synchronized Seat take(
+      String wantedName, String account, AddressGroup origin, long secret, int moves) {
     for (int id = 0; id < taken.length; id++) {
       if (taken[id] == null) {
-        Seat seat = new Seat(id, wantedName, freeName(wantedName), account, secret);
+        Seat seat = new Seat(id, wantedName, freeName(wantedName), account, secret, moves);
         seat.seatedAt(seatings++, origin);
         seat.claims = 1;
         foldedNames.add(PlayerName.folded(seat.name));
@@ -131,9 +156,13 @@ public final class Seats {
     return null;
   }
 
-  /** Returns whether a seat belongs to a secret. */
-  public synchronized boolean knows(long secret) {
-    return find(secret) != null;
+  /**
+   * Returns {@link Seat#moves} of the seat that belongs to a secret, or -1 if none does. Of the
+   * seats of several rooms, the one with the largest number is the player's.
+   */
+  public synchronized int movesOf(long secret) {
+    Seat seat = find(secret);
+    return seat == null ? -1 : seat.moves;
   }
 
   /** Returns the account of the player whose seat belongs to a secret, or an empty text. */
@@ -142,7 +171,7 @@ public final class Seats {
     return seat == null ? "" : seat.account;
   }
 
-  private Seat find(long secret) {
+  private synchronized Seat find(long secret) {
     for (int id = 0; secret != 0 && id < taken.length; id++) {
       if (taken[id] != null && taken[id].secret == secret) {
         return taken[id];
@@ -183,26 +212,82 @@ public final class Seats {
   public synchronized void occupy(Seat seat) {
     seat.claims--;
     seat.occupied = true;
+    unreserve(seat);
     version++;
   }
 
   /** Notes that the player is gone. The seat becomes free unless a link claims it. */
-  public synchronized void vacate(Seat seat) {
-    seat.occupied = false;
-    freeIfUnused(seat);
+  public void vacate(Seat seat) {
+    synchronized (this) {
+      seat.occupied = false;
+      freeIfUnused(seat);
+    }
+    seat.settle();
   }
 
   /**
-   * Frees the seat of a player who goes to another room, unless a link claims it.
+   * Reserves the seat of a player who goes to another room, unless a link claims it.
    *
-   * @return whether it is free
+   * @param untilNs monotonic time when the seat becomes free, if it doesn't before
+   * @return whether it is reserved
    */
-  public synchronized boolean release(Seat seat) {
+  public synchronized boolean reserve(Seat seat, long untilNs) {
     if (seat.claims > 0) {
       return false;
     }
-    vacate(seat);
+    seat.occupied = false;
+    seat.reserved = true;
+    seat.reservedUntilNs = untilNs;
+    reservedCount++;
+    version++;
     return true;
+  }
+
+  /** Frees a seat that is reserved, unless a link claims it. */
+  public void free(Seat seat) {
+    synchronized (this) {
+      if (!seat.reserved) {
+        return;
+      }
+      unreserve(seat);
+      freeIfUnused(seat);
+    }
+    seat.settle();
+  }
+
+  private void unreserve(Seat seat) {
+    if (seat.reserved) {
+      seat.reserved = false;
+      reservedCount--;
+      version++;
+    }
+  }
+
+  /** Returns whether seats are reserved, which will be free soon. */
+  public synchronized boolean hasReserved() {
+    return reservedCount > 0;
+  }
+
+  /** Returns the seats that are reserved, in order of their ids. */
+  public synchronized List<Seat> reserved() {
+    List<Seat> all = new ArrayList<>(reservedCount);
+    for (int id = 0; reservedCount > 0 && id < taken.length; id++) {
+      if (taken[id] != null && taken[id].reserved) {
+        all.add(taken[id]);
+      }
+    }
+    return all;
+  }
+
+  /** Frees the reserved seats whose time is over. */
+  public void expire(long nowNs) {
+    if (hasReserved()) {
+      for (Seat seat : reserved()) {
+        if (nowNs - seat.reservedUntilNs >= 0) {
+          free(seat);
+        }
+      }
+    }
   }
 
   /** Returns whether a link is on its way to this seat. */
@@ -222,7 +307,7 @@ public final class Seats {
   }
 
   private void freeIfUnused(Seat seat) {
-    if (seat.claims == 0 && !seat.occupied && taken[seat.id] == seat) {
+    if (seat.claims == 0 && !seat.occupied && !seat.reserved && taken[seat.id] == seat) {
       taken[seat.id] = null;
       takenCount--;
       version++;
@@ -285,8 +370,11 @@ public final class Seats {
     private final String name;
     private final String account;
     private final long secret;
-    private int claims; // guarded by the seats' lock, like occupied
+    private final int moves;
+    private int claims; // guarded by the seats' lock, as the next three
     private boolean occupied;
+    private boolean reserved;
+    private long reservedUntilNs;
     private long order;
     private AddressGroup group;
     private boolean resumed;
@@ -294,12 +382,16 @@ public final class Seats {
     private volatile int courseTick = SAME_COURSE;
     private boolean muted; // only the thread of the player's room uses it
 
-    Seat(int id, String wantedName, String name, String account, long secret) {
+    /** Frees the seat that the player left behind in another room; null if there is none. */
+    private volatile Runnable behind;
+
+    Seat(int id, String wantedName, String name, String account, long secret, int moves) {
       this.id = id;
       this.wantedName = wantedName;
       this.name = name;
       this.account = account;
       this.secret = secret;
+      this.moves = moves;
     }
 
     private void seatedAt(long newOrder, AddressGroup origin) {
@@ -315,6 +407,28 @@ public final class Seats {
     /** Returns the group that the player counts for; under the seats' lock. */
     AddressGroup group() {
       return group;
+    }
+
+    /** Returns how often the player has gone to another room. */
+    public int moves() {
+      return moves;
+    }
+
+    /** Returns whether the player has left no seat behind in another room; any thread. */
+    public boolean isSettled() {
+      return behind == null;
+    }
+
+    /**
+     * Frees the seat that the player left behind in another room, because this room has the arrival
+     * on the disk or the player has gone. Any thread, without a lock of any seats.
+     */
+    public void settle() {
+      Runnable frees = behind;
+      if (frees != null) {
+        behind = null;
+        frees.run();
+      }
     }
 
     /** Returns whether a player plays here and no other link claims the seat; under its lock. */

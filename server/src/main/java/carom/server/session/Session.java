@@ -194,6 +194,11 @@ public final class Session implements LinkHandler {
     replication.begin(0);
   }
 
+  /** Ends the grace period of a player who has gone on to another room. */
+  public void endGrace(long nowNs) {
+    graceEndNs = nowNs;
+  }
+
   /** Ends the session; returns its link, or null when it had none. */
   public Link end() {
     state = state.become(SessionState.CLOSED);

@@ -2,14 +2,15 @@ package carom.server.threads;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.LockSupport;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Finds threads that don't come back from a game's code. It looks at each thread four times a
- * second. A thread hangs if it is in the same call of the same callback at each of seven looks, and
- * has computed or waited meanwhile; a thread that the machine gives no time is looked at for
- * longer.
+ * second, but not while all of them take long naps. A thread hangs if it is in the same call of the
+ * same callback at each of seven looks, and has computed or waited meanwhile; a thread that the
+ * machine gives no time is looked at for longer.
  *
  * <p>It counts looks, not time: after a pause of the whole process, nothing hangs. Slow ticks
  * outside of a game's code aren't its business.
@@ -80,7 +81,9 @@ public final class Watchdog implements AutoCloseable {
 
   /** Watches a thread from now on; any thread. */
   public void watch(Worker worker, Watched watched) {
+    worker.onAwake(() -> LockSupport.unpark(thread));
     watches.add(new Watch(worker, watched));
+    LockSupport.unpark(thread);
   }
 
   /** Begins to look. */
@@ -90,6 +93,9 @@ public final class Watchdog implements AutoCloseable {
 
   private void run() {
     while (!closed) {
+      if (watches.stream().allMatch(watch -> watch.worker.rests())) {
+        LockSupport.park(this);
+      }
       try {
         Thread.sleep(LOOK_MS);
       } catch (InterruptedException e) {
@@ -107,7 +113,7 @@ public final class Watchdog implements AutoCloseable {
 
   private void look(Watch w) {
     int progress = w.watched.progress();
-    if (progress != w.progress) {
+    if (progress != w.progress || w.worker.rests()) {
       w.progress = progress;
       w.callback = null;
       return;

@@ -21,12 +21,20 @@ public final class Worker {
   private static final long FAREWELL_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
   private static final int MAX_FAILURES_IN_A_ROW = 100;
 
+  /**
+   * Nap after which a thread must say that it is awake, ns: a {@link Watchdog} looks at it again.
+   */
+  private static final long REST_NS = TimeUnit.MILLISECONDS.toNanos(100);
+
   /** The work of a worker. The worker's thread calls every method. */
   public interface Duty {
     /** Does the work that is due. */
     void turn(long nowNs);
 
-    /** Returns how long the thread may sleep now, nanoseconds. */
+    /**
+     * Returns how long the thread may sleep now, nanoseconds; {@link Long#MAX_VALUE} until {@link
+     * Worker#wake}.
+     */
     long napNs(long nowNs);
 
     /** Returns whether the duty can't go on. */
@@ -50,6 +58,8 @@ public final class Worker {
   private final Runnable onEnd;
   private final Thread thread;
   private volatile boolean stopping;
+  private volatile boolean resting;
+  private volatile Runnable onAwake = () -> {};
 
   /**
    * Creates a worker whose thread doesn't run yet.
@@ -73,6 +83,11 @@ public final class Worker {
   /** Asks the thread to end and doesn't wait. */
   public void stop() {
     stopping = true;
+    wake();
+  }
+
+  /** Ends the thread's nap, or the next one if it takes none now. Any thread. */
+  public void wake() {
     LockSupport.unpark(thread);
   }
 
@@ -102,6 +117,16 @@ public final class Worker {
   boolean waits() {
     Thread.State state = thread.getState();
     return state != Thread.State.RUNNABLE && state != Thread.State.NEW;
+  }
+
+  /** Returns whether the thread takes a long nap, and will tell when it is awake. */
+  boolean rests() {
+    return resting;
+  }
+
+  /** Sets what the thread does first after a long nap. */
+  void onAwake(Runnable newOnAwake) {
+    onAwake = newOnAwake;
   }
 
   /** Returns the time for which the thread has had a processor, ns; -1 if it can't be measured. */
@@ -148,8 +173,18 @@ public final class Worker {
       }
       long napNs = duty.napNs(clock.getAsLong());
       if (napNs > 0) {
-        LockSupport.parkNanos(this, napNs);
+        nap(napNs);
       }
+    }
+  }
+
+  private void nap(long napNs) {
+    boolean rest = napNs >= REST_NS;
+    resting = rest;
+    LockSupport.parkNanos(this, napNs);
+    if (rest) {
+      resting = false;
+      onAwake.run();
     }
   }
 

@@ -1,6 +1,7 @@
 package carom.net.kryo;
 
 import carom.net.kryo.message.MessageSerializer;
+import carom.net.kryo.message.PoolChunkSerializer;
 import carom.net.kryo.message.RedirectSerializer;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
@@ -398,27 +399,10 @@ public final class KryoMessageCodec implements MessageCodec {
     }
   }
 
-  private static final class PoolChunkSerializer extends MessageSerializer<PoolChunk> {
-    @Override
-    protected void write(Output out, PoolChunk m) {
-      writeInt(out, "size", m.size(), 1, ProtocolLimits.MAX_POOL_STATE_BYTES);
-      writeInt(out, "offset", m.offset(), 0, m.size() - 1);
-      writeBlock(out, m.bytes(), 1, ProtocolLimits.MAX_LEVEL_CHUNK_BYTES);
-    }
-
-    @Override
-    protected PoolChunk read(Input in) {
-      int size = readInt(in, "size", 1, ProtocolLimits.MAX_POOL_STATE_BYTES);
-      int offset = readInt(in, "offset", 0, size - 1);
-      int most = Math.min(ProtocolLimits.MAX_LEVEL_CHUNK_BYTES, size - offset);
-      return new PoolChunk(size, offset, readBlock(in, 1, most));
-    }
-  }
-
   private static final class GameMessageSerializer extends MessageSerializer<GameMessage> {
     @Override
     protected void write(Output out, GameMessage m) {
-      out.writeVarInt(m.number(), true);
+      writeInt(out, "number", m.number(), 1, Integer.MAX_VALUE);
       writeBlock(out, m.bytes(), 1, ProtocolLimits.MAX_GAME_MESSAGE_BYTES);
     }
 

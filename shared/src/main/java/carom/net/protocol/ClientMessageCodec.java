@@ -58,38 +58,28 @@ public final class ClientMessageCodec {
       putText("Hello.game", hello.game(), ProtocolLimits.MAX_GAME_NAME_BYTES, buffer);
       putToken(hello.token(), buffer);
     } else if (message instanceof ClientMessage.LevelRequest request) {
-      if (!validOffset(request.offset())) {
-        throw new IllegalArgumentException(
-            "LevelRequest.offset="
-                + request.offset()
-                + " is outside 0.."
-                + (ProtocolLimits.MAX_LEVEL_BYTES - 1));
-      }
       buffer.put(LEVEL_REQUEST);
       buffer.put((byte) DatagramMark.checkedEpoch(request.epoch()));
-      buffer.putInt(request.offset());
+      buffer.putInt(
+          inRange("LevelRequest.offset", request.offset(), 0, ProtocolLimits.MAX_LEVEL_BYTES - 1));
     } else if (message instanceof ClientMessage.Look look) {
-      if (!isFollowable(look.follows())) {
-        throw new IllegalArgumentException(
-            "Look.follows="
-                + look.follows()
-                + " is outside -1.."
-                + (ProtocolLimits.MAX_PLAYERS - 1));
-      }
       buffer.put(LOOK);
-      buffer.putFloat(look.x());
-      buffer.putFloat(look.y());
-      buffer.putFloat(look.halfWidth());
-      buffer.putFloat(look.halfHeight());
-      buffer.putShort((short) look.follows());
+      buffer.putFloat(finite("Look.x", look.x(), -Float.MAX_VALUE));
+      buffer.putFloat(finite("Look.y", look.y(), -Float.MAX_VALUE));
+      buffer.putFloat(finite("Look.halfWidth", look.halfWidth(), 0));
+      buffer.putFloat(finite("Look.halfHeight", look.halfHeight(), 0));
+      buffer.putShort(
+          (short)
+              inRange(
+                  "Look.follows",
+                  look.follows(),
+                  ClientMessage.Look.NOBODY,
+                  ProtocolLimits.MAX_PLAYERS - 1));
     } else if (message instanceof ClientMessage.Diverged diverged) {
       encodeDiverged(diverged, buffer);
     } else if (message instanceof ClientMessage.Watch watch) {
-      if (watch.room() < 1 || watch.room() > 255) {
-        throw new IllegalArgumentException("Watch.room=" + watch.room() + " is outside 1..255");
-      }
       buffer.put(WATCH).putInt(watch.protocolVersion()).putLong(watch.physicsDigest());
-      buffer.put((byte) watch.room());
+      buffer.put((byte) inRange("Watch.room", watch.room(), 1, 255));
     } else if (message instanceof ClientMessage.RecordingRequest request) {
       if (request.offset() < 0) {
         throw new IllegalArgumentException(
@@ -97,28 +87,23 @@ public final class ClientMessageCodec {
       }
       buffer.put(RECORDING_REQUEST).putLong(request.offset());
     } else if (message instanceof ClientMessage.GameMessage m) {
-      if (m.bytes().length < 1 || m.bytes().length > ProtocolLimits.MAX_GAME_MESSAGE_BYTES) {
-        throw new IllegalArgumentException(
-            "GameMessage.bytes="
-                + m.bytes().length
-                + " is outside 1.."
-                + ProtocolLimits.MAX_GAME_MESSAGE_BYTES);
-      }
-      buffer.put(GAME_MESSAGE).putInt(m.number()).put(m.bytes());
+      inRange("GameMessage.bytes", m.bytes().length, 1, ProtocolLimits.MAX_GAME_MESSAGE_BYTES);
+      buffer.put(GAME_MESSAGE);
+      buffer.putInt(inRange("GameMessage.number", m.number(), 1, Integer.MAX_VALUE));
+      buffer.put(m.bytes());
     } else if (message instanceof ClientMessage.PoolRequest request) {
-      if (!isPoolOffset(request.offset())) {
-        throw new IllegalArgumentException(
-            "PoolRequest.offset="
-                + request.offset()
-                + " is outside 0.."
-                + (ProtocolLimits.MAX_POOL_STATE_BYTES - 1));
-      }
-      buffer.put(POOL_REQUEST).putInt(request.offset());
+      buffer.put(POOL_REQUEST);
+      buffer.putInt(
+          inRange(
+              "PoolRequest.offset", request.offset(), 0, ProtocolLimits.MAX_POOL_STATE_BYTES - 1));
     } else if (message instanceof ClientMessage.Heard heard) {
-      buffer.put(HEARD).putInt(heard.number());
+      buffer.put(HEARD).putInt(inRange("Heard.number", heard.number(), 0, Integer.MAX_VALUE));
     } else if (message instanceof ClientMessage.ListRooms list) {
       buffer.put(LIST_ROOMS).putInt(list.protocolVersion());
     } else if (message instanceof ClientMessage.ChangeRoom change) {
+      if (change.room().isEmpty()) {
+        throw new IllegalArgumentException("ChangeRoom.room is empty; it must name a room");
+      }
       buffer.put(CHANGE_ROOM);
       putText("ChangeRoom.room", change.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.Ready ready) {
@@ -128,6 +113,23 @@ public final class ClientMessageCodec {
       buffer.put(LEAVE);
     }
     return buffer.position() - offset;
+  }
+
+  /** Returns a value that is certain to be in a range, both ends included. */
+  private static int inRange(String what, int value, int min, int max) {
+    if (value < min || value > max) {
+      throw new IllegalArgumentException(what + "=" + value + " is outside " + min + ".." + max);
+    }
+    return value;
+  }
+
+  /** Returns a number that is certain to be finite and not below a least one. */
+  private static float finite(String what, float value, float least) {
+    if (!Float.isFinite(value) || value < least) {
+      throw new IllegalArgumentException(
+          what + "=" + value + " must be finite and at least " + least);
+    }
+    return value;
   }
 
   private static void putText(String what, String text, int maxBytes, ByteBuffer buffer) {
@@ -145,6 +147,10 @@ public final class ClientMessageCodec {
       throw new IllegalArgumentException(
           "Hello.token has bytes=" + bytes.length + ", limit=" + ProtocolLimits.MAX_TOKEN_BYTES);
     }
+    if (!isToken(token)) {
+      throw new IllegalArgumentException(
+          "Hello.token has characters beside those of ASCII that are visible");
+    }
     buffer.putShort((short) bytes.length).put(bytes);
   }
 
@@ -157,7 +163,11 @@ public final class ClientMessageCodec {
     byte[] bytes = new byte[length];
     buffer.get(bytes);
     String token = new String(bytes, StandardCharsets.ISO_8859_1);
-    return token.chars().allMatch(c -> c > ' ' && c < 127) ? token : null;
+    return isToken(token) ? token : null;
+  }
+
+  private static boolean isToken(String text) {
+    return text.chars().allMatch(c -> c > ' ' && c < 127);
   }
 
   /** Reads a text, or returns null if it is too long or no UTF-8. */
@@ -272,6 +282,7 @@ public final class ClientMessageCodec {
           "Diverged.words has size=%d with bodies=%d; at most %d belong to one own body"
               .formatted(words, bodies, MAX_WORDS));
     }
+    inRange("Diverged.equalTick", d.equalTick(), 0, d.tick() - 1);
     buffer.put(d.ofSet() ? DIVERGED_NEAR : DIVERGED).putInt(d.tick()).putInt(d.equalTick());
     int first = 0;
     if (!d.ofSet()) {

@@ -32,6 +32,11 @@ public final class ImpairedServerTransport implements ServerTransport {
   }
 
   @Override
+  public boolean onOpened(Runnable wake) {
+    return inner.onOpened(wake);
+  }
+
+  @Override
   public int tcpPort() {
     return inner.tcpPort();
   }

@@ -8,6 +8,17 @@ public interface ServerTransport extends AutoCloseable {
   /** Returns the next link that has opened, or null if there is none. It never blocks. */
   Link accept();
 
+  /**
+   * Sets what tells the server that {@link #accept} has a link, so that it needn't look again and
+   * again while nobody comes.
+   *
+   * @param wake runs on any thread and returns at once
+   * @return false if the transport doesn't tell, so that the server must look
+   */
+  default boolean onOpened(Runnable wake) {
+    return false;
+  }
+
   /** Returns the TCP port that the transport listens on, or 0 if there is none. */
   int tcpPort();
 

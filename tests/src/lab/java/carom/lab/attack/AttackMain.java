@@ -6,36 +6,27 @@ import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.options.Lab;
-import carom.server.ServerMain;
-import java.io.BufferedReader;
-import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
-import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.TimeUnit;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
  * Starts a server process, floods it with connections from many addresses of this machine, and lets
- * honest players join meanwhile.
+ * honest players join meanwhile. With {@code --flood} it floods a server that is played on with
+ * datagrams instead, see {@link FloodTrial}.
  */
 @Command(
     name = "attack",
     mixinStandardHelpOptions = true,
-    description = "Floods a server of its own with connections while honest players join.")
+    description = "Floods a server of its own while honest players join or play.")
 public final class AttackMain implements Callable<Integer> {
   private static final double NS_PER_MS = 1e6;
 
@@ -78,6 +69,14 @@ public final class AttackMain implements Callable<Integer> {
   private int deadlineMs = 5_000;
 
   @Option(
+      names = "--flood",
+      description =
+          "instead, floods of datagrams: table of the tick times with and without, in turns")
+  private boolean flood;
+
+  @Mixin private final FloodOptions flooding = new FloodOptions();
+
+  @Option(
       names = "--server-args",
       paramLabel = "ARGS",
       description = "further flags of the server, in one text")
@@ -96,18 +95,18 @@ public final class AttackMain implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    int tcp = freePort();
-    int udp = freePort();
-    Path data = Files.createTempDirectory("carom-attack");
-    Process server = start(tcp, udp, data);
+    if (flood) {
+      new FloodTrial(flooding, ServerProcess.split(serverArgs)).run();
+      return 0;
+    }
     List<Connectors> attackers = new ArrayList<>();
-    try {
-      awaitReady(server);
+    try (ServerProcess server = new ServerProcess(ServerProcess.split(serverArgs))) {
       for (int i = 0; i < 5; i++) {
-        join(tcp, udp); // warms up both ends
+        join(server); // warms up both ends
       }
       floodBegan = System.nanoTime();
-      InetSocketAddress target = new InetSocketAddress(InetAddress.getLoopbackAddress(), tcp);
+      InetSocketAddress target =
+          new InetSocketAddress(InetAddress.getLoopbackAddress(), server.tcp());
       int threads = rate > 5_000 || works ? 2 : 1;
       Connectors.Effort effort =
           works
@@ -124,72 +123,21 @@ public final class AttackMain implements Callable<Integer> {
       Thread.sleep(2_000);
       reasons.clear();
       retries = 0;
-      report(honestJoins(tcp, udp), attackers);
+      report(honestJoins(server), attackers, server.log());
       return 0;
     } finally {
       attackers.forEach(a -> a.stops = true);
-      server.destroy();
-      server.waitFor(10, TimeUnit.SECONDS);
     }
   }
 
-  private Process start(int tcp, int udp, Path data) throws IOException {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(
-        List.of("-Xmx512m", "-XX:+UseSerialGC", "--add-modules", "jdk.incubator.vector"));
-    command.addAll(
-        List.of("-Dkryo.unsafe=false", "-cp", Lab.classPath(), ServerMain.class.getName()));
-    command.addAll(
-        List.of("--data", data.toString(), "--no-console", "--bind", "127.0.0.1", "--log-keep=0"));
-    command.addAll(List.of("--tcp-port=" + tcp, "--udp-port=" + udp));
-    Arrays.stream(serverArgs.trim().split(" +", -1))
-        .filter(a -> !a.isEmpty())
-        .forEach(command::add);
-    return new ProcessBuilder(command).redirectErrorStream(true).start();
-  }
-
-  private static int freePort() throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return probe.getLocalPort();
-    }
-  }
-
-  /** Waits until the server is ready, and lets a thread count its further lines. */
-  private static void awaitReady(Process server) throws IOException {
-    BufferedReader lines =
-        new BufferedReader(
-            new java.io.InputStreamReader(server.getInputStream(), StandardCharsets.UTF_8));
-    for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-      if (line.contains("ready")) {
-        Thread reader = new Thread(() -> drain(lines), "server-log");
-        reader.setDaemon(true);
-        reader.start();
-        return;
-      }
-      System.out.println(line);
-    }
-    throw new IOException("the server ended before it was ready");
-  }
-
-  private static final ConcurrentLinkedQueue<String> LOG = new ConcurrentLinkedQueue<>();
-
-  private static void drain(BufferedReader lines) {
-    try {
-      lines.lines().forEach(LOG::add);
-    } catch (java.io.UncheckedIOException e) {
-      LOG.add("(the server's output ends)");
-    }
-  }
-
-  private List<Double> honestJoins(int tcp, int udp) throws InterruptedException {
+  private List<Double> honestJoins(ServerProcess server) throws InterruptedException {
     List<Double> tookMs = new ArrayList<>();
     List<Thread> players = new ArrayList<>();
     for (int i = 0; i < joins; i++) {
       Thread player =
           new Thread(
               () -> {
-                double took = join(tcp, udp);
+                double took = join(server);
                 synchronized (tookMs) {
                   tookMs.add(took);
                 }
@@ -205,12 +153,12 @@ public final class AttackMain implements Callable<Integer> {
   }
 
   /** Joins until the server has promised a seat. Returns how long that took in ms, or infinity. */
-  private double join(int tcp, int udp) {
+  private double join(ServerProcess server) {
     long start = System.nanoTime();
     long deadline = start + (long) (deadlineMs * NS_PER_MS);
     try (KryoClientTransport transport = new KryoClientTransport()) {
       while (System.nanoTime() - deadline < 0) {
-        Link link = transport.connect("127.0.0.1", tcp, udp);
+        Link link = transport.connect("127.0.0.1", server.tcp(), server.udp());
         Outcome outcome = new Outcome();
         boolean greeted = false;
         while (link.state() != Link.State.CLOSED && System.nanoTime() - deadline < 0) {
@@ -245,7 +193,7 @@ public final class AttackMain implements Callable<Integer> {
     }
   }
 
-  private void report(List<Double> tookMs, List<Connectors> attackers) {
+  private void report(List<Double> tookMs, List<Connectors> attackers, List<String> log) {
     tookMs.sort(null);
     long inTime = tookMs.stream().filter(t -> t <= deadlineMs).count();
     System.out.printf(
@@ -272,8 +220,8 @@ public final class AttackMain implements Callable<Integer> {
           solved, solved / seconds, bits, attackers.stream().mapToLong(a -> a.offered.get()).sum());
     }
     reasons.forEach((reason, count) -> System.out.println("  " + count + " x " + reason));
-    System.out.println("server wrote " + LOG.size() + " lines; the last:");
-    LOG.stream().skip(Math.max(0, LOG.size() - 5)).forEach(l -> System.out.println("  " + l));
+    System.out.println("server wrote " + log.size() + " lines; the last:");
+    log.stream().skip(Math.max(0, log.size() - 5)).forEach(l -> System.out.println("  " + l));
   }
 
   /** The server's answer to a player. */

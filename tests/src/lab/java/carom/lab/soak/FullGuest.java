@@ -7,6 +7,7 @@ import carom.sim.message.Emote;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.util.List;
 
 /** A real client, which decodes, interpolates or predicts. Its stepper advances it. */
 final class FullGuest implements Guest {
@@ -94,6 +95,11 @@ final class FullGuest implements Guest {
       client.kill();
     }
     stepper.remove(client);
+  }
+
+  @Override
+  public List<Object> roots() {
+    return List.of(client);
   }
 
   @Override

@@ -2,6 +2,7 @@ package carom.lab.soak;
 
 import carom.net.transport.Impairment;
 import carom.sim.message.Emote;
+import java.util.List;
 
 /** A client of a soak, as far as incidents reach it. */
 interface Guest {
@@ -46,6 +47,9 @@ interface Guest {
 
   /** Leaves for good, with a goodbye or, when the process dies, without. */
   void end(boolean dies);
+
+  /** Returns the objects from which its queues can be reached, if no stepper has them. */
+  List<Object> roots();
 
   /** Returns how many states it compared with the server's. */
   long compared();

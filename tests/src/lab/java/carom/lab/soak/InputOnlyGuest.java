@@ -20,6 +20,7 @@ import carom.sim.message.MessageKinds;
 import carom.sim.message.MessageRates;
 import carom.sim.random.SimRandom;
 import carom.testkit.OutageTransport;
+import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
@@ -312,6 +313,11 @@ final class InputOnlyGuest implements Guest, LinkHandler {
       }
       link.close(dies ? "the process died" : "the player left");
     }
+  }
+
+  @Override
+  public List<Object> roots() {
+    return link == null ? List.of(stream) : List.of(stream, link);
   }
 
   @Override

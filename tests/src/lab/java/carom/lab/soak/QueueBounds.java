@@ -74,6 +74,19 @@ final class QueueBounds {
           Map.entry("Redirects.followedNs", 3L),
           Map.entry("ClientView.notices", 64L));
 
+  /** Names in the list that only clients have that decode snapshots. */
+  private static final Set<String> OF_DECODERS =
+      Set.of(
+          "ClientView.notices",
+          "EventReconciler.entries",
+          "LevelDownload.kept",
+          "PredictedPoses.others",
+          "Redirects.followedNs");
+
+  /** Names in the list that only servers have that send predicted sets, and their clients. */
+  private static final Set<String> OF_PREDICTION =
+      Set.of("EntityList.count", "KeyList.count", "PredictedPoses.others");
+
   /** Collections that may be long: fixed tables, and one entry for each keyframe of a recording. */
   private static final Set<String> LONG =
       Set.of("RecordingFile.ends", "DelayedRecording.ticks", "DelayedRecording.types");
@@ -82,86 +95,130 @@ final class QueueBounds {
   private static final List<String> SKIPPED =
       List.of("carom.sim.level.", "carom.physics.geometry.", "carom.lab.", "carom.replay.Replay");
 
-  private static final Map<Class<?>, Field[]> FIELDS = new HashMap<>();
+  /** The bound of all fields of a name, and how much was seen. */
+  private static final class Bound {
+    final String name;
+    final long limit;
 
-  private final Map<String, Long> highest = new TreeMap<>();
-  private long looks;
+    /** The most that one held, or -1 if none was seen. */
+    long highest = -1;
 
-  /** Looks at all that can be reached from an object. */
-  void check(Collection<?> roots) {
-    looks++;
-    Set<Object> seen = Collections.newSetFromMap(new IdentityHashMap<>());
-    ArrayDeque<Object> waiting = new ArrayDeque<>();
-    for (Object root : roots) {
-      reach(root, seen, waiting);
+    Bound(String name, Class<?> type) {
+      this.name = name;
+      long general = type.isArray() ? ARRAY : COLLECTION;
+      limit = LONG.contains(name) ? Long.MAX_VALUE : BOUNDS.getOrDefault(name, general);
     }
-    for (Object next; (next = waiting.poll()) != null; ) {
-      if (next instanceof Object[] array) {
-        for (Object element : array) {
-          reach(element, seen, waiting);
-        }
-      } else {
-        for (Field field : fields(next.getClass())) {
-          look(next, field, seen, waiting);
-        }
+
+    void require(long size) {
+      highest = Math.max(highest, size);
+      if (size > limit) {
+        throw new AssertionError("%s has size=%d, bound=%d".formatted(name, size, limit));
       }
     }
   }
 
-  private void look(Object owner, Field field, Set<Object> seen, ArrayDeque<Object> waiting) {
+  /** A field that is looked at: a reference, or a number that is in the list. */
+  private record Probe(Field field, Bound bound) {}
+
+  /** The fields of a class whose values the scan looks at; none if it skips the class. */
+  private record Plan(List<Probe> probes, boolean isArray) {
+    static final Plan SKIP = new Plan(List.of(), false);
+    static final Plan ARRAY = new Plan(List.of(), true);
+
+    boolean isSkipped() {
+      return !isArray && probes.isEmpty();
+    }
+  }
+
+  private final Map<Class<?>, Plan> plans = new HashMap<>();
+  private final Map<String, Bound> bounds = new TreeMap<>();
+  private final Set<Object> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+  private final ArrayDeque<Object> waiting = new ArrayDeque<>();
+  private long looks;
+
+  /** Looks at all that can be reached from some objects. */
+  void check(Collection<?> roots) {
+    looks++;
+    roots.forEach(this::reach);
+    for (Object next; (next = waiting.poll()) != null; ) {
+      Plan plan = plan(next.getClass());
+      if (plan.isArray) {
+        for (Object element : (Object[]) next) {
+          reach(element);
+        }
+      }
+      for (int i = 0; i < plan.probes.size(); i++) {
+        look(next, plan.probes.get(i));
+      }
+    }
+    seen.clear();
+  }
+
+  private void look(Object owner, Probe probe) {
+    Object value;
     try {
-      Object value = field.get(owner);
-      if (value == null) {
-        return;
-      }
-      long size = size(value);
-      if (size >= 0) {
-        require(field, value, size);
-      }
-      if (value instanceof Collection<?> all) {
-        all.forEach(element -> reach(element, seen, waiting));
-      } else if (value instanceof Map<?, ?> map) {
-        map.keySet().forEach(element -> reach(element, seen, waiting));
-        map.values().forEach(element -> reach(element, seen, waiting));
-      } else {
-        reach(value, seen, waiting);
-      }
+      value = probe.field.get(owner);
     } catch (IllegalAccessException e) {
       throw new AssertionError(e);
     }
-  }
-
-  private void require(Field field, Object value, long size) {
-    String name = field.getDeclaringClass().getSimpleName() + "." + field.getName();
-    if (LONG.contains(name)) {
+    if (value == null) {
       return;
     }
-    long general = value.getClass().isArray() ? ARRAY : COLLECTION;
-    long bound = BOUNDS.getOrDefault(name, general);
-    highest.merge(name, size, Math::max);
-    if (size > bound) {
-      throw new AssertionError("%s has size=%d, bound=%d".formatted(name, size, bound));
-    }
-  }
-
-  /** Returns how much a value holds, or -1 if it is no queue. */
-  private static long size(Object value) {
-    if (value instanceof Collection<?> all) {
-      return all.size();
+    if (value instanceof Object[] array) {
+      probe.bound.require(array.length);
+      reach(value);
+    } else if (value.getClass().isArray()) {
+      probe.bound.require(Array.getLength(value));
+    } else if (value instanceof Collection<?> all) {
+      probe.bound.require(all.size());
+      all.forEach(this::reach);
     } else if (value instanceof Map<?, ?> map) {
-      return map.size();
+      probe.bound.require(map.size());
+      map.keySet().forEach(this::reach);
+      map.values().forEach(this::reach);
     } else if (value instanceof AtomicLong counter) {
-      return counter.get();
+      probe.bound.require(counter.get());
     } else if (value instanceof Integer count) {
-      return count;
+      probe.bound.require(count);
+    } else {
+      reach(value);
     }
-    return value.getClass().isArray() ? Array.getLength(value) : -1;
   }
 
-  private static void reach(Object value, Set<Object> seen, ArrayDeque<Object> waiting) {
-    if (value != null && isWalked(value.getClass()) && seen.add(value)) {
+  private void reach(Object value) {
+    if (value != null && !plan(value.getClass()).isSkipped() && seen.add(value)) {
       waiting.add(value);
     }
+  }
+
+  private Plan plan(Class<?> type) {
+    Plan plan = plans.get(type);
+    if (plan == null) {
+      plan = find(type);
+      plans.put(type, plan);
+    }
+    return plan;
+  }
+
+  private Plan find(Class<?> type) {
+    if (type.isArray()) {
+      return isWalked(type) ? Plan.ARRAY : Plan.SKIP;
+    }
+    List<Probe> found = new ArrayList<>();
+    for (Class<?> c = type; c != null && isWalked(c); c = c.getSuperclass()) {
+      for (Field field : c.getDeclaredFields()) {
+        String owner = c.isAnonymousClass() ? c.getName() : c.getSimpleName();
+        String name = owner + "." + field.getName();
+        boolean number = field.getType().isPrimitive() || field.getType() == AtomicLong.class;
+        if (!Modifier.isStatic(field.getModifiers())
+            && (number ? BOUNDS.containsKey(name) : field.getType() != String.class)) {
+          field.setAccessible(true);
+          Bound bound = bounds.computeIfAbsent(name, n -> new Bound(n, field.getType()));
+          found.add(new Probe(field, bound));
+        }
+      }
+    }
+    return new Plan(List.copyOf(found), false);
   }
 
   private static boolean isWalked(Class<?> type) {
@@ -175,47 +232,32 @@ final class QueueBounds {
         && SKIPPED.stream().noneMatch(name::startsWith);
   }
 
-  /** Returns the fields that are looked at: references, and numbers that are in the list. */
-  private static Field[] fields(Class<?> type) {
-    return FIELDS.computeIfAbsent(type, QueueBounds::find);
-  }
-
-  private static Field[] find(Class<?> type) {
-    List<Field> found = new ArrayList<>();
-    for (Class<?> c = type; c != null && isWalked(c); c = c.getSuperclass()) {
-      for (Field field : c.getDeclaredFields()) {
-        boolean number = field.getType().isPrimitive() || field.getType() == AtomicLong.class;
-        boolean listed = BOUNDS.containsKey(c.getSimpleName() + "." + field.getName());
-        if (!Modifier.isStatic(field.getModifiers())
-            && (number ? listed : field.getType() != String.class)) {
-          field.setAccessible(true);
-          found.add(field);
-        }
-      }
-    }
-    return found.toArray(new Field[0]);
-  }
-
-  /** Returns the names in the list of which no queue was seen; renamed ones would be among them. */
-  List<String> unseen() {
-    return BOUNDS.keySet().stream().filter(name -> !highest.containsKey(name)).sorted().toList();
+  /**
+   * Returns the names in the list of which no queue was seen, although clients that play so have
+   * them; renamed ones would be among them.
+   */
+  List<String> unseen(Soak.Play play) {
+    return BOUNDS.keySet().stream()
+        .filter(name -> !bounds.containsKey(name) || bounds.get(name).highest < 0)
+        .filter(name -> play != Soak.Play.INPUT_ONLY || !OF_DECODERS.contains(name))
+        .filter(name -> play != Soak.Play.INTERPOLATING || !OF_PREDICTION.contains(name))
+        .sorted()
+        .toList();
   }
 
   /** Returns how full the queues were that came nearest to their bounds. */
   String summary() {
     StringBuilder text = new StringBuilder();
-    highest.entrySet().stream()
-        .filter(e -> BOUNDS.containsKey(e.getKey()) && e.getValue() > 0)
+    bounds.values().stream()
+        .filter(bound -> BOUNDS.containsKey(bound.name) && bound.highest > 0)
         .sorted((a, b) -> Double.compare(share(b), share(a)))
         .limit(8)
         .forEach(
-            e ->
-                text.append(
-                    " %s=%d/%d".formatted(e.getKey(), e.getValue(), BOUNDS.get(e.getKey()))));
+            bound -> text.append(" %s=%d/%d".formatted(bound.name, bound.highest, bound.limit)));
     return "looks at all queues=%d, fullest:%s".formatted(looks, text);
   }
 
-  private static double share(Map.Entry<String, Long> e) {
-    return (double) e.getValue() / BOUNDS.get(e.getKey());
+  private static double share(Bound bound) {
+    return (double) bound.highest / bound.limit;
   }
 }

@@ -4,8 +4,6 @@ import carom.client.ClientConfig;
 import carom.client.PredictionMode;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
-import carom.replay.RecordingReader;
-import carom.replay.Replay;
 import carom.server.Server;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
@@ -29,7 +27,6 @@ import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 
 /**
  * One soak. It lets a server and its clients live through a script of incidents, and checks after
@@ -38,11 +35,12 @@ import java.util.stream.Stream;
  * <ul>
  *   <li>each state that a client decodes, if clients decode, equals the server's of that tick;
  *   <li>what a client shows is there, and what is there it shows, see {@link EntityWatch};
- *   <li>all bodies have finite poses and velocities;
+ *   <li>all bodies have finite poses and velocities, and all that a checkpoint holds is in range;
  *   <li>no more seats are taken than a room has, and the server counts no error;
  *   <li>every queue is within its bound, see {@link QueueBounds};
- *   <li>a server that starts after another one goes on from a state that was, see {@link
- *       ProvenStates}, and players come back to their seats, see {@link Comebacks};
+ *   <li>a server that starts after another one goes on from a state that was, with the players who
+ *       had seats then, see {@link ProvenStates}; players come back to them, see {@link Comebacks};
+ *   <li>no player has seats in two rooms;
  *   <li>a recording of each server's life replays to the same hashes.
  * </ul>
  *
@@ -88,6 +86,20 @@ final class Soak {
 
   private static final int RARE_LOOKS = 10;
 
+  /** Time after which a server that has begun has its first ticks behind it, ns. */
+  private static final long SETTLED_NS = 100_000_000L;
+
+  /**
+   * The failures that no server of a soak counts. A checkpoint fails where any number of the whole state isn't
+   * finite or in its range.
+   */
+  private static final List<Counter> FAILURES =
+      List.of(
+          Counter.SESSIONS_FAILED,
+          Counter.GAME_FAILURES,
+          Counter.CHECKPOINTS_FAILED,
+          Counter.CALLBACKS_ABANDONED);
+
   private static final LoadedLevel WORKSHOP = new LoadedLevel(Workshop.level());
 
   /** The installed games and levels, and one of joints. */
@@ -124,6 +136,7 @@ final class Soak {
   private final ProvenStates states = new ProvenStates();
   private final Comebacks comebacks = new Comebacks();
   private final QueueBounds queues = new QueueBounds();
+  private final Replays replays = new Replays();
   private final long startNs;
   private long lookNs;
   private boolean crashed;
@@ -132,7 +145,6 @@ final class Soak {
   private long ticks;
   private long compared;
   private long entitiesSeen;
-  private long replayed;
   private int number;
 
   Soak(Settings settings) throws IOException {
@@ -154,7 +166,8 @@ final class Soak {
    * @throws AssertionError when something doesn't hold
    */
   void run(List<Incident> incidents) throws IOException {
-    try (stepper) {
+    try (stepper;
+        replays) {
       int next = 0;
       while (elapsedS() < settings.seconds) {
         while (next < incidents.size() && incidents.get(next).atS() <= elapsedS()) {
@@ -163,12 +176,30 @@ final class Soak {
         step();
       }
       end(false);
+      replays.end();
     }
   }
 
   /** Returns the virtual time since the soak began, s. */
   double elapsedS() {
     return (stepper.nowNs() - startNs) * 1e-9;
+  }
+
+  /** Returns the bounds that no queue was compared with, such as one of a renamed queue. */
+  List<String> unseenQueues() {
+    return queues.unseen(settings.play);
+  }
+
+  /** Returns the most important of what the soak saw, in one line. */
+  String counts() {
+    return "ticks=%d crashes=%d restarts=%d resumed=%d back=%d replayed=%d"
+        .formatted(
+            ticks,
+            happened.getOrDefault(Incident.Kind.CRASH, 0),
+            happened.getOrDefault(Incident.Kind.RESTART, 0),
+            states.resumed(),
+            comebacks.came(),
+            replays.ticks());
   }
 
   /** Returns what the soak saw, for people. */
@@ -179,7 +210,7 @@ final class Soak {
             ticks,
             compared,
             entitiesSeen,
-            replayed,
+            replays.ticks(),
             happened,
             comebacks.came(),
             states.summary(),
@@ -210,9 +241,15 @@ final class Soak {
     }
     if (stepper.nowNs() - lookNs >= 0) {
       lookNs = stepper.nowNs() + LOOK_NS * (settings.play == Play.INPUT_ONLY ? RARE_LOOKS : 1);
-      List<Object> roots = new ArrayList<>(stepper.clients());
+      List<Object> roots = new ArrayList<>();
       roots.add(stepper.server());
+      for (Guest client : clients) {
+        if (client != null) {
+          roots.addAll(client.roots());
+        }
+      }
       queues.check(roots);
+      ProvenStates.requireOneSeatEach(stepper.server().rooms());
     }
   }
 
@@ -390,6 +427,7 @@ final class Soak {
 
   private void begin(Server server) {
     states.requireResumed(server.rooms(), crashed);
+    lookNs = stepper.nowNs() + SETTLED_NS;
     lives++;
     if (settings.records) {
       try {
@@ -401,12 +439,15 @@ final class Soak {
   }
 
   private void end(boolean crash) throws IOException {
-    long failed = stepper.count(Counter.SESSIONS_FAILED) + stepper.count(Counter.GAME_FAILURES);
-    if (failed > 0) {
-      throw new AssertionError("the server counted failures; " + stepper.server().status());
+    for (Counter failures : FAILURES) {
+      if (stepper.count(failures) > 0) {
+        throw new AssertionError(
+            failures + "=" + stepper.count(failures) + "; " + stepper.server().status());
+      }
     }
     crashed = crash;
     comebacks.serverEnds(stepper.server().rooms(), stepper.nowNs());
+    states.serverEnds(stepper.server().rooms());
     if (crash) {
       stepper.crashServer();
     } else {
@@ -415,24 +456,7 @@ final class Soak {
     watches.clear();
     checkedTicks.clear();
     if (settings.records) {
-      try (Stream<Path> files = Files.list(recordings())) {
-        for (Path file : files.toList()) {
-          replay(file);
-        }
-      }
-      Folders.delete(recordings());
-    }
-  }
-
-  private void replay(Path file) throws IOException {
-    try (RecordingReader reader = RecordingReader.open(file)) {
-      Replay replay = new Replay(reader);
-      while (replay.step() == Replay.Progress.TICK) {
-        if (replay.divergence() != null) {
-          throw new AssertionError(file + " replays to another state: " + replay.divergence());
-        }
-        replayed++;
-      }
+      replays.begin(recordings());
     }
   }
 }

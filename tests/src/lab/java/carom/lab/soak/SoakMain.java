@@ -70,25 +70,36 @@ public final class SoakMain implements Callable<Integer> {
     long start = System.nanoTime();
     double startCpuS = cpuS();
     Outcome outcome = attempt(script, minutes * 60);
+    System.out.println(outcome.soak.summary());
     double took = (System.nanoTime() - start) * 1e-9;
-    System.out.printf(
-        "%s%n%.0f s of virtual time in %.0f s, %.0f s of processors: %.1f times real time, %.1f"
-            + " times processor time%n",
-        outcome.summary,
-        outcome.seconds,
-        took,
-        cpuS() - startCpuS,
-        outcome.seconds / took,
-        outcome.seconds / (cpuS() - startCpuS));
+    String speed =
+        "seed=%d play=%s, %.0f s of virtual time in %.0f s, %.0f s of processors: %.1f times real time, %.1f times processor time"
+            .formatted(
+                seed,
+                play(),
+                outcome.seconds(),
+                took,
+                cpuS() - startCpuS,
+                outcome.seconds() / took,
+                outcome.seconds() / (cpuS() - startCpuS));
     if (outcome.failure == null) {
-      return 0;
+      List<String> unseen = outcome.soak.unseenQueues();
+      System.out.printf(
+          "soak %s: %s, %s%n",
+          unseen.isEmpty() ? "passed" : "FAILED, no queue of these bounds was seen: " + unseen,
+          outcome.soak.counts(),
+          speed);
+      return unseen.isEmpty() ? 0 : 1;
     }
     outcome.failure.printStackTrace(System.out);
-    int fewest = shortest(script, outcome.seconds);
+    int fewest = shortest(script, outcome.seconds());
     System.out.printf(
         "the shortest script that fails: --seed %d --minutes %.3f --clients %d%s --incidents %d%n",
-        seed, outcome.seconds / 60 + 0.01, clients, flag(), fewest);
+        seed, outcome.seconds() / 60 + 0.01, clients, flag(), fewest);
     script.subList(Math.max(0, fewest - 10), fewest).forEach(System.out::println);
+    System.out.printf(
+        "soak FAILED after %.2f s: %s; %s%n",
+        outcome.seconds(), outcome.failure.getMessage(), speed);
     return 1;
   }
 
@@ -111,7 +122,11 @@ public final class SoakMain implements Callable<Integer> {
   }
 
   /** The result of a soak. */
-  private record Outcome(double seconds, String summary, Throwable failure) {}
+  private record Outcome(Soak soak, Throwable failure) {
+    double seconds() {
+      return soak.elapsedS();
+    }
+  }
 
   private Outcome attempt(List<Incident> script, double seconds) throws IOException {
     Path folder = Files.createTempDirectory("carom-soak");
@@ -124,7 +139,7 @@ public final class SoakMain implements Callable<Integer> {
     } finally {
       Folders.delete(folder);
     }
-    return new Outcome(soak.elapsedS(), soak.summary(), failure);
+    return new Outcome(soak, failure);
   }
 
   /** Returns the smallest number of incidents with which the soak fails up to the same moment. */

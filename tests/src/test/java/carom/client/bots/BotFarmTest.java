@@ -23,6 +23,7 @@ import carom.server.metrics.Counter;
 import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -161,6 +162,36 @@ final class BotFarmTest {
       assertTrue(joins > 40 && joins < 150, "joins=" + joins);
       assertTrue(server.count(Counter.LEAVES) >= joins - 8);
       assertEquals(0, server.count(Counter.LINKS_LOST));
+      assertEquals(0, farm.report(now[0]).disconnects());
+    }
+  }
+
+  @Test
+  void theNextMatchIsNoDisconnect() throws Exception {
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    long[] now = {SECOND};
+    try (Server server = server(4, network, now);
+        BotFarm farm = farm(4, 0, network)) {
+      CompletableFuture<String> changed = null;
+      int loading = 0;
+      for (int tick = 0; tick < 300 || farm.playing() < 4; tick++) {
+        now[0] += SECOND / 60;
+        server.tick(now[0]);
+        farm.update(now[0]);
+        if (tick == 120) {
+          assertEquals(4, farm.playing(), farm::problem);
+          changed =
+              CompletableFuture.supplyAsync(
+                  () -> server.rooms().get(0).operator().change("", "commons"));
+        }
+        while (changed != null && !changed.isDone()) {
+          server.tick(now[0]);
+        }
+        loading += changed != null && farm.playing() < 4 ? 1 : 0;
+        assertTrue(tick < 3_000, farm::problem);
+      }
+      assertEquals("playing game=arena level=Commons", changed.join());
+      assertTrue(loading > 0, "the bots load the level");
       assertEquals(0, farm.report(now[0]).disconnects());
     }
   }

@@ -54,6 +54,7 @@ final class ScreensTest {
     for (Look look : LOOKS) {
       assertInOrder("menus", look, 7);
     }
+    assertInOrder("menus", new Look(1_280, 720, 200, "colour-blind"), 7);
   }
 
   @Test

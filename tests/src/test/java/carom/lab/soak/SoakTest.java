@@ -83,6 +83,7 @@ final class SoakTest {
     Soak soak = new Soak(new Soak.Settings(SEED, seconds, 16, play, folder, true));
     try {
       soak.run(Incident.script(SEED, seconds, 16));
+      assertEquals(List.of(), soak.unseenQueues(), "bounds that no queue was compared with");
     } catch (AssertionError | RuntimeException e) {
       throw new AssertionError(
           "at %.2f s; to see it again: -Dcarom.seed=%d".formatted(soak.elapsedS(), SEED), e);

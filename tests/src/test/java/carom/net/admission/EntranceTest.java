@@ -7,7 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
 /** Goal: no crowd keeps those out who come after it, and none that proves something gives way. */
@@ -69,6 +71,31 @@ class EntranceTest {
     }
     for (int i = 0; i < 1_000; i++) {
       guest("192.0.2." + i % 250);
+    }
+    assertEquals(1_000, evicted.size());
+    assertFalse(evicted.contains(patient));
+  }
+
+  @Test
+  void aHostThatHoldsItsShareGivesWayBeforeItsNeighbours() {
+    for (int i = 0; i < 60; i++) {
+      guest("10.0." + i + ".1");
+    }
+    guest("192.0.2.9"); // waits longer than the host that follows
+    for (int i = 0; i < 53; i++) {
+      guest("192.0.2.1");
+    }
+    assertEquals(50, evicted.size());
+    assertEquals(
+        Set.of("192.0.2.1"),
+        evicted.stream().map(guest -> guest.origin().host()).collect(Collectors.toSet()));
+  }
+
+  @Test
+  void aHouseholdOfIpv6IsOneHostHoweverManyAddressesItUses() {
+    Guest patient = guest("[2001:db8:0:2::1]");
+    for (int i = 0; i < 1_063; i++) {
+      guest("[2001:db8:0:1::" + Integer.toHexString(i) + "]");
     }
     assertEquals(1_000, evicted.size());
     assertFalse(evicted.contains(patient));

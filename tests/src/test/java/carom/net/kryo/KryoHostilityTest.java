@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.admission.WorkProof;
 import carom.net.frame.Frame;
 import carom.net.kryo.server.KryoLimits;
 import carom.net.protocol.ClientMessage;
@@ -269,6 +270,38 @@ final class KryoHostilityTest {
         socket.close();
       }
       strict.pair();
+    }
+  }
+
+  @Test
+  void underPressureAPeerThatHasNotWorkedGetsNoFurther() throws IOException {
+    KryoLimits few = LIMITS.withTimes(2_000, 2_500).withPending(10);
+    try (Network strict = new Network(few)) {
+      List<Socket> sockets = new ArrayList<>();
+      for (int i = 0; i < 6; i++) {
+        sockets.add(new Socket(Network.HOST, strict.server.tcpPort()));
+      }
+      eventually(
+          () -> strict.server.counters().accepted.get() == 6,
+          () -> "accepted=" + strict.server.counters().accepted.get());
+      try (RawPeer peer = new RawPeer(strict)) {
+        int bits = peer.greeting[4 + 8 + 2 + 1];
+        assertTrue(bits >= 12, "bits=" + bits);
+        WorkProof proof = new WorkProof();
+        long wrong = 0;
+        while (proof.isSolved(peer.id, peer.token, bits, wrong)) {
+          wrong++;
+        }
+        peer.register(peer.id, peer.token, wrong);
+        eventually(
+            () -> strict.server.counters().strangeDatagrams.get() == 1,
+            () -> "the registration counted");
+        peer.register(peer.id, peer.token, proof.solve(peer.id, peer.token, bits));
+        assertEquals(Frame.REGISTER_UDP, peer.readFrame()[0]);
+      }
+      for (Socket socket : sockets) {
+        socket.close();
+      }
     }
   }
 

@@ -102,6 +102,16 @@ public class KryoTransportTest {
   }
 
   @Test
+  void theServerIsToldOfALinkOnceItCanBeAccepted() {
+    try (Network network = network()) {
+      AtomicReference<Link> accepted = new AtomicReference<>();
+      assertTrue(network.server.onOpened(() -> accepted.set(network.server.accept())));
+      Link client = network.connect();
+      eventually(() -> accepted.get() != null, client::closeReason);
+    }
+  }
+
+  @Test
   void datagramsOutsideTheirLengthAreTheCallersMistake() {
     try (Network network = network()) {
       Link client = network.pair().client;

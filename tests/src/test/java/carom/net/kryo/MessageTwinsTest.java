@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * Goal: what writes a message and what reads it, two hand-written methods for each kind, never
  * drift apart. Method: random messages of every kind, made from the components of its record, so
  * that a new kind or component is tested as soon as it exists. Each that the writer accepts comes
- * back equal and is written again as the same bytes, or is refused by the reader, as few are.
+ * back equal and is written again as the same bytes: a writer refuses whatever its reader would.
  */
 final class MessageTwinsTest {
   private static final int MESSAGES = 200;
@@ -33,7 +33,6 @@ final class MessageTwinsTest {
 
   private final KryoMessageCodec codec = new KryoMessageCodec();
   private Random random = new Random();
-  private boolean asciiOnly;
 
   static Stream<Class<?>> kinds() {
     return Stream.of(ClientMessage.class, ServerMessage.class)
@@ -53,9 +52,6 @@ final class MessageTwinsTest {
       byte[] bytes = message == null ? null : bytes(message);
       if (bytes != null) {
         Object read = codec.decode(bytes, 0, bytes.length);
-        if (read == null) {
-          continue; // a reader trusts nobody, while its writer leaves some ranges to its callers
-        }
         assertEquals(message, read, () -> "seed=" + seed);
         assertArrayEquals(bytes, codec.encode(read), () -> "seed=" + seed + " " + message);
         written++;
@@ -84,7 +80,6 @@ final class MessageTwinsTest {
     if (kind == ClientMessage.Diverged.class) {
       return diverged();
     }
-    asciiOnly = kind == ClientMessage.Hello.class || kind == ServerMessage.Redirect.class;
     RecordComponent[] components = kind.getRecordComponents();
     Class<?>[] types = new Class<?>[components.length];
     Object[] values = new Object[components.length];
@@ -152,8 +147,7 @@ final class MessageTwinsTest {
   private String text() {
     StringBuilder text = new StringBuilder();
     for (int i = random.nextInt(12); i > 0; i--) {
-      text.append(
-          "abcxyz0189ÄßЖ".charAt(random.nextInt(asciiOnly || random.nextInt(5) > 0 ? 10 : 13)));
+      text.append("abcxyz0189ÄßЖ".charAt(random.nextInt(random.nextInt(5) > 0 ? 10 : 13)));
     }
     return text.toString();
   }

@@ -91,8 +91,13 @@ final class RawPeer implements AutoCloseable {
   }
 
   void register(int asId, long withToken) throws IOException {
+    register(asId, withToken, 0);
+  }
+
+  /** Registers with the solution of the work that the greeting demands. */
+  void register(int asId, long withToken, long solution) throws IOException {
     ByteBuffer bytes = ByteBuffer.allocate(Frame.REGISTRATION_BYTES);
-    bytes.put(Frame.REGISTER_UDP).putInt(asId).putLong(withToken).putLong(0).flip();
+    bytes.put(Frame.REGISTER_UDP).putInt(asId).putLong(withToken).putLong(solution).flip();
     udp.write(bytes);
   }
 

@@ -68,8 +68,10 @@ public final class SavedRoomTarget implements FuzzTarget {
     byte[] full =
         room(
             List.of(
-                new SavedSeat(3, "Ann", "Ann (2)", "4711", -77, true, 1_234, 5, new int[0]),
-                new SavedSeat(4, "Zo\u00eb", "Zo\u00eb", "", 5, false, -1, 9, new int[0])));
+                new SavedSeat(
+                    3, "Ann", "Ann (2)", "4711", -77, true, 1_234, 5, 1, true, 8, new int[0]),
+                new SavedSeat(
+                    4, "Zo\u00eb", "Zo\u00eb", "", 5, false, -1, 9, 0, false, 0, new int[0])));
     byte[] empty = room(List.of());
     return List.of(
         full,

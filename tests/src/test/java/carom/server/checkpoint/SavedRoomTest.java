@@ -21,9 +21,21 @@ class SavedRoomTest {
   private static SavedRoom room(long physics, int layout, String config) {
     SavedSeat ann =
         new SavedSeat(
-            3, "Ann", "Ann (2)", "4711", -77, true, 1_234, Seats.Seat.SAME_COURSE, new int[0]);
+            3,
+            "Ann",
+            "Ann (2)",
+            "4711",
+            -77,
+            true,
+            1_234,
+            Seats.Seat.SAME_COURSE,
+            2,
+            true,
+            990,
+            new int[0]);
     SavedSeat bob =
-        new SavedSeat(1_023, "Zoë", "Zoë", "", 5, false, SavedSeat.PLAYED, 9, new int[0]);
+        new SavedSeat(
+            1_023, "Zoë", "Zoë", "", 5, false, SavedSeat.PLAYED, 9, 0, false, 7, new int[0]);
     return new SavedRoom(
         physics,
         layout,
@@ -50,6 +62,9 @@ class SavedRoomTest {
     assertEquals("4711", read.seats().get(0).account());
     assertEquals(-77, read.seats().get(0).secret());
     assertEquals(1_234, read.seats().get(0).graceMs());
+    assertEquals(2, read.seats().get(0).moves());
+    assertTrue(read.seats().get(0).reserved());
+    assertEquals(990, read.seats().get(0).sinceTick());
     assertEquals("commons", read.pending().level());
     assertTrue(read.pending().keepsTeams());
     assertFalse(read.pending().keepsScores());

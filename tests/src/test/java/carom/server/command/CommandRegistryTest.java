@@ -20,7 +20,7 @@ final class CommandRegistryTest {
             "WORD...",
             "Tells its words.",
             words -> words.word(0, "WORD") + "|" + words.rest(1) + "|" + words.room(),
-            place -> List.of("place" + place)));
+            place -> List.of("place" + place, "@duel")));
     registry.add(
         new Command(
             "bug",
@@ -77,7 +77,7 @@ final class CommandRegistryTest {
   @Test
   void completionKnowsThePlaceWithoutTheRoom() {
     assertEquals(List.of("bug", "help", "tell"), registry.complete(List.of()));
-    assertEquals(List.of("place0"), registry.complete(List.of("tell")));
+    assertEquals(List.of("place0", "@duel"), registry.complete(List.of("tell")));
     assertEquals(List.of("place1"), registry.complete(List.of("tell", "@duel", "a")));
     assertEquals(List.of(), registry.complete(List.of("xyzzy")));
   }

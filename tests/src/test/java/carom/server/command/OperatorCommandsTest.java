@@ -23,6 +23,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javax.management.ObjectName;
@@ -46,13 +47,20 @@ final class OperatorCommandsTest {
     ann = stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
     stepper.join("Bob B", Impairment.NONE, new Bot(Stepper.SEED + 1));
     stepper.run(1);
-    RoomCommands.add(registry, stepper.server().rooms(), new DataFolder(folder));
+    DataFolder data = new DataFolder(folder);
+    RoomCommands.add(registry, stepper.server().rooms(), data);
     Setting seed =
         new Setting("seed", List.of("7"), "command line", "", "N", "Start of random numbers.");
+    Setting grace =
+        new Setting("grace", List.of("30"), Setting.DEFAULT, "30", "S", "How long a body waits.");
+    Setting level =
+        new Setting("log-level", List.of("info"), Setting.DEFAULT, "info", "LEVEL", "How much.");
     ServerCommands.add(
         registry,
         stepper.server()::status,
-        new EffectiveSettings(List.of(seed)),
+        new EffectiveSettings(List.of(grace, level, seed)),
+        Set.of("log-level"),
+        data::recordingFiles,
         file -> "replayed " + file);
     RedirectCommands.add(
         registry,
@@ -155,6 +163,7 @@ final class OperatorCommandsTest {
     stepper.run(1);
     int before = stepper.room().simulation().tick();
     assertTrue(ok("save evening").startsWith("saved room=1 to " + folder.resolve("saves")));
+    assertEquals(List.of("evening"), registry.complete(List.of("load")));
     int saved = stepper.room().simulation().tick();
     float x = stepper.room().simulation().player(0).body().body().x();
     ok("kick \"Bob B\"");
@@ -192,6 +201,7 @@ final class OperatorCommandsTest {
     try (var files = Files.list(folder.resolve("recordings"))) {
       Path file = files.findFirst().orElseThrow();
       assertEquals("replayed " + file, ok("replay " + file));
+      assertEquals(List.of(file.toString()), registry.complete(List.of("replay")));
     }
   }
 
@@ -214,6 +224,10 @@ final class OperatorCommandsTest {
     assertTrue(ok("config").matches("(?s).*seed +7 +command line"));
     assertTrue(ok("config seed").contains("from: command line"));
     assertTrue(ok("config seed").contains("CAROM_SEED"));
+    assertTrue(ok("config").matches("(?s).*grace +30 s +default.*"), ok("config"));
+    assertTrue(ok("config grace").startsWith("grace = 30 s\n  from: default\n  default: 30 s\n"));
+    assertTrue(ok("config grace").endsWith("it holds from the next start"));
+    assertTrue(ok("config log-level").endsWith("it holds from the command 'reload' on"));
     assertTrue(fails("config sead").contains("did you mean \"seed\"?"));
   }
 

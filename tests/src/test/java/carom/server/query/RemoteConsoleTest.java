@@ -17,6 +17,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -110,6 +112,31 @@ final class RemoteConsoleTest {
       assertEquals(8, client.id);
       client.send(9, 2, "ecko");
       assertTrue(client.receive().startsWith("unknown command=ecko; did you mean"));
+    }
+  }
+
+  @Test
+  void strangersWhoSayNothingKeepNobodyOut() throws IOException {
+    List<Client> strangers = new ArrayList<>();
+    for (int i = 0; i < 3 * RemoteConsole.MAX_CONNECTIONS; i++) {
+      strangers.add(new Client());
+      strangers.get(i).socket.getOutputStream().write(20); // and nothing more, for a long time
+    }
+    List<Client> operators = new ArrayList<>();
+    for (int i = 0; i < RemoteConsole.MAX_CONNECTIONS; i++) {
+      operators.add(new Client().login(PASSWORD));
+    }
+    for (Client stranger : strangers) {
+      assertThrows(IOException.class, stranger::receive, "it gave way");
+      stranger.close();
+    }
+    try (Client tooMany = new Client()) {
+      assertThrows(IOException.class, () -> tooMany.login(PASSWORD), "nobody gives way to it");
+    }
+    for (Client operator : operators) {
+      operator.send(8, 2, "echo here");
+      assertEquals("here", operator.receive());
+      operator.close();
     }
   }
 

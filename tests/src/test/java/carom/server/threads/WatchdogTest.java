@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -41,9 +42,11 @@ class WatchdogTest {
 
   private static final class Duty implements Worker.Duty {
     private final Runnable turn;
+    private final long napNs;
 
-    Duty(Runnable turn) {
+    Duty(Runnable turn, long napNs) {
       this.turn = turn;
+      this.napNs = napNs;
     }
 
     @Override
@@ -53,7 +56,7 @@ class WatchdogTest {
 
     @Override
     public long napNs(long nowNs) {
-      return 1_000_000;
+      return napNs;
     }
 
     @Override
@@ -77,7 +80,11 @@ class WatchdogTest {
   }
 
   private void watch(Runnable turn) {
-    worker = new Worker("carom-watched", new Duty(turn), System::nanoTime, () -> {});
+    watch(turn, 1_000_000);
+  }
+
+  private void watch(Runnable turn, long napNs) {
+    worker = new Worker("carom-watched", new Duty(turn, napNs), System::nanoTime, () -> {});
     watchdog = new Watchdog(Guard.class);
     watchdog.watch(
         worker,
@@ -129,6 +136,28 @@ class WatchdogTest {
     watch(() -> Guard.call(this::sleep));
     String text = foundWithin(8_000);
     assertTrue(text != null && text.contains("WatchdogTest.sleep"), "" + text);
+  }
+
+  @Test
+  void aCallbackThatLoopsAfterALongNapIsFound() throws Exception {
+    CountDownLatch first = new CountDownLatch(1);
+    watch(
+        () -> {
+          if (first.getCount() > 0) {
+            first.countDown();
+          } else {
+            Guard.call(this::spin);
+          }
+        },
+        Long.MAX_VALUE);
+    first.await();
+    while (!worker.rests()) {
+      Thread.onSpinWait();
+    }
+    assertNull(foundWithin(Watchdog.FOUND_MS)); // the watchdog waits as well meanwhile
+    worker.wake();
+    String text = foundWithin(8_000);
+    assertTrue(text != null && text.contains("WatchdogTest.spin"), "" + text);
   }
 
   @Test

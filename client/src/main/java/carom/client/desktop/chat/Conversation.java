@@ -35,7 +35,7 @@ public final class Conversation implements MessageListener {
   private final Fonts fonts;
   private final ChatLog log = new ChatLog();
   private final EmoteBubbles bubbles = new EmoteBubbles();
-  private final Panel part = new Panel(Spot.BOTTOM_LEFT, Spot.BOTTOM_RIGHT, Spot.TOP_LEFT);
+  private final Panel panel = new Panel(Spot.BOTTOM_LEFT, Spot.BOTTOM_RIGHT, Spot.TOP_LEFT);
   private final Color color = new Color();
   private boolean swallowsTyped;
 
@@ -144,7 +144,7 @@ public final class Conversation implements MessageListener {
       drawDraft(hud, w, nowNs);
     }
     hud.begin();
-    float y = part.y() + field;
+    float y = panel.y() + field;
     for (int row = 0; row < shown; row++) {
       y += LINE;
       int i = log.lines().size() - 1 - row;
@@ -155,7 +155,7 @@ public final class Conversation implements MessageListener {
 
   private boolean place(Hud hud, float w, int lines, float field) {
     float h = lines * LINE + field;
-    return log.isOpen() ? hud.layout().placeAnyhow(part, w, h) : hud.layout().place(part, w, h);
+    return log.isOpen() ? hud.layout().placeAnyhow(panel, w, h) : hud.layout().place(panel, w, h);
   }
 
   private float alpha(int line, long nowNs) {
@@ -164,14 +164,14 @@ public final class Conversation implements MessageListener {
   }
 
   private void drawDraft(Hud hud, float w, long nowNs) {
-    hud.panel(part.x(), part.y(), w, FIELD - 4, UiColours.DIALOG);
+    hud.panel(panel.x(), panel.y(), w, FIELD - 4, UiColours.DIALOG);
     hud.begin();
     String to = log.isToTeam() ? "Team:" : "All:";
-    float x = part.x() + PAD;
-    float y = part.y() + FIELD - 11;
+    float x = panel.x() + PAD;
+    float y = panel.y() + FIELD - 11;
     hud.left(fonts.small(), to, x, y, UiColours.MUTED);
     x += hud.width(fonts.small(), to) + GAP;
-    float room = part.x() + w - x - 2 * PAD;
+    float room = panel.x() + w - x - 2 * PAD;
     String cursor = nowNs / 500_000_000L % 2 == 0 ? "|" : "";
     hud.left(
         fonts.small(), hud.endOf(fonts.small(), log.draft(), room) + cursor, x, y, UiColours.TEXT);
@@ -183,7 +183,7 @@ public final class Conversation implements MessageListener {
     Color tint =
         line.who().isEmpty() ? UiColours.ACCENT : line.team() ? UiColours.GOOD : UiColours.INFO;
     color.set(tint).a = alpha;
-    float x = part.x() + PAD;
+    float x = panel.x() + PAD;
     hud.shadowed(fonts.small(), who, x, y, color);
     color.set(line.who().isEmpty() ? UiColours.ACCENT : UiColours.TEXT).a = alpha;
     float after = who.isEmpty() ? 0 : hud.width(fonts.small(), who) + GAP;

@@ -21,6 +21,7 @@ import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.utils.Disposable;
 import com.badlogic.gdx.utils.ScreenUtils;
+import java.util.function.UnaryOperator;
 
 /**
  * The picture of a game from its {@link ClientView}, played or replayed: the level, the entities,
@@ -89,8 +90,8 @@ public final class GamePicture implements Disposable {
   }
 
   /** Sets what a player is told who waits alone for others; empty for nothing. */
-  public void adviceAlone(String text) {
-    clock.adviceAlone(text);
+  public void adviceAlone(UnaryOperator<String> ofRoom) {
+    clock.adviceAlone(ofRoom);
   }
 
   /** Shows or hides clock, scores, gauges and notices, which a dialog would cover. */
@@ -190,7 +191,7 @@ public final class GamePicture implements Disposable {
     boolean over = clock.isOver(view);
     clock.draw(view);
     if (table || over) {
-      scoreBoard.draw(view, over ? ClockPanel.RESULT : 0);
+      scoreBoard.draw(view, clock.depth());
     } else {
       scores.draw(view);
       gauges.draw(view);

@@ -14,6 +14,7 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.math.Vector3;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /**
  * Shows what a match is at, at the top of the picture: players it waits for, countdown, time left
@@ -26,15 +27,16 @@ public final class ClockPanel {
   private static final float SWATCH = 12;
 
   /** Height of the result with its distance from the window's upper edge, points. */
-  public static final float RESULT = 150;
+  private static final float RESULT = 150;
 
   private final Hud hud;
   private final Canvas canvas;
   private final Fonts fonts;
   private final ShownGame game;
-  private final Panel part = new Panel(Spot.TOP);
+  private final Panel panel = new Panel(Spot.TOP);
   private final Vector3 at = new Vector3();
-  private String adviceAlone = "";
+  private UnaryOperator<String> adviceAlone = room -> "";
+  private float depth;
 
   /** Creates a panel. The arguments stay the property of the caller. */
   public ClockPanel(Hud hud, Canvas canvas, Fonts fonts, ShownGame game) {
@@ -44,13 +46,19 @@ public final class ClockPanel {
     this.game = game;
   }
 
-  /** Sets what a player is told who waits alone; empty for nothing. */
-  public void adviceAlone(String text) {
-    adviceAlone = text;
+  /** Sets what a player is told who waits alone in a room, by its name; empty for nothing. */
+  public void adviceAlone(UnaryOperator<String> ofRoom) {
+    adviceAlone = ofRoom;
+  }
+
+  /** Returns the height at the window's upper edge that was drawn on last, points. */
+  public float depth() {
+    return depth;
   }
 
   /** Draws the phase of the match that a client plays or a replay shows. */
   public void draw(ClientView view) {
+    depth = 0;
     if (!view.knowsFields()) {
       return;
     }
@@ -61,7 +69,7 @@ public final class ClockPanel {
     switch (phase) {
       case WARM_UP -> {
         boolean alone = view.players().size() == 1 && clock.playersToBegin() > 1;
-        line(view, warmUp(clock, view.players()), alone ? adviceAlone : "");
+        line(view, warmUp(clock, view.players()), alone ? adviceAlone.apply(view.room()) : "");
       }
       case COUNTDOWN -> {
         at.set(hud.windowWidth() / 2f, hud.height() * 0.6f, 0);
@@ -90,12 +98,13 @@ public final class ClockPanel {
     }
     float wide = below.isEmpty() ? w : Math.max(w, hud.width(fonts.small(), below) + 2 * PAD);
     float h = below.isEmpty() ? LINE : LINE + 20;
-    if ((text.isEmpty() && teams == 0) || !hud.layout().placeAnyhow(part, wide, h)) {
+    if ((text.isEmpty() && teams == 0) || !hud.layout().placeAnyhow(panel, wide, h)) {
       return;
     }
-    hud.panel(part.x(), part.y(), wide, h);
-    float x = part.x() + (wide - w) / 2 + PAD;
-    float top = part.y() + h - 9;
+    hud.panel(panel.x(), panel.y(), wide, h);
+    depth = hud.height() - panel.y();
+    float x = panel.x() + (wide - w) / 2 + PAD;
+    float top = panel.y() + h - 9;
     for (int team = 1; team <= (teams + 1) / 2; team++) {
       x = drawScore(view, team, x, top);
     }
@@ -104,7 +113,7 @@ public final class ClockPanel {
     hud.left(
         fonts.small(),
         below,
-        part.x() + (wide - hud.width(fonts.small(), below)) / 2,
+        panel.x() + (wide - hud.width(fonts.small(), below)) / 2,
         top - 21,
         UiColours.ACCENT);
     hud.end();
@@ -144,6 +153,7 @@ public final class ClockPanel {
     int team = MatchClock.winningTeam(view.match());
     hud.panel(-2, height - RESULT, hud.windowWidth() + 4, RESULT - 8, UiColours.DIALOG);
     hud.layout().take(0, height - RESULT, hud.windowWidth(), RESULT);
+    depth = RESULT;
     hud.begin();
     float x = hud.windowWidth() / 2f;
     Color tint = team > 0 ? game.teamColor(team) : UiColours.ACCENT;

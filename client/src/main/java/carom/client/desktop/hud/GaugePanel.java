@@ -36,7 +36,7 @@ public final class GaugePanel {
   private final Canvas canvas;
   private final Fonts fonts;
   private final ShownGame game;
-  private final Panel part = new Panel(Spot.BOTTOM, Spot.BOTTOM_LEFT, Spot.TOP_LEFT);
+  private final Panel panel = new Panel(Spot.BOTTOM, Spot.BOTTOM_LEFT, Spot.TOP_LEFT);
 
   /** Creates a panel. The arguments stay the property of the caller. */
   public GaugePanel(Hud hud, Canvas canvas, Fonts fonts, ShownGame game) {
@@ -82,12 +82,12 @@ public final class GaugePanel {
     float w = LABEL_WIDTH + BAR_WIDTH + 2 * PAD;
     float h = lines * LINE + PAD;
     boolean shows = body != null && lines > 0 && view.knowsFields();
-    if (!shows || !hud.layout().placeAnyhow(part, w, h)) {
+    if (!shows || !hud.layout().placeAnyhow(panel, w, h)) {
       return;
     }
-    hud.panel(part.x(), part.y(), w, h);
-    float x = part.x() + PAD;
-    float y = part.y() + h - PAD / 2;
+    hud.panel(panel.x(), panel.y(), w, h);
+    float x = panel.x() + PAD;
+    float y = panel.y() + h - PAD / 2;
     for (Gauge gauge : game.gauges()) {
       if (isOwn(gauge)) {
         line(gauge, view, body.ownerId(), x, y);

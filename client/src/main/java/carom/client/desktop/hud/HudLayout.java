@@ -1,10 +1,10 @@
 package carom.client.desktop.hud;
 
 /**
- * Gives each part of the HUD a place of its own in a picture. A part gets the first of its possible
- * spots that is free of other parts and of the own body. A part stays at its spot until something
- * comes near, so that it doesn't jump to and fro. Points, origin bottom left. Render thread only;
- * no allocation per picture.
+ * Gives each panel of the HUD a place of its own in a picture. A panel gets the first of its
+ * possible spots that is free of other panels and of the own body. A panel stays at its spot until
+ * something comes near, so that it doesn't jump to and fro. Points, origin bottom left. Render
+ * thread only; no allocation per picture.
  */
 public final class HudLayout {
   /** A place at the window's edge. Parts at one spot stand below or above each other. */
@@ -35,14 +35,14 @@ public final class HudLayout {
     }
   }
 
-  /** A part of the HUD, which remembers where it stood. */
+  /** A panel of the HUD, which remembers where it stood. */
   public static final class Panel {
     private final Spot[] spots;
     private Spot spot;
     private float x;
     private float y;
 
-    /** Creates a part that may stand at some spots, the best one first. */
+    /** Creates a panel that may stand at some spots, the best one first. */
     public Panel(Spot... spots) {
       this.spots = spots.clone();
     }
@@ -61,10 +61,10 @@ public final class HudLayout {
   private static final float EDGE = 8;
   private static final float GAP = 6;
 
-  /** Distance from the own body at which a part leaves. */
+  /** Distance from the own body at which a panel leaves. */
   private static final float NEAR = 6;
 
-  /** Distance from the own body that a part needs to come. */
+  /** Distance from the own body that a panel needs to come. */
   private static final float FAR = 50;
 
   private final FreePlaces taken = new FreePlaces();
@@ -76,7 +76,7 @@ public final class HudLayout {
   private float bodyY;
   private float bodyRadius;
 
-  /** Sets a height at the lower edge that stays free of all parts, points. */
+  /** Sets a height at the lower edge that stays free of all panels, points. */
   public void floor(float points) {
     floor = points;
   }
@@ -103,41 +103,41 @@ public final class HudLayout {
   }
 
   /**
-   * Places a part; its size may change from picture to picture.
+   * Places a panel; its size may change from picture to picture.
    *
    * @return false when there is no room, so that it can't be drawn
    */
-  public boolean place(Panel part, float w, float h) {
-    if (part.spot != null && stands(part, part.spot, w, h, NEAR)) {
+  public boolean place(Panel panel, float w, float h) {
+    if (panel.spot != null && stands(panel, panel.spot, w, h, NEAR)) {
       return true;
     }
-    for (Spot spot : part.spots) {
-      if (stands(part, spot, w, h, FAR)) {
+    for (Spot spot : panel.spots) {
+      if (stands(panel, spot, w, h, FAR)) {
         return true;
       }
     }
-    for (Spot spot : part.spots) {
-      if (stands(part, spot, w, h, NEAR)) {
+    for (Spot spot : panel.spots) {
+      if (stands(panel, spot, w, h, NEAR)) {
         return true;
       }
     }
     return false;
   }
 
-  /** Places a part that the player needs now, over the own body if there is no other room. */
-  public boolean placeAnyhow(Panel part, float w, float h) {
-    if (place(part, w, h)) {
+  /** Places a panel that the player needs now, over the own body if there is no other room. */
+  public boolean placeAnyhow(Panel panel, float w, float h) {
+    if (place(panel, w, h)) {
       return true;
     }
     boolean had = hasBody;
     hasBody = false;
-    boolean stands = place(part, w, h);
+    boolean stands = place(panel, w, h);
     hasBody = had;
     return stands;
   }
 
-  /** Puts a part at a spot, past those that stand there, if it then is in the window and free. */
-  private boolean stands(Panel part, Spot spot, float w, float h, float clearance) {
+  /** Puts a panel at a spot, past those that stand there, if it then is in the window and free. */
+  private boolean stands(Panel panel, Spot spot, float w, float h, float clearance) {
     float x = spot.x(width, w);
     float y = spot.isTop() ? height - EDGE - h : floor + EDGE;
     for (int other = taken.at(x, y, w, h); other >= 0; other = taken.at(x, y, w, h)) {
@@ -147,9 +147,9 @@ public final class HudLayout {
     if (!inside || coversBody(x, y, w, h, clearance)) {
       return false;
     }
-    part.spot = spot;
-    part.x = x;
-    part.y = y;
+    panel.spot = spot;
+    panel.x = x;
+    panel.y = y;
     taken.take(x, y, w, h);
     return true;
   }

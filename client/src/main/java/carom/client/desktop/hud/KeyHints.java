@@ -29,7 +29,7 @@ public final class KeyHints {
   private final Hud hud;
   private final Fonts fonts;
   private final ShownGame game;
-  private final Panel part = new Panel(Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_LEFT);
+  private final Panel panel = new Panel(Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_LEFT);
   private final Color color = new Color();
   private List<Hint> hints = List.of();
   private float left = SHOWN_SECONDS;
@@ -64,14 +64,14 @@ public final class KeyHints {
     float alpha = Math.max(0, Math.min(1, left));
     float aboutHeight = hud.wrap(fonts.small(), game.about(), WIDTH - 2 * PAD, UiColours.ACCENT);
     float h = aboutHeight + 8 + hints.size() * LINE + 2 * PAD;
-    if (!hud.layout().place(part, WIDTH, h)) {
+    if (!hud.layout().place(panel, WIDTH, h)) {
       return;
     }
     color.set(UiColours.PANEL).a *= alpha;
-    hud.panel(part.x(), part.y(), WIDTH, h, color);
+    hud.panel(panel.x(), panel.y(), WIDTH, h, color);
     hud.begin();
-    float x = part.x() + PAD;
-    float y = part.y() + h - PAD;
+    float x = panel.x() + PAD;
+    float y = panel.y() + h - PAD;
     color.set(UiColours.ACCENT).a = alpha;
     hud.wrap(fonts.small(), game.about(), WIDTH - 2 * PAD, color);
     hud.wrapped(x, y);

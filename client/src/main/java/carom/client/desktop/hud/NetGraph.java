@@ -47,7 +47,7 @@ public final class NetGraph {
   private final String[] rows = new String[ROWS];
   private final String[] captions = new String[GRAPHS];
   private Size size = Size.OFF;
-  private final Panel part =
+  private final Panel panel =
       new Panel(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_RIGHT);
   private float age = REFRESH_SECONDS;
 
@@ -89,13 +89,13 @@ public final class NetGraph {
     float width = full ? FULL_WIDTH : SMALL_WIDTH;
     int lines = full ? ROWS : SMALL_ROWS;
     int graphs = full ? GRAPHS : 0;
-    while (!hud.layout().place(part, width, height(lines, graphs))) {
+    while (!hud.layout().place(panel, width, height(lines, graphs))) {
       if (--graphs < 0) {
         return; // no corner has room for a line of it
       }
     }
-    float left = part.x();
-    float bottom = part.y();
+    float left = panel.x();
+    float bottom = panel.y();
     float height = height(lines, graphs);
     hud.panel(left, bottom, width, height);
     float top = bottom + height - PAD;

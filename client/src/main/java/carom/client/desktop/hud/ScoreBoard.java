@@ -46,7 +46,7 @@ public final class ScoreBoard {
   }
 
   /**
-   * Draws the table in the middle of the window; nothing when nobody is here.
+   * Draws the table in the middle of the window, or lower; nothing when nobody is here.
    *
    * @param above height at the window's top that stays free, points
    */
@@ -64,7 +64,7 @@ public final class ScoreBoard {
     float w = Math.min(WIDTH, hud.windowWidth() - 2 * PAD);
     float h = (lines.size() + (keys.isEmpty() ? 1 : 2)) * LINE + 2 * PAD;
     float x = (hud.windowWidth() - w) / 2;
-    float top = (hud.height() - above + h) / 2;
+    float top = Math.min((hud.height() + h) / 2, hud.height() - above - PAD);
     hud.panel(x, top - h, w, h, UiColours.DIALOG);
     hud.layout().take(x, top - h, w, h);
     swatches(x, top - PAD - LINE);

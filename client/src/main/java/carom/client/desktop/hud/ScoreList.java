@@ -30,7 +30,7 @@ public final class ScoreList {
   private final Canvas canvas;
   private final Fonts fonts;
   private final ShownGame game;
-  private final Panel part = new Panel(Spot.TOP_RIGHT, Spot.TOP_LEFT, Spot.BOTTOM_RIGHT);
+  private final Panel panel = new Panel(Spot.TOP_RIGHT, Spot.TOP_LEFT, Spot.BOTTOM_RIGHT);
   private final List<RosterEntry> ranking = new ArrayList<>();
 
   /** Creates a list. The arguments stay the property of the caller. */
@@ -46,12 +46,12 @@ public final class ScoreList {
     rank(view);
     int shown = Math.min(ranking.size(), MOST);
     float h = (shown + 1) * LINE + 2 * PAD - 4;
-    if (shown == 0 || !hud.layout().place(part, WIDTH, h)) {
+    if (shown == 0 || !hud.layout().place(panel, WIDTH, h)) {
       return;
     }
-    float x = part.x();
-    float top = part.y() + h;
-    hud.panel(x, part.y(), WIDTH, h);
+    float x = panel.x();
+    float top = panel.y() + h;
+    hud.panel(x, panel.y(), WIDTH, h);
     if (game.teamCount() > 0) {
       hud.beginFigures();
       for (int i = 0; i < shown; i++) {

@@ -49,6 +49,11 @@ final class MenuStage implements Disposable {
     return stage;
   }
 
+  /** Returns the width of the window, points. */
+  float width() {
+    return viewport.getWorldWidth();
+  }
+
   /** Sets the window's size, px, and the pixels of a point. */
   void resize(int width, int height, float scale) {
     viewport.setUnitsPerPixel(1 / scale);

@@ -1,5 +1,6 @@
 package carom.client.desktop.menu;
 
+import com.badlogic.gdx.scenes.scene2d.ui.Label;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
 import com.badlogic.gdx.scenes.scene2d.ui.TextField;
 import java.io.IOException;
@@ -50,7 +51,9 @@ final class ReplaysPage implements Page {
     }
     List<Path> files = recordings(folder);
     if (files.isEmpty()) {
-      into.add(widgets.muted("No recording (*.carom) in " + folder.toAbsolutePath())).row();
+      Label none = widgets.muted("No recording (*.carom) in " + folder.toAbsolutePath());
+      none.setWrap(true);
+      into.add(none).row();
     }
     for (Path file : files) {
       String name = folder.relativize(file).toString();

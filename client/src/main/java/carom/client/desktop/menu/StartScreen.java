@@ -14,13 +14,18 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * The first screen: what to do at the left, the page of it at the right. It says, too, why the last
- * visit to a server ended. Render thread only.
+ * The first screen: what to do at the left, the page of it at the right, or below where large texts
+ * leave no place for both. It says, too, why the last visit to a server ended. Render thread only.
  */
 public final class StartScreen extends ScreenAdapter {
   private static final float MENU_WIDTH = 250;
   private static final float PAGE_WIDTH = 720;
   private static final float PAD = 20;
+
+  /** Least width of a window that has a place for menu and page side by side, points. */
+  private static final float WIDE = 840;
+
+  private static final int BUTTONS_IN_A_ROW = 3;
 
   private final Widgets widgets;
   private final StartTarget target;
@@ -98,26 +103,47 @@ public final class StartScreen extends ScreenAdapter {
     }
   }
 
+  private Table titledMenu() {
+    Table titled = new Table();
+    Label title = widgets.title("CAROM");
+    titled.add(title).height(64).center().row();
+    titled.add(widgets.muted("multiplayer physics")).height(20).padBottom(22).row();
+    titled.add(menu(1)).growX().row();
+    titled.add(widgets.small("arrows, Tab, Enter, Esc")).height(Widgets.HEIGHT + 4).padTop(8);
+    return titled;
+  }
+
+  /** Returns the buttons that lead to the pages, and out. */
+  private Table menu(int columns) {
+    Table menu = new Table();
+    menu.defaults().height(Widgets.HEIGHT + (columns == 1 ? 4 : 0)).growX().uniformX().space(8);
+    pages.forEach(
+        (name, shown) -> {
+          menu.add(widgets.button(shown == page ? "> " + name : name, () -> turn(shown)));
+          if (menu.getChildren().size % columns == 0) {
+            menu.row();
+          }
+        });
+    menu.add(widgets.button("Quit", target::quit));
+    return menu;
+  }
+
   private void build() {
     stale = false;
-    Table menu = new Table();
-    menu.defaults().height(Widgets.HEIGHT + 4).growX().space(8);
-    Label title = widgets.title("CAROM");
-    menu.add(title).height(64).center().row();
-    menu.add(widgets.muted("multiplayer physics")).height(20).padBottom(14).row();
-    pages.forEach(
-        (name, shown) ->
-            menu.add(widgets.button(shown == page ? "> " + name : name, () -> turn(shown))).row());
-    menu.add(widgets.button("Quit", target::quit)).row();
-    menu.add(widgets.small("arrows, Tab, Enter, Esc")).center();
     Table content = new Table();
     page.build(content.top());
     Table panel = widgets.panel();
     panel.add(widgets.scroll(content)).grow().align(Align.topLeft);
     Table root = new Table();
-    root.pad(PAD);
-    root.add(menu).width(MENU_WIDTH).top().padRight(PAD);
-    root.add(panel).minWidth(MENU_WIDTH).prefWidth(PAGE_WIDTH).growY();
+    if (stage.width() < WIDE) {
+      root.pad(PAD / 2);
+      root.add(menu(BUTTONS_IN_A_ROW)).growX().padBottom(PAD / 2).row();
+      root.add(panel.pad(PAD / 2)).grow();
+    } else {
+      root.pad(PAD);
+      root.add(titledMenu()).width(MENU_WIDTH).top().padRight(PAD);
+      root.add(panel).minWidth(MENU_WIDTH).prefWidth(PAGE_WIDTH).growY();
+    }
     stage.show(root);
     if (entering) {
       entering = false;

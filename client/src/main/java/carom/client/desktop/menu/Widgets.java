@@ -136,13 +136,13 @@ public final class Widgets implements Disposable {
     TextButton row = button(text, action);
     row.getLabel().setAlignment(Align.left);
     row.getLabel().setEllipsis(true);
+    row.getLabelCell().minWidth(0);
     return row;
   }
 
   /** Returns a button that is a line of a list, with a second text at its right. */
   TextButton row(String text, Label right, Runnable action) {
     TextButton row = row(text, action);
-    row.getLabelCell().minWidth(0);
     row.add(right).padLeft(12);
     return row;
   }

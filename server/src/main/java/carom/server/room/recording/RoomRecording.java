@@ -57,6 +57,15 @@ public final class RoomRecording {
     return recorder != null || awaited != null || beside != null && beside.isOn();
   }
 
+  /** Returns whether each tick must be recorded although nobody plays. */
+  public boolean needsTicks() {
+    boolean unseen =
+        sink instanceof DelayedRecording delayed
+            && delayed.isOnlyShown()
+            && room.counters().get(Counter.SPECTATORS) == 0;
+    return unseen ? beside != null && beside.isOn() : isOn();
+  }
+
   private boolean isWatched() {
     return sink instanceof DelayedRecording delayed && delayed.isShown();
   }

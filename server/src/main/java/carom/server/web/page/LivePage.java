@@ -18,9 +18,11 @@ import io.undertow.websockets.spi.WebSocketHttpExchange;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -58,6 +60,9 @@ public final class LivePage implements AutoCloseable {
       new WebSocketProtocolHandshakeHandler(this::connected);
   private final ScheduledThreadPoolExecutor clock;
   private final ThreadPoolExecutor commands;
+
+  // The page's thread only.
+  private ScheduledFuture<?> pictures; // null while nobody watches
   private long sampledNs = System.nanoTime();
 
   /** Begins to note figures; {@link #serves} and {@link #handle} show them. */
@@ -82,8 +87,6 @@ public final class LivePage implements AutoCloseable {
             new ArrayBlockingQueue<>(MAX_COMMANDS),
             daemon("carom-page-commands"));
     clock.scheduleAtFixedRate(LastingThread.guarded(this::second), 1, 1, TimeUnit.SECONDS);
-    clock.scheduleWithFixedDelay(
-        LastingThread.guarded(this::pictures), PICTURE_MS, PICTURE_MS, TimeUnit.MILLISECONDS);
   }
 
   private static ThreadFactory daemon(String name) {
@@ -108,7 +111,7 @@ public final class LivePage implements AutoCloseable {
     } else if (exchange.getRequestPath().equals(SOCKET)) {
       if (!guard.acceptsOrigin(exchange)) {
         refuse(exchange, "only the page itself may connect");
-      } else if (viewers.size() >= MAX_VIEWERS) {
+      } else if (viewers.size() >= MAX_VIEWERS && !strangerGivesWay()) {
         exchange.setStatusCode(StatusCodes.SERVICE_UNAVAILABLE);
         exchange.getResponseSender().send("too many pages are open\n");
       } else {
@@ -152,7 +155,30 @@ public final class LivePage implements AutoCloseable {
               }
             });
     channel.resumeReceives();
-    clock.execute(LastingThread.guarded(() -> greet(viewer)));
+    clock.execute(LastingThread.guarded(() -> begin(viewer)));
+  }
+
+  private void begin(Viewer viewer) {
+    if (pictures == null) {
+      pictures =
+          clock.scheduleWithFixedDelay(
+              LastingThread.guarded(this::pictures), 0, PICTURE_MS, TimeUnit.MILLISECONDS);
+    }
+    greet(viewer);
+  }
+
+  /**
+   * Ends the oldest connection that may do nothing but log in, so that strangers keep no operator
+   * out. Returns whether there was one.
+   */
+  private boolean strangerGivesWay() {
+    Optional<Viewer> first = viewers.stream().filter(viewer -> !watches(viewer)).findFirst();
+    first.ifPresent(
+        viewer -> {
+          viewers.remove(viewer);
+          viewer.refuse("too many pages are open");
+        });
+    return first.isPresent();
   }
 
   private boolean watches(Viewer viewer) {
@@ -273,6 +299,8 @@ public final class LivePage implements AutoCloseable {
 
   private void pictures() {
     if (viewers.isEmpty()) {
+      pictures.cancel(false);
+      pictures = null;
       return;
     }
     long nowNs = System.nanoTime();

@@ -197,6 +197,9 @@ final class PageJson {
             g.writeStringField("state", info.state());
             g.writeNumberField("team", info.team());
             g.writeNumberField("score", info.score());
+            if (info.rgb() >= 0) {
+              g.writeNumberField("rgb", info.rgb());
+            }
             g.writeNumberField("ms", rate.player().link().roundTripMs());
             writeKnown(g, "kbit", rate.kbitPerSecond());
             writeKnown(g, "loss", rate.loss());

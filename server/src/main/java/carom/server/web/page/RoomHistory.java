@@ -39,6 +39,9 @@ final class RoomHistory {
     Counter.GAME_FAILURES
   };
 
+  /** Names of the values of a row. */
+  private static final List<String> COLUMNS = columns();
+
   private final Room room;
   private final Counters.TickReader tickTimes;
   private final long[] before = new long[Counter.values().length];
@@ -94,7 +97,7 @@ final class RoomHistory {
     Counters counters = room.counters();
     Counters.TickTimes times = tickTimes.take();
     long ticks = Math.max(1, times.count());
-    float[] row = new float[columns().size()];
+    float[] row = new float[COLUMNS.size()];
     int at = 0;
     row[at++] = (float) (process.heapBytes() / BYTES_PER_MB);
     row[at++] = (float) (process.residentBytes() / BYTES_PER_MB);

@@ -2,7 +2,7 @@
 // What players wrote, such as names, goes to the page as text only, never as HTML.
 
 import {Chart} from './charts.js';
-import {Scene} from './scene.js';
+import {Scene, hex} from './scene.js';
 
 const $ = id => document.getElementById(id);
 const MAX_LINES = 500;
@@ -216,6 +216,7 @@ function showPlayers(players) {
   const follow = $('follow'), chosen = follow.value;
   scene.names = new Map(players.map(player => [player.id, player.name]));
   scene.teams = new Map(players.filter(player => player.team > 0).map(player => [player.id, player.team]));
+  scene.chosen = new Map(players.filter(player => player.rgb !== undefined).map(player => [player.id, hex(player.rgb)]));
   const wanted = ['', ...players.map(player => String(player.id))];
   const names = ['nobody', ...players.map(player => player.name)];
   if (document.activeElement !== follow
@@ -234,6 +235,7 @@ function showPlayers(players) {
       player.ms ? player.ms + ' ms' : '–', percent(player.loss), player.kbit === undefined ? '–' : player.kbit.toFixed(0),
       percent(player.right), player.address || ''];
     values.forEach((value, i) => { if (row.cells[i].textContent !== String(value)) row.cells[i].textContent = value; });
+    row.cells[0].style.setProperty('--mark', scene.playerColour(player.id));
     row.cells[4].classList.toggle('bad', player.ms > 250);
     row.cells[5].classList.toggle('bad', player.loss > 0.05);
     row.cells[7].classList.toggle('bad', player.right < 0.9);

@@ -3,7 +3,10 @@
 const BODY = 4, JOINT = 7, CELL = 5, CONTACT = 5, POOL = 3, HEAD = 8, AWAKE = 0x80000000;
 const PLAIN_GROUND = 0x3d5a80; // of statics whose level gives them no colour
 
-const hex = rgb => '#' + rgb.toString(16).padStart(6, '0');
+/** Width of the dot in a player's colour before its name, in pixels. */
+const MARK = 6;
+
+export const hex = rgb => '#' + rgb.toString(16).padStart(6, '0');
 
 /** Reads the numbers of a picture; see PictureBytes. */
 function read(buffer) {
@@ -77,6 +80,7 @@ export class Scene {
     this.show = {names: true, joints: true, sleeping: false, contacts: false, cells: false, priority: false};
     this.names = new Map();
     this.teams = new Map();
+    this.chosen = new Map(); // colours that players chose, by id
     this.follow = null;
     this.frames = 0;
     this.reset();
@@ -109,9 +113,10 @@ export class Scene {
     this.camera.scale = 0.94 * Math.min(this.canvas.clientWidth / (maxX - minX), this.canvas.clientHeight / (maxY - minY));
   }
 
-  /** Returns a player's colour: that of its team, or one of its own without a team. */
+  /** Returns a player's colour: that of its team; without one what the player chose, or else one that others don't have. */
   playerColour(id) {
     const team = this.teams.get(id);
+    if (!team && this.chosen.has(id)) return this.chosen.get(id);
     const hue = team ? TEAM_HUES[(team - 1) % TEAM_HUES.length] : (id * 137.5) % 360;
     return `hsl(${hue} 65% 52%)`;
   }
@@ -280,10 +285,11 @@ export class Scene {
     }
     if (!look.thin) g.fill(look.path);
     g.globalAlpha = look.sensor ? 0.4 : 1;
+    const rim = owned && !look.sensor && this.teams.has(look.owner) && this.chosen.get(look.owner);
     const painted = look.thin && look.type === 'static' && look.rgb !== PLAIN_GROUND;
     g.strokeStyle = look.slot === this.picked ? colours.accent : painted ? hex(look.rgb)
-      : asleep ? colours.quiet : colours.edge;
-    g.lineWidth = (look.slot === this.picked ? 3 : look.thin ? 2 : 1) / this.camera.scale;
+      : rim ? rim : asleep ? colours.quiet : colours.edge;
+    g.lineWidth = (look.slot === this.picked ? 3 : rim ? 2.5 : look.thin ? 2 : 1) / this.camera.scale;
     if (asleep) g.setLineDash([4 / this.camera.scale, 3 / this.camera.scale]);
     g.stroke(look.path);
     g.setLineDash([]);
@@ -350,13 +356,18 @@ export class Scene {
       if (!pose || !name) continue;
       const [x, y] = this.toScreen(pose[0], pose[1]);
       const above = Math.max(10, 0.8 * this.camera.scale);
-      const half = g.measureText(name).width / 2;
+      const half = g.measureText(name).width / 2 + MARK;
       if (taken.some(at => Math.abs(at.x - x) < at.half + half && Math.abs(at.y - y + above) < 13)) continue;
       taken.push({x, y: y - above, half});
       g.strokeStyle = colours.panel;
       g.fillStyle = id === this.follow ? colours.accent : colours.text;
-      g.strokeText(name, x, y - above);
-      g.fillText(name, x, y - above);
+      g.strokeText(name, x + MARK, y - above);
+      g.fillText(name, x + MARK, y - above);
+      g.beginPath();
+      g.arc(x - half + MARK / 2, y - above - 8, MARK / 2 + 1, 0, 2 * Math.PI);
+      g.stroke();
+      g.fillStyle = this.playerColour(id);
+      g.fill();
     }
   }
 }

@@ -86,6 +86,11 @@ public final class Acceptor {
     }
   }
 
+  /** Lets the server's {@code update} return at once, now or when it is called next. Any thread. */
+  public void wake() {
+    selector.wakeup();
+  }
+
   /** Closes the port. The system turns away what waits. */
   public void close() throws IOException {
     channel.close();

@@ -100,6 +100,12 @@ public final class KryoServerTransport implements ServerTransport {
   }
 
   @Override
+  public boolean onOpened(Runnable wake) {
+    network.onOpened(wake);
+    return true;
+  }
+
+  @Override
   public int tcpPort() {
     return tcpPort;
   }

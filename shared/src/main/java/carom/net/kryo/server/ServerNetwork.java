@@ -42,6 +42,10 @@ import org.jctools.queues.atomic.SpscAtomicArrayQueue;
 final class ServerNetwork implements Runnable {
   private static final int SELECT_MILLIS =
       30; // above 25, or KryoNet also sleeps after 100 quiet selects
+
+  /** Longest wait without a connection: a new one and the end of the server wake the thread. */
+  private static final int IDLE_SELECT_MILLIS = 10_000;
+
   private static final long SWEEP_NANOS = 50_000_000L;
   private static final long KEY_IDLE_SECONDS = 10;
 
@@ -63,6 +67,7 @@ final class ServerNetwork implements Runnable {
   private final ConcurrentLinkedQueue<ServerConnection> closing = new ConcurrentLinkedQueue<>();
   private volatile Thread thread;
   private volatile boolean stopping;
+  private volatile Runnable wake = () -> {};
 
   // used by the network thread
   private final List<ServerConnection> connections = new ArrayList<>();
@@ -182,6 +187,7 @@ final class ServerNetwork implements Runnable {
    */
   void stop() {
     stopping = true;
+    acceptor.wake();
     boolean interrupted = false;
     long deadline = System.nanoTime() + 5_000_000_000L;
     Thread running = thread;
@@ -195,6 +201,11 @@ final class ServerNetwork implements Runnable {
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  /** Sets what runs when a link has opened. */
+  void onOpened(Runnable newWake) {
+    wake = newWake;
   }
 
   Link accept() {
@@ -213,7 +224,7 @@ final class ServerNetwork implements Runnable {
   public void run() {
     long nextSweep = System.nanoTime();
     while (!stopping) {
-      nextSweep = step(SELECT_MILLIS, nextSweep);
+      nextSweep = step(connections.isEmpty() ? IDLE_SELECT_MILLIS : SELECT_MILLIS, nextSweep);
     }
     long start = System.nanoTime();
     each(connection -> connection.dismissGently("the server is shutting down", start));
@@ -394,6 +405,8 @@ final class ServerNetwork implements Runnable {
       link.close(full());
     } else if (!opened.offer(link)) {
       link.close("the server is busy");
+    } else {
+      wake.run();
     }
   }
 

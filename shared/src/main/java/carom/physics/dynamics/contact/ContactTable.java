@@ -37,7 +37,7 @@ public final class ContactTable extends ContactColumns {
     int n = m.count;
     int old = flags[row];
     int kept = old & (SENSOR | IGNORED);
-    if (n == 0 && kept == old) {
+    if (n == 0 && isIdle(row)) {
       // Didn't touch for two steps, as most rows: everything is zero already.
       return;
     }
@@ -69,6 +69,11 @@ public final class ContactTable extends ContactColumns {
       c[at + Y1] = m.y1;
       c[at + GAP1] = m.separation1;
     }
+  }
+
+  /** Returns whether {@link #update} does nothing with a row if its parts still don't touch. */
+  public boolean isIdle(int row) {
+    return (flags[row] & ~(SENSOR | IGNORED)) == 0;
   }
 
   /** Returns whether a row responds, with points of just these ids. */

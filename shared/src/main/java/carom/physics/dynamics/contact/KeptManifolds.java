@@ -252,12 +252,8 @@ public final class KeptManifolds {
     float cellSin = round(sin);
     float[] r = rows.numbers;
     int at = row * KeptRows.STRIDE;
-    float wayX = cellX - r[at + X];
-    float wayY = cellY - r[at + Y];
-    float wayCos = cellCos - r[at + COS];
-    float waySin = cellSin - r[at + SIN];
-    float way = Math.abs(wayX) + Math.abs(wayY);
-    float turn = Math.abs(wayCos) + Math.abs(waySin);
+    float way = Math.abs(cellX - r[at + X]) + Math.abs(cellY - r[at + Y]);
+    float turn = Math.abs(cellCos - r[at + COS]) + Math.abs(cellSin - r[at + SIN]);
     if (way + turn != 0) {
       if (kind(at) == 0
           && r[at + COS] != KeptRows.UNKNOWN
@@ -341,27 +337,31 @@ public final class KeptManifolds {
   }
 
   /**
-   * Returns whether two shapes are known not to touch; for pairs that {@link #collide} isn't asked
-   * about.
+   * Returns whether two shapes are known not to touch.
    *
    * @param row where it was kept
    * @param ta A's pose
    * @param tb B's pose
    * @param reach no point of B is further from B's position, m
-   * @return true if they haven't moved far enough since {@link #keepApart}
+   * @param rounded whether the rounded pose decides, as for pairs that {@link #collide} is asked
+   *     about
+   * @return true if they haven't moved far enough since it was kept
    */
-  public boolean apart(int row, Transform ta, Transform tb, float reach) {
+  public boolean apart(int row, Transform ta, Transform tb, float reach, boolean rounded) {
     float[] r = rows.numbers;
     int at = row * KeptRows.STRIDE;
+    float rounding = rounded ? ROUNDING : 0;
     float worldX = tb.x - ta.x;
     float worldY = tb.y - ta.y;
-    float wayX = ta.cos * worldX + ta.sin * worldY - r[at + X];
-    float wayY = ta.cos * worldY - ta.sin * worldX - r[at + Y];
-    float wayCos = ta.cos * tb.cos + ta.sin * tb.sin - r[at + COS];
-    float waySin = ta.cos * tb.sin - ta.sin * tb.cos - r[at + SIN];
-    float way = Math.abs(wayX) + Math.abs(wayY);
-    float turn = Math.abs(wayCos) + Math.abs(waySin);
-    return r[at + COS] != KeptRows.UNKNOWN && way + turn * reach < r[at + CLEARANCE];
+    float x = ta.cos * worldX + ta.sin * worldY + rounding - rounding;
+    float y = ta.cos * worldY - ta.sin * worldX + rounding - rounding;
+    float cos = ta.cos * tb.cos + ta.sin * tb.sin + rounding - rounding;
+    float sin = ta.cos * tb.sin - ta.sin * tb.cos + rounding - rounding;
+    float way = Math.abs(x - r[at + X]) + Math.abs(y - r[at + Y]);
+    float turn = Math.abs(cos - r[at + COS]) + Math.abs(sin - r[at + SIN]);
+    return kind(at) == 0
+        && r[at + COS] != KeptRows.UNKNOWN
+        && way + turn * reach < r[at + CLEARANCE];
   }
 
   /**

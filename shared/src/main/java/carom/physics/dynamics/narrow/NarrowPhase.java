@@ -63,6 +63,16 @@ public final class NarrowPhase {
     private final Transform poseA = new Transform();
     private final Transform poseB = new Transform();
 
+    /** The rows of a block that respond. */
+    private final int[] responding = new int[BLOCK];
+
+    private int respondingCount;
+
+    /** The rows of a block that don't, but may do so now. */
+    private final int[] others = new int[BLOCK];
+
+    private int otherCount;
+
     /** The rows of a block that are left to do, and the same in the order of kinds. */
     private final int[] rest = new int[BLOCK];
 
@@ -203,7 +213,9 @@ public final class NarrowPhase {
       int group = start / GROUP;
       boolean sample = start % GROUP < BLOCK;
       boolean kernel = !sample && restless[group] && scratch.granted > 0;
-      int n = kernel ? handBoxes(start, end, scratch) : follow(start, end, scratch);
+      list(start, end, scratch);
+      int rest = kernel ? handBoxes(scratch) : follow(scratch);
+      int n = addOthers(rest, scratch);
       sort(n, scratch);
       for (int i = 0; i < n; i++) {
         update(scratch.rows[i], scratch);
@@ -218,18 +230,41 @@ public final class NarrowPhase {
   }
 
   /**
-   * Has a kernel update the rows of boxes of a block, whenever there are enough of them.
-   *
-   * @return how many rows are left to do, listed in the scratch
+   * Lists the rows of a block that respond, and the others. It doesn't branch, because no processor
+   * could predict which rows do.
    */
-  private int handBoxes(int from, int to, Scratch scratch) {
-    int rest = 0;
+  private void list(int from, int to, Scratch scratch) {
+    ContactTable t = contacts;
+    int responding = 0;
+    int others = 0;
     for (int row = from; row < to; row++) {
-      if (left[row]) {
-        continue;
-      }
+      int does = t.responds(row) ? 1 : 0;
+      int stays = left[row] ? 0 : 1;
+      scratch.responding[responding] = row;
+      responding += stays & does;
+      scratch.others[others] = row;
+      others += stays & ~does;
+    }
+    scratch.respondingCount = responding;
+    scratch.otherCount = others;
+  }
+
+  /**
+   * Has a kernel update the listed rows of boxes, whenever there are enough of them.
+   *
+   * @return how many of the rows that respond are left to do, listed in the scratch
+   */
+  private int handBoxes(Scratch scratch) {
+    scratch.otherCount = handBoxes(scratch.others, scratch.otherCount, scratch.others, scratch);
+    return handBoxes(scratch.responding, scratch.respondingCount, scratch.rest, scratch);
+  }
+
+  private int handBoxes(int[] rows, int count, int[] to, Scratch scratch) {
+    int rest = 0;
+    for (int i = 0; i < count; i++) {
+      int row = rows[i];
       if (scratch.used >= scratch.granted || !isOfBoxes(row)) {
-        scratch.rest[rest++] = row;
+        to[rest++] = row;
       } else if (scratch.boxes.add(row)) {
         updateBoxes(scratch);
       }
@@ -267,24 +302,17 @@ public final class NarrowPhase {
    * still holds: most rows of a heap at rest. Little enough is done with a row that the processor
    * reads the next ones from memory meanwhile.
    *
-   * @return how many rows are left to do, listed in the scratch
+   * @return how many of the rows that respond are left to do, listed in the scratch
    */
-  private int follow(int from, int to, Scratch scratch) {
+  private int follow(Scratch scratch) {
     ContactTable t = contacts;
     KeptManifolds kept = t.kept;
     BodyStore s = bodies;
     float speculative = settings.speculativeDistance();
     float deepest = 0;
     int rest = 0;
-    int followed = 0;
-    for (int row = from; row < to; row++) {
-      if (left[row]) {
-        continue;
-      }
-      if (!t.responds(row)) {
-        scratch.rest[rest++] = row;
-        continue;
-      }
+    for (int i = 0; i < scratch.respondingCount; i++) {
+      int row = scratch.responding[i];
       int a = t.bodyA(row);
       int b = t.bodyB(row);
       float aCos = s.cos[a];
@@ -308,12 +336,53 @@ public final class NarrowPhase {
         continue;
       }
       t.touchOn(row);
-      followed++;
       deepest = Math.min(deepest, gap);
     }
-    scratch.touching += followed;
+    scratch.touching += scratch.respondingCount - rest;
     scratch.overlaps |= -deepest > settings.slop();
     return rest;
+  }
+
+  /**
+   * Adds the listed rows that don't respond to those left to do, except those that didn't touch
+   * before either, and whose boxes are apart or which are known not to touch.
+   *
+   * @param rest how many rows are left to do, listed in the scratch
+   * @return how many are left to do then
+   */
+  private int addOthers(int rest, Scratch scratch) {
+    ContactTable t = contacts;
+    int near = 0;
+    for (int i = 0; i < scratch.otherCount; i++) { // without a branch, as above
+      int row = scratch.others[i];
+      int overlaps = parts.tight.overlaps(t.part[2 * row], t.part[2 * row + 1]) ? 1 : 0;
+      int changes = t.isIdle(row) ? 0 : 1;
+      scratch.others[near] = row;
+      near += overlaps | changes;
+    }
+    int n = rest;
+    for (int i = 0; i < near; i++) {
+      int row = scratch.others[i];
+      scratch.rest[n] = row;
+      n += t.isIdle(row) && isApart(row, scratch) ? 0 : 1;
+    }
+    return n;
+  }
+
+  /** Returns whether the parts of a row are known not to touch. */
+  private boolean isApart(int row, Scratch scratch) {
+    int b = contacts.bodyB(row);
+    place(contacts.bodyA(row), scratch.poseA);
+    place(b, scratch.poseB);
+    return contacts.kept.apart(
+        row, scratch.poseA, scratch.poseB, bodies.reach[b], keepsManifold(row));
+  }
+
+  /** Returns whether a row may have a kept manifold, that of a rounded pose. */
+  private boolean keepsManifold(int row) {
+    return !contacts.sensor(row)
+        && parts.isPolygon(contacts.part[2 * row])
+        && parts.isPolygon(contacts.part[2 * row + 1]);
   }
 
   /** Puts the listed rows in order, the same kinds of pairs together. */
@@ -361,7 +430,7 @@ public final class NarrowPhase {
     int b = contacts.bodyB(row);
     place(contacts.bodyA(row), scratch.poseA);
     place(b, scratch.poseB);
-    if (!sensor && parts.isPolygon(partA) && parts.isPolygon(partB)) {
+    if (keepsManifold(row)) {
       contacts.kept.collide(
           row,
           parts.convex[partA],
@@ -377,10 +446,6 @@ public final class NarrowPhase {
     }
     float speculative = sensor ? 0 : settings.speculativeDistance();
     boolean quick = parts.isDisc(partA) && parts.isDisc(partB);
-    if (!quick && contacts.kept.apart(row, scratch.poseA, scratch.poseB, bodies.reach[b])) {
-      scratch.manifold.count = 0;
-      return;
-    }
     Collider collider = scratch.collider;
     collider.collide(
         parts.convex[partA],

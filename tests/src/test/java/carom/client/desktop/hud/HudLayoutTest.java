@@ -38,7 +38,7 @@ final class HudLayoutTest {
           stood[i] = true;
           float left = parts[i].x();
           float bottom = parts[i].y();
-          String what = "part " + i + " window=" + window[0] + " x=" + x + " y=" + y;
+          String what = "panel " + i + " window=" + window[0] + " x=" + x + " y=" + y;
           assertTrue(left >= 0 && bottom >= 0, what);
           assertTrue(left + sizes[i][0] <= window[0] && bottom + sizes[i][1] <= window[1], what);
           assertTrue(taken.isFree(left, bottom, sizes[i][0], sizes[i][1]), what);
@@ -48,18 +48,18 @@ final class HudLayoutTest {
         }
       }
       for (int i = 0; i < parts.length; i++) {
-        assertTrue(stood[i], "part " + i + " has a place in a window of " + window[0]);
+        assertTrue(stood[i], "panel " + i + " has a place in a window of " + window[0]);
       }
     }
   }
 
   @Test
   void aPartStaysWhileThePlayerIsElsewhere() {
-    Panel part = new Panel(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT);
-    assertEquals(8, at(part, 640, 360));
-    assertEquals(1_280 - 226 - 8, at(part, 100, 700), "the player is in its corner");
-    assertEquals(1_280 - 226 - 8, at(part, 640, 360), "it doesn't go back by itself");
-    assertEquals(8, at(part, 1_200, 30));
+    Panel panel = new Panel(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT);
+    assertEquals(8, at(panel, 640, 360));
+    assertEquals(1_280 - 226 - 8, at(panel, 100, 700), "the player is in its corner");
+    assertEquals(1_280 - 226 - 8, at(panel, 640, 360), "it doesn't go back by itself");
+    assertEquals(8, at(panel, 1_200, 30));
   }
 
   @Test
@@ -72,10 +72,10 @@ final class HudLayoutTest {
     assertFalse(layout.placeAnyhow(new Panel(Spot.TOP_LEFT), 400, 180), "wider than the window");
   }
 
-  private float at(Panel part, float x, float y) {
+  private float at(Panel panel, float x, float y) {
     layout.begin(1_280, 720);
     layout.keepFree(x, y, 12);
-    assertTrue(layout.place(part, 226, 88));
-    return part.x();
+    assertTrue(layout.place(panel, 226, 88));
+    return panel.x();
   }
 }

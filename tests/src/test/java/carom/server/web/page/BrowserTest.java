@@ -6,9 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import carom.client.InputSource;
 import carom.fixtures.CrouchGame;
 import carom.fixtures.CrouchGame.Rule;
+import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
+import carom.sim.message.PlayerColour;
+import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -180,6 +184,53 @@ final class BrowserTest {
           "[...kinds.values()].some(k => ['crate', 'ice', 'ghost', 'rock'].every(x => k.has(x)))");
       assertEquals(List.of(), browser.errors());
     }
+  }
+
+  @Test
+  void theColourThatAPlayerChoseIsDrawn() throws Exception {
+    Stepper stepper = Stepper.of("platformer");
+    SimulatedClient vi = stepper.join("Vi", Impairment.NONE, InputSource.IDLE);
+    vi.game().colour(PlayerColour.VIOLET);
+    int violet = 0xff000000 | PlayerColour.VIOLET.rgb();
+    try (PageRig rig = new PageRig(stepper, folder, true);
+        Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
+      browser.look(1200, 900, false);
+      browser.open(rig.web.url());
+      browser.await("window.caromScene && caromScene.now && caromScene.chosen.has(0)");
+      browser.click("document.querySelector('#players tbody tr .follow')");
+      browser.await("caromScene.follow === 0");
+      assertEquals(
+          "rgb(155, 107, 255)",
+          browser.evaluate(
+              "getComputedStyle(document.querySelector('#players tbody td'),"
+                  + " '::before').backgroundColor"));
+      browser.evaluate("caromScene.show.names = false");
+      int body = count(canvas(browser), violet);
+      assertTrue(body > 100, "pixels of the body: " + body);
+      browser.evaluate("caromScene.playerColour = () => '#000000'"); // a dot alone would stay
+      assertEquals(0, count(canvas(browser), violet));
+      // In a team the body has the team's colour, and a rim of its own.
+      browser.evaluate("delete caromScene.playerColour");
+      browser.await(
+          "(s => { s.teams = new Map([[0, 1]]); s.draw(); const r = devicePixelRatio, g ="
+              + " s.canvas.getContext('2d'), p = s.pose(s.now.bodyOf.get(0)), [x, y] ="
+              + " s.toScreen(p[0], p[1]); const seen = g.getImageData(Math.round((x - 40) * r),"
+              + " Math.round((y - 40) * r), 80 * r, 80 * r).data; let rim = 0; for (let i = 0; i <"
+              + " seen.length; i += 4) if (seen[i] === 155 && seen[i + 1] === 107 && seen[i + 2]"
+              + " === 255) rim++; return s.playerColour(0) === 'hsl(4 65% 52%)' && rim > 10;"
+              + " })(caromScene)");
+      assertEquals(List.of(), browser.errors());
+    }
+  }
+
+  private static int count(BufferedImage image, int rgb) {
+    int count = 0;
+    for (int y = 0; y < image.getHeight(); y++) {
+      for (int x = 0; x < image.getWidth(); x++) {
+        count += image.getRGB(x, y) == rgb ? 1 : 0;
+      }
+    }
+    return count;
   }
 
   @Test

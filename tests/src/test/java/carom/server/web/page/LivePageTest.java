@@ -24,6 +24,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionException;
@@ -212,6 +214,33 @@ final class LivePageTest {
       assertTrue(page.pictures.poll(20, TimeUnit.SECONDS) != null);
       assertTrue(
           page.next("players").fields.get("players").items.get(0).fields.containsKey("address"));
+    }
+  }
+
+  @Test
+  void strangersKeepNoOperatorOutAndVisitorsWhoMayWatchStay() throws Exception {
+    try (PageRig rig = new PageRig(folder, false)) {
+      List<Page> strangers = new ArrayList<>();
+      for (int i = 0; i < 2 * LivePage.MAX_VIEWERS; i++) {
+        strangers.add(new Page(rig));
+      }
+      Page operator = new Page(rig);
+      operator.login(PageRig.TOKEN);
+      assertFalse(operator.next("hello").fields.get("admin").truth);
+      assertTrue(operator.next("hello").fields.get("admin").truth);
+      assertEquals(
+          "too many pages are open", strangers.get(0).next("closed").fields.get("why").text);
+      for (int i = 0; i < LivePage.MAX_VIEWERS; i++) {
+        strangers.add(new Page(rig));
+      }
+      operator.say("{'do':'complete','id':1,'text':'kic'}");
+      operator.next("words");
+    }
+    try (PageRig rig = new PageRig(folder, true)) {
+      for (int i = 0; i < LivePage.MAX_VIEWERS; i++) {
+        new Page(rig);
+      }
+      assertThrows(CompletionException.class, () -> new Page(rig));
     }
   }
 
