@@ -108,6 +108,7 @@ final class ArchitectureTest {
         "settings",
         "simd",
         "dynamics.colour",
+        "dynamics.jointtree",
         "dynamics.solverbody",
         "dynamics.parallel",
         "dynamics.domain",
@@ -123,7 +124,7 @@ final class ArchitectureTest {
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs");
-    stage("colour", "dynamics.domain", "dynamics.body", "dynamics.contact");
+    stage("colour", "dynamics.domain", "dynamics.body", "dynamics.contact", "dynamics.jointtree");
     stage("joint", "settings", "archive", "math", "rows", "dynamics.store", "dynamics.body");
     stage(
         "jointsolver",

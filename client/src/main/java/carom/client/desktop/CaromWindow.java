@@ -61,7 +61,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private Screen screen;
   private LocalGames.LocalGame local;
 
-  /** Whether the server is among those played on lately, or needn't be. */
+  /** The server is among those played on lately, or needn't be. */
   private boolean noted;
 
   private SpectatorThread spectator;

@@ -130,7 +130,7 @@ public final class Room {
     wake = newWake;
   }
 
-  /** Sets how many people watch, for whom the room goes on without players. The lobby's thread. */
+  /** Sets how many people watch; the room goes on for them without players. The lobby's thread. */
   public void watchedBy(long spectators) {
     counters().set(Counter.SPECTATORS, spectators);
     wake.run();

@@ -7,10 +7,12 @@ import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointsolver.JointSolver;
 import carom.physics.dynamics.jointsolver.RevoluteLanes;
+import carom.physics.dynamics.jointtree.JointTrees;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.ContactLanes;
 import carom.physics.dynamics.solver.ContactSolver;
+import carom.physics.dynamics.solver.TreeContacts;
 import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.profile.StageListener;
 import carom.physics.profile.StepStage;
@@ -27,9 +29,10 @@ import carom.physics.settings.Settings;
  *              contacts: warm start          first substep only
  *              joints: biased impulses       errors go away
  *              contacts: biased impulses     overlap goes away
- *              beams: biased impulses        what contacts bent is straight again
+ *              trees: biased impulses        their contacts, then their joints once more
  *              integrate positions           x += h v
  *              joints, contacts: relax       rigid, without bias: the speed of the bias goes
+ *              trees: relax                  their contacts, then their joints once more
  *   finish     store                         velocities, poses and impulses
  * </pre>
  */
@@ -83,7 +86,8 @@ final class Substeps {
     float h = dt / substeps;
     begins(StepStage.PREPARE);
     solverBodies.begin(bodies, settings, h, contacts);
-    contactSolver.prepare(contacts, bodies, solverBodies, settings, h);
+    JointTrees trees = jointSolver.find(joints, bodies);
+    contactSolver.prepare(contacts, bodies, solverBodies, trees, settings, h);
     phases.divide(solverBodies.domains.count(), parallel.workers());
     solverBodies.load(phases);
     contactSolver.pack(phases);
@@ -92,6 +96,8 @@ final class Substeps {
       phases.run(); // joints look at loaded bodies
     }
     jointSolver.prepare(joints, bodies, settings, h, solverBodies);
+    TreeContacts treeContacts = contactSolver.ofTrees(contacts, jointSolver.treeResponse());
+    jointSolver.measureTrees();
     boolean jointsToo = jointSolver.count() > 0;
     boolean bounces = contactSolver.bounces(phases, contacts.mightBounce());
     for (int i = 0; i < substeps; i++) {
@@ -107,6 +113,7 @@ final class Substeps {
       solverBodies.integrateVelocities(phases, warm);
       if (jointsToo) {
         beforeJoints();
+        treeContacts.warmStart();
         jointSolver.warmStart();
         afterJoints();
       }
@@ -123,6 +130,7 @@ final class Substeps {
       contactSolver.applyBiasedImpulses(phases);
       if (jointsToo && jointSolver.settles()) {
         beforeJoints();
+        treeContacts.applyBiasedImpulses();
         jointSolver.settle();
         afterJoints();
       }
@@ -135,6 +143,12 @@ final class Substeps {
       }
       begins(StepStage.RELAX);
       contactSolver.relax(phases);
+      if (treeContacts.any()) {
+        beforeJoints();
+        treeContacts.relax();
+        jointSolver.absorb();
+        afterJoints();
+      }
     }
     begins(StepStage.FINISH);
     contactSolver.store(phases);

@@ -27,8 +27,8 @@ final class FloodTrial {
           "status: (\\d+) of .*tick p50 ([0-9.]+) p99 ([0-9.]+).* ms"
               + ".*inputs missing ([0-9.]+) %");
 
-  /** Turns until the server's code is compiled. */
-  private static final int WARM_UP = 3;
+  /** Least time until the server's code is compiled, s. */
+  private static final int WARM_UP_S = 60;
 
   /** Most turns until all bots have joined. */
   private static final int MOST_WAITS = 30;
@@ -119,7 +119,7 @@ final class FloodTrial {
     for (int i = 0; i < MOST_WAITS && last.players < options.bots(); i++) {
       last = turn(server);
     }
-    for (int i = 0; i < WARM_UP; i++) {
+    for (int s = 0; s < WARM_UP_S; s += options.turnS()) {
       turn(server);
     }
     long floodNs = 0;

@@ -121,12 +121,19 @@ final class QueueBounds {
   private record Probe(Field field, Bound bound) {}
 
   /** The fields of a class whose values the scan looks at; none if it skips the class. */
-  private record Plan(List<Probe> probes, boolean isArray) {
-    static final Plan SKIP = new Plan(List.of(), false);
-    static final Plan ARRAY = new Plan(List.of(), true);
+  private record Plan(List<Probe> probes, boolean isArray, boolean isLeaf) {
+    static final Plan SKIP = new Plan(List.of(), false, true);
+    static final Plan ARRAY = new Plan(List.of(), true, false);
 
-    boolean isSkipped() {
-      return !isArray && probes.isEmpty();
+    static Plan of(List<Probe> probes) {
+      return new Plan(
+          List.copyOf(probes), false, probes.stream().allMatch(p -> isLeaf(p.field.getType())));
+    }
+
+    private static boolean isLeaf(Class<?> type) {
+      return type.isPrimitive()
+          || type == AtomicLong.class
+          || type.isArray() && type.getComponentType().isPrimitive();
     }
   }
 
@@ -147,11 +154,15 @@ final class QueueBounds {
           reach(element);
         }
       }
-      for (int i = 0; i < plan.probes.size(); i++) {
-        look(next, plan.probes.get(i));
-      }
+      look(next, plan);
     }
     seen.clear();
+  }
+
+  private void look(Object owner, Plan plan) {
+    for (int i = 0; i < plan.probes.size(); i++) {
+      look(owner, plan.probes.get(i));
+    }
   }
 
   private void look(Object owner, Probe probe) {
@@ -186,7 +197,13 @@ final class QueueBounds {
   }
 
   private void reach(Object value) {
-    if (value != null && !plan(value.getClass()).isSkipped() && seen.add(value)) {
+    if (value == null) {
+      return;
+    }
+    Plan plan = plan(value.getClass());
+    if (plan.isLeaf) {
+      look(value, plan); // nothing is behind it, so it needn't be remembered
+    } else if (seen.add(value)) {
       waiting.add(value);
     }
   }
@@ -218,7 +235,7 @@ final class QueueBounds {
         }
       }
     }
-    return new Plan(List.copyOf(found), false);
+    return Plan.of(found);
   }
 
   private static boolean isWalked(Class<?> type) {

@@ -90,8 +90,8 @@ final class Soak {
   private static final long SETTLED_NS = 100_000_000L;
 
   /**
-   * The failures that no server of a soak counts. A checkpoint fails where any number of the whole state isn't
-   * finite or in its range.
+   * The failures that no server of a soak counts. A checkpoint fails where any number of the whole
+   * state isn't finite or in its range.
    */
   private static final List<Counter> FAILURES =
       List.of(

@@ -177,6 +177,55 @@ final class SealedLinkTest {
   }
 
   @Test
+  void forgeriesFromElsewhereAreOpenedSparinglyAndAClientStillMoves() throws IOException {
+    try (Network network = new Network();
+        UdpProxy proxy = new UdpProxy(network.server.udpPort());
+        UdpProxy stranger = new UdpProxy(network.server.udpPort())) {
+      Network.Pair pair = pair(network, proxy.port());
+      assertTrue(pair.client.sendDatagram(numbered(0), 0, 40));
+      eventually(
+          () -> {
+            pair.poll();
+            return pair.atServer.datagrams.size() == 1;
+          },
+          pair.server::toString);
+      byte[] forged = proxy.sent.get(proxy.sent.size() - 1).clone();
+      KryoServerCounters counters = network.server.counters();
+      long start = System.nanoTime();
+      for (int i = 1; i <= 6_000; i++) {
+        ByteBuffer.wrap(forged).putInt(7, i); // a counter that may come
+        stranger.inject(forged);
+        if (i % 100 == 0) { // so that no buffer overflows
+          assertTrue(pair.client.sendDatagram(numbered(i), 0, 40));
+          int sent = i;
+          eventually(
+              () -> {
+                pair.poll();
+                return counters.forgedDatagrams.get()
+                            + counters.replayedDatagrams.get()
+                            + counters.strangeDatagrams.get()
+                        >= sent
+                    && pair.atServer.datagrams.size() == 1 + sent / 100;
+              },
+              counters::troubles);
+        }
+      }
+      double seconds = (System.nanoTime() - start) * 1e-9;
+      long opened = counters.forgedDatagrams.get();
+      assertTrue(opened >= 490 && opened <= 502 + 500 * seconds, "opened=" + opened);
+      proxy.rebind();
+      eventually(
+          () -> {
+            pair.client.sendDatagram(numbered(1), 0, 40);
+            pair.poll();
+            Network.pause(16);
+            return counters.movedLinks.get() == 1;
+          },
+          counters::troubles);
+    }
+  }
+
+  @Test
   void aStrangerWhoRepeatsDatagramsGetsNoAnswers() throws IOException {
     try (Network network = new Network();
         UdpProxy proxy = new UdpProxy(network.server.udpPort());

@@ -194,6 +194,10 @@ final class WebServerTest {
     assertTrue(
         text.contains("carom_tick_duration_seconds_bucket{room=\"1\",le=\"+Inf\"} " + ticks), text);
     assertTrue(text.contains("jvm_memory_used_bytes"), text);
+    Matcher types = Pattern.compile("# TYPE (\\S+) ").matcher(text);
+    while (types.find()) {
+      assertTrue(text.matches("(?s).*# HELP " + types.group(1) + " \\S.*"), types.group(1));
+    }
   }
 
   @Test

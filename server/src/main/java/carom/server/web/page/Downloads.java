@@ -58,10 +58,12 @@ final class Downloads {
   /**
    * Creates the downloads of some folders.
    *
+   * @param folders may name one folder twice: {@code --record} often names that of the data folder
    * @param clock monotonic nanoseconds
    */
   Downloads(List<Path> folders, LongSupplier clock) {
-    this.folders = folders;
+    this.folders =
+        folders.stream().map(folder -> folder.toAbsolutePath().normalize()).distinct().toList();
     this.clock = clock;
   }
 

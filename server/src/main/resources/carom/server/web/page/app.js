@@ -36,13 +36,13 @@ const charts = [
     {name: 'load_percent', label: 'of a tick\'s time, 95 %', colour: 1}, {name: 'pace_percent', label: 'pace of time', colour: 2}]},
   {title: 'Bandwidth', unit: 'kbit/s', series: [
     {name: 'outKbit', label: 'out', colour: 1}, {name: 'inKbit', label: 'in', colour: 3}]},
-  {title: 'Clients', unit: '', series: [
+  {title: 'Clients', unit: '', whole: true, series: [
     {name: 'players', label: 'players', colour: 1}, {name: 'spectators', label: 'spectators', colour: 4},
     {name: 'players_in_grace', label: 'expected back', colour: 2}]},
-  {title: 'Corrections', unit: 'per s', series: [
+  {title: 'Corrections', unit: 'per s', whole: true, series: [
     {name: 'near_disagreements', label: 'predicted otherwise', colour: 2},
     {name: 'divergences_unexplained', label: 'without a reason', colour: 6}]},
-  {title: 'Trouble', unit: 'per s', series: [
+  {title: 'Trouble', unit: 'per s', whole: true, series: [
     {name: 'ticks_late', label: 'ticks late', colour: 2}, {name: 'ticks_dropped', label: 'dropped', colour: 6},
     {name: 'snapshots_postponed', label: 'snapshots late', colour: 4}, {name: 'inputs_missing', label: 'inputs missing', colour: 5}]},
   {title: 'Page', unit: 'ms', series: [{name: 'picture', label: 'pictures, of each tick', colour: 5}]},

@@ -24,10 +24,11 @@ function short(value) {
 export class Chart {
   /**
    * @param series [{name, label, colour: 1..6, help: text to show below the pointer, or none}];
-   *   `stacked` draws them on top of each other
+   *   `stacked` draws them on top of each other; `whole` says that values are whole numbers
    */
-  constructor(parent, {title, unit, series, stacked}) {
+  constructor(parent, {title, unit, series, stacked, whole}) {
     this.series = series;
+    this.whole = whole;
     this.stacked = stacked;
     const box = document.createElement('div');
     box.className = 'chart';
@@ -77,7 +78,8 @@ export class Chart {
     if (this.stacked) {
       for (const each of values) for (let i = 1; i < each.length; i++) each[i] += each[i - 1];
     }
-    const top = niceMaximum(Math.max(0, ...values.flat()));
+    const most = niceMaximum(Math.max(0, ...values.flat()));
+    const top = this.whole ? most + most % 2 : most; // half of it is shown, too
     const x = i => LEFT + (width - LEFT - PAD) * (1 - (rows.length - 1 - i) / (SECONDS - 1));
     const y = value => height - AXIS - (height - AXIS - PAD - 4) * Math.min(1, value / top);
     g.font = '10px system-ui, sans-serif';

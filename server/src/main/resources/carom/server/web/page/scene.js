@@ -364,7 +364,7 @@ export class Scene {
       g.strokeText(name, x + MARK, y - above);
       g.fillText(name, x + MARK, y - above);
       g.beginPath();
-      g.arc(x - half + MARK / 2, y - above - 8, MARK / 2 + 1, 0, 2 * Math.PI);
+      g.arc(x - half + MARK / 2, y - above - 7, MARK / 2 + 1, 0, 2 * Math.PI);
       g.stroke();
       g.fillStyle = this.playerColour(id);
       g.fill();

@@ -543,6 +543,11 @@ final class ServerConnection extends Connection implements Entrance.Guest {
    */
   void readDatagram(InetSocketAddress from, byte[] bytes, int length, ByteBuffer opened, long now) {
     LinkKeys current = keys;
+    boolean elsewhere = !from.equals(udpAddress) && !from.equals(newAddress);
+    if (current != null && elsewhere && !network.elsewhere.take(now)) {
+      network.counters.strangeDatagrams.incrementAndGet();
+      return;
+    }
     int fields =
         current == null ? DatagramOpener.FORGED : current.datagramsIn().open(bytes, length);
     if (fields == DatagramOpener.FORGED) {

@@ -3,6 +3,7 @@ package carom.physics.dynamics.colour;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.Domains;
+import carom.physics.dynamics.jointtree.JointTrees;
 import java.util.Arrays;
 
 /**
@@ -28,14 +29,18 @@ public final class ColourMemo {
   /** {@link Domains#edition}. */
   private int edition;
 
+  /** {@link JointTrees#edition}. */
+  private int treeEdition;
+
   private long[] key = new long[0];
   private byte[] points = new byte[0];
   private float[] inverseMass = new float[0];
 
   /** Returns whether the colours of what was {@link #note noted} are those of this step. */
-  public boolean holds(ContactTable t, BodyStore b, int edition) {
+  public boolean holds(ContactTable t, BodyStore b, int edition, int treeEdition) {
     return valid
         && this.edition == edition
+        && this.treeEdition == treeEdition
         && rows == t.count()
         && slots == b.slots()
         && Arrays.equals(points, 0, rows, t.points, 0, rows)
@@ -45,12 +50,13 @@ public final class ColourMemo {
   }
 
   /** Notes what the colours of this step follow from. */
-  public void note(ContactTable t, BodyStore b, int edition) {
+  public void note(ContactTable t, BodyStore b, int edition, int treeEdition) {
     valid = b.slots() <= BODIES_PER_ROW * t.count() && plain(t);
     if (!valid) {
       return;
     }
     this.edition = edition;
+    this.treeEdition = treeEdition;
     rows = t.count();
     slots = b.slots();
     if (key.length < rows) {

@@ -5,6 +5,7 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.Domains;
+import carom.physics.dynamics.jointtree.JointTrees;
 import java.util.Arrays;
 
 /**
@@ -30,7 +31,8 @@ import java.util.Arrays;
  *
  * <p>Contacts between bodies that move come first and those with the static world last, which thus
  * has the last word: what rests on the ground doesn't sink into it. A body with more than {@value
- * #LAST_COLOUR} contacts spills into a last colour that is solved one by one.
+ * #LAST_COLOUR} contacts spills into a last colour that is solved one by one. Contacts with bodies
+ * of {@linkplain JointTrees joint trees} are a kind of their own.
  *
  * <p>Every colour of a domain has two <i>groups</i>, of contacts with one point and with two. The
  * colours depend on the touching contacts of this step alone, so there is no history to save or to
@@ -40,8 +42,14 @@ public final class ContactColours {
   /** The last colour among moving bodies, and with static ones; it takes what found no other. */
   public static final int LAST_COLOUR = 63;
 
-  /** Colours of a domain: those among moving bodies, then those with static ones. */
-  public static final int COLOURS = 2 * (LAST_COLOUR + 1);
+  /**
+   * First of the two last colours of a domain: contacts with bodies of joint trees, among moving
+   * bodies and with static ones. They are no colours, and belong to the first domain.
+   */
+  public static final int TREES = 2 * (LAST_COLOUR + 1);
+
+  /** Colours of a domain: those among moving bodies, those with static ones, those of trees. */
+  public static final int COLOURS = TREES + 2;
 
   /** Groups of a domain: every colour has one of contacts with one point, and one with two. */
   public static final int GROUPS = 2 * COLOURS;
@@ -78,7 +86,9 @@ public final class ContactColours {
    * Finds the contacts to solve, touching and not vetoed, and gives each its group. Tells domains
    * which bodies are at their borders.
    */
-  public void assign(ContactTable t, BodyStore b, ActiveBodies active, Domains domains) {
+  public void assign(
+      ContactTable t, BodyStore b, ActiveBodies active, Domains domains, JointTrees trees) {
+    boolean anyTrees = trees.edition() != 0;
     ensure(t.capacity(), active.list.length, domains.count());
     boolean divided = domains.count() > 1;
     if (divided) {
@@ -104,7 +114,9 @@ public final class ContactColours {
         other = swap;
       }
       int at = active.index[mover];
-      if (b.invMass[other] == 0) {
+      if (anyTrees && (trees.numberOf(mover) >= 0 || trees.numberOf(other) >= 0)) {
+        c = b.invMass[other] == 0 ? TREES + 1 : TREES;
+      } else if (b.invMass[other] == 0) {
         c = Math.min(Long.numberOfTrailingZeros(~takenFixed[at]), LAST_COLOUR);
         takenFixed[at] |= 1L << c;
         c += LAST_COLOUR + 1;
@@ -117,7 +129,7 @@ public final class ContactColours {
       }
       int g = 2 * c + t.points[r] - 1;
       if (divided) {
-        int domain = c == LAST_COLOUR ? 0 : domains.of[mover];
+        int domain = c == LAST_COLOUR || c >= TREES ? 0 : domains.of[mover];
         g += domain * GROUPS;
         domains.touch(domain, mover);
         if (active.contains(other)) {
@@ -160,6 +172,13 @@ public final class ContactColours {
 
   /** Returns whether the contacts of a group share no body that can be moved. */
   public static boolean isColour(int group) {
-    return (group >> 1 & LAST_COLOUR) != LAST_COLOUR;
+    int c = (group >> 1) % COLOURS;
+    return c < TREES && (c & LAST_COLOUR) != LAST_COLOUR;
+  }
+
+  /** Returns whether one body of each contact of a group can't be moved. */
+  public static boolean isFixed(int group) {
+    int c = (group >> 1) % COLOURS;
+    return c > LAST_COLOUR && c != TREES;
   }
 }

@@ -4,6 +4,7 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointFrame;
 import carom.physics.dynamics.jointtree.JointTrees;
+import carom.physics.dynamics.jointtree.TreeResponse;
 import carom.physics.dynamics.jointtree.TreeSolver;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solverbody.SolverBodies;
@@ -94,6 +95,9 @@ public final class JointSolver {
   /** {@link JointStore#version} that the colours are of. They are kept until it changes. */
   private int colouredVersion = -1;
 
+  /** Whether this step's joints are others than the last one's. */
+  private boolean anew;
+
   // The stages, made once so that a step allocates nothing.
   private final ParallelFor.Range packing = this::packJoints;
   private final ParallelFor.Range warming =
@@ -121,13 +125,10 @@ public final class JointSolver {
     return count;
   }
 
-  /** Collects, colours and packs the joints that can move something. */
-  public void prepare(
-      JointStore j, BodyStore bodyStore, Settings s, float h, SolverBodies solverBodies) {
+  /** Collects the joints that can move something, and finds the trees among them. */
+  public JointTrees find(JointStore j, BodyStore bodyStore) {
     store = j;
     bodies = bodyStore;
-    slotOf = solverBodies.slotOf();
-    inverseH = 1 / h;
     if (found.length < j.count()) {
       int capacity = Math.max(j.count(), found.length * 2);
       found = new int[capacity];
@@ -135,11 +136,21 @@ public final class JointSolver {
       place = new int[capacity];
       colouredVersion = -1;
     }
-    boolean anew = colouredVersion != j.version() || trees.areStale(j, bodyStore);
+    anew = colouredVersion != j.version() || trees.areStale(j, bodyStore);
     if (anew) {
       colouredVersion = j.version();
       findJoints();
       trees.find(j, bodyStore, found, count);
+    }
+    return trees;
+  }
+
+  /** Colours and packs the joints that {@link #find} has collected. */
+  public void prepare(
+      JointStore j, BodyStore bodyStore, Settings s, float h, SolverBodies solverBodies) {
+    slotOf = solverBodies.slotOf();
+    inverseH = 1 / h;
+    if (anew) {
       assignColours(solverBodies.count());
     }
     float omega = TWO_PI * Math.min(s.jointHertz(), MAX_HERTZ_PER_RATE / h);
@@ -292,15 +303,27 @@ public final class JointSolver {
 
   /** Returns whether {@link #settle} does anything. */
   public boolean settles() {
-    return treeSolver.hasWelds();
+    return treeSolver.settles();
   }
 
-  /**
-   * Solves trees with welds once more before bodies move. Contacts have pushed single pieces, and
-   * to draw these back in the next substep makes rigid beams tremble.
-   */
+  /** Solves trees with contacts or welds once more before bodies move. */
   public void settle() {
     treeSolver.settle();
+  }
+
+  /** Returns how the bodies of trees answer contacts. */
+  public TreeResponse treeResponse() {
+    return treeSolver.response();
+  }
+
+  /** Measures trees. By now it is known which ones contacts act on. */
+  public void measureTrees() {
+    treeSolver.measure();
+  }
+
+  /** Solves trees that contacts act on once more after bodies moved. */
+  public void absorb() {
+    treeSolver.absorb();
   }
 
   /** Visits each joint once after bodies moved, rigid. */

@@ -24,8 +24,7 @@ import java.util.Arrays;
  * TreeSolver}, if a load is {@value #LEAST_LOAD} or more; or if it is held and has a weld, since
  * each piece of a beam bends all welds up to where it is held. Its root is a joint with what can't
  * be moved, if there is one. All others are solved joint by joint, as if this class didn't exist.
- * So are light welded bodies that move freely: a contact knows the mass of the piece it touches,
- * not that of all, and bodies that stand on small rigid pieces bounce.
+ * So are light welded bodies that move freely.
  *
  * <p>The lists follow from the awake joints and the masses of their bodies alone, so they are no
  * state: not from the slots of bodies, and from those of joints only in the order of sums.
@@ -116,6 +115,20 @@ public final class JointTrees {
 
   private static float inverseMassA(JointStore j, BodyStore b, int k) {
     return j.bodyA[k] < 0 ? 0 : b.invMass[j.bodyA[k]];
+  }
+
+  /** Returns the number of a body in the trees, -1 if it is in none. */
+  public int numberOf(int bodySlot) {
+    if (count == 0 || bodySlot >= seen.length || seen[bodySlot] != search) {
+      return -1;
+    }
+    int at = number[bodySlot];
+    return at >= 0 && at < bodyStart[count] && body[at] == bodySlot ? at : -1;
+  }
+
+  /** Returns a number that is another one when there are other trees; 0 for none. */
+  public int edition() {
+    return count == 0 ? 0 : search;
   }
 
   /** Returns whether a tree has a joint. */

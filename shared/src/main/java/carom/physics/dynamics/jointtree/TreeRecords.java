@@ -1,5 +1,9 @@
 package carom.physics.dynamics.jointtree;
 
+import static carom.physics.dynamics.solverbody.SolverBodies.VX;
+import static carom.physics.dynamics.solverbody.SolverBodies.VY;
+import static carom.physics.dynamics.solverbody.SolverBodies.W;
+
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.solverbody.SolverBodies;
@@ -237,6 +241,17 @@ final class TreeRecords {
       body[b * BODY + MASS_Y] = (locks & BodyStore.LOCK_Y) != 0 ? LOCKED * mass : mass;
       turns[b] = inverseInertia > 0;
       body[b * BODY + INERTIA] = inverseInertia > 0 ? 1.0 / inverseInertia : LOCKED * mass;
+    }
+  }
+
+  /** Applies an impulse to a body alone. */
+  void push(int b, double px, double py, double turn, float[] v) {
+    int at = b * BODY;
+    int o = offset[b];
+    v[o + VX] += (float) (px / body[at + MASS_X]);
+    v[o + VY] += (float) (py / body[at + MASS_Y]);
+    if (turns[b]) {
+      v[o + W] += (float) (turn / body[at + TURNING]);
     }
   }
 

@@ -5,8 +5,6 @@ import static carom.physics.dynamics.jointtree.TreeRecords.BIAS_Y;
 import static carom.physics.dynamics.jointtree.TreeRecords.BODY;
 import static carom.physics.dynamics.jointtree.TreeRecords.INVERSE;
 import static carom.physics.dynamics.jointtree.TreeRecords.JOINT;
-import static carom.physics.dynamics.jointtree.TreeRecords.MASS_X;
-import static carom.physics.dynamics.jointtree.TreeRecords.MASS_Y;
 import static carom.physics.dynamics.jointtree.TreeRecords.NX;
 import static carom.physics.dynamics.jointtree.TreeRecords.NY;
 import static carom.physics.dynamics.jointtree.TreeRecords.PX;
@@ -21,7 +19,6 @@ import static carom.physics.dynamics.jointtree.TreeRecords.SOFT;
 import static carom.physics.dynamics.jointtree.TreeRecords.SXX;
 import static carom.physics.dynamics.jointtree.TreeRecords.SXY;
 import static carom.physics.dynamics.jointtree.TreeRecords.SYY;
-import static carom.physics.dynamics.jointtree.TreeRecords.TURNING;
 import static carom.physics.dynamics.jointtree.TreeRecords.Z;
 import static carom.physics.dynamics.solverbody.SolverBodies.VX;
 import static carom.physics.dynamics.solverbody.SolverBodies.VY;
@@ -61,6 +58,7 @@ public final class TreeSolver {
   private final ParallelFor parallel;
   private final TreeRecords records;
   private final TreeMatrices matrices;
+  private final TreeResponse response;
 
   // The arrays of the records.
 
@@ -81,6 +79,7 @@ public final class TreeSolver {
   private final ParallelFor.Range warming = (from, to, worker) -> warmTrees(from, to);
   private final ParallelFor.Range biasing = (from, to, worker) -> biasTrees(from, to);
   private final ParallelFor.Range settling = (from, to, worker) -> settleTrees(from, to);
+  private final ParallelFor.Range absorbing = (from, to, worker) -> absorbInTrees(from, to);
   private final ParallelFor.Range relaxing = (from, to, worker) -> relaxTrees(from, to);
 
   /** Makes a solver of these trees, which threads share. */
@@ -89,11 +88,17 @@ public final class TreeSolver {
     this.parallel = parallel;
     records = new TreeRecords(trees);
     matrices = new TreeMatrices(trees, records);
+    response = new TreeResponse(trees, records);
   }
 
-  /** Returns whether a tree has a weld. */
-  public boolean hasWelds() {
-    return trees.count > 0 && records.anyWelds;
+  /** Returns whether {@link #settle} does anything. */
+  public boolean settles() {
+    return trees.count > 0 && (records.anyWelds || response.any());
+  }
+
+  /** Returns how the bodies of trees answer contacts. */
+  public TreeResponse response() {
+    return response;
   }
 
   /** Begins a step: loads the joints and bodies of all trees. */
@@ -101,6 +106,7 @@ public final class TreeSolver {
       JointStore j, BodyStore bodyStore, int[] slotOf, float[] state, float substep, float rate) {
     v = state;
     if (trees.count == 0) {
+      response.begin(state);
       return;
     }
     records.load(j, bodyStore, slotOf, state);
@@ -113,6 +119,11 @@ public final class TreeSolver {
     offset = records.offset;
     turns = records.turns;
     matrices.begin(state, substep, rate);
+    response.begin(state);
+  }
+
+  /** Measures all trees. By now it is known which ones contacts act on. */
+  public void measure() {
     parallel.run(0, trees.count, 1, measuring);
   }
 
@@ -126,7 +137,7 @@ public final class TreeSolver {
     parallel.run(0, trees.count, 1, biasing);
   }
 
-  /** Solves trees with welds once more before bodies move, with bias. */
+  /** Solves trees with welds or contacts once more before bodies move, with bias. */
   public void settle() {
     parallel.run(0, trees.count, 1, settling);
   }
@@ -136,9 +147,29 @@ public final class TreeSolver {
     parallel.run(0, trees.count, 1, relaxing);
   }
 
+  /** Solves trees with contacts once more after bodies moved. */
+  public void absorb() {
+    parallel.run(0, trees.count, 1, absorbing);
+  }
+
   private void measureTrees(int from, int to) {
     for (int t = from; t < to; t++) {
-      matrices.measure(t);
+      measureTree(t);
+    }
+  }
+
+  private void measureTree(int t) {
+    matrices.measure(t);
+    if (response.isTouched(t)) {
+      response.measure(t);
+    }
+  }
+
+  private void absorbInTrees(int from, int to) {
+    for (int t = from; t < to; t++) {
+      if (response.isTouched(t)) {
+        absorb(t, false);
+      }
     }
   }
 
@@ -167,7 +198,11 @@ public final class TreeSolver {
         records.welds.forget(i);
       }
     }
-    solve(t, false);
+    if (response.isTouched(t)) {
+      absorb(t, false);
+    } else {
+      solve(t, false);
+    }
   }
 
   private void biasTrees(int from, int to) {
@@ -178,7 +213,9 @@ public final class TreeSolver {
 
   private void settleTrees(int from, int to) {
     for (int t = from; t < to; t++) {
-      if (records.hasWelds[t]) {
+      if (response.isTouched(t)) {
+        absorb(t, true);
+      } else if (records.hasWelds[t]) {
         solve(t, true);
       }
     }
@@ -186,7 +223,7 @@ public final class TreeSolver {
 
   private void relaxTrees(int from, int to) {
     for (int t = from; t < to; t++) {
-      matrices.measure(t);
+      measureTree(t);
       solve(t, false);
     }
   }
@@ -199,10 +236,10 @@ public final class TreeSolver {
     int a = childIsB[i] ? p : c;
     int b = childIsB[i] ? c : p;
     if (a >= 0) {
-      change(a, -px, -py, d[at + RAY] * px - d[at + RAX] * py);
+      records.push(a, -px, -py, d[at + RAY] * px - d[at + RAX] * py, v);
     }
     if (b >= 0) {
-      change(b, px, py, d[at + RBX] * py - d[at + RBY] * px);
+      records.push(b, px, py, d[at + RBX] * py - d[at + RBY] * px, v);
     }
   }
 
@@ -211,25 +248,20 @@ public final class TreeSolver {
     int c = trees.child[i];
     double sign = childIsB[i] ? 1 : -1;
     if (p >= 0) {
-      change(p, 0, 0, -sign * turn);
+      records.push(p, 0, 0, -sign * turn, v);
     }
     if (c >= 0) {
-      change(c, 0, 0, sign * turn);
-    }
-  }
-
-  private void change(int b, double px, double py, double turn) {
-    int at = b * BODY;
-    int o = offset[b];
-    v[o + VX] += (float) (px / body[at + MASS_X]);
-    v[o + VY] += (float) (py / body[at + MASS_Y]);
-    if (turns[b]) {
-      v[o + W] += (float) (turn / body[at + TURNING]);
+      records.push(c, 0, 0, sign * turn, v);
     }
   }
 
   private void solve(int t, boolean bias) {
     records.clearImpulses(trees.bodyStart[t], trees.bodyStart[t + 1]);
+    absorb(t, bias);
+  }
+
+  /** Solves a tree on whose bodies impulses act. */
+  private void absorb(int t, boolean bias) {
     for (int i = trees.start[t + 1] - 1; i >= trees.start[t]; i--) {
       if (weld[i]) {
         gatherWeld(i, bias);

@@ -119,6 +119,21 @@ final class TreeWelds {
     return angle[i * ANGLE + PW];
   }
 
+  /** Returns the entry of S for x and turn. */
+  double xw(int i) {
+    return angle[i * ANGLE + SXW];
+  }
+
+  /** Returns the entry of S for y and turn. */
+  double yw(int i) {
+    return angle[i * ANGLE + SYW];
+  }
+
+  /** Returns the entry of S for turn and turn. */
+  double ww(int i) {
+    return angle[i * ANGLE + SWW];
+  }
+
   /** Forgets the angular impulse of a weld. */
   void forget(int i) {
     angle[i * ANGLE + PW] = 0;

@@ -2,7 +2,7 @@ package carom.physics.dynamics.solver;
 
 import static carom.physics.dynamics.colour.ContactColours.COLOURS;
 import static carom.physics.dynamics.colour.ContactColours.GROUPS;
-import static carom.physics.dynamics.colour.ContactColours.LAST_COLOUR;
+import static carom.physics.dynamics.colour.ContactColours.TREES;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.colour.ColourMemo;
@@ -11,6 +11,7 @@ import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.domain.Domains;
+import carom.physics.dynamics.jointtree.JointTrees;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.simd.VectorModule;
@@ -63,6 +64,9 @@ public final class ContactBlocks {
 
   /** Number that stands for all colours, one after the other. */
   private static final int ALL = -1;
+
+  /** Number that stands for all but the contacts of trees. */
+  private static final int COLOURED = -2;
 
   // Quantities of a contact: offsets in its block of data.
 
@@ -271,14 +275,19 @@ public final class ContactBlocks {
    *
    * @param lanes kernels that take whole blocks, null for none
    */
-  void build(ContactTable table, BodyStore bodies, SolverBodies solverBodies, ContactLanes lanes) {
+  void build(
+      ContactTable table,
+      BodyStore bodies,
+      SolverBodies solverBodies,
+      JointTrees trees,
+      ContactLanes lanes) {
     Domains domains = solverBodies.domains;
-    if (memo.holds(table, bodies, domains.edition())) {
+    if (memo.holds(table, bodies, domains.edition(), trees.edition())) {
       layOutBlocks(lanes, table.count(), solverBodies);
     } else {
-      colouring.assign(table, bodies, solverBodies.active, domains);
+      colouring.assign(table, bodies, solverBodies.active, domains, trees);
       solverBodies.assignSlots();
-      memo.note(table, bodies, domains.edition());
+      memo.note(table, bodies, domains.edition(), trees.edition());
       findGroups(table.capacity() / LANES);
       giveLanes(table, domains);
       layOutBlocks(lanes, table.count(), solverBodies);
@@ -363,7 +372,7 @@ public final class ContactBlocks {
       widest = lanes.grant(count, rows);
     }
     for (int g = 0; g < colouring.groups(); g++) {
-      int kind = ((g & 1) != 0 ? TWO : 0) | ((g >> 1) % COLOURS > LAST_COLOUR ? FIXED : 0);
+      int kind = ((g & 1) != 0 ? TWO : 0) | (ContactColours.isFixed(g) ? FIXED : 0);
       int left = colouring.size[g];
       for (int block = start[g]; left > 0; block++, left -= LANES) {
         used[block] = (byte) Math.min(left, LANES);
@@ -384,15 +393,31 @@ public final class ContactBlocks {
     phases.add(stage, ALL);
   }
 
-  /** Adds a stage colour by colour. */
-  void addColours(DomainPhases phases, DomainPhases.Phase stage) {
+  /**
+   * Adds a stage colour by colour.
+   *
+   * @param trees whether contacts with bodies of trees come, too, last
+   */
+  void addColours(DomainPhases phases, DomainPhases.Phase stage, boolean trees) {
     if (colouring.groups() == GROUPS) {
-      phases.add(stage, ALL);
+      phases.add(stage, trees ? ALL : COLOURED);
       return;
     }
     for (int i = 0; i < colours; i++) {
-      phases.add(stage, colour[i]);
+      if (trees || colour[i] < TREES) {
+        phases.add(stage, colour[i]);
+      }
     }
+  }
+
+  /** Returns the first block of contacts with bodies of trees. */
+  int startOfTrees() {
+    return start[2 * TREES];
+  }
+
+  /** Returns the end of the blocks of contacts with bodies of trees. */
+  int endOfTrees() {
+    return start[GROUPS];
   }
 
   /** Makes a phase of a stage that takes blocks from one to another. */
@@ -405,7 +430,7 @@ public final class ContactBlocks {
 
       @Override
       public boolean hasBorder(int number, int domain) {
-        return number == ALL || touchesBorder(domain * GROUPS + 2 * number);
+        return number < 0 || touchesBorder(domain * GROUPS + 2 * number);
       }
     };
   }
@@ -416,9 +441,10 @@ public final class ContactBlocks {
   }
 
   private void visit(int number, int domain, boolean border, int worker, ParallelFor.Range stage) {
-    if (number == ALL) {
+    if (number < 0) {
       if (border) {
-        stage.run(start[domain * GROUPS], start[(domain + 1) * GROUPS], worker);
+        int end = number == ALL ? GROUPS : 2 * TREES;
+        stage.run(start[domain * GROUPS], start[domain * GROUPS + end], worker);
       }
       return;
     }

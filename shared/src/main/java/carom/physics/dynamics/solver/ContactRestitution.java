@@ -211,7 +211,7 @@ final class ContactRestitution {
     while (more && round + 1 - firstRound < MOST_ROUNDS) {
       round++;
       Arrays.fill(found, false);
-      blocks.addColours(phases, solving);
+      blocks.addColours(phases, solving, true);
       phases.run();
       more = false;
       for (boolean any : found) {

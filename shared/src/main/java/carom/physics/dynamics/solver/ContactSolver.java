@@ -10,6 +10,8 @@ import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
+import carom.physics.dynamics.jointtree.JointTrees;
+import carom.physics.dynamics.jointtree.TreeResponse;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.settings.Settings;
@@ -150,6 +152,7 @@ public final class ContactSolver {
   private final DomainPhases.Phase biasing;
   private final DomainPhases.Phase relaxing;
 
+  private final TreeContacts treeContacts;
   private SolverBodies solverBodies;
 
   /** {@link SolverBodies#state}. */
@@ -190,6 +193,7 @@ public final class ContactSolver {
     biasing = blocks.phase(this::biasBlocks);
     relaxing = blocks.phase(this::relaxBlocks);
     scalar = new ScalarContacts(this, blocks);
+    treeContacts = new TreeContacts(this, blocks, scalar);
     packer = new ContactPacker(blocks, scalar, lanes);
     restitution = new ContactRestitution(blocks, scalar, parallel);
   }
@@ -207,6 +211,7 @@ public final class ContactSolver {
       ContactTable contacts,
       BodyStore bodyStore,
       SolverBodies solverBodies,
+      JointTrees trees,
       Settings constants,
       float substep) {
     h = substep;
@@ -218,11 +223,20 @@ public final class ContactSolver {
     if (lanes != null && scratch.length != parallel.count()) {
       scratch = new float[parallel.count()][lanes.scratchSize()];
     }
-    blocks.build(contacts, bodyStore, solverBodies, lanes);
+    blocks.build(contacts, bodyStore, solverBodies, trees, lanes);
     this.solverBodies = solverBodies;
     v = solverBodies.state;
     scalar.begin(solverBodies);
     packer.begin(contacts, bodyStore, solverBodies, constants, substep);
+  }
+
+  /**
+   * Returns the contacts with bodies of trees, which have their stages among those of joints. The
+   * blocks must be packed.
+   */
+  public TreeContacts ofTrees(ContactTable contacts, TreeResponse response) {
+    treeContacts.begin(contacts, response, solverBodies);
+    return treeContacts;
   }
 
   /** Adds the phase that fills the blocks. */
@@ -250,7 +264,7 @@ public final class ContactSolver {
    * substeps.
    */
   public void warmStart(DomainPhases phases) {
-    blocks.addColours(phases, warming);
+    blocks.addColours(phases, warming, false);
   }
 
   private void warmBlocks(int from, int to, int worker) {
@@ -267,7 +281,7 @@ public final class ContactSolver {
 
   /** Adds the phases that visit each contact once, with its spring. */
   public void applyBiasedImpulses(DomainPhases phases) {
-    blocks.addColours(phases, biasing);
+    blocks.addColours(phases, biasing, false);
   }
 
   private void biasBlocks(int from, int to, int worker) {
@@ -284,7 +298,7 @@ public final class ContactSolver {
 
   /** Adds the phases that visit each contact once, rigid. */
   public void relax(DomainPhases phases) {
-    blocks.addColours(phases, relaxing);
+    blocks.addColours(phases, relaxing, false);
   }
 
   private void relaxBlocks(int from, int to, int worker) {

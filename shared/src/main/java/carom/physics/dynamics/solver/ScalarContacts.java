@@ -267,7 +267,7 @@ final class ScalarContacts {
   }
 
   /** Returns the speed at which a gap may close in the next substep, m/s. */
-  private float closing(int block, int i, int point, float gap) {
+  float closing(int block, int i, int point, float gap) {
     float bias = gap > 0 ? gap * solver.inverseH : 0;
     return solver.isFree(block, i) ? freeBias(block * LANES + i, point, bias, true) : bias;
   }
@@ -288,7 +288,7 @@ final class ScalarContacts {
     return bias < 0 && speed > solver.threshold ? 0 : bias;
   }
 
-  private void addToTotals(int p) {
+  void addToTotals(int p) {
     blocks.data[p + TOTAL_NORMAL] += blocks.data[p + NORMAL_IMPULSE];
     blocks.data[p + TOTAL_TANGENT] += blocks.data[p + TANGENT_IMPULSE];
   }
@@ -324,7 +324,7 @@ final class ScalarContacts {
   }
 
   /** Returns the speed at which a gap may close, or overlap is pushed apart (negative), m/s. */
-  private float bias(int block, int i, int point, float gap, float rate) {
+  float bias(int block, int i, int point, float gap, float rate) {
     if (gap > 0) {
       return gap * solver.inverseH;
     }
