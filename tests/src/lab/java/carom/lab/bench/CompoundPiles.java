@@ -21,12 +21,12 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Tells at which step piles of 1,500 compounds sleep: the 26 piles of {@code docs/lab/compounds.md}.
- * Arguments: the most steps, then the names of piles (all if there are none). With {@code scenes
- * FOLDER} it instead writes them for programs that measure other engines.
+ * Tells at which step piles of 1,500 compounds sleep: the 26 piles of {@code
+ * docs/lab/compounds.md}. Arguments: the most steps, then the names of piles (all if there are
+ * none). With {@code scenes FOLDER} it instead writes them for programs that measure other engines.
  *
- * <p>A name is a letter for the shapes, a seed, and {@code w} (wide: 40 columns in a bin of 36 m) or
- * {@code h} (high: 12 columns in a bin of 14.4 m).
+ * <p>A name is a letter for the shapes, a seed, and {@code w} (wide: 40 columns in a bin of 36 m)
+ * or {@code h} (high: 12 columns in a bin of 14.4 m).
  */
 public final class CompoundPiles {
   private static final int BODIES = 1500;
