@@ -3,6 +3,8 @@
 //! Arguments: the scene's name, the file that describes it, and the file to which the poses at the
 //! end are written. `SceneFile` in `carom.lab.bench` tells the format of both files, and
 //! docs/BENCHMARKS.md how entrants take turns.
+//!
+//! `box2d-v3 sleep STEPS SCENE...` instead prints the step at which all bodies of each scene sleep.
 
 use boxdd_sys::ffi::*;
 use std::fmt::Write as _;
@@ -144,6 +146,10 @@ impl World {
         unsafe { b2World_Step(self.id, scene.seconds, SUBSTEPS) }
     }
 
+    fn awake(&self) -> i32 {
+        unsafe { b2World_GetAwakeBodyCount(self.id) }
+    }
+
     fn poses(&self) -> String {
         let mut text = String::new();
         for &body in &self.bodies {
@@ -189,8 +195,27 @@ fn median_and_p99(times: &mut [f64]) -> (f64, f64) {
     (times[times.len() / 2] * 1e3, times[p99] * 1e3)
 }
 
+/// Prints when all bodies of scenes sleep, or how many are awake at the last step.
+fn tell_sleep(steps: &str, files: &[String]) {
+    for file in files {
+        let scene = Scene::read(file, file);
+        let world = World::of(&scene);
+        let asleep = (1..=number(steps) as usize).find(|_| {
+            world.step(&scene);
+            world.awake() == 0
+        });
+        match asleep {
+            Some(step) => println!("{file}: asleep at step {step}"),
+            None => println!("{file}: {} of {} awake", world.awake(), world.dynamic),
+        }
+    }
+}
+
 fn main() {
     let args: Vec<String> = std::env::args().collect();
+    if args.len() > 3 && args[1] == "sleep" {
+        return tell_sleep(&args[2], &args[3..]);
+    }
     let [_, name, file, poses] = &args[..] else {
         eprintln!("Error: only scenes can be measured: box2d-v3 NAME SCENE POSES");
         std::process::exit(2);

@@ -34,19 +34,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE eba591e495a19ff be622c0a28dd9a29
+      PILE 12d01ee750f8ea0 d0adc9b7a407e37e
       GAS 7359ccc56fe4acd5 a1414a47a096a0d
       SPIN 208a768a70ba8053 438b0b9e40e3fd4
       NET b4b495a92dedba4e 11
-      JOINTS cc4e86874b1f57b0 edc7000714dfd72a
+      JOINTS c0823ab7994dddd9 ce756271260afe50
       BELTS adb5a27bede8c9aa b98c309a7312afe6
-      CHAINS 5b38e96f61708da2 4f6b3660b99502f6
-      ROUND eae9446e3a0da2a8 c49832be1fdb2414
-      BULLETS 2182e6f1aaed22d8 68e6bbc49faaef77
-      SLEEPERS aeca3c549a07233b de5ad840695fdd76
-      EDITS d59b37c83f137bf1 76a5dfdca934294
-      WATER aaab0ae620d3a85b 79aa784c94a628b0
-      EULER e1d7d988f9f76633 24bd38ea359d2295
+      CHAINS d1ac66e67fc7f6c7 26ed0f334dede391
+      ROUND bf81b1e6dcc30e94 d6990e2dabce0cf2
+      BULLETS 8e8fd15293859694 68e6bbc49faaef77
+      SLEEPERS 4cefbd475ee9e03b 84aa896b5bd76d38
+      EDITS 9279a89a66209c02 43c47945ca9db180
+      WATER 4a58ea13ee4aa28d af4cef96cffad2f
+      EULER 23b0a54f466c1e32 5c58bb61d783b7c9
       """;
 
   @Test

@@ -114,32 +114,27 @@ public final class ContactTable extends ContactColumns {
     int oldId1 = id[2 * row + 1];
     points[row] = (byte) n;
     // What isn't there is zero, for the hash.
-    id[2 * row] = 0;
-    id[2 * row + 1] = 0;
-    c[at + NORMAL0] = 0;
-    c[at + TANGENT0] = 0;
-    c[at + NORMAL1] = 0;
-    c[at + TANGENT1] = 0;
-    if (n > 0) {
-      id[2 * row] = m.id0;
-      if (oldPoints > 0 && oldId0 == m.id0) {
-        c[at + NORMAL0] = oldNormal0;
-        c[at + TANGENT0] = oldTangent0;
-      } else if (oldPoints > 1 && oldId1 == m.id0) {
-        c[at + NORMAL0] = oldNormal1;
-        c[at + TANGENT0] = oldTangent1;
-      }
-    }
-    if (n > 1) {
-      id[2 * row + 1] = m.id1;
-      if (oldPoints > 1 && oldId1 == m.id1) {
-        c[at + NORMAL1] = oldNormal1;
-        c[at + TANGENT1] = oldTangent1;
-      } else if (oldPoints > 0 && oldId0 == m.id1) {
-        c[at + NORMAL1] = oldNormal0;
-        c[at + TANGENT1] = oldTangent0;
-      }
-    }
+    id[2 * row] = n > 0 ? m.id0 : 0;
+    id[2 * row + 1] = n > 1 ? m.id1 : 0;
+    boolean corner = n == 1 && oldPoints == 1 && shareCorner(oldId0, m.id0);
+    boolean first = corner || (n > 0 && oldPoints > 0 && oldId0 == m.id0);
+    boolean second = n > 0 && oldPoints > 1 && oldId1 == m.id0;
+    c[at + NORMAL0] = first ? oldNormal0 : second ? oldNormal1 : 0;
+    c[at + TANGENT0] = first ? oldTangent0 : second ? oldTangent1 : 0;
+    first = n > 1 && oldPoints > 0 && oldId0 == m.id1;
+    second = n > 1 && oldPoints > 1 && oldId1 == m.id1;
+    c[at + NORMAL1] = second ? oldNormal1 : first ? oldNormal0 : 0;
+    c[at + TANGENT1] = second ? oldTangent1 : first ? oldTangent0 : 0;
+  }
+
+  /**
+   * Returns whether two single points are at the same corner of A, or of B. A corner that stands on
+   * a face at 45 degrees is paired with one or the other end of that face, as rounding has it. If
+   * it lost its load then, all that rests on it would drop for a step.
+   */
+  private static boolean shareCorner(int oldId, int newId) {
+    int different = oldId ^ newId;
+    return (different & 0xff) == 0 || different >>> 8 == 0;
   }
 
   /** Leaves a row as it is for a step. */
