@@ -26,6 +26,7 @@ keep() {
     mv "lib/$1.jsa.new" "lib/$1.jsa" && cp "$java/release" "lib/$1.release"
 }
 
+: >"$work/out" # it may be read before the program begins
 collect carom-server --tcp-port=0 --udp-port=0 --web-port=0 --log-level=off --data="$work" >"$work/out" 2>&1 &
 server=$!
 tries=0

@@ -159,7 +159,8 @@ public final class CompoundPiles {
     SimRandom rng = new SimRandom(seed);
     for (int k = 0; k < BODIES; k++) {
       double x = (k % columns - (columns - 1) / 2.0) * PITCH + in(rng, -0.1, 0.1);
-      double y = 1 + PITCH * (k / columns) + in(rng, -0.1, 0.1);
+      int row = k / columns;
+      double y = 1 + PITCH * row + in(rng, -0.1, 0.1);
       double angle = in(rng, -Math.PI, Math.PI);
       s.body(
           new BodyDef(BodyType.DYNAMIC)

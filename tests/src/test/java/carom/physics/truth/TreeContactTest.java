@@ -35,6 +35,16 @@ final class TreeContactTest {
     assertTrue(r.overlap <= .1, scene.what + ": " + r);
   }
 
+  /** The same, wherever the edge is under a link: one place could be a lucky one. */
+  @Test
+  void noEdgeMakesEnergy() {
+    for (int i = -40; i <= 40; i++) {
+      double edge = 6 + i * .0123;
+      TreeScenes.Result r = TreeScenes.runEdgeAt(edge, 600);
+      assertTrue(r.gained <= .005 * r.dropped && r.gap <= .25, "edge=" + edge + ": " + r);
+    }
+  }
+
   /** What stands on small welded pieces neither jumps nor trembles, nor bends. */
   @ParameterizedTest
   @EnumSource(names = {"DUMBBELL", "DUMBBELL_FLAT"})

@@ -320,6 +320,13 @@ enum TreeScenes {
     return measure(w, ticks);
   }
 
+  /** Runs {@link #EDGE} with the edge in another place, metres from the chain's beginning. */
+  static Result runEdgeAt(double edge, int ticks) {
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
+    edge(w, Link.HINGE, 16, 1000, edge);
+    return measure(w, ticks);
+  }
+
   private static Result measure(World<String> w, int ticks) {
     Result r = new Result();
     List<Body<String>> all = new ArrayList<>();

@@ -56,10 +56,10 @@ import carom.physics.dynamics.solverbody.SolverBodies;
  */
 public final class TreeContacts {
   /**
-   * Visits of each contact per stage. A chain of 16 links with 1,000 kg that lies over an edge
-   * gains 8 % of its drop with one, nothing with four.
+   * Visits of each contact per stage. A chain of 16 links with 1,000 kg that lies over an edge, in
+   * 81 places, gains up to 2.4 % of its drop with four, nothing with ten.
    */
-  private static final int SWEEPS = 4;
+  private static final int SWEEPS = 10;
 
   /**
    * Part of the pieces' own inverse masses that a response has at least. A point under a hinge
