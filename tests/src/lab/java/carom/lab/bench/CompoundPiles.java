@@ -6,13 +6,13 @@ import carom.physics.BodyType;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Box;
-import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;
 import carom.physics.geometry.Shape;
 import carom.sim.random.SimRandom;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneWorld;
 import carom.sim.scene.View;
+import carom.sim.scene.catalog.BenchmarkScenes;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -41,20 +41,6 @@ public final class CompoundPiles {
           ("C1w C2w C3w C4w C5w C6w X1w X2w T1w T2w E1w E2w M1w M2w "
                   + "C1h C2h X1h X2h X3h X4h T1h T2h E1h E2h M1h M2h")
               .split(" "));
-
-  /** The bowl, the girder and the dumbbell of the scene {@code pile_compounds}. */
-  private static final List<Shape> SCENE =
-      List.of(
-          Compound.of(
-              new Box(0.25f, 0.08f, 0, -0.15f),
-              new Box(0.08f, 0.15f, -0.17f, 0.08f),
-              new Box(0.08f, 0.15f, 0.17f, 0.08f)),
-          Compound.of(
-              new Box(0.25f, 0.07f, 0, 0.18f),
-              new Box(0.07f, 0.11f),
-              new Box(0.25f, 0.07f, 0, -0.18f)),
-          Compound.of(
-              new Box(0.2f, 0.06f), new Circle(0.13f, -0.2f, 0), new Circle(0.13f, 0.2f, 0)));
 
   private static final Shape PLUS =
       Compound.of(new Box(0.3f, 0.06f), new Box(0.06f, 0.3f), new Box(0.12f, 0.12f));
@@ -137,7 +123,7 @@ public final class CompoundPiles {
   private static List<Shape> shapes(char letter) {
     switch (letter) {
       case 'C':
-        return SCENE;
+        return BenchmarkScenes.COMPOUNDS;
       case 'X':
         return List.of(PLUS);
       case 'T':
@@ -145,7 +131,9 @@ public final class CompoundPiles {
       case 'E':
         return List.of(CLAMP);
       case 'M':
-        return List.of(SCENE.get(0), SCENE.get(1), SCENE.get(2), PLUS, TEE, CLAMP);
+        List<Shape> all = new ArrayList<>(BenchmarkScenes.COMPOUNDS);
+        all.addAll(List.of(PLUS, TEE, CLAMP));
+        return all;
       default:
         throw new IllegalArgumentException("shapes=" + letter + " must be C, X, T, E or M");
     }

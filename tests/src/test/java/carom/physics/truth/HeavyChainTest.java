@@ -17,7 +17,6 @@ import carom.physics.WorldDef;
 import carom.physics.WorldState;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
-import carom.physics.threads.WorkerThreads;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -305,26 +304,7 @@ final class HeavyChainTest {
   void aTreeGoesOnToTheBitAfterRestoreAndWithThreads(Link link) {
     World<String> one = mobile(new WorldDef(), link, 600);
     World<String> two = mobile(new WorldDef(), link, 600);
-    try (WorkerThreads threads = new WorkerThreads(2)) {
-      two.workers(threads);
-      WorldState saved = null;
-      long[] hashes = new long[300];
-      for (int i = 0; i < 300; i++) {
-        if (i == 100) {
-          saved = one.save(null);
-        }
-        one.step(DT);
-        two.step(DT);
-        hashes[i] = one.stateHash();
-        assertEquals(hashes[i], two.stateHash(), "tick " + i);
-      }
-      one.restore(saved);
-      for (int i = 100; i < 300; i++) {
-        one.step(DT);
-        assertEquals(hashes[i], one.stateHash(), "tick " + i + " after restore");
-      }
-      two.workers(null);
-    }
+    Lab.assertGoesOnToTheBit(one, two, 100, 300);
   }
 
   /** Returns by how much the worst joint fails: gap or error of length, m, or of an angle, rad. */

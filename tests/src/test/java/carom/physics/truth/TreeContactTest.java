@@ -1,6 +1,5 @@
 package carom.physics.truth;
 
-import static carom.physics.truth.Lab.DT;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,10 +10,8 @@ import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.World;
 import carom.physics.WorldDef;
-import carom.physics.WorldState;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
-import carom.physics.threads.WorkerThreads;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -118,25 +115,6 @@ final class TreeContactTest {
         w.createBody(ball.position(i % 40 - 10, 4 + i / 40), "ball");
       }
     }
-    try (WorkerThreads threads = new WorkerThreads(2)) {
-      two.workers(threads);
-      WorldState saved = null;
-      long[] hashes = new long[150];
-      for (int i = 0; i < 150; i++) {
-        if (i == 80) {
-          saved = one.save(null);
-        }
-        one.step(DT);
-        two.step(DT);
-        hashes[i] = one.stateHash();
-        assertEquals(hashes[i], two.stateHash(), "tick " + i);
-      }
-      one.restore(saved);
-      for (int i = 80; i < 150; i++) {
-        one.step(DT);
-        assertEquals(hashes[i], one.stateHash(), "tick " + i + " after restore");
-      }
-      two.workers(null);
-    }
+    Lab.assertGoesOnToTheBit(one, two, 80, 150);
   }
 }

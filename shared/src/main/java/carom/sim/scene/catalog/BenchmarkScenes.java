@@ -52,8 +52,8 @@ public final class BenchmarkScenes {
           Polygon.regular(8, 0.3f),
           Polygon.regular(5, 0.3f));
 
-  /** A bowl, a girder and a dumbbell, of three parts each. */
-  private static final List<Shape> COMPOUNDS =
+  /** A bowl, a girder and a dumbbell, of three parts each, as {@code pile_compounds} has them. */
+  public static final List<Shape> COMPOUNDS =
       List.of(
           Compound.of(
               new Box(0.25f, 0.08f, 0, -0.15f),
