@@ -34,19 +34,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE 12d01ee750f8ea0 d0adc9b7a407e37e
+      PILE fa0c085764851ae2 daa1a3d873740058
       GAS 7359ccc56fe4acd5 a1414a47a096a0d
       SPIN 208a768a70ba8053 438b0b9e40e3fd4
       NET b4b495a92dedba4e 11
-      JOINTS c0823ab7994dddd9 ce756271260afe50
+      JOINTS 664046a8524e19d0 b1a96391ed5a9dc6
       BELTS adb5a27bede8c9aa b98c309a7312afe6
       CHAINS d1ac66e67fc7f6c7 26ed0f334dede391
-      ROUND bf81b1e6dcc30e94 d6990e2dabce0cf2
-      BULLETS 8e8fd15293859694 68e6bbc49faaef77
-      SLEEPERS 4cefbd475ee9e03b 84aa896b5bd76d38
-      EDITS 9279a89a66209c02 43c47945ca9db180
-      WATER 4a58ea13ee4aa28d af4cef96cffad2f
-      EULER 23b0a54f466c1e32 5c58bb61d783b7c9
+      ROUND 3f8f34f6623afdae 8142defb3eb57d3e
+      BULLETS 2182e6f1aaed22d8 68e6bbc49faaef77
+      SLEEPERS 412fcab128ce83d5 a6853a6e6b36a40f
+      EDITS e8aeb57706566843 679543165ede23d8
+      WATER 75c95b8c2cffcec6 ef6e346a798106b4
+      EULER c7bcc7efce68e40e b865c59d8d3f2770
       """;
 
   @Test

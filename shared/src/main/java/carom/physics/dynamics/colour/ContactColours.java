@@ -114,7 +114,8 @@ public final class ContactColours {
         other = swap;
       }
       int at = active.index[mover];
-      if (anyTrees && (trees.numberOf(mover) >= 0 || trees.numberOf(other) >= 0)) {
+      if (anyTrees
+          && (trees.answersWhole(mover, other, b) || trees.answersWhole(other, mover, b))) {
         c = b.invMass[other] == 0 ? TREES + 1 : TREES;
       } else if (b.invMass[other] == 0) {
         c = Math.min(Long.numberOfTrailingZeros(~takenFixed[at]), LAST_COLOUR);

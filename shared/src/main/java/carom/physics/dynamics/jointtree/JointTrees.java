@@ -81,6 +81,11 @@ public final class JointTrees {
   /** Per slot of a body that stands for a component: whether it has a cycle. */
   private boolean[] cyclic = new boolean[0];
 
+  /**
+   * Per slot of a body: whether its tree has a body of {@link #LEAST_LOAD} times another's mass.
+   */
+  private boolean[] uneven = new boolean[0];
+
   /** Per slot of a body: its number in the trees, -1 without. */
   private int[] number = new int[0];
 
@@ -124,6 +129,20 @@ public final class JointTrees {
     }
     int at = number[bodySlot];
     return at >= 0 && at < bodyStart[count] && body[at] == bodySlot ? at : -1;
+  }
+
+  /**
+   * Returns whether a contact has to feel the whole tree of its first body: heavy bodies hang on
+   * it, or the second body is so heavy. Elsewhere a piece answers nearly as it does alone, which a
+   * client that predicts a part of the tree computes alike.
+   *
+   * @param otherSlot the body that it touches, which may be none that can be moved
+   */
+  public boolean answersWhole(int bodySlot, int otherSlot, BodyStore b) {
+    return numberOf(bodySlot) >= 0
+        && (uneven[bodySlot]
+            || (b.invMass[otherSlot] > 0
+                && b.invMass[bodySlot] >= LEAST_LOAD * b.invMass[otherSlot]));
   }
 
   /** Returns a number that is another one when there are other trees; 0 for none. */
@@ -185,6 +204,7 @@ public final class JointTrees {
       seen = Arrays.copyOf(seen, capacity);
       held = new int[capacity];
       cyclic = new boolean[capacity];
+      uneven = new boolean[capacity];
       number = new int[capacity];
     }
     if (found.length < jointSlots) {
@@ -318,8 +338,21 @@ public final class JointTrees {
       closed = Arrays.copyOf(closed, 2 * count + 1);
     }
     closed[count - 1] = held[component] > 1;
+    noteEvenness(firstBody, bodyCount);
     start[count] = size;
     bodyStart[count] = bodyCount;
+  }
+
+  private void noteEvenness(int from, int to) {
+    float least = Float.POSITIVE_INFINITY;
+    float most = 0;
+    for (int i = from; i < to; i++) {
+      least = Math.min(least, bodies.invMass[body[i]]);
+      most = Math.max(most, bodies.invMass[body[i]]);
+    }
+    for (int i = from; i < to; i++) {
+      uneven[body[i]] = most >= LEAST_LOAD * least;
+    }
   }
 
   private int addBody(int bodySlot) {
