@@ -34,19 +34,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE fa0c085764851ae2 daa1a3d873740058
+      PILE eba591e495a19ff be622c0a28dd9a29
       GAS 7359ccc56fe4acd5 a1414a47a096a0d
       SPIN 208a768a70ba8053 438b0b9e40e3fd4
       NET b4b495a92dedba4e 11
-      JOINTS 664046a8524e19d0 b1a96391ed5a9dc6
+      JOINTS cc4e86874b1f57b0 edc7000714dfd72a
       BELTS adb5a27bede8c9aa b98c309a7312afe6
-      CHAINS d1ac66e67fc7f6c7 26ed0f334dede391
-      ROUND 3f8f34f6623afdae 8142defb3eb57d3e
+      CHAINS 5b38e96f61708da2 4f6b3660b99502f6
+      ROUND eae9446e3a0da2a8 c49832be1fdb2414
       BULLETS 2182e6f1aaed22d8 68e6bbc49faaef77
-      SLEEPERS 412fcab128ce83d5 a6853a6e6b36a40f
-      EDITS e8aeb57706566843 679543165ede23d8
-      WATER 75c95b8c2cffcec6 ef6e346a798106b4
-      EULER c7bcc7efce68e40e b865c59d8d3f2770
+      SLEEPERS aeca3c549a07233b de5ad840695fdd76
+      EDITS d59b37c83f137bf1 76a5dfdca934294
+      WATER aaab0ae620d3a85b 79aa784c94a628b0
+      EULER e1d7d988f9f76633 24bd38ea359d2295
       """;
 
   @Test

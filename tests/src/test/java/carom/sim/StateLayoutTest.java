@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 
 import carom.fixtures.PlainGame;
 import carom.physics.Material;
-import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
@@ -26,7 +25,6 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -139,11 +137,6 @@ final class StateLayoutTest {
     assertEquals("Zoë", s.participant(1).name());
     assertEquals(4, s.participant(1).get(AMMO));
     assertEquals(0.25f, s.participant(0).body().get(FUEL), 0.01f);
-    byte[] now = bytes(s);
-    int first = Arrays.mismatch(past, now);
-    if (first >= 0 && past[first] < now[first] && now[first] == World.PHYSICS_VERSION) {
-      past[first] = now[first]; // the number of the arithmetic, which is no part of the layout
-    }
-    assertArrayEquals(past, now, "the layout of states has changed: see this class");
+    assertArrayEquals(past, bytes(s), "the layout of states has changed: see this class");
   }
 }

@@ -19,12 +19,6 @@ import java.util.Arrays;
  * <p>One thread at a time, except that workers may update different rows side by side.
  */
 public final class ContactTable extends ContactColumns {
-  /** Sum of the ways along x and y by which a point that is the same moves in a step at most, m. */
-  private static final float SAME_PLACE = 0.02f;
-
-  /** Cosine of the angle by which the normal of a point that is the same turns at most. */
-  private static final float SAME_WAY = 0.95f;
-
   private final RowOrder order = new RowOrder(this);
   private final ContactHash hash = new ContactHash();
 
@@ -116,8 +110,7 @@ public final class ContactTable extends ContactColumns {
     float oldTangent0 = c[at + TANGENT0];
     float oldNormal1 = c[at + NORMAL1];
     float oldTangent1 = c[at + TANGENT1];
-    boolean corner = n == 1 && oldPoints == 1 && isSameCorner(row, m);
-    boolean first = corner || (n > 0 && oldPoints > 0 && id[2 * row] == m.id0);
+    boolean first = n > 0 && oldPoints > 0 && id[2 * row] == m.id0;
     boolean second = n > 0 && oldPoints > 1 && id[2 * row + 1] == m.id0;
     c[at + NORMAL0] = first ? oldNormal0 : second ? oldNormal1 : 0;
     c[at + TANGENT0] = first ? oldTangent0 : second ? oldTangent1 : 0;
@@ -129,18 +122,6 @@ public final class ContactTable extends ContactColumns {
     // What isn't there is zero, for the hash.
     id[2 * row] = n > 0 ? m.id0 : 0;
     id[2 * row + 1] = n > 1 ? m.id1 : 0;
-  }
-
-  /**
-   * Returns whether a single point is that of the step before: a corner in the same place that
-   * pushes the same way. At 45 degrees rounding pairs a corner with one end of the face or the
-   * other. If it lost its load then, all that rests on it would drop.
-   */
-  private boolean isSameCorner(int row, Manifold m) {
-    int different = id[2 * row] ^ m.id0;
-    return ((different & 0xff) == 0 || different >>> 8 == 0)
-        && Math.abs(pointX(row, 0) - m.x0) + Math.abs(pointY(row, 0) - m.y0) < SAME_PLACE
-        && normalX(row) * m.normalX + normalY(row) * m.normalY > SAME_WAY;
   }
 
   /** Leaves a row as it is for a step. */
