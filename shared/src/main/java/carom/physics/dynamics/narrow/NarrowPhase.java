@@ -250,7 +250,7 @@ public final class NarrowPhase {
   }
 
   /**
-   * Has a kernel update the listed rows of boxes, whenever there are enough of them.
+   * Lets a kernel update the listed rows of boxes, whenever there are enough of them.
    *
    * @return how many of the rows that respond are left to do, listed in the scratch
    */

@@ -87,10 +87,10 @@ public final class TreeContacts {
   private SolverBodies bodies;
   private float[] v = new float[0];
 
-  /** Of body A of the contact that is visited: velocity and response, see {@link ResponseRow}. */
+  /** Velocity and response of body A of the visited contact, as {@link ResponseRow} has them. */
   private final double[] a = new double[9];
 
-  /** Of its body B. */
+  /** Velocity and response of its body B. */
   private final double[] b = new double[9];
 
   /** Least inverse effective mass of its rows, 1/kg. */
