@@ -6,6 +6,7 @@ import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.dynamics.domain.DomainPhases;
+import carom.physics.dynamics.jointtree.JointTrees;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.geometry.Box;
@@ -58,6 +59,7 @@ public class ContactSolverBenchmark {
   private final ActiveBodies active = new ActiveBodies();
   private final SolverBodies bodies = new SolverBodies(active, null, new ParallelFor());
   private final DomainPhases phases = new DomainPhases();
+  private final JointTrees noTrees = new JointTrees();
   private ContactSolver solver;
 
   /** Builds the pyramid and lets it settle. */
@@ -108,7 +110,7 @@ public class ContactSolverBenchmark {
   public void prepare() {
     float h = DT / settings.substeps();
     bodies.begin(world.bodies(), settings, h, world.contacts());
-    solver.prepare(world.contacts(), world.bodies(), bodies, settings, h);
+    solver.prepare(world.contacts(), world.bodies(), bodies, noTrees, settings, h);
     bodies.load(phases);
     solver.pack(phases);
     phases.run();
