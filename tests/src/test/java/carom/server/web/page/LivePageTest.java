@@ -225,8 +225,8 @@ final class LivePageTest {
         strangers.add(new Page(rig));
       }
       Page operator = new Page(rig);
-      operator.login(PageRig.TOKEN);
       assertFalse(operator.next("hello").fields.get("admin").truth);
+      operator.login(PageRig.TOKEN);
       assertTrue(operator.next("hello").fields.get("admin").truth);
       assertEquals(
           "too many pages are open", strangers.get(0).next("closed").fields.get("why").text);
