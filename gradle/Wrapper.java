@@ -1,3 +1,4 @@
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
@@ -12,17 +13,25 @@ import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Properties;
+import java.util.Set;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 
 /**
  * Runs the Gradle release that {@code gradle-wrapper.properties} names; the first run downloads and
- * checks it. It does for {@code gradlew.bat} what {@code gradlew} does by itself: {@code java
- * Wrapper.java ARGUMENTS}, from JDK 17 on.
+ * checks it. Where it can't be downloaded, the gradle on the PATH runs. It does for {@code
+ * gradlew.bat} what {@code gradlew} does by itself: {@code java Wrapper.java ARGUMENTS}, from JDK
+ * 17 on.
  */
 final class Wrapper {
-  private static final int TIMEOUT_MS = 10_000;
+  private static final int CONNECT_TIMEOUT_MS = 5_000;
+  private static final int READ_TIMEOUT_MS = 10_000;
+  private static final boolean WINDOWS = System.getProperty("os.name").startsWith("Windows");
+
+  /** Tasks that only start a program. Warnings of an old Gradle would hide what it says. */
+  private static final Set<String> PROGRAMS =
+      Set.of("run", "play", "bots", "replay", "render", "bench", "figures");
 
   private Wrapper() {}
 
@@ -38,26 +47,60 @@ final class Wrapper {
     String release = archive.substring(0, archive.lastIndexOf('-'));
     Path dists =
         home().resolve("wrapper").resolve("dists").resolve(archive.replaceFirst("[.]zip$", ""));
-    boolean windows = System.getProperty("os.name").startsWith("Windows");
     Path bin = dists.resolve("checked").resolve(release).resolve("bin");
-    Path gradle = bin.resolve(windows ? "gradle.bat" : "gradle");
+    Path gradle = bin.resolve(WINDOWS ? "gradle.bat" : "gradle");
+    List<String> flags = new ArrayList<>();
     try {
       if (!Files.exists(gradle)) {
         install(url, pinned.getProperty("distributionSha256Sum"), dists);
       }
     } catch (Failure told) {
       System.exit(1);
+    } catch (IOException e) {
+      gradle = onPath(release, url, e);
+      flags.add("--no-daemon"); // an old one gives programs the environment it was started in
+      if (Stream.of(args).anyMatch(PROGRAMS::contains)) {
+        flags.add("-q");
+      }
     }
     List<String> command = new ArrayList<>();
-    if (windows) {
-      command.addAll(List.of("cmd", "/c"));
+    if (WINDOWS) {
+      // Without "call", cmd drops the first and the last quote of a line that begins with one.
+      command.addAll(List.of("cmd", "/c", "call"));
     }
     command.add(gradle.toString());
+    command.addAll(flags);
     if (System.console() != null) {
       command.add("-Pterminal"); // the server greets a newcomer on a terminal
     }
     command.addAll(List.of(args));
     System.exit(new ProcessBuilder(command).inheritIO().start().waitFor());
+  }
+
+  /** Returns the gradle on the PATH, and says so in one line; ends the program if none is there. */
+  private static Path onPath(String release, URL url, IOException cause) {
+    List<String> names =
+        WINDOWS ? List.of("gradle.exe", "gradle.bat", "gradle.cmd") : List.of("gradle");
+    String folders = System.getenv().getOrDefault("PATH", "");
+    for (String folder : folders.replace("\"", "").split(File.pathSeparator)) {
+      for (String name : names) {
+        File file = new File(folder, name);
+        if (!folder.isEmpty() && file.isFile() && file.canExecute()) {
+          System.err.printf(
+              "gradlew: can't download %s, so this runs the gradle on the PATH; its first run takes"
+                  + " a minute or two%n",
+              release);
+          return file.toPath();
+        }
+      }
+    }
+    System.err.printf("gradlew: can't download %s (%s),%n", url, cause);
+    System.err.println("gradlew: and there is no gradle on the PATH. Let this machine reach that");
+    System.err.println(
+        "gradlew: address, or install Gradle 4.4 to 9 and put its folder bin on the");
+    System.err.println("gradlew: PATH, and run the same command again.");
+    System.exit(1);
+    throw new AssertionError();
   }
 
   private static Path home() {
@@ -67,18 +110,16 @@ final class Wrapper {
 
   /** Installs a release in a folder of its own, so that an interrupted run leaves nothing half. */
   private static void install(URL url, String sum, Path dists) throws IOException {
-    System.err.println("gradlew: downloading " + url);
     Files.createDirectories(dists);
     Path folder = Files.createTempDirectory(dists, "new.");
     try {
       Path zip = folder.resolve("gradle.zip");
       var connection = url.openConnection();
-      connection.setConnectTimeout(TIMEOUT_MS);
-      connection.setReadTimeout(TIMEOUT_MS);
+      connection.setConnectTimeout(CONNECT_TIMEOUT_MS);
+      connection.setReadTimeout(READ_TIMEOUT_MS);
       try (InputStream in = connection.getInputStream()) {
+        System.err.println("gradlew: downloading " + url);
         Files.copy(in, zip);
-      } catch (IOException e) {
-        throw failure("can't download " + url + " (" + e + "). Is this machine offline?");
       }
       String given = sha256(zip);
       if (!given.equals(sum)) {

@@ -39,6 +39,7 @@ final class GradlewTest {
   @TempDir private Path folder;
   private HttpServer web;
   private byte[] release;
+  private String path;
 
   @BeforeEach
   void layOut() throws Exception {
@@ -49,6 +50,7 @@ final class GradlewTest {
       zip.write("#!/bin/sh\necho called with \"$@\"\nexit 7\n".getBytes(StandardCharsets.UTF_8));
     }
     release = bytes.toByteArray();
+    path = folder.resolve("bin") + File.pathSeparator + System.getenv("PATH");
     web = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
     web.createContext(
         "/gradle-9.9-bin.zip",
@@ -88,7 +90,7 @@ final class GradlewTest {
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
     builder.environment().put("HOME", folder.resolve("home").toString());
     builder.environment().put("GRADLE_USER_HOME", folder.resolve("home/.gradle").toString());
-    builder.environment().merge("PATH", folder + "/bin:", (path, own) -> own + path);
+    builder.environment().put("PATH", path);
     Process process = builder.redirectErrorStream(true).redirectOutput(output.toFile()).start();
     assertTrue(process.waitFor(60, TimeUnit.SECONDS));
     return new Ran(process.exitValue(), Files.readString(output));
@@ -161,10 +163,32 @@ final class GradlewTest {
     // No daemon, which would have another environment; no warnings before the program's words.
     assertTrue(ran.text.endsWith("old gradle --no-daemon -q play\n"), ran.text);
     assertTrue(script("test").text.endsWith("old gradle --no-daemon test\n"));
-    Ran windows = launcher("play");
-    assertEquals(1, windows.status, windows.text);
-    assertTrue(windows.text.contains("can't download http://127.0.0.1"), windows.text);
-    assertFalse(windows.text.contains("at Wrapper"), windows.text);
+    assertEquals(ran, launcher("play"), "the launcher for Windows does the same");
+    assertEquals(script("test", "-Pargs=a b"), launcher("test", "-Pargs=a b"));
+  }
+
+  @Test
+  void aHostThatRefusesIsLikeNoNetwork() throws Exception {
+    pin(sum());
+    web.removeContext("/gradle-9.9-bin.zip"); // 404
+    fakeGradle();
+    Ran ran = launcher("play");
+    assertEquals(script("play"), ran);
+    assertEquals(0, ran.status, ran.text);
+    assertTrue(ran.text.endsWith("old gradle --no-daemon -q play\n"), ran.text);
+  }
+
+  @Test
+  void theLauncherForWindowsSaysWhatToDoWhereNoGradleIs() throws Exception {
+    pin(sum());
+    web.stop(0);
+    path = folder.resolve("bin").toString();
+    Ran ran = launcher("play");
+    assertEquals(1, ran.status, ran.text);
+    assertTrue(ran.text.contains("can't download http://127.0.0.1"), ran.text);
+    assertTrue(ran.text.contains("ConnectException"), ran.text);
+    assertTrue(ran.text.contains("put its folder bin on the\ngradlew: PATH"), ran.text);
+    assertFalse(ran.text.contains("at Wrapper"), ran.text);
   }
 
   @Test
