@@ -1,6 +1,7 @@
 package carom.server;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -29,6 +30,7 @@ import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
+import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -112,7 +114,13 @@ final class BanTest {
     assertTrue(commands.run("ban Rob").text().contains("to ban a name in advance: ban name Rob"));
     String mistyped = commands.run("ban \"bob b\" 7x threats in chat").text();
     assertTrue(mistyped.startsWith("TIME=7x is none, so nobody is banned; give 30m"), mistyped);
+    for (String line : List.of("ban 10.0.0.0/99", "allow 10.0.0.0/99", "unban 300.1.2.3")) {
+      CommandRegistry.Answer refused = commands.run(line);
+      assertFalse(refused.ok(), line);
+      assertTrue(refused.text().contains(" is no address such as 203.0.113.7"), refused.text());
+    }
     assertEquals("nobody is banned", run("ban"));
+    assertTrue(run("allow").endsWith("the list is empty"));
     String answer = run("ban \"bob b\" 7d threats in chat");
     String expected = "banned name \"Bob B\" and address 127.0.0.1 of \"Bob B\" until 20";
     assertTrue(answer.startsWith(expected), answer);

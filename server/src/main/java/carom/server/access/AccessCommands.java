@@ -196,6 +196,11 @@ public final class AccessCommands {
       return new RoomFinder(rooms).player(words, 0).player();
     } catch (CommandException e) {
       String who = words.word(0, "PLAYER");
+      if (AddressRange.isMeant(who)) {
+        throw new CommandException(
+            AddressRange.problem(who)
+                + ", and no player of that name plays here; nobody is banned");
+      }
       String advice = RoomFinder.isId(who) ? "" : "; to ban a name in advance: ban name " + who;
       throw new CommandException(e.getMessage() + advice);
     }
@@ -261,6 +266,10 @@ public final class AccessCommands {
     }
     words.requireAtMost(1);
     Optional<AddressRange> range = AddressRange.parse(value);
+    if (range.isEmpty() && AddressRange.isMeant(value)) {
+      throw new CommandException(
+          AddressRange.problem(value) + "; if it is a player's name, write: name " + value);
+    }
     return new AccessEntry(range.orElse(null), range.isPresent() ? null : value, null, null, "");
   }
 

@@ -44,6 +44,11 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
       of = words.get(3);
       next = 4;
     }
+    boolean isOpen = line.chars().filter(c -> c == '"').count() % 2 == 1;
+    if (isOpen
+        && words.size() == next) { // the rest of the line, its end and reason, would be a name
+      throw new IllegalArgumentException("a quote is opened and never closed");
+    }
     if (words.size() > next && words.get(next).equals(UNTIL)) {
       String time = words.size() > next + 1 ? words.get(next + 1) : "";
       try {
@@ -64,10 +69,7 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
     }
     Optional<AddressRange> range = AddressRange.parse(value);
     return new AccessEntry(
-        range.orElseThrow(
-            () ->
-                new IllegalArgumentException(
-                    ADDRESS + "=" + value + " is no address such as 203.0.113.7 or 2001:db8::/48")),
+        range.orElseThrow(() -> new IllegalArgumentException(AddressRange.problem(value))),
         of,
         null,
         until,

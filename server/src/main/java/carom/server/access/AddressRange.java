@@ -12,6 +12,10 @@ final class AddressRange {
   private static final Pattern LITERAL =
       Pattern.compile("\\d{1,3}(\\.\\d{1,3}){3}|[0-9a-fA-F:.]*:[0-9a-fA-F:.]*");
 
+  /** Pattern of a text that is meant as an address, also of one with a mistake. */
+  private static final Pattern MEANT =
+      Pattern.compile("\\d+(\\.\\d*)+(/.*)?|[0-9a-fA-F]*(:[0-9a-fA-F.]*){2,}(/.*)?");
+
   /** Prefix of the network that one household has. */
   private static final int IPV6_HOUSEHOLD = 64;
 
@@ -47,6 +51,16 @@ final class AddressRange {
     } catch (NumberFormatException e) {
       return Optional.empty();
     }
+  }
+
+  /** Returns whether a text looks like an address or a network, be it one or not. */
+  static boolean isMeant(String text) {
+    return MEANT.matcher(text).matches();
+  }
+
+  /** Returns what is wrong with a text that is no address. */
+  static String problem(String text) {
+    return "address=" + text + " is no address such as 203.0.113.7 or 2001:db8::/48";
   }
 
   private static Optional<byte[]> bytes(String text) {

@@ -61,6 +61,30 @@ final class AccessEntryTest {
   }
 
   @Test
+  void aQuoteThatIsNeverClosedMakesNoNameOfTheRest() {
+    for (String line :
+        List.of(
+            "name \"Bob until 2026-12-01T00:00:00Z threats",
+            "account \"4711 cheats",
+            "address 203.0.113.7 of \"Bob until 2026-12-01T00:00:00Z")) {
+      Exception e = assertThrows(IllegalArgumentException.class, () -> AccessEntry.parse(line));
+      assertEquals("a quote is opened and never closed", e.getMessage(), line);
+    }
+    assertTrue(covers("name Bob a 5\" nail", "Bob", "x"), "a quote in the reason does no harm");
+  }
+
+  @Test
+  void aMistypedAddressIsKnownAsOne() {
+    for (String text :
+        List.of("300.1.2.3", "10.0.0.0/99", "1.2.3", "10.0.0.0/x", "2001:db8::/200")) {
+      assertTrue(AddressRange.isMeant(text) && AddressRange.parse(text).isEmpty(), text);
+    }
+    for (String name : List.of("Bob", "7", "v1.2", "a:b", ":)", "a/b", "Bob 1.2", "-.-")) {
+      assertFalse(AddressRange.isMeant(name), name);
+    }
+  }
+
+  @Test
   void linesAreWrittenAsTheyAreRead() {
     for (String line :
         List.of(
