@@ -14,6 +14,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
 import carom.server.session.SessionMemory;
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
@@ -152,7 +153,8 @@ final class ServerStart {
     } catch (FileAlreadyExistsException e) {
       throw flags.bad("--record=" + target + " is there already; name a new file or a folder");
     } catch (IOException e) {
-      throw new StartFailure("--record=" + target + " can't be written: " + e, e);
+      throw new StartFailure(
+          "--record=" + target + " can't be written: " + FileErrors.reason(e), e);
     } catch (IllegalArgumentException e) {
       throw flags.bad("--record-rotate: " + e.getMessage());
     }

@@ -1,6 +1,7 @@
 package carom.client.settings;
 
 import carom.sim.message.PlayerColour;
+import carom.text.FileErrors;
 import carom.text.Suggestion;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -226,7 +227,7 @@ public final class SettingsFile {
     } catch (NoSuchFileException e) {
       return settings; // nothing was set yet
     } catch (IOException e) {
-      problems.add(String.valueOf(e.getMessage()));
+      problems.add(FileErrors.reason(e));
     }
     if (!problems.isEmpty()) {
       problem = file + ": " + String.join("; ", problems) + ". " + keepAside();
@@ -262,7 +263,7 @@ public final class SettingsFile {
       Files.copy(file, aside, StandardCopyOption.REPLACE_EXISTING);
       return "The file is kept as " + aside.getFileName() + ".";
     } catch (IOException e) {
-      return "It can't be kept aside either (" + e + "), so nothing is saved.";
+      return "It can't be kept aside either (" + FileErrors.reason(e) + "), so nothing is saved.";
     }
   }
 
@@ -291,7 +292,7 @@ public final class SettingsFile {
       Files.writeString(written, text(changed));
       Files.move(written, file, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
-      problem = "The settings can't be saved: " + e;
+      problem = "The settings can't be saved: " + FileErrors.reason(e);
     }
   }
 

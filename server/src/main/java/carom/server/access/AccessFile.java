@@ -1,6 +1,7 @@
 package carom.server.access;
 
 import carom.server.config.DataFolder;
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -117,7 +118,7 @@ final class AccessFile {
   }
 
   private IOException unreadable(IOException cause) {
-    String why = cause.toString();
+    String why = FileErrors.reason(cause);
     if (cause instanceof AccessDeniedException) {
       why = "the user " + System.getProperty("user.name") + " has no permission";
     } else if (cause instanceof CharacterCodingException) {
@@ -174,7 +175,7 @@ final class AccessFile {
       throw new IOException(
           file
               + " can't be written ("
-              + e
+              + FileErrors.reason(e)
               + "), so nothing has changed; free the disk or let this user write it",
           e);
     }

@@ -3,6 +3,7 @@ package carom.server.checkpoint;
 import carom.replay.Block;
 import carom.replay.BlockSink;
 import carom.replay.BlockWriter;
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
@@ -150,7 +151,9 @@ final class SlotFile implements BlockSink {
     }
     try {
       task.run();
-    } catch (IOException | RuntimeException | Error e) {
+    } catch (IOException e) {
+      fail("can't write it: " + FileErrors.reason(e));
+    } catch (RuntimeException | Error e) {
       fail("can't write it: " + e);
     }
   }

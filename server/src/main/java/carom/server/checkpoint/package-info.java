@@ -5,7 +5,7 @@
  * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.net.snapshot.event}, {@code
  * carom.physics.archive}, {@code carom.replay}, {@code carom.server.config}, {@code
  * carom.server.match}, {@code carom.server.room.match}, {@code carom.server.session}, {@code
- * carom.sim}, the JDK.
+ * carom.sim}, {@code carom.text}, the JDK.
  *
  * <p>Read first: {@link carom.server.checkpoint.RoomCheckpoints}, {@link
  * carom.server.checkpoint.SlotFolder}, {@link carom.server.checkpoint.SavedRoom}.

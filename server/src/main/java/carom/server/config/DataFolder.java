@@ -3,6 +3,7 @@ package carom.server.config;
 import carom.net.kryo.server.ServerIdentity;
 import carom.net.seal.Encryption;
 import carom.net.seal.ServerKey;
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -136,7 +137,8 @@ public record DataFolder(Path root) {
     try {
       return Files.createDirectories(recordings());
     } catch (IOException e) {
-      throw new IOException(recordings() + " can't be created (" + e + "); name a file", e);
+      throw new IOException(
+          recordings() + " can't be created (" + FileErrors.reason(e) + "); name a file", e);
     }
   }
 
@@ -150,7 +152,12 @@ public record DataFolder(Path root) {
       Files.createDirectories(root);
     } catch (IOException e) {
       throw new IOException(
-          "data=" + root + " can't be created (" + e + "); name another folder with --data", e);
+          "data="
+              + root
+              + " can't be created ("
+              + FileErrors.reason(e)
+              + "); name another folder with --data",
+          e);
     }
     if (!Files.isWritable(root)) {
       throw new IOException(

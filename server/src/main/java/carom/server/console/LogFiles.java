@@ -3,6 +3,7 @@ package carom.server.console;
 import static java.nio.file.StandardOpenOption.APPEND;
 import static java.nio.file.StandardOpenOption.CREATE;
 
+import carom.text.FileErrors;
 import ch.qos.logback.classic.AsyncAppender;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.LoggerContext;
@@ -49,7 +50,7 @@ public final class LogFiles {
     } catch (IOException e) {
       throw new IOException(
           "the log %s can't be written (%s); make it writable, or set --log-keep=0"
-              .formatted(file, e),
+              .formatted(file, FileErrors.reason(e)),
           e);
     }
     AsyncAppender queue = new AsyncAppender();

@@ -1,5 +1,6 @@
 package carom.server.login;
 
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
@@ -69,12 +70,22 @@ public final class Secret {
     try {
       Files.createDirectories(file.toAbsolutePath().getParent());
       Files.createFile(file, isPosix(file) ? ownerOnly() : new FileAttribute<?>[0]);
-      Files.writeString(file, secret.text + "\n");
+      write(file, secret.text + "\n");
       return secret;
     } catch (FileAlreadyExistsException e) {
       return of(file); // another server was quicker
     } catch (IOException e) {
-      throw new IOException(file + " can't be written: " + e, e);
+      throw new IOException(file + " can't be written: " + FileErrors.reason(e), e);
+    }
+  }
+
+  /** Fills a new file. If the disk is full, no empty file stays that the next start would read. */
+  private static void write(Path file, String text) throws IOException {
+    try {
+      Files.writeString(file, text);
+    } catch (IOException e) {
+      Files.delete(file);
+      throw e;
     }
   }
 

@@ -4,7 +4,9 @@ import carom.replay.Block;
 import carom.replay.BlockSink;
 import carom.replay.BlockWriter;
 import carom.replay.Recorder;
+import carom.text.FileErrors;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -89,7 +91,7 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
       throw new IOException(
           "file=" + path + " can't be created: there is no folder " + path.getParent(), e);
     } catch (IOException e) {
-      throw new IOException("file=" + path + " can't be created: " + e, e);
+      throw new IOException("file=" + path + " can't be created: " + FileErrors.reason(e), e);
     }
   }
 
@@ -107,12 +109,24 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
   RecordingFile(Path path, long limit) throws IOException {
     this.path = path;
     this.limit = limit;
-    writer = new BlockWriter(Files.newOutputStream(path, StandardOpenOption.CREATE_NEW));
+    writer = open(path);
     for (int i = 0; i < QUEUE; i++) {
       spare.add(new Item());
     }
     thread = new Thread(this::run, "carom-recording");
     thread.start();
+  }
+
+  /** Creates the file with its preamble. A full disk leaves no empty file. */
+  private static BlockWriter open(Path path) throws IOException {
+    OutputStream out = Files.newOutputStream(path, StandardOpenOption.CREATE_NEW);
+    try {
+      return new BlockWriter(out);
+    } catch (IOException e) {
+      out.close();
+      Files.delete(path);
+      throw e;
+    }
   }
 
   /**
@@ -190,8 +204,9 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
       }
     } catch (IOException e) {
       failed = true;
-      cut = "can't write " + path + ": " + e;
-      LOG.error("recording {} is cut: {}", path, e.toString());
+      String reason = FileErrors.reason(e);
+      cut = "can't write " + path + ": " + reason;
+      LOG.error("recording {} is cut: {}; the game goes on", path, reason);
     } catch (RuntimeException | Error e) {
       failed = true;
       cut = "can't write " + path + ": " + e;

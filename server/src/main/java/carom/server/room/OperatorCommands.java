@@ -18,6 +18,7 @@ import carom.sim.field.FieldHolder;
 import carom.sim.match.NextMatch;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Message;
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -244,7 +245,7 @@ public final class OperatorCommands {
     } catch (NoAnswer e) {
       return "not saved: " + e.getMessage();
     } catch (IOException e) {
-      return "not saved: " + file + " can't be written: " + e;
+      return "not saved: " + file + " can't be written: " + FileErrors.reason(e);
     }
   }
 

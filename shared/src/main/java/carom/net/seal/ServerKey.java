@@ -2,6 +2,7 @@ package carom.net.seal;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.channels.WritableByteChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
@@ -69,13 +70,31 @@ public final class ServerKey {
     try (var channel =
         Files.newByteChannel(
             file, Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), owner)) {
-      channel.write(ByteBuffer.wrap(line));
+      write(channel, ByteBuffer.wrap(line), file);
     } catch (FileAlreadyExistsException e) {
       return read(file); // another server of the same folder was faster
     } catch (IOException e) {
-      throw new IOException(file + " can't be written (" + e + "); make its folder writable", e);
+      throw new IOException(
+          file
+              + " can't be written ("
+              + e.getMessage()
+              + "); free the disk or make its folder writable",
+          e);
     }
     return ExchangeKey.of(secret);
+  }
+
+  /** Writes a new file. If the disk is full, no empty file stays that the next start would read. */
+  private static void write(WritableByteChannel channel, ByteBuffer line, Path file)
+      throws IOException {
+    try {
+      while (line.hasRemaining()) {
+        channel.write(line);
+      }
+    } catch (IOException e) {
+      Files.delete(file);
+      throw e;
+    }
   }
 
   /**

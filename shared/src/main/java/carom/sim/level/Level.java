@@ -2,6 +2,7 @@ package carom.sim.level;
 
 import carom.physics.BodyType;
 import carom.sim.pool.PoolDef;
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -170,7 +171,8 @@ public final class Level {
     try (InputStream in = Files.newInputStream(file)) {
       return parse(fileName, in.readNBytes(MAX_BYTES + 1));
     } catch (IOException e) {
-      throw new LevelException(fileName, 0, 0, "", "can't read " + file + ": " + reason(e));
+      throw new LevelException(
+          fileName, 0, 0, "", "can't read " + file + ": " + FileErrors.reason(e));
     }
   }
 
@@ -188,7 +190,7 @@ public final class Level {
       }
       return parse(fileName, in.readNBytes(MAX_BYTES + 1));
     } catch (IOException e) {
-      throw new LevelException(fileName, 0, 0, "", "can't read it: " + reason(e));
+      throw new LevelException(fileName, 0, 0, "", "can't read it: " + FileErrors.reason(e));
     }
   }
 
@@ -324,9 +326,5 @@ public final class Level {
       throw new LevelException(
           fileName, 0, 0, "", "size exceeds the limit of " + MAX_BYTES + " bytes; split the level");
     }
-  }
-
-  private static String reason(IOException e) {
-    return e.getClass().getSimpleName() + ": " + e.getMessage();
   }
 }

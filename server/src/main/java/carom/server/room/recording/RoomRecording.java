@@ -225,12 +225,14 @@ public final class RoomRecording {
     room.counters().add(Counter.RECORDINGS_CUT, 1);
     RecordingFile file = fileOf(sink);
     boolean goesOn = files != null && file != null && !file.hasFailed();
-    LOG.error(
-        "{}the recording ends at tick {}: {}; the game goes on{}",
-        room.label(),
-        room.simulation().tick(),
-        sink,
-        goesOn ? ", and another file begins when the disk has written this one" : "");
+    if (file == null || !file.hasFailed()) { // that of the disk is logged by the file itself
+      LOG.error(
+          "{}the recording ends at tick {}: {}; the game goes on{}",
+          room.label(),
+          room.simulation().tick(),
+          sink,
+          goesOn ? ", and another file begins when the disk has written this one" : "");
+    }
     if (goesOn) {
       endFile();
       awaited = file;
