@@ -155,6 +155,9 @@ final class OutageLink implements Link {
 
   @Override
   public void close(String reason) {
+    if (closedHere != null) {
+      return; // perhaps there never was a link: the line was dead when this one was made
+    }
     if (!dead) {
       link.close(reason);
     } else if (state() != State.CLOSED) {

@@ -34,19 +34,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE eba591e495a19ff be622c0a28dd9a29
+      PILE 97aa12e14fe33488 70f2064b941446f6
       GAS 7359ccc56fe4acd5 a1414a47a096a0d
       SPIN 208a768a70ba8053 438b0b9e40e3fd4
       NET b4b495a92dedba4e 11
-      JOINTS cc4e86874b1f57b0 edc7000714dfd72a
+      JOINTS 92c310e2e959e3e0 9591a17ff2559fdb
       BELTS adb5a27bede8c9aa b98c309a7312afe6
-      CHAINS 5b38e96f61708da2 4f6b3660b99502f6
-      ROUND eae9446e3a0da2a8 c49832be1fdb2414
-      BULLETS 2182e6f1aaed22d8 68e6bbc49faaef77
-      SLEEPERS aeca3c549a07233b de5ad840695fdd76
-      EDITS d59b37c83f137bf1 76a5dfdca934294
-      WATER aaab0ae620d3a85b 79aa784c94a628b0
-      EULER e1d7d988f9f76633 24bd38ea359d2295
+      CHAINS bd6cffc77fceb40e 56d63f1aae96abe8
+      ROUND 4c68ccadc010eb15 bd9612e7b6eec1a3
+      BULLETS 8e8fd15293859694 68e6bbc49faaef77
+      SLEEPERS d15488bae6dd80cc 9bafe19bb01c96b2
+      EDITS 3d63b6f2a6d6ac3a 412f54fcb724c01e
+      WATER 149f3d6e1f6e2dad 7f9bcfaeb4e35d8a
+      EULER bffb05c95b0149f1 c48706cf509719ba
       """;
 
   @Test

@@ -34,7 +34,8 @@ class FeelScenarioTest {
     return Stream.of(
         Arguments.of(PredictionMode.ISLAND, Stepper.SEED),
         Arguments.of(PredictionMode.ALL, Stepper.SEED),
-        Arguments.of(PredictionMode.ALL, 2), // drowns and comes back onto a crate; a coin wakes one
+        Arguments.of(PredictionMode.ALL, 3),
+        Arguments.of(PredictionMode.ALL, 200),
         Arguments.of(PredictionMode.ALL, 10));
   }
 

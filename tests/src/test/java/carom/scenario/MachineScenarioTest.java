@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.view.ClientView;
 import carom.client.view.JointView;
 import carom.fixtures.AnchorGaps;
+import carom.fixtures.HingeGaps;
 import carom.fixtures.MachineGame;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
@@ -390,20 +391,20 @@ final class MachineScenarioTest {
       stepper.run(3);
       Simulation server = stepper.room().simulation();
       AnchorGaps gaps = new AnchorGaps(server, client);
-      double predicted = 0;
+      HingeGaps truth = new HingeGaps();
+      HingeGaps predicted = new HingeGaps();
       for (int end = server.tick() + 1_800; server.tick() < end; ) {
         stepper.step();
         gaps.look();
-        JointTable<Entity> joints = client.view().predictedWorld().joints();
-        for (int j = 0; j < joints.limit(); j++) {
-          Joint<Entity> joint = joints.get(j);
-          if (joint != null && joint.type() == JointType.REVOLUTE) {
-            predicted = Math.max(predicted, gap(joint));
-          }
-        }
+        truth.note(server);
+        predicted.note(client.view().predictedWorld());
       }
-      String about = gaps + " predicted=" + predicted + " " + stepper.describe();
-      assertTrue(gaps.worstTruth() > 0.01 && predicted < 0.05, about);
+      // A blow opens hinges on the server, too, and how far is a matter of luck.
+      double torn = predicted.beyond(truth, 20);
+      String about = gaps + " torn=" + torn + " server=" + truth.widest();
+      about += " predicted=" + predicted.widest() + " " + stepper.describe();
+      assertTrue(truth.widest() > 0.01 && predicted.widest() > 0.01, about);
+      assertTrue(torn < 0.01, about);
       assertTrue(gaps.worst() < 0.01, about);
     }
   }

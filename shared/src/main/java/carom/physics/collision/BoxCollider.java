@@ -142,7 +142,7 @@ final class BoxCollider {
     float nx = edgeX * axisX - edgeY * axisY;
     float ny = edgeX * axisY + edgeY * axisX;
     boolean atLow = low >= along;
-    int corners = atLow || high <= -along ? pair(edge, facing, atLow, atLow) : -1;
+    int corners = atLow || high <= -along ? id(edge, facing, atLow, atLow) : -1;
     float separation = ofB ? separationB : separationA;
     if (separation > TOUCHING) {
       // With a gap, the facing vertex that is nearest to the face may lie beyond its end while the
@@ -153,22 +153,21 @@ final class BoxCollider {
         float end = nearest < 0 ? -along : along;
         float inner = facingT * heightHigh + facingN * (end - high);
         if (inner <= 0 || inner >= 2 * half) {
-          corners = pair(edge, facing, nearest > 0, inner > 0);
+          corners = id(edge, facing, nearest > 0, inner > 0);
         }
       }
     }
     float sign = ofB ? -1 : 1;
     if (corners >= 0) {
-      int id = ofB ? Manifold.swappedId(corners) : corners;
-      float px = a.vertexX(id >> 8);
-      float py = a.vertexY(id >> 8);
-      float vx = b.vertexX(id & 0xff);
-      float vy = b.vertexY(id & 0xff);
+      float px = a.vertexX(corners >> 8);
+      float py = a.vertexY(corners >> 8);
+      float vx = b.vertexX(corners & 0xff);
+      float vy = b.vertexY(corners & 0xff);
       float qx = cos * vx - sin * vy + x;
       float qy = sin * vx + cos * vy + y;
       ofCorners =
           Collider.cornerPoint(
-              px, py, qx, qy, separation, sign * nx, sign * ny, id, speculative, out);
+              px, py, qx, qy, separation, sign * nx, sign * ny, corners, speculative, out);
     } else {
       float slope = -facingT / facingN;
       float position1 = Math.max(low, -along);
@@ -181,10 +180,12 @@ final class BoxCollider {
         out.clear();
         return;
       }
-      int id1 = pair(edge, facing, false, true);
-      int id2 = pair(edge, facing, true, false);
-      id1 = ofB ? Manifold.swappedId(id1) : id1;
-      id2 = ofB ? Manifold.swappedId(id2) : id2;
+      int id1 = id(edge, facing, false, true);
+      int id2 = id(edge, facing, true, false);
+      int highId = id(edge, facing, true, true);
+      int lowId = id(edge, facing, false, false);
+      int otherId1 = low < -along ? lowId : highId;
+      int otherId2 = high > along ? highId : lowId;
       float up1 = up + 0.5f * separation1;
       float up2 = up + 0.5f * separation2;
       float x1 = centerX + nx * up1 - ny * position1;
@@ -193,10 +194,10 @@ final class BoxCollider {
       float y2 = centerY + ny * up2 + nx * position2;
       out.set(sign * nx, sign * ny, keep1 && keep2 ? 2 : 1);
       if (keep1) {
-        out.setPoint0(x1, y1, separation1, id1);
-        out.setPoint1(x2, y2, separation2, id2);
+        out.setPoint0(x1, y1, separation1, id1, otherId1);
+        out.setPoint1(x2, y2, separation2, id2, otherId2);
       } else {
-        out.setPoint0(x2, y2, separation2, id2);
+        out.setPoint0(x2, y2, separation2, id2, otherId2);
       }
     }
     if (out.count > 0) {
@@ -208,8 +209,9 @@ final class BoxCollider {
    * Returns the id of a pair of vertices: the first or second of the reference edge, and one of the
    * facing edge.
    */
-  private static int pair(int edge, int facing, boolean second, boolean facingSecond) {
-    return (edge + (second ? 1 : 0) & 3) << 8 | (facing + (facingSecond ? 1 : 0) & 3);
+  private int id(int edge, int facing, boolean second, boolean facingSecond) {
+    int id = (edge + (second ? 1 : 0) & 3) << 8 | (facing + (facingSecond ? 1 : 0) & 3);
+    return ofB ? Manifold.swappedId(id) : id;
   }
 
   /**

@@ -647,8 +647,6 @@ public final class Collider {
     float span = tx * (rx[v2] - rx[v1]) + ty * (ry[v2] - ry[v1]);
     float low = tx * (ix[w2] - rx[v1]) + ty * (iy[w2] - ry[v1]);
     float high = tx * (ix[w1] - rx[v1]) + ty * (iy[w1] - ry[v1]);
-    int id1 = flipped ? w2 << 8 | v1 : v1 << 8 | w2;
-    int id2 = flipped ? w1 << 8 | v2 : v2 << 8 | w1;
     float height1 = nx * (ix[w2] - rx[v1]) + ny * (iy[w2] - ry[v1]);
     float height2 = nx * (ix[w1] - rx[v1]) + ny * (iy[w1] - ry[v1]);
     int r = low >= span ? v2 : high <= 0 ? v1 : -1;
@@ -706,12 +704,18 @@ public final class Collider {
     float y1 = ry[v1] + ty * position1 + ny * (0.5f * separation1);
     float x2 = rx[v1] + tx * position2 + nx * (0.5f * separation2);
     float y2 = ry[v1] + ty * position2 + ny * (0.5f * separation2);
+    int id1 = flipped ? w2 << 8 | v1 : v1 << 8 | w2;
+    int id2 = flipped ? w1 << 8 | v2 : v2 << 8 | w1;
+    int highId = flipped ? w2 << 8 | v2 : v2 << 8 | w2;
+    int lowId = flipped ? w1 << 8 | v1 : v1 << 8 | w1;
+    int otherId1 = low < 0 ? lowId : highId;
+    int otherId2 = high > span ? highId : lowId;
     out.set(facing * nx, facing * ny, keep1 && keep2 ? 2 : 1);
     if (keep1) {
-      out.setPoint0(x1, y1, separation1, id1);
-      out.setPoint1(x2, y2, separation2, id2);
+      out.setPoint0(x1, y1, separation1, id1, otherId1);
+      out.setPoint1(x2, y2, separation2, id2, otherId2);
     } else {
-      out.setPoint0(x2, y2, separation2, id2);
+      out.setPoint0(x2, y2, separation2, id2, otherId2);
     }
   }
 

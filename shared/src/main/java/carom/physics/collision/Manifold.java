@@ -12,10 +12,17 @@ package carom.physics.collision;
  * <p>An id names the pair of vertices, (vertex of A) * 256 + (vertex of B), from which the point
  * comes; it stays the same while the same corners stay in touch, whichever shape lends the
  * reference face, and so carries impulses from tick to tick. The ids of one manifold differ.
- * Contacts with a circle have one point and id 0. Mutable and reused; only the first {@link #count}
- * points are meaningful.
+ * Contacts with a circle have one point and id 0.
+ *
+ * <p>A point on a face is a corner of one shape on an edge of the other, and has two ids, one for
+ * each end of that edge. It takes the one or the other, depending on which of the two edges at the
+ * corner lies flatter on the face; at 45 degrees rounding decides. So each point tells its other
+ * id, too. Mutable and reused; only the first {@link #count} points are meaningful.
  */
 public final class Manifold {
+  private static final int CROSSED0 = 1 << 16;
+  private static final int CROSSED1 = 1 << 17;
+
   /** X of the unit normal from A to B, world axes; 0 when count is 0. */
   public float normalX;
 
@@ -49,6 +56,12 @@ public final class Manifold {
   /** Second point, feature id. */
   public int id1;
 
+  /** First point, its other id, or {@link #id0} if it has none. */
+  public int otherId0;
+
+  /** Second point, its other id, or {@link #id1} if it has none. */
+  public int otherId1;
+
   /** Makes an empty manifold. */
   public Manifold() {}
 
@@ -62,8 +75,8 @@ public final class Manifold {
   /** Copies {@code m} and returns this. */
   public Manifold set(Manifold m) {
     set(m.normalX, m.normalY, m.count);
-    setPoint0(m.x0, m.y0, m.separation0, m.id0);
-    setPoint1(m.x1, m.y1, m.separation1, m.id1);
+    setPoint0(m.x0, m.y0, m.separation0, m.id0, m.otherId0);
+    setPoint1(m.x1, m.y1, m.separation1, m.id1, m.otherId1);
     return this;
   }
 
@@ -73,18 +86,30 @@ public final class Manifold {
     this.count = count;
   }
 
+  /** Sets the first point, which has one id. */
   void setPoint0(float x, float y, float separation, int id) {
+    setPoint0(x, y, separation, id, id);
+  }
+
+  void setPoint0(float x, float y, float separation, int id, int otherId) {
     x0 = x;
     y0 = y;
     separation0 = separation;
     id0 = id;
+    otherId0 = otherId;
   }
 
+  /** Sets the second point, which has one id. */
   void setPoint1(float x, float y, float separation, int id) {
+    setPoint1(x, y, separation, id, id);
+  }
+
+  void setPoint1(float x, float y, float separation, int id, int otherId) {
     x1 = x;
     y1 = y;
     separation1 = separation;
     id1 = id;
+    otherId1 = otherId;
   }
 
   /**
@@ -95,6 +120,41 @@ public final class Manifold {
       return Float.POSITIVE_INFINITY;
     }
     return count == 1 ? separation0 : Math.min(separation0, separation1);
+  }
+
+  /**
+   * Returns the ids but for the first one in 18 bits, for {@link #setIds}. Of two points on a face,
+   * each has as its other id A's vertex of one and B's of the other, one way or the other.
+   */
+  public int packedIds() {
+    if (count < 2) {
+      return otherId0;
+    }
+    int crossed = cross(id0, id1);
+    return id1 + (otherId0 == crossed ? CROSSED0 : 0) + (otherId1 == crossed ? CROSSED1 : 0);
+  }
+
+  /** Sets all ids: the first one, and {@link #packedIds} of a manifold with as many points. */
+  public void setIds(int first, int packed) {
+    id0 = first;
+    if (count < 2) {
+      otherId0 = packed;
+      return;
+    }
+    id1 = secondId(packed);
+    int crossed = cross(id0, id1);
+    int reverse = cross(id1, id0);
+    otherId0 = (packed & CROSSED0) != 0 ? crossed : reverse;
+    otherId1 = (packed & CROSSED1) != 0 ? crossed : reverse;
+  }
+
+  /** Returns the second point's id from {@link #packedIds} of two points. */
+  public static int secondId(int packed) {
+    return packed & 0xffff;
+  }
+
+  private static int cross(int ofA, int ofB) {
+    return ofA & 0xff00 | ofB & 0xff;
   }
 
   /** Returns the id under which the same point appears if A and B are swapped. */

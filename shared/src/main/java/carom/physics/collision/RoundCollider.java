@@ -376,6 +376,10 @@ final class RoundCollider {
     }
     int id1 = flipped ? w2 << 8 | v1 : v1 << 8 | w2;
     int id2 = flipped ? w1 << 8 | v2 : v2 << 8 | w1;
+    int highId = flipped ? w2 << 8 | v2 : v2 << 8 | w2;
+    int lowId = flipped ? w1 << 8 | v1 : v1 << 8 | w1;
+    int otherId1 = low < 0 ? lowId : highId;
+    int otherId2 = high > span ? highId : lowId;
     double up1 = r.radius + 0.5 * separation1;
     double up2 = r.radius + 0.5 * separation2;
     float x1 = (float) (r.x[v1] + tx * position1 + nx * up1);
@@ -384,10 +388,10 @@ final class RoundCollider {
     float y2 = (float) (r.y[v1] + ty * position2 + ny * up2);
     out.set((float) (facing * nx), (float) (facing * ny), keep1 && keep2 ? 2 : 1);
     if (keep1) {
-      out.setPoint0(x1, y1, (float) separation1, id1);
-      out.setPoint1(x2, y2, (float) separation2, id2);
+      out.setPoint0(x1, y1, (float) separation1, id1, otherId1);
+      out.setPoint1(x2, y2, (float) separation2, id2, otherId2);
     } else {
-      out.setPoint0(x2, y2, (float) separation2, id2);
+      out.setPoint0(x2, y2, (float) separation2, id2, otherId2);
     }
   }
 }

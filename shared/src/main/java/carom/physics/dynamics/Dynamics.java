@@ -273,6 +273,7 @@ public final class Dynamics {
       }
     }
     sleeping.mergeWoken();
+    sleeping.reserve(ROWS_AHEAD * few);
     pairs.posesChanged();
     refilter.run();
     begins(StepStage.BOXES);

@@ -107,7 +107,8 @@ public final class CompoundPiles {
     }
   }
 
-  private static Scene pile(String name) {
+  /** Returns the pile of a name. */
+  public static Scene pile(String name) {
     List<Shape> shapes = shapes(name.charAt(0));
     int seed = Integer.parseInt(name.substring(1, name.length() - 1));
     boolean wide = name.endsWith("w");

@@ -19,6 +19,8 @@ import java.util.Arrays;
  * <p>One thread at a time, except that workers may update different rows side by side.
  */
 public final class ContactTable extends ContactColumns {
+  private static final int NONE = -1;
+
   private final RowOrder order = new RowOrder(this);
   private final ContactHash hash = new ContactHash();
 
@@ -101,27 +103,38 @@ public final class ContactTable extends ContactColumns {
     contact[at + SLIDE1] = 0;
   }
 
-  /** Takes the points' ids over, and gives each the impulses of the one that had its id. */
+  /** Takes the points' ids over, and gives each the impulses of the one that had one of its ids. */
   private void inherit(int row, Manifold m, int oldPoints) {
     int n = m.count;
+    int from0 = n > 0 ? predecessor(row, oldPoints, m.id0, m.otherId0) : NONE;
+    int from1 = n > 1 ? predecessor(row, oldPoints, m.id1, m.otherId1) : NONE;
     float[] c = contact;
     int at = row * CONTACT;
-    float oldNormal0 = c[at + NORMAL0];
-    float oldTangent0 = c[at + TANGENT0];
-    float oldNormal1 = c[at + NORMAL1];
-    float oldTangent1 = c[at + TANGENT1];
-    boolean first = n > 0 && oldPoints > 0 && id[2 * row] == m.id0;
-    boolean second = n > 0 && oldPoints > 1 && id[2 * row + 1] == m.id0;
-    c[at + NORMAL0] = first ? oldNormal0 : second ? oldNormal1 : 0;
-    c[at + TANGENT0] = first ? oldTangent0 : second ? oldTangent1 : 0;
-    first = n > 1 && oldPoints > 0 && id[2 * row] == m.id1;
-    second = n > 1 && oldPoints > 1 && id[2 * row + 1] == m.id1;
-    c[at + NORMAL1] = second ? oldNormal1 : first ? oldNormal0 : 0;
-    c[at + TANGENT1] = second ? oldTangent1 : first ? oldTangent0 : 0;
+    float normal0 = from0 == NONE ? 0 : c[at + from0];
+    float tangent0 = from0 == NONE ? 0 : c[at + from0 + 1];
+    float normal1 = from1 == NONE ? 0 : c[at + from1];
+    float tangent1 = from1 == NONE ? 0 : c[at + from1 + 1];
+    c[at + NORMAL0] = normal0;
+    c[at + TANGENT0] = tangent0;
+    c[at + NORMAL1] = normal1;
+    c[at + TANGENT1] = tangent1;
     points[row] = (byte) n;
     // What isn't there is zero, for the hash.
     id[2 * row] = n > 0 ? m.id0 : 0;
     id[2 * row + 1] = n > 1 ? m.id1 : 0;
+  }
+
+  /**
+   * Returns where in a row the impulses are of the point that had an id, or else the other id; or
+   * {@link #NONE}.
+   */
+  private int predecessor(int row, int oldPoints, int wanted, int other) {
+    int first = oldPoints > 0 ? id[2 * row] : NONE;
+    int second = oldPoints > 1 ? id[2 * row + 1] : NONE;
+    if (first == wanted || (first == other && second != wanted)) {
+      return NORMAL0;
+    }
+    return second == wanted || second == other ? NORMAL1 : NONE;
   }
 
   /** Leaves a row as it is for a step. */

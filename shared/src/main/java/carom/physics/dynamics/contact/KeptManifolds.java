@@ -75,8 +75,8 @@ public final class KeptManifolds {
   private static final int Y1 = 13;
   private static final int GAP1 = 14;
 
-  /** Place of the second point's id, as the bits of an integer. */
-  private static final int ID1 = 15;
+  /** Place of the ids but for the first one, as the bits of an integer. */
+  private static final int IDS = 15;
 
   /**
    * Number of points that stands for one point between two corners. The corner of A, in A's frame,
@@ -137,7 +137,8 @@ public final class KeptManifolds {
     int kind = Float.floatToRawIntBits(rows.numbers[at + KIND]);
     return (kind & (COUNT | CLOSE)) == points
         && kind >>> ID_SHIFT == id0
-        && (points == 1 || Float.floatToRawIntBits(rows.numbers[at + ID1]) == id1);
+        && (points == 1
+            || Manifold.secondId(Float.floatToRawIntBits(rows.numbers[at + IDS])) == id1);
   }
 
   /**
@@ -292,13 +293,12 @@ public final class KeptManifolds {
     out.x0 = f[ContactTable.X0];
     out.y0 = f[ContactTable.Y0];
     out.separation0 = f[ContactTable.GAP0];
-    out.id0 = kind >>> ID_SHIFT;
     if (count == 2) {
       out.x1 = f[ContactTable.X1];
       out.y1 = f[ContactTable.Y1];
       out.separation1 = f[ContactTable.GAP1];
-      out.id1 = Float.floatToRawIntBits(r[at + ID1]);
     }
+    out.setIds(kind >>> ID_SHIFT, Float.floatToRawIntBits(r[at + IDS]));
   }
 
   /** Makes one point midway between two corners, if they are close enough. */
@@ -334,6 +334,7 @@ public final class KeptManifolds {
     out.y0 = ta.sin * px + ta.cos * py;
     out.separation0 = distance;
     out.id0 = kind(at) >>> ID_SHIFT;
+    out.otherId0 = out.id0;
   }
 
   /**
@@ -461,6 +462,6 @@ public final class KeptManifolds {
     r[at + X1] = m.x1;
     r[at + Y1] = m.y1;
     r[at + GAP1] = m.separation1;
-    r[at + ID1] = Float.intBitsToFloat(m.id1);
+    r[at + IDS] = Float.intBitsToFloat(m.packedIds());
   }
 }

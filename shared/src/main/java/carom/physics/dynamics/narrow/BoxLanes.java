@@ -67,8 +67,13 @@ public abstract class BoxLanes extends VectorKernels {
   public static final int GAP1 = Y1 + LANES;
   public static final int ID1 = GAP1 + LANES;
 
+  /** Place of the other id of point 0; that of point 1 follows. */
+  public static final int OTHER_ID0 = ID1 + LANES;
+
+  public static final int OTHER_ID1 = OTHER_ID0 + LANES;
+
   /** Place of the smallest gap of all points so far, m; input and output. */
-  public static final int LEAST = ID1 + LANES;
+  public static final int LEAST = OTHER_ID1 + LANES;
 
   /** Place where a kernel's own scratch begins. */
   public static final int OWN = LEAST + LANES;

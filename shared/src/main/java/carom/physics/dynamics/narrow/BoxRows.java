@@ -159,6 +159,8 @@ final class BoxRows {
       m.y1 = s[BoxLanes.Y1 + lane];
       m.separation1 = s[BoxLanes.GAP1 + lane];
       m.id1 = id1;
+      m.otherId0 = BoxLanes.integer(s, BoxLanes.OTHER_ID0 + lane);
+      m.otherId1 = BoxLanes.integer(s, BoxLanes.OTHER_ID1 + lane);
     }
     t.update(row, m);
   }

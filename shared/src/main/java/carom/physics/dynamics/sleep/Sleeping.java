@@ -23,6 +23,9 @@ import carom.physics.settings.Settings;
  * when its velocity, forces, pose or joints change, and when what it touches moves or changes.
  *
  * <p>The contacts of a body that wakes are in no table until {@link #mergeWoken}.
+ *
+ * <p><b>Length.</b> One idea: who sleeps. It stays whole, because falling asleep, waking and
+ * restoring change the same lists.
  */
 public final class Sleeping {
   private final Settings settings;
@@ -333,6 +336,12 @@ public final class Sleeping {
     asleepCount--;
     stamp.change();
     active.add(body);
+  }
+
+  /** Makes room for so many contacts of bodies that wake at once. Between two merges. */
+  public void reserve(int rows) {
+    wokenRows.ensureRoom(rows);
+    sorter.ensureRoom(wokenRows.values.length);
   }
 
   /** Brings the contacts of bodies that woke back to the table. */

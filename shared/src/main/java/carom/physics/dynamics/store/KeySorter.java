@@ -56,6 +56,13 @@ public final class KeySorter {
     return from;
   }
 
+  /** Makes room for so many row numbers, so that sorting them allocates nothing. */
+  public void ensureRoom(int rows) {
+    if (otherRows.length < rows) {
+      otherRows = new int[rows];
+    }
+  }
+
   /**
    * Sorts the first n row numbers by the keys of these rows.
    *
@@ -67,7 +74,7 @@ public final class KeySorter {
       return;
     }
     if (otherRows.length < n) {
-      otherRows = new int[rows.length];
+      ensureRoom(rows.length);
     }
     long all = -1;
     long any = 0;

@@ -442,6 +442,13 @@ public final class VectorBoxes extends BoxLanes {
     VectorMask<Float> ofB = FloatVector.fromArray(LANE, s, SIGN).compare(LT, 0);
     edge.blend(facing2, ofB).mul(256).add(facing2.blend(edge, ofB)).add(INTEGER).intoArray(s, ID0);
     edge2.blend(facing, ofB).mul(256).add(facing.blend(edge2, ofB)).add(INTEGER).intoArray(s, ID1);
+    FloatVector highId = edge2.blend(facing2, ofB).mul(256).add(facing2.blend(edge2, ofB));
+    FloatVector lowId = edge.blend(facing, ofB).mul(256).add(facing.blend(edge, ofB));
+    FloatVector along = FloatVector.fromArray(LANE, s, ALONG);
+    VectorMask<Float> beyond1 = FloatVector.fromArray(LANE, s, LOW).compare(LT, along.neg());
+    VectorMask<Float> beyond2 = FloatVector.fromArray(LANE, s, HIGH).compare(GT, along);
+    highId.blend(lowId, beyond1).add(INTEGER).intoArray(s, OTHER_ID0);
+    lowId.blend(highId, beyond2).add(INTEGER).intoArray(s, OTHER_ID1);
   }
 
   /** Makes the second point the first one where there is no other. */
@@ -460,6 +467,9 @@ public final class VectorBoxes extends BoxLanes {
     FloatVector.fromArray(LANE, s, ID0)
         .blend(FloatVector.fromArray(LANE, s, ID1), later)
         .intoArray(s, ID0);
+    FloatVector.fromArray(LANE, s, OTHER_ID0)
+        .blend(FloatVector.fromArray(LANE, s, OTHER_ID1), later)
+        .intoArray(s, OTHER_ID0);
     FloatVector apart =
         FloatVector.fromArray(LANE, s, GAP_AX).max(FloatVector.fromArray(LANE, s, GAP_AY));
     apart = apart.max(FloatVector.fromArray(LANE, s, GAP_BX));

@@ -151,11 +151,13 @@ final class BoxLanesTest {
       assertSame(expected.y0, s[BoxLanes.Y0 + lane], where);
       assertSame(expected.separation0, s[BoxLanes.GAP0 + lane], where);
       assertEquals(expected.id0, BoxLanes.integer(s, BoxLanes.ID0 + lane), where);
+      assertEquals(expected.otherId0, BoxLanes.integer(s, BoxLanes.OTHER_ID0 + lane), where);
       if (expected.count == 2) {
         assertSame(expected.x1, s[BoxLanes.X1 + lane], where);
         assertSame(expected.y1, s[BoxLanes.Y1 + lane], where);
         assertSame(expected.separation1, s[BoxLanes.GAP1 + lane], where);
         assertEquals(expected.id1, BoxLanes.integer(s, BoxLanes.ID1 + lane), where);
+        assertEquals(expected.otherId1, BoxLanes.integer(s, BoxLanes.OTHER_ID1 + lane), where);
       }
     }
     float told = 0;
