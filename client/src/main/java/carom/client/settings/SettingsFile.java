@@ -179,7 +179,7 @@ public final class SettingsFile {
 
   private static PlayerSettings window(PlayerSettings settings, String text) {
     String[] sides = text.split("x", 3);
-    if (sides.length != 2) {
+    if (!text.matches("\\d+ *x *\\d+")) {
       throw new IllegalArgumentException("window=" + text + " is not like 1280 x 720");
     }
     return settings.withWindow(

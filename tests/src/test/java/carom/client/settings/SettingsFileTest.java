@@ -76,7 +76,7 @@ final class SettingsFileTest {
 
   @Test
   void aLineThatCannotBeReadIsNamedAndTheFileIsKeptAside() throws Exception {
-    String text = "name = Ann\nvolum = 3\nvolume = loud\ntext-size = 900\njust words\n";
+    String text = "name = Ann\nvolum = 3\nvolume = loud\ntext-size = 900\njust words\nwindow = x\n";
     write(text);
     SettingsFile settings = loaded();
     assertEquals("Ann", settings.settings().name(), "the other lines count");
@@ -88,6 +88,7 @@ final class SettingsFileTest {
     assertTrue(said.contains("line 3: volume=loud is not a whole number"), said);
     assertTrue(said.contains("line 4: text-size=900 is outside 75..200"), said);
     assertTrue(said.contains("line 5: \"just words\" is not like name = value"), said);
+    assertTrue(said.contains("line 6: window=x is not like 1280 x 720"), said);
     assertTrue(said.endsWith("The file is kept as player.conf.unreadable."), said);
     assertEquals(text, Files.readString(file().resolveSibling("player.conf.unreadable")));
     loaded();

@@ -163,7 +163,7 @@ const handlers = {
     for (const file of message.files) {
       const row = body.insertRow();
       cell(row, file.name);
-      cell(row, (file.bytes / 1048576).toFixed(1) + ' MB', 'num');
+      cell(row, size(file.bytes), 'num');
       cell(row, new Date(file.changed).toLocaleString(), 'wide');
       button(cell(row, '', 'actions'), 'Download', () => say({do: 'download', text: file.name}));
     }
@@ -198,6 +198,10 @@ function cell(row, text, kind) {
   td.textContent = text;
   if (kind) td.className = kind;
   return td;
+}
+
+function size(bytes) {
+  return bytes < 1048576 ? Math.ceil(bytes / 1024) + ' kB' : (bytes / 1048576).toFixed(1) + ' MB';
 }
 
 function button(parent, text, action, kind) {

@@ -250,6 +250,7 @@ final class BrowserTest {
       login(browser);
       browser.await("document.querySelectorAll('#players .danger').length === 4");
       browser.await("document.getElementById('recordings').innerText.includes('evening.carom')");
+      browser.await("document.getElementById('recordings').innerText.includes('1 kB')");
       // The log, with hostile text.
       rig.logging.getLogger("test").warn("a line with <b>markup</b> \u202e\u001b[31m");
       browser.await(
