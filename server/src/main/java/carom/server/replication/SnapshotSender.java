@@ -47,6 +47,9 @@ public final class SnapshotSender {
    */
   private static final int NEAR_CREDIT_BYTES = 2 * SnapshotEncoder.MAX_DATAGRAM_BYTES;
 
+  /** A slow line lowers that to what it carries in one part of a second of so many. */
+  private static final int NEAR_CREDIT_PER_SECOND = 8;
+
   /** Weight of the newest round trip in the smoothed one. */
   private static final float ROUND_TRIP_WEIGHT = 0.1f;
 
@@ -313,10 +316,9 @@ public final class SnapshotSender {
   /** Keeps exact state from taking more than the records in the long run, while records wait. */
   private void shareOut(int recordBytes) {
     int credit = nearCredit + recordBytes - encoder.nearBytes();
-    nearCredit =
-        encoder.waiting() == 0
-            ? NEAR_CREDIT_BYTES
-            : Math.max(-NEAR_CREDIT_BYTES, Math.min(NEAR_CREDIT_BYTES, credit));
+    // On a slow line fewer bytes: records must not wait for long.
+    int most = Math.min(NEAR_CREDIT_BYTES, pace.bytesPerSecond() / NEAR_CREDIT_PER_SECOND);
+    nearCredit = encoder.waiting() == 0 ? most : Math.max(-most, Math.min(most, credit));
   }
 
   /** Returns the round trip to the client and back, ms, or 0 before the first acknowledgement. */

@@ -222,8 +222,8 @@ public final class ClientKnowledge {
   }
 
   /** Returns whether the slot's next record can't build on what the client knows. */
-  boolean isNew(int slot) {
-    return acked.get(slot) < 0 || forced.has(slot);
+  boolean isNew(FrameState now, int slot) {
+    return acked.get(slot) < 0 || baseline(now, slot) != BaselineReason.ACKED;
   }
 
   /** Returns the newest tick of the slot that the client has acked, or -1. */

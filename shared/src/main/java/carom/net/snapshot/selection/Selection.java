@@ -144,7 +144,7 @@ public final class Selection {
       return 1;
     }
     float priority = interest.priority(now, slot);
-    if (client.isNew(slot)) {
+    if (client.isNew(now, slot)) {
       return priority * NEWS;
     }
     return now.still(slot) ? priority * REST : priority;
