@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
+import carom.server.threads.LoaderThread.Load;
 import carom.server.threads.Worker;
 import java.util.List;
 import java.util.function.Consumer;
@@ -10,13 +11,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Deals with rooms whose game doesn't come back. Java can't end a thread, so the room's thread is
+ * Deals with games that don't come back. Java can't end a thread, so the room's thread is
  * abandoned: it gets the lowest priority, and another room with a thread of its own takes the
  * room's place, from the last checkpoint if there is one. The links are closed, and the clients
  * come back to their bodies by themselves. The other rooms don't notice.
  *
- * <p>With {@value #MOST} abandoned threads, the server ends, so that its supervisor starts it
- * again.
+ * <p>With {@value #MOST} abandoned threads, the server ends for its supervisor.
  */
 final class HangingRooms {
   /** Abandoned threads with which the server ends. */
@@ -48,30 +48,39 @@ final class HangingRooms {
 
   /** Abandons a room's thread. On the watchdog's thread. */
   public synchronized void abandon(Room room, Worker worker, String callback, String stack) {
-    abandoned++;
     room.counters().add(Counter.CALLBACKS_ABANDONED, 1);
-    LOG.error(
-        "room {}: game {} hangs in {} at tick {}; its thread {} is abandoned, the {}. of at most"
-            + " {}:\n{}",
-        room.name(),
-        room.match().game(),
-        callback,
-        room.tick() + 1,
-        worker.name(),
-        abandoned,
-        MOST,
-        stack);
+    String game = "room %s: game %s".formatted(room.name(), room.match().game());
+    count(game + " hangs in " + callback + " at tick " + (room.tick() + 1), worker.name(), stack);
     worker.abandon();
     room.abandon("the game hangs");
-    if (abandoned >= MOST) {
-      LOG.error("{} threads are abandoned: the server ends; start it again", abandoned);
-      giveUp.run();
-    } else {
+    if (!endsServer()) {
       // On a thread of its own, because the game's set-up may hang as well.
       Thread thread = new Thread(() -> replace(room), "carom-room-restart");
       thread.setDaemon(true);
       thread.start();
     }
+  }
+
+  /**
+   * Counts the thread of a match that is never built; the present one goes on. On the watchdog's
+   * thread.
+   */
+  public synchronized void abandon(Load load, String thread, String where, String stack) {
+    count(load.title() + ": its set-up hangs in " + where, thread, stack);
+    endsServer();
+  }
+
+  private void count(String what, String thread, String stack) {
+    String text = "{}; its thread {} is abandoned, the {}. of at most {}:\n{}";
+    LOG.error(text, what, thread, ++abandoned, MOST, stack);
+  }
+
+  private boolean endsServer() {
+    if (abandoned >= MOST) {
+      LOG.error("{} threads are abandoned: the server ends; start it again", abandoned);
+      giveUp.run();
+    }
+    return abandoned >= MOST;
   }
 
   private void replace(Room room) {

@@ -8,9 +8,9 @@ import carom.server.metrics.Counters;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.Seats;
+import carom.server.threads.LoaderThread;
 import java.security.SecureRandom;
 import java.util.List;
-import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 
 /** Builds the rooms of a server from what they share and what is their own. Any thread. */
@@ -18,7 +18,7 @@ record RoomBuilder(
     ServerConfig config,
     List<RoomConfig> rooms,
     MatchLibrary library,
-    Executor loads,
+    LoaderThread loads,
     LongSupplier clock,
     RoomDirectory directory,
     WorkerThreads helpers,

@@ -369,7 +369,7 @@ public final class Server implements AutoCloseable {
       throw new IllegalStateException(closed ? "the server is closed" : "already started");
     }
     started = true;
-    loader.start();
+    loader.start(watchdog, hanging::abandon);
     disk.start();
     LobbyDuty duty = new LobbyDuty();
     Worker worker = new Worker("carom-lobby", duty, clock, this::workerEnded);

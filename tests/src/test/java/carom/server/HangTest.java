@@ -14,6 +14,9 @@ import carom.server.config.RoomConfig;
 import carom.server.match.HandedInMatch;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -23,6 +26,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.slf4j.LoggerFactory;
 
 /**
  * Goal: a game that hangs costs its own room a few seconds, and the others nothing. Method: a
@@ -33,6 +37,10 @@ class HangTest {
   @TempDir Path folder;
   private final TestGame[] games = new TestGame[8];
   private int made;
+
+  /** Makes the set-up of games that are made from now on loop. */
+  private boolean setUpsHang;
+
   private Server server;
   private KryoClientTransport transport;
 
@@ -41,6 +49,7 @@ class HangTest {
     for (TestGame game : games) {
       if (game != null) {
         game.hangs = false;
+        game.hangsInSetUp = false;
       }
     }
     transport.close();
@@ -49,6 +58,7 @@ class HangTest {
 
   private synchronized TestGame make() {
     games[made] = new TestGame(2);
+    games[made].hangsInSetUp = setUpsHang;
     return games[made++];
   }
 
@@ -165,5 +175,82 @@ class HangTest {
     loop(games[1]);
     server.awaitStop(); // the test's timeout would end it
     assertTrue(server.hasFailed(), "so that the process ends with another code than 0");
+  }
+
+  /** Ends the match of a room's game; waits until the next one is made, which loops or doesn't. */
+  private TestGame matchOver(TestGame game, boolean nextHangs) throws Exception {
+    int before;
+    synchronized (this) {
+      before = made;
+      setUpsHang = nextHangs;
+    }
+    game.over = true;
+    await("another game is made", () -> made() > before);
+    return games[before];
+  }
+
+  private synchronized int made() {
+    return made;
+  }
+
+  @Test
+  void aSetUpThatHangsIsNamedAndTheOtherRoomsRotateOn() throws Exception {
+    Logger logger = (Logger) LoggerFactory.getLogger(HangingRooms.class);
+    ListAppender<ILoggingEvent> lines = new ListAppender<>();
+    lines.start();
+    logger.addAppender(lines);
+    try {
+      start(false);
+      Room hanging = server.rooms().get(0);
+      Room other = server.rooms().get(1);
+      long beganNs = System.nanoTime();
+      matchOver(games[0], true);
+      synchronized (this) {
+        setUpsHang = false;
+      }
+      int age = hanging.age();
+      games[1].over = true; // waits behind the one that hangs
+      await("the other room plays its next match", () -> other.match().number() == 2);
+      double seconds = (System.nanoTime() - beganNs) * 1e-9;
+      assertTrue(seconds > 9, "found after " + seconds + " s");
+      assertEquals(1, hanging.counters().get(Counter.CALLBACKS_ABANDONED));
+      assertEquals(0, other.counters().get(Counter.CALLBACKS_ABANDONED));
+      assertEquals(List.of(hanging, other), server.rooms());
+      assertEquals(1, hanging.match().number());
+      assertTrue(hanging.age() - age > 20 * (seconds - 1), "ticks=" + (hanging.age() - age));
+      assertTrue(
+          Thread.getAllStackTraces().keySet().stream()
+              .anyMatch(
+                  thread ->
+                      thread.getName().equals("carom-loader")
+                          && thread.getPriority() == Thread.MIN_PRIORITY));
+      String line = lines.list.get(0).getFormattedMessage();
+      assertTrue(
+          line.startsWith(
+              "room hangs: game=\"test\" level=\"test\": its set-up hangs in setUp of "
+                  + TestGame.class.getName()),
+          line);
+      assertTrue(line.contains(TestGame.class.getName() + ".setUp(TestGame.java:"), line);
+      await( // ten seconds later: a match that failed isn't tried again at once
+          "the room plays its next match, too",
+          () -> {
+            games[0].over = true;
+            return hanging.match().number() > 1;
+          });
+      assertFalse(server.hasFailed());
+    } finally {
+      logger.detachAppender(lines);
+    }
+  }
+
+  @Test
+  void aSetUpAndACallbackThatHangAreTwoAbandonedThreads() throws Exception {
+    start(true);
+    matchOver(games[0], true);
+    await("it is found", () -> server.count(Counter.CALLBACKS_ABANDONED) == 1);
+    assertFalse(server.hasFailed());
+    loop(games[1]);
+    server.awaitStop(); // the test's timeout would end it
+    assertTrue(server.hasFailed());
   }
 }

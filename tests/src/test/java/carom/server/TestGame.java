@@ -56,6 +56,12 @@ final class TestGame extends PlainGame {
   /** Makes {@link #beforeStep} loop for as long as it is true. */
   volatile boolean hangs;
 
+  /** Makes {@link #setUp} loop for as long as it is true. */
+  volatile boolean hangsInSetUp;
+
+  /** Ends the match at the next tick. */
+  volatile boolean over;
+
   int failEvery;
   boolean failInJoin;
   Runnable whileJoining = () -> {};
@@ -95,6 +101,9 @@ final class TestGame extends PlainGame {
 
   @Override
   public void setUp(Simulation s) {
+    while (hangsInSetUp) {
+      Thread.onSpinWait();
+    }
     ball =
         s.archetypes().add(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0, 1)));
     shout = s.eventKinds().add("shout", 0xffffff, 0, "");
@@ -175,6 +184,10 @@ final class TestGame extends PlainGame {
 
   @Override
   public void afterStep(Simulation s) {
+    if (over) {
+      over = false;
+      s.matchOver();
+    }
     for (int i = 0; i < s.playerCapacity(); i++) {
       Player p = s.player(i);
       if (p != null && s.role() == Role.AUTHORITY && p.get(ACTIONS) != p.score()) {

@@ -17,11 +17,11 @@ import carom.server.room.match.RoomContext;
 import carom.server.room.recording.RoomRecording;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;
+import carom.server.threads.LoaderThread;
 import carom.sim.Simulation;
 import carom.sim.entity.Player;
 import carom.sim.match.NextMatch;
 import java.io.IOException;
-import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicReference;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -50,20 +50,19 @@ final class MatchChange implements RoomCourse {
 
   private final RoomContext room;
   private final MatchLoader loader;
-  private final Executor executor;
+  private final LoaderThread loads;
   private final RoomConfig settings;
   private final RoomSessions sessions;
   private final RoomRecording recording;
   private final RosterNews roster;
   private final Announcer announcer;
 
-  /** The match that the other thread brings back; null while it loads. */
-  private final AtomicReference<Loaded> loaded = new AtomicReference<>();
+  /** The match that the other thread loads or has loaded, or null. */
+  private Load load;
 
   /** The match that is being loaded, or that an earlier run of the room was loading; or null. */
   private NextMatch pending;
 
-  private boolean loading;
   private int inRotation;
 
   /** {@link #inRotation} of the present match. */
@@ -75,19 +74,61 @@ final class MatchChange implements RoomCourse {
   private NextMatch failed;
   private long failedNs;
 
-  /** The outcome of a load: a match, or why there is none. */
-  private record Loaded(NextMatch wanted, Match match, MatchLoader.Unplayable problem) {}
+  /** The outcome of a load: a match, or null if there is none. */
+  private record Loaded(Match match) {}
+
+  /** A match while it is built. The first outcome counts, which may be that it never ends. */
+  private final class Load implements LoaderThread.Load {
+    private final NextMatch wanted;
+    private final NextMatch named;
+    private final AtomicReference<Loaded> outcome = new AtomicReference<>();
+
+    /** The game that is set up, as far as that is known. */
+    private volatile String game;
+
+    Load(NextMatch wanted, NextMatch named) {
+      this.wanted = wanted;
+      this.named = named;
+      game = named.game();
+    }
+
+    @Override
+    public String title() {
+      return "room %s: game=\"%s\" level=\"%s\"".formatted(settings.name(), game, named.level());
+    }
+
+    @Override
+    public void run() {
+      Match match = null;
+      try {
+        match = loader.load(named, name -> game = name);
+      } catch (MatchLoader.Unplayable e) {
+        logFailure(named, e);
+      } catch (Error e) { // such as too little memory for the level; the match goes on
+        LOG.error("{} can't be built", title(), e);
+      }
+      outcome.compareAndSet(null, new Loaded(match));
+    }
+
+    @Override
+    public void abandoned(String why) {
+      if (outcome.compareAndSet(null, new Loaded(null))) {
+        room.counters().add(Counter.CALLBACKS_ABANDONED, 1);
+        logFailure(named, new MatchLoader.Unplayable(why, null));
+      }
+    }
+  }
 
   /**
    * Creates an object that has nothing to change.
    *
-   * @param executor loads matches for the game, on a thread that no tick waits for
+   * @param loads runs what builds matches for the game, on a thread that no tick waits for
    * @param settings with the levels that follow each other; the room plays the first
    */
   MatchChange(
       RoomContext room,
       MatchLoader loader,
-      Executor executor,
+      LoaderThread loads,
       RoomConfig settings,
       RoomSessions sessions,
       RoomRecording recording,
@@ -96,7 +137,7 @@ final class MatchChange implements RoomCourse {
     this.announcer = announcer;
     this.room = room;
     this.loader = loader;
-    this.executor = executor;
+    this.loads = loads;
     this.settings = settings;
     this.sessions = sessions;
     this.recording = recording;
@@ -142,19 +183,20 @@ final class MatchChange implements RoomCourse {
   void tickEnds(long nowNs) {
     NextMatch asked = room.simulation().outbox().takeNextMatch();
     NextMatch wanted = asked == null ? pending : asked;
-    if (wanted != null && !loading) {
+    if (wanted != null && load == null) {
       request(wanted, nowNs);
     }
-    Loaded outcome = loaded.getAndSet(null);
+    Load done = load;
+    Loaded outcome = done == null ? null : done.outcome.get();
     if (outcome == null) {
       return;
     }
-    loading = false;
+    load = null;
     pending = null;
     if (outcome.match() != null) {
-      begin(outcome.match(), outcome.wanted(), nowNs);
+      begin(outcome.match(), done.wanted, nowNs);
     } else {
-      failed = outcome.wanted();
+      failed = done.wanted;
       failedNs = nowNs;
       announcer.notice("The next match can't be played. This one goes on.");
     }
@@ -166,10 +208,8 @@ final class MatchChange implements RoomCourse {
     }
     failed = null;
     pending = wanted;
-    NextMatch named = wanted.isOfRotation() ? nextOfRotation(wanted) : wanted;
-    loading = true;
-    NextMatch toLoad = named;
-    executor.execute(() -> loaded.set(tryToLoad(toLoad, wanted)));
+    load = new Load(wanted, wanted.isOfRotation() ? nextOfRotation(wanted) : wanted);
+    loads.execute(load);
   }
 
   /** Returns the next level of the rotation; the same one again if there is no other. */
@@ -182,19 +222,6 @@ final class MatchChange implements RoomCourse {
       level = settings.levels().get(inRotation);
     }
     return new NextMatch(game, level, wanted.keepsTeams(), wanted.keepsScores());
-  }
-
-  private Loaded tryToLoad(NextMatch named, NextMatch wanted) {
-    try {
-      return new Loaded(wanted, load(named), null);
-    } catch (MatchLoader.Unplayable e) {
-      logFailure(named, e);
-      return new Loaded(wanted, null, e);
-    } catch (Error e) { // such as too little memory for the level; the match goes on
-      LOG.error(
-          "{}can't build game=\"{}\" level=\"{}\"", room.label(), named.game(), named.level(), e);
-      return new Loaded(wanted, null, null);
-    }
   }
 
   private void logFailure(NextMatch named, MatchLoader.Unplayable e) {

@@ -25,12 +25,12 @@ import carom.server.session.Admission;
 import carom.server.session.SeatRequests;
 import carom.server.session.Seats;
 import carom.server.session.Session;
+import carom.server.threads.LoaderThread;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 
 /**
@@ -91,7 +91,7 @@ public final class Room {
       boolean alone,
       RoomConfig settings,
       MatchLibrary library,
-      Executor loads,
+      LoaderThread loads,
       LongSupplier clock,
       Seats seats,
       RoomDirectory directory,

@@ -16,7 +16,7 @@ import carom.server.schedule.TickPace;
 import carom.server.session.PartingLinks;
 import carom.server.session.RosterNews;
 import carom.server.session.Seats;
-import java.util.concurrent.Executor;
+import carom.server.threads.LoaderThread;
 import java.util.function.LongSupplier;
 
 /**
@@ -65,7 +65,7 @@ final class RoomParts {
       String label,
       RoomConfig settings,
       MatchLibrary library,
-      Executor loads,
+      LoaderThread loads,
       LongSupplier clock,
       Seats seats,
       RoomDirectory directory,

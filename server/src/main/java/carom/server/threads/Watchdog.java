@@ -1,5 +1,7 @@
 package carom.server.threads;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.LockSupport;
@@ -10,7 +12,8 @@ import org.slf4j.LoggerFactory;
  * Finds threads that don't come back from a game's code. It looks at each thread four times a
  * second, but not while all of them take long naps. A thread hangs if it is in the same call of the
  * same callback at each of seven looks, and has computed or waited meanwhile; a thread that the
- * machine gives no time is looked at for longer.
+ * machine gives no time is looked at for longer. A thread that builds matches hangs if it builds
+ * the same one for ten seconds of looks, in whatever code.
  *
  * <p>It counts looks, not time: after a pause of the whole process, nothing hangs. Slow ticks
  * outside of a game's code aren't its business.
@@ -19,17 +22,23 @@ public final class Watchdog implements AutoCloseable {
   /** Longest time until a thread that hangs is found, ms. */
   public static final int FOUND_MS = 2_000;
 
+  /** Longest time until a thread that builds a match without end is found, ms. */
+  public static final int LOAD_FOUND_MS = 10_000;
+
   private static final Logger LOG = LoggerFactory.getLogger(Watchdog.class);
   private static final int LOOK_MS = 250;
 
   /** Looks at which the callback must be the same, after the first that saw it. */
   private static final int LOOKS = FOUND_MS / LOOK_MS - 2;
 
+  /** Looks as {@link #LOOKS} of a thread that builds a match. */
+  private static final int LOAD_LOOKS = LOAD_FOUND_MS / LOOK_MS - 2;
+
   /**
-   * Looks as {@link #LOOKS} for a thread that neither computes nor waits, such as one that reads
-   * from a socket.
+   * Times as many looks for a thread that neither computes nor waits, such as one that reads from a
+   * socket.
    */
-  private static final int PATIENT_LOOKS = 4 * LOOKS;
+  private static final int PATIENCE = 4;
 
   /** Share of the time that a thread must have had a processor to count as computing. */
   private static final int BUSY_PARTS = 10;
@@ -44,23 +53,29 @@ public final class Watchdog implements AutoCloseable {
     /**
      * Receives a thread that hangs, and isn't watched any longer.
      *
-     * @param callback the method of the game that doesn't return, for people
+     * @param callback the method of the game that doesn't return, for people; null for a thread
+     *     that builds a match in other code
      * @param stack of the thread, a line for each call
      */
     void hangs(String callback, String stack);
   }
 
   private static final class Watch {
-    private final Worker worker;
+    private final WatchedThread thread;
     private final Watched watched;
+    private final boolean builds;
     private int progress;
-    private String callback;
+
+    /** The work of the thread that must end, or null. */
+    private String work;
+
     private int looks;
     private long cpuNs;
 
-    Watch(Worker worker, Watched watched) {
-      this.worker = worker;
+    Watch(WatchedThread thread, Watched watched, boolean builds) {
+      this.thread = thread;
       this.watched = watched;
+      this.builds = builds;
     }
   }
 
@@ -79,10 +94,19 @@ public final class Watchdog implements AutoCloseable {
     thread.setDaemon(true);
   }
 
-  /** Watches a thread from now on; any thread. */
+  /** Watches a thread of a room or the lobby from now on; any thread. */
   public void watch(Worker worker, Watched watched) {
-    worker.onAwake(() -> LockSupport.unpark(thread));
-    watches.add(new Watch(worker, watched));
+    add(new Watch(worker, watched, false));
+  }
+
+  /** Watches a thread that builds matches from now on, and rests between them; any thread. */
+  void watchLoads(WatchedThread loads, Watched watched) {
+    add(new Watch(loads, watched, true));
+  }
+
+  private void add(Watch watch) {
+    watch.thread.onAwake(() -> LockSupport.unpark(thread));
+    watches.add(watch);
     LockSupport.unpark(thread);
   }
 
@@ -93,7 +117,7 @@ public final class Watchdog implements AutoCloseable {
 
   private void run() {
     while (!closed) {
-      if (watches.stream().allMatch(watch -> watch.worker.rests())) {
+      if (watches.stream().allMatch(watch -> watch.thread.rests())) {
         LockSupport.park(this);
       }
       try {
@@ -113,26 +137,40 @@ public final class Watchdog implements AutoCloseable {
 
   private void look(Watch w) {
     int progress = w.watched.progress();
-    if (progress != w.progress || w.worker.rests()) {
+    if (progress != w.progress || w.thread.rests()) {
       w.progress = progress;
-      w.callback = null;
+      w.work = null;
       return;
     }
-    StackTraceElement[] stack = w.worker.stack();
+    Thread watched = w.thread.thread();
+    StackTraceElement[] stack = watched.getStackTrace();
     String callback = callback(stack);
-    if (callback == null || !callback.equals(w.callback)) {
-      w.callback = callback;
+    String work = w.builds ? "a match" : callback;
+    if (work == null || !work.equals(w.work)) {
+      w.work = work;
       w.looks = 0;
-      w.cpuNs = w.worker.cpuNs();
+      w.cpuNs = cpuNs(watched);
       return;
     }
     w.looks++;
     long neededNs = LOOK_MS * 1_000_000L * w.looks / BUSY_PARTS;
-    boolean clear = w.worker.waits() || w.worker.cpuNs() - w.cpuNs >= neededNs;
-    if (w.looks >= (clear ? LOOKS : PATIENT_LOOKS)) {
+    boolean clear = waits(watched) || cpuNs(watched) - w.cpuNs >= neededNs;
+    int looks = w.builds ? LOAD_LOOKS : LOOKS;
+    if (w.looks >= (clear ? looks : PATIENCE * looks)) {
       watches.remove(w);
       w.watched.hangs(callback, text(stack));
     }
+  }
+
+  private static boolean waits(Thread thread) {
+    Thread.State state = thread.getState();
+    return state != Thread.State.RUNNABLE && state != Thread.State.NEW;
+  }
+
+  /** Returns the time for which a thread has had a processor, ns; -1 if it can't be measured. */
+  private static long cpuNs(Thread thread) {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    return threads.isThreadCpuTimeSupported() ? threads.getThreadCpuTime(thread.getId()) : -1;
   }
 
   /** Returns the outermost call of a game in a stack, or null if there is none. */

@@ -1,7 +1,5 @@
 package carom.server.threads;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongSupplier;
@@ -13,7 +11,7 @@ import org.slf4j.LoggerFactory;
  * stopped or its duty has failed, and then says farewell. An exception that reaches this class is a
  * bug. The thread logs it and goes on, unless {@value #MAX_FAILURES_IN_A_ROW} turns in a row fail.
  */
-public final class Worker {
+public final class Worker implements WatchedThread {
   /** Longest farewell, ms. Links stay open for so long that the last message arrives. */
   public static final long FAREWELL_MS = 400;
 
@@ -108,31 +106,19 @@ public final class Worker {
     return thread.getName();
   }
 
-  /** Returns what the thread is doing, the innermost call first. */
-  StackTraceElement[] stack() {
-    return thread.getStackTrace();
+  @Override
+  public Thread thread() {
+    return thread;
   }
 
-  /** Returns whether the thread waits or sleeps. */
-  boolean waits() {
-    Thread.State state = thread.getState();
-    return state != Thread.State.RUNNABLE && state != Thread.State.NEW;
-  }
-
-  /** Returns whether the thread takes a long nap, and will tell when it is awake. */
-  boolean rests() {
+  @Override
+  public boolean rests() {
     return resting;
   }
 
-  /** Sets what the thread does first after a long nap. */
-  void onAwake(Runnable newOnAwake) {
+  @Override
+  public void onAwake(Runnable newOnAwake) {
     onAwake = newOnAwake;
-  }
-
-  /** Returns the time for which the thread has had a processor, ns; -1 if it can't be measured. */
-  long cpuNs() {
-    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-    return threads.isThreadCpuTimeSupported() ? threads.getThreadCpuTime(thread.getId()) : -1;
   }
 
   /**

@@ -131,13 +131,29 @@ final class ErrorsEndNoThreadTest {
     assertEquals("done", commands.run("work").text());
   }
 
+  private record FaultyLoad(Faulty faulty) implements LoaderThread.Load {
+    @Override
+    public String title() {
+      return "faulty";
+    }
+
+    @Override
+    public void run() {
+      faulty.run();
+    }
+
+    @Override
+    public void abandoned(String why) {}
+  }
+
   @Test
   void theLoaderTakesTheNextMatch() throws Exception {
     Faulty faulty = new Faulty();
+    Watchdog watchdog = new Watchdog(ErrorsEndNoThreadTest.class);
     try (LoaderThread loader = new LoaderThread()) {
-      loader.start();
+      loader.start(watchdog, (load, thread, where, stack) -> {});
       for (int i = 0; i <= ERRORS.size(); i++) {
-        loader.execute(faulty::run);
+        loader.execute(new FaultyLoad(faulty));
       }
       faulty.assertWorks();
     }

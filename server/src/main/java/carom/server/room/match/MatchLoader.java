@@ -12,6 +12,7 @@ import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.match.NextMatch;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 
 /**
  * Builds the matches of a room: finds game and level, builds the world and sets the game up. That
@@ -33,7 +34,13 @@ public final class MatchLoader {
   public static final class Unplayable extends Exception {
     private static final long serialVersionUID = 1;
 
-    Unplayable(String why, Throwable cause) {
+    /**
+     * Creates an exception.
+     *
+     * @param why one line for people
+     * @param cause null if that line says all
+     */
+    public Unplayable(String why, Throwable cause) {
       super(why, cause);
     }
   }
@@ -66,12 +73,22 @@ public final class MatchLoader {
    * @throws Unplayable when the game or level isn't there, or the game can't be played in it
    */
   public Match load(NextMatch wanted) throws Unplayable {
+    return load(wanted, game -> {});
+  }
+
+  /**
+   * Builds a match as above.
+   *
+   * @param found hears the name of the game before it is created
+   */
+  public Match load(NextMatch wanted, Consumer<String> found) throws Unplayable {
     try {
       Game game = wanted.game().isEmpty() ? null : game(wanted.game());
       String levelName = wanted.level().isEmpty() ? game.defaultLevel() : wanted.level();
       LoadedLevel level = library.level(levelName);
       String madeFor = level.level().gameName();
       if (game == null) {
+        found.accept(madeFor);
         game = game(madeFor);
       } else if (!game.name().equals(madeFor)) {
         throw new Unplayable(
