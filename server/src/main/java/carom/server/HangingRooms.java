@@ -61,10 +61,7 @@ final class HangingRooms {
     }
   }
 
-  /**
-   * Counts the thread of a match that is never built; the present one goes on. On the watchdog's
-   * thread.
-   */
+  /** Counts the thread of a match that is never built. On the watchdog's thread. */
   public synchronized void abandon(Load load, String thread, String where, String stack) {
     count(load.title() + ": its set-up hangs in " + where, thread, stack);
     endsServer();

@@ -13,6 +13,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
+import carom.server.access.EntryRule;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import java.util.List;
@@ -51,6 +52,22 @@ class LobbyTest {
         new ClientMessage.Ready(client.welcome.epoch(), client.welcome.declarationsDigest()));
     rig.steps(3);
     assertTrue(client.decoder.hasAck());
+  }
+
+  @Test
+  void aBanReachesAPlayerWhoLoadsTheLevel() {
+    FakeClient client = rig.connect().hello("Ann");
+    client.loads = false;
+    rig.steps(2);
+    assertNotNull(client.welcome);
+    rig.server.admit(
+        (name, account, remote) -> new EntryRule.Refusal(RefusalReason.BANNED, "for " + name));
+    client.link.send(
+        new ClientMessage.Ready(client.welcome.epoch(), client.welcome.declarationsDigest()));
+    rig.steps(3);
+    assertEquals(RefusalReason.BANNED, client.refused.reason());
+    assertEquals("for Ann", client.refused.text());
+    assertEquals(0, rig.room.seats().takenCount());
   }
 
   @Test

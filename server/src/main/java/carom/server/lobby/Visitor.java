@@ -376,6 +376,10 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   }
 
   private void enterRoom() {
+    // The operator may have banned the player while the level loaded.
+    if (!requireEntry(seat.wantedName(), seat.account())) {
+      return;
+    }
     done = true;
     if (!room.admit(new Admission(seat, link, FIRST_EPOCH, match.number()))) {
       LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());

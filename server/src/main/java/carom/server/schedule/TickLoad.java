@@ -1,5 +1,7 @@
 package carom.server.schedule;
 
+import java.util.Arrays;
+
 /**
  * Measures how much of its time a room's ticks take: the 95th percentile of the last ten seconds,
  * and the pace at which the room can keep its ticks apart. One thread; no allocation.
@@ -72,6 +74,16 @@ public final class TickLoad {
     sumNs += tookNs;
     summed++;
     return summed >= window && choosePace();
+  }
+
+  /** Notes that the room rests, as if its ticks of ten seconds had taken no time. */
+  public void rest() {
+    Arrays.fill(parts, (byte) 0);
+    Arrays.fill(counts, 0);
+    counts[0] = parts.length;
+    ticks = parts.length;
+    sumNs = 0;
+    summed = 0;
   }
 
   private boolean choosePace() {

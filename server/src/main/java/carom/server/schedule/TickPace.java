@@ -35,13 +35,14 @@ public final class TickPace {
   /**
    * Returns the number of ticks to run now; call once per turn.
    *
-   * @param paused stops the clock: no tick is due, and none is made good later
+   * @param paused stops the clock: no tick is due, and none is made good later; the load is 0
    * @param tick the last tick that ran
    * @param nowNs monotonic time
    */
   public int due(boolean paused, int tick, long nowNs) {
     if (paused) {
       loop.pause();
+      load.rest(); // or a load that nothing measures any more keeps newcomers out
     }
     int due = paused ? 0 : loop.due(nowNs);
     counters.set(Counter.LOAD_PERCENT, load.percent());

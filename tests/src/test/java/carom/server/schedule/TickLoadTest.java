@@ -41,6 +41,20 @@ class TickLoadTest {
   }
 
   @Test
+  void aRoomThatRestsHasNoLoadUntilItIsBusyAgain() {
+    ticks(1_000, 18 * MS);
+    assertEquals(90, load.percent());
+    load.rest();
+    assertEquals(0, load.percent());
+    ticks(25, 18 * MS);
+    assertEquals(0, load.percent(), "25 of 500 ticks");
+    ticks(1, 18 * MS);
+    assertEquals(90, load.percent());
+    ticks(2_000, 2 * MS);
+    assertEquals(10, load.percent(), "nothing else is left of the rest");
+  }
+
+  @Test
   void ticksThatTakeLongerThanTheirPeriodSlowTimeDownUntilTheyFit() {
     ticks(25, 30 * MS);
     assertEquals(55, load.pacePercent(), "36.4 ms a tick, of which 30 are used");

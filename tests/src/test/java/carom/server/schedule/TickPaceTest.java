@@ -1,0 +1,30 @@
+package carom.server.schedule;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import org.junit.jupiter.api.Test;
+
+/** Goal: what a room says of its load is true of now. */
+final class TickPaceTest {
+  private static final long MS = 1_000_000;
+  private static final long PERIOD_NS = 20 * MS;
+
+  private final Counters counters = new Counters();
+  private final TickPace pace =
+      new TickPace(50, 4, new LoadWarnings("room 1: ", counters, 50), counters);
+
+  /** Goal: the load of the last player's ticks doesn't keep the next one out. */
+  @Test
+  void aPausedRoomHasNoLoad() {
+    long nowNs = 0;
+    for (int tick = 0; tick < 1_000; tick++, nowNs += PERIOD_NS) {
+      pace.due(false, tick, nowNs);
+      pace.tickTook(18 * MS, nowNs);
+    }
+    assertEquals(90, counters.get(Counter.LOAD_PERCENT));
+    pace.due(true, 1_000, nowNs);
+    assertEquals(0, counters.get(Counter.LOAD_PERCENT));
+  }
+}
