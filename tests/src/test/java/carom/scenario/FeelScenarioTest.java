@@ -34,6 +34,7 @@ class FeelScenarioTest {
     return Stream.of(
         Arguments.of(PredictionMode.ISLAND, Stepper.SEED),
         Arguments.of(PredictionMode.ALL, Stepper.SEED),
+        Arguments.of(PredictionMode.ALL, 2), // loses both copies of an update
         Arguments.of(PredictionMode.ALL, 3),
         Arguments.of(PredictionMode.ALL, 200),
         Arguments.of(PredictionMode.ALL, 10));

@@ -10,8 +10,8 @@ import carom.sim.ruling.InterferenceLog;
  * the client in parts. The twin of the client's {@code NearUpdate}, which puts the parts together.
  *
  * <p>An update tells the entities that the client doesn't know exactly: newcomers and what they
- * struck, entities with which the game interfered in the base tick by more than rulings, and on a
- * line that loses datagrams what the update before told. Or it tells all of them.
+ * struck, entities with which the game interfered in the base tick by more than rulings, and what
+ * the update before told, if that may be lost. Or it tells all of them.
  *
  * <pre>
  *             begin                   last row sent                  all acknowledged
@@ -57,8 +57,8 @@ final class ExactUpdate {
   private boolean underWay;
   private int baseTick;
 
-  /** True if an update was replaced before all of it arrived, and no update told all since. */
-  private boolean incomplete;
+  /** True if the last update was given up before all of it arrived. */
+  private boolean givenUp;
 
   private int lossTick = -LOSSY_TICKS;
   private int sentTick = -1;
@@ -84,9 +84,12 @@ final class ExactUpdate {
     return isDue() && !delivery.wasSentOnce();
   }
 
-  /** Returns whether an update is under way that will put right what the client has wrong. */
+  /**
+   * Returns whether the client lacks a part of the update under way, and nothing that this update
+   * doesn't tell: then the update will put right what the client has wrong.
+   */
   boolean isHelping() {
-    return underWay && !incomplete;
+    return underWay && !delivery.isEarlierPartLost();
   }
 
   /** Returns whether the exact state of an entity was told, or follows from what was told. */
@@ -97,6 +100,14 @@ final class ExactUpdate {
   /** Returns whether the update under way is too old to be of use. */
   boolean isTooOld() {
     return underWay && simulation.tick() - baseTick > MAX_AGE;
+  }
+
+  /**
+   * Sends the parts again that haven't arrived. Call it when the client has a state that is newer
+   * than all of them, and lacks them: they are lost, or too late to be waited for.
+   */
+  void sendMissingAgain() {
+    delivery.sendMissingAgain();
   }
 
   /** Returns the tick at which the last update was sent as a whole, or -1. */
@@ -111,6 +122,7 @@ final class ExactUpdate {
 
   /** Ends the update, whether it has arrived or not. */
   void cancel() {
+    givenUp |= underWay;
     underWay = false;
   }
 
@@ -119,8 +131,9 @@ final class ExactUpdate {
     delivery.skip();
     members.clear();
     known.clear();
+    delivery.forgetEarlier();
     underWay = false;
-    incomplete = false;
+    givenUp = false;
   }
 
   /**
@@ -130,9 +143,15 @@ final class ExactUpdate {
    * @param all whether all of it is told
    */
   void begin(EntityList near, boolean all) {
-    incomplete = !all && (incomplete || (underWay && delivery.hasPartsInFlight()));
-    noteUnconfirmed();
+    boolean repeats = isDoubtful();
+    noteUnconfirmed(repeats);
+    if (all) {
+      delivery.forgetEarlier();
+    } else if (underWay && !repeats) {
+      delivery.keepEarlier();
+    }
     underWay = true;
+    givenUp = false;
     baseTick = simulation.tick();
     members.clear();
     rows.begin(near, simulation);
@@ -156,9 +175,14 @@ final class ExactUpdate {
     return interference.lastUntoldTick(near.get(place)) == baseTick;
   }
 
-  private void noteUnconfirmed() {
+  /** Returns whether a part of the last update may be lost: the next one should tell it again. */
+  private boolean isDoubtful() {
+    return givenUp || (underWay && (isLossy() || delivery.isDue()));
+  }
+
+  private void noteUnconfirmed(boolean repeats) {
     unconfirmed.clear();
-    if (underWay && isLossy()) {
+    if (repeats) {
       for (int i = 0; i < rows.toldCount(); i++) {
         unconfirmed.add(members.get(rows.told(i)));
       }
@@ -201,6 +225,7 @@ final class ExactUpdate {
     if (encoder.hasLost()) {
       lossTick = simulation.tick();
     }
+    delivery.acknowledgeEarlier(encoder);
     boolean arrived = underWay && delivery.acknowledge(encoder);
     underWay &= !arrived;
     return arrived;

@@ -172,12 +172,19 @@ public final class PredictedSet {
     }
   }
 
-  /** Takes the right to an update because the client disagrees; false without reason or right. */
+  /**
+   * Takes the right to an update because the client disagrees; false without reason or right. If
+   * the update under way explains it, its missing parts are sent again instead.
+   */
   private boolean mayTellDisagreement(int disagreedTick) {
-    return disagreedTick > update.sentTick()
-        && !update.isHelping()
-        && !rulings.isBehind()
-        && limits.takeFullUpdate(simulation.tick());
+    if (disagreedTick <= update.sentTick()) {
+      return false;
+    }
+    if (update.isHelping()) {
+      update.sendMissingAgain();
+      return false;
+    }
+    return !rulings.isBehind() && limits.takeFullUpdate(simulation.tick());
   }
 
   /**

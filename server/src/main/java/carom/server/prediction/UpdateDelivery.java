@@ -50,6 +50,11 @@ final class UpdateDelivery {
   private final int[] sentRows = new int[PARTS];
   private int sentParts;
 
+  // Parts of earlier updates in flight whose rows no later update tells again.
+  private final int[] earlierTick = new int[PARTS];
+  private int earlierParts;
+  private boolean isEarlierPartLost;
+
   /** Begins with an update of some rows, all of which are due. */
   void begin(int rows) {
     totalRows = rows;
@@ -80,8 +85,26 @@ final class UpdateDelivery {
     return sentOnce;
   }
 
-  boolean hasPartsInFlight() {
-    return sentParts > 0;
+  /**
+   * Goes on watching the parts that are in flight after another update has begun, which doesn't
+   * tell their rows again. Call it before {@link #begin}.
+   */
+  void keepEarlier() {
+    isEarlierPartLost |= earlierParts + sentParts > PARTS;
+    int kept = Math.min(sentParts, PARTS - earlierParts);
+    System.arraycopy(sentTick, 0, earlierTick, earlierParts, kept);
+    earlierParts += kept;
+  }
+
+  /** Forgets the parts of earlier updates, because the client is told all. */
+  void forgetEarlier() {
+    earlierParts = 0;
+    isEarlierPartLost = false;
+  }
+
+  /** Returns whether a part of an earlier update is lost, and no later update tells its rows. */
+  boolean isEarlierPartLost() {
+    return isEarlierPartLost;
   }
 
   /** Prepares a snapshot without a part. */
@@ -166,8 +189,7 @@ final class UpdateDelivery {
         continue;
       }
       if (encoder.ownAckedTick() - sentTick[i] >= OVERTAKEN_TICKS) {
-        dueAgain(sentFirst[i], sentRows[i]);
-        announced &= sentRows[i] > 0;
+        lose(i);
         continue;
       }
       sentTick[open] = sentTick[i];
@@ -177,6 +199,38 @@ final class UpdateDelivery {
     }
     sentParts = open;
     return open == 0 && !isDue();
+  }
+
+  /** Takes all parts in flight for lost, unless some rows are due anyway. */
+  void sendMissingAgain() {
+    if (isDue()) {
+      return;
+    }
+    for (int i = 0; i < sentParts; i++) {
+      lose(i);
+    }
+    sentParts = 0;
+  }
+
+  private void lose(int part) {
+    dueAgain(sentFirst[part], sentRows[part]);
+    announced &= sentRows[part] > 0;
+  }
+
+  /** Looks which parts of earlier updates have arrived, and which are lost. */
+  void acknowledgeEarlier(SnapshotEncoder encoder) {
+    int open = 0;
+    for (int i = 0; i < earlierParts; i++) {
+      if (encoder.hasAckedOwn(earlierTick[i])) {
+        continue;
+      }
+      if (encoder.ownAckedTick() - earlierTick[i] >= OVERTAKEN_TICKS) {
+        isEarlierPartLost = true;
+        continue;
+      }
+      earlierTick[open++] = earlierTick[i];
+    }
+    earlierParts = open;
   }
 
   /** Marks the rows of a lost part as due. The loss of another copy may have marked some before. */
