@@ -16,6 +16,7 @@ import carom.net.protocol.ServerMessage;
 import carom.server.access.EntryRule;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
@@ -136,6 +137,64 @@ class LobbyTest {
     assertEquals(1, rig.count(Counter.PLAYERS_IN_GRACE));
     FakeClient back = rig.join("b", second.welcome.sessionSecret());
     assertEquals(second.welcome.playerId(), back.welcome.playerId(), "the other one is waited for");
+  }
+
+  /** Goal: who comes back again and again without an end keeps one seat, not the whole room. */
+  @Test
+  void aStalledReturnSwitchesOffNoSharesOfNetworks() {
+    rig.close();
+    rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+    for (int i = 1; i <= 3; i++) {
+      rig.joinFrom("192.0.2." + i, "crowd" + i);
+    }
+    FakeClient lost = rig.joinFrom("198.51.100.1", "lost");
+    lost.link.close("gone");
+    rig.seconds(2);
+    FakeClient stalled =
+        rig.connectFrom("198.51.100.1").hello("lost", lost.welcome.sessionSecret());
+    stalled.loads = false;
+    rig.steps(10);
+    assertNotNull(stalled.welcome);
+    rig.joinFrom("203.0.113.1", "newcomer");
+    assertEquals(1, rig.count(Counter.PLAYERS_IN_GRACE), "the stalled one keeps its seat");
+  }
+
+  /** Goal: loaders that stall, each from an address of its own, don't keep players out. */
+  @Test
+  void whoStallsWhileLoadingGivesWayToANewcomerOfAFullServer() {
+    rig.close();
+    rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+    List<FakeClient> stalled = new ArrayList<>();
+    for (int i = 1; i <= 4; i++) {
+      FakeClient client = rig.connectFrom("192.0.2." + i).hello("stalls" + i);
+      client.loads = false;
+      stalled.add(client);
+    }
+    rig.seconds(1);
+    FakeClient early = rig.connectFrom("203.0.113.1").hello("early");
+    rig.seconds(0.5);
+    assertEquals(RefusalReason.SERVER_FULL, early.refused.reason(), "they may be slow");
+    rig.seconds(1);
+    rig.joinFrom("203.0.113.1", "newcomer");
+    assertEquals(RefusalReason.TOO_SLOW, stalled.get(0).refused.reason());
+    assertEquals(3, stalled.stream().filter(client -> client.refused == null).count());
+  }
+
+  /** Goal: a network gets no more of the lobby by loading slowly from many addresses. */
+  @Test
+  void aNetworkThatLoadsInManySeatsGivesOneUp() {
+    rig.close();
+    rig = new Rig(ServerConfig.defaults().withMaxPlayers(12), new TestGame(3));
+    List<FakeClient> slow = new ArrayList<>();
+    for (int i = 1; i <= 12; i++) {
+      FakeClient client = rig.connectFrom("192.0.2." + i).hello("slow" + i);
+      client.loads = false;
+      slow.add(client);
+    }
+    rig.steps(5);
+    rig.joinFrom("203.0.113.1", "newcomer");
+    assertEquals(RefusalReason.TOO_SLOW, slow.get(0).refused.reason());
+    assertEquals(11, slow.stream().filter(client -> client.refused == null).count());
   }
 
   @Test

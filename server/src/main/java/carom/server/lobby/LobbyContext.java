@@ -1,5 +1,6 @@
 package carom.server.lobby;
 
+import carom.net.admission.AddressGroup;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
@@ -12,6 +13,7 @@ import carom.server.schedule.TickLoad;
 import carom.server.session.PartingLinks;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -25,6 +27,9 @@ final class LobbyContext {
   private static final Logger LOG = LoggerFactory.getLogger(LobbyContext.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
+
+  /** Seats that one network may hold while it loads, even when seats are short. */
+  private static final int LOADING_OF_NETWORK = 8;
 
   private final ServerConfig config;
   private final RoomChooser chooser;
@@ -132,30 +137,47 @@ final class LobbyContext {
 
   /** Returns the number of visitors of a host that hold a seat and still load the level. */
   int countLoading(String host) {
+    return countLoading(AddressGroup::host, host);
+  }
+
+  private int countLoading(Function<AddressGroup, String> group, String key) {
     int count = 0;
     for (int i = 0; i < visitors.size(); i++) {
       Visitor v = visitors.get(i);
-      count += v.isLoading() && v.origin().host().equals(host) ? 1 : 0;
+      count += v.isLoading() && group.apply(v.origin()).equals(key) ? 1 : 0;
     }
     return count;
   }
 
   /**
    * Returns the visitor that must give up its seat when seats are short, or null. It is the oldest
-   * visitor of the host that holds the most seats while loading, at least two. The newcomer's host
-   * is exempt.
+   * visitor of the host that holds the most seats while loading, at least two. Without one it is
+   * the oldest of the network that holds the most, more than {@value #LOADING_OF_NETWORK}. The
+   * newcomer's own host or network is exempt. Without one it is the oldest that stalls.
    *
    * @param requested the room whose seats are short, or null for all
    */
-  Visitor oldestOfBusiestHost(String newcomer, Room requested) {
+  Visitor loaderToGiveWay(AddressGroup newcomer, Room requested) {
+    Visitor ofHost = oldestOfBusiest(AddressGroup::host, 1, newcomer, requested);
+    if (ofHost != null) {
+      return ofHost;
+    }
+    Visitor ofNetwork =
+        oldestOfBusiest(AddressGroup::network, LOADING_OF_NETWORK, newcomer, requested);
+    return ofNetwork != null ? ofNetwork : oldestStalled(requested);
+  }
+
+  private Visitor oldestOfBusiest(
+      Function<AddressGroup, String> group, int least, AddressGroup newcomer, Room requested) {
     Visitor oldest = null;
-    int most = 1;
+    int most = least;
     for (int i = 0; i < visitors.size(); i++) {
       Visitor v = visitors.get(i);
+      String key = group.apply(v.origin());
       if (v.isLoading()
           && (requested == null || v.room() == requested)
-          && !v.origin().host().equals(newcomer)) {
-        int held = countLoading(v.origin().host());
+          && !key.equals(group.apply(newcomer))) {
+        int held = countLoading(group, key);
         if (held > most) { // the list is in order of arrival
           most = held;
           oldest = v;
@@ -163,5 +185,15 @@ final class LobbyContext {
       }
     }
     return oldest;
+  }
+
+  private Visitor oldestStalled(Room requested) {
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      if (v.isStalled() && (requested == null || v.room() == requested)) {
+        return v;
+      }
+    }
+    return null;
   }
 }

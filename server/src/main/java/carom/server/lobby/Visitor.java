@@ -40,6 +40,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** Time after which a visitor of a full server asks for a seat again, ms. */
   private static final long ASK_AGAIN_MS = 400;
 
+  /**
+   * Time without a request after which a visitor that loads gives way where seats are short, ms.
+   */
+  private static final long STALL_MS = 2_000;
+
   /** Time for which a visitor waits for a seat before the lobby refuses it, ms. */
   private static final long ENTRANCE_WAIT_MS = 2_500;
 
@@ -70,6 +75,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private int lists;
   private long waitsUntilNs;
   private long askAgainNs;
+  private long askedNs; // when the client last asked for a part of the level
 
   /** The room whose seat is kept for this visitor, as another player gives it up, or null. */
   private Room promised;
@@ -132,6 +138,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       list(list);
     } else if (state == SessionState.LOADING
         && message instanceof ClientMessage.LevelRequest request) {
+      askedNs = context.nowNs();
       String problem = upload.answer(request, link);
       if (problem != null) {
         refuse(RefusalReason.BAD_REQUEST, problem);
@@ -341,7 +348,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   /**
    * Asks a room to give up a seat that nobody plays in or that a network holds beyond its share.
-   * Without one, the busiest other host must give up a seat where the level still loads. Returns
+   * Without one, a visitor gives way that loads the level and crowds others out, or stalls. Returns
    * false if nobody gives way.
    */
   private boolean askForSeat(Room requested) {
@@ -350,7 +357,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     }
     promised = chooser.askToGiveWay(waiting.account(), origin, requested);
     boolean asked = promised != null || chooser.hasReserved(requested);
-    Visitor crowding = asked ? null : context.oldestOfBusiestHost(origin.host(), requested);
+    Visitor crowding = asked ? null : context.loaderToGiveWay(origin, requested);
     if (crowding != null) {
       asked = true;
       crowding.refuse(RefusalReason.TOO_SLOW, "Others wait for the place.");
@@ -363,6 +370,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     match = room.match();
     upload = new LevelUpload(match.level(), FIRST_EPOCH);
     deadlineNs = context.nowNs() + config.loadTimeoutMs() * NS_PER_MS;
+    askedNs = context.nowNs();
     state = state.become(SessionState.LOADING);
     link.send(
         match.welcome(
@@ -448,6 +456,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** Returns whether the visitor holds a seat and still loads the level. */
   boolean isLoading() {
     return !done && state == SessionState.LOADING;
+  }
+
+  /** Returns whether the visitor holds a seat, but hasn't asked for the level for two seconds. */
+  boolean isStalled() {
+    return isLoading() && context.nowNs() - askedNs >= STALL_MS * NS_PER_MS;
   }
 
   /** Returns whether the visitor waits for a seat of a room that is kept for it. */

@@ -19,6 +19,12 @@ public final class SeatRequests {
   private final long idleTicks;
   private final SeatShares shares;
   private final AtomicInteger open = new AtomicInteger();
+
+  /**
+   * Seats that nobody plays in and that no link claims: nobody waits for a seat that is claimed.
+   */
+  private volatile int willing;
+
   private final AtomicReference<Seats.Seat> crowding = new AtomicReference<>();
 
   /**
@@ -40,11 +46,11 @@ public final class SeatRequests {
    * @param origin where the newcomer comes from
    */
   public boolean ask(String account, AddressGroup origin) {
-    long willing = counters.get(Counter.PLAYERS_IN_GRACE) + counters.get(Counter.PLAYERS_IDLE);
-    if (willing > open.get()) {
+    int count = willing;
+    if (count > open.get()) {
       open.incrementAndGet();
     }
-    return willing > 0 || askCrowd(account, origin);
+    return count > 0 || askCrowd(account, origin);
   }
 
   private boolean askCrowd(String account, AddressGroup origin) {
@@ -81,19 +87,21 @@ public final class SeatRequests {
     Session lost = null;
     Session idle = null;
     int idleCount = 0;
+    int lostCount = 0;
     for (Session session : sessions) {
       if (session == null || seats.isClaimed(session.seat())) {
         continue;
       }
-      if (session.state() == SessionState.GRACE
-          && (lost == null || session.graceEndNs() - lost.graceEndNs() < 0)) {
-        lost = session;
+      if (session.state() == SessionState.GRACE) {
+        lostCount++;
+        lost = lost == null || session.graceEndNs() - lost.graceEndNs() < 0 ? session : lost;
       } else if (isIdle(session)) {
         idleCount++;
         idle = idle == null || session.idleTicks() > idle.idleTicks() ? session : idle;
       }
     }
     counters.set(Counter.PLAYERS_IDLE, idleCount);
+    willing = lostCount + idleCount; // one thread writes it
     Session first = lost != null ? lost : idle;
     if (first == null) {
       open.set(0);
