@@ -21,7 +21,7 @@ class GiveWayTest {
       for (FakeClient player : players) {
         player.link.close("killed");
       }
-      rig.seconds(1);
+      rig.seconds(10.1);
       assertEquals(places, rig.count(Counter.PLAYERS_IN_GRACE));
       FakeClient newcomer = rig.connect().hello("newcomer");
       for (int i = 0; i < 60; i++) {

@@ -129,7 +129,12 @@ class LobbyTest {
     first.link.close("gone");
     rig.seconds(1);
     second.link.close("gone");
-    rig.seconds(1);
+    rig.seconds(8.5);
+    FakeClient tooSoon = rig.connect().hello("c");
+    rig.seconds(.2);
+    assertEquals(
+        RefusalReason.SERVER_FULL, tooSoon.refused.reason(), "a lost player has 10 s to return");
+    rig.seconds(.5);
     FakeClient third = rig.join("c");
     assertEquals(first.welcome.playerId(), third.welcome.playerId());
     rig.seconds(1);
@@ -137,6 +142,27 @@ class LobbyTest {
     assertEquals(1, rig.count(Counter.PLAYERS_IN_GRACE));
     FakeClient back = rig.join("b", second.welcome.sessionSecret());
     assertEquals(second.welcome.playerId(), back.welcome.playerId(), "the other one is waited for");
+  }
+
+  /** Goal: a crowd that drops doesn't keep its seats for as long as a lost player would. */
+  @Test
+  void aCrowdThatLosesItsConnectionsGivesWayAtOnce() {
+    rig.close();
+    rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+    FakeClient alone = rig.joinFrom("198.51.100.1", "alone");
+    List<FakeClient> crowd = new ArrayList<>();
+    for (int i = 1; i <= 3; i++) {
+      crowd.add(rig.joinFrom("192.0.2." + i, "crowd" + i));
+    }
+    alone.link.close("gone");
+    crowd.forEach(client -> client.link.close("gone"));
+    rig.seconds(1);
+    assertEquals(4, rig.count(Counter.PLAYERS_IN_GRACE));
+    FakeClient newcomer = rig.joinFrom("203.0.113.1", "newcomer");
+    assertEquals(crowd.get(2).welcome.playerId(), newcomer.welcome.playerId(), "the newest");
+    FakeClient second = rig.connectFrom("203.0.114.1").hello("second");
+    rig.steps(10);
+    assertEquals(RefusalReason.SERVER_FULL, second.refused.reason(), "two seats are no crowd");
   }
 
   /** Goal: who comes back again and again without an end keeps one seat, not the whole room. */

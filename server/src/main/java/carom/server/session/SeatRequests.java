@@ -11,12 +11,19 @@ import java.util.concurrent.atomic.AtomicReference;
 /**
  * Requests of newcomers for seats of a full room. A seat is given up by the player that lost the
  * connection first, or else by the one that has been idle for longest, or else by one whose network
- * holds more than its share. The room's thread, but for {@link #ask}.
+ * holds more than its share. A player that has just lost the connection has a moment to come back:
+ * {@value #LONGEST_WAIT_MS} ms or a third of the grace period, whichever is shorter. Without it, a
+ * full server would give everybody's seats away after a crash. A crowd has no such moment. The
+ * room's thread, but for {@link #ask}.
  */
 public final class SeatRequests {
+  private static final long LONGEST_WAIT_MS = 10_000;
+  private static final long NS_PER_MS = 1_000_000;
+
   private final Counters counters;
   private final Seats seats;
   private final long idleTicks;
+  private final long shortestLeftNs; // of the grace period of a player for whom nobody waits
   private final SeatShares shares;
   private final AtomicInteger open = new AtomicInteger();
 
@@ -30,11 +37,14 @@ public final class SeatRequests {
   /**
    * Creates an object without requests.
    *
-   * @param config says when a player counts as idle, and a network's share
+   * @param config says how long a lost player is waited for, when a player counts as idle, and a
+   *     network's share
    */
   public SeatRequests(Counters counters, Seats seats, ServerConfig config) {
     this.counters = counters;
     this.seats = seats;
+    shortestLeftNs =
+        (config.graceMs() - Math.min(LONGEST_WAIT_MS, config.graceMs() / 3)) * NS_PER_MS;
     idleTicks = (long) config.idleKickS() * config.tickRateHz();
     shares = new SeatShares(seats.count(), config.networkSharePercent());
   }
@@ -69,11 +79,7 @@ public final class SeatRequests {
     }
     crowding.set(null);
     Session session = sessions[seat.id()];
-    boolean gives =
-        session != null
-            && session.seat() == seat
-            && session.state() != SessionState.GRACE
-            && !seats.isClaimed(seat);
+    boolean gives = session != null && session.seat() == seat && !seats.isClaimed(seat);
     return gives ? session : null;
   }
 
@@ -82,8 +88,12 @@ public final class SeatRequests {
     open.decrementAndGet();
   }
 
-  /** Returns the session that gives up its seat next, or null. It also counts who is idle. */
-  public Session next(Session[] sessions) {
+  /**
+   * Returns the session that gives up its seat next, or null. It also counts who is idle.
+   *
+   * @param nowNs monotonic time
+   */
+  public Session next(Session[] sessions, long nowNs) {
     Session lost = null;
     Session idle = null;
     int idleCount = 0;
@@ -93,8 +103,10 @@ public final class SeatRequests {
         continue;
       }
       if (session.state() == SessionState.GRACE) {
-        lostCount++;
-        lost = lost == null || session.graceEndNs() - lost.graceEndNs() < 0 ? session : lost;
+        if (session.graceEndNs() - nowNs <= shortestLeftNs) {
+          lostCount++;
+          lost = lost == null || session.graceEndNs() - lost.graceEndNs() < 0 ? session : lost;
+        }
       } else if (isIdle(session)) {
         idleCount++;
         idle = idle == null || session.idleTicks() > idle.idleTicks() ? session : idle;
