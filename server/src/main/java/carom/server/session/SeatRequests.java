@@ -23,7 +23,7 @@ public final class SeatRequests {
   private final Counters counters;
   private final Seats seats;
   private final long idleTicks;
-  private final long shortestLeftNs; // of the grace period of a player for whom nobody waits
+  private final long shortestLeftNs; // of its grace period, when a lost player gives way
   private final SeatShares shares;
   private final AtomicInteger open = new AtomicInteger();
 
