@@ -52,6 +52,15 @@ final class UdpProxy implements AutoCloseable {
     before.close();
   }
 
+  /** Does as {@link #rebind} does, and sends from another host of this machine. */
+  void rebind(String host) throws IOException {
+    DatagramChannel before = outside;
+    DatagramChannel next = open();
+    next.bind(new InetSocketAddress(host, 0));
+    outside = next;
+    before.close();
+  }
+
   /** Loses what the server sends to the client from now on. */
   void deafen() {
     deaf = true;

@@ -4,6 +4,7 @@ import carom.net.admission.AddressGroup;
 import carom.net.admission.Entrance;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.FloodMeter;
+import carom.net.datagram.MoveLimit;
 import carom.net.datagram.TokenBucket;
 import carom.net.frame.Frame;
 import carom.net.frame.FramedLink;
@@ -71,6 +72,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   private final TokenBucket messageBudget; // used by the network thread
   private final TokenBucket datagramBudget; // used by the port's thread
   private final FloodMeter floodMeter; // used by the port's thread
+  private final MoveLimit moveLimit; // used by the port's thread
   private final Object sealing = new Object();
   private volatile LinkKeys keys; // its sealer of datagrams is guarded by the lock above
   private StreamSeal streamSeal; // guarded by KryoNet's lock of the stream
@@ -105,6 +107,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     messageBudget = new TokenBucket(messages, messages);
     datagramBudget = new TokenBucket(datagrams, Math.max(1, datagrams / 2));
     floodMeter = new FloodMeter(datagrams);
+    moveLimit = new MoveLimit(network.moves);
     link = new ServerLink(this);
   }
 
@@ -543,14 +546,18 @@ final class ServerConnection extends Connection implements Entrance.Guest {
    */
   void readDatagram(InetSocketAddress from, byte[] bytes, int length, ByteBuffer opened, long now) {
     LinkKeys current = keys;
-    boolean elsewhere = !from.equals(udpAddress) && !from.equals(newAddress);
-    if (current != null && elsewhere && !network.elsewhere.take(now)) {
+    InetSocketAddress present = udpAddress; // known before the keys are
+    boolean elsewhere = current != null && !from.equals(present) && !from.equals(newAddress);
+    if (elsewhere && !moveLimit.take(from, present, now)) {
       network.counters.strangeDatagrams.incrementAndGet();
       return;
     }
     int fields =
         current == null ? DatagramOpener.FORGED : current.datagramsIn().open(bytes, length);
     if (fields == DatagramOpener.FORGED) {
+      if (elsewhere) {
+        moveLimit.forged(from, now);
+      }
       network.counters.forgedDatagrams.incrementAndGet();
       return;
     }

@@ -6,6 +6,7 @@ import carom.net.admission.Hosts;
 import carom.net.admission.WorkProof;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.LinkTable;
+import carom.net.datagram.MoveLimit;
 import carom.net.datagram.TokenBucket;
 import carom.net.frame.Frame;
 import carom.net.kryo.FrameCodec;
@@ -50,9 +51,6 @@ final class ServerNetwork implements Runnable {
   private static final long SWEEP_NANOS = 50_000_000L;
   private static final long KEY_IDLE_SECONDS = 10;
 
-  /** Largest number of datagrams per second that are opened although no link has their address. */
-  static final int ELSEWHERE_PER_SECOND = 500;
-
   private static final long SHUTDOWN_NANOS = 2 * SWEEP_NANOS + Frame.LINGER_NANOS;
 
   static {
@@ -84,12 +82,8 @@ final class ServerNetwork implements Runnable {
   final Hosts hosts = new Hosts();
 
   // used by the port's thread
-  /**
-   * Limits datagrams of links from addresses that aren't theirs. They are opened in case that a
-   * client has moved; a forged one costs three times as much as a genuine one, because the JCE
-   * refuses it by an exception.
-   */
-  final TokenBucket elsewhere = new TokenBucket(ELSEWHERE_PER_SECOND, ELSEWHERE_PER_SECOND);
+  /** Limit of all links together on datagrams from addresses that aren't theirs. */
+  final TokenBucket moves = MoveLimit.total();
 
   private final byte[] received = new byte[Frame.SERVER_BUFFER_BYTES];
   private final ByteBuffer receivedView = ByteBuffer.wrap(received);
