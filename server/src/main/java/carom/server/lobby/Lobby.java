@@ -73,7 +73,7 @@ public final class Lobby {
    * are links that play or load, that wait, that watch, and that are told goodbye.
    */
   public static int mostLinks(int places) {
-    return 2 * places + 2 * placesToWait(places) + Spectators.MAX;
+    return 2 * places + 2 * placesToWait(places) + Spectators.MAX + LobbyContext.MAX_PARTINGS;
   }
 
   /**

@@ -1,7 +1,6 @@
 package carom.server.lobby;
 
 import carom.net.admission.AddressGroup;
-import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
@@ -28,6 +27,9 @@ final class LobbyContext {
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
 
+  /** Links that may be told goodbye at once; those of players who leave are a room's. */
+  static final int MAX_PARTINGS = 64;
+
   /** Seats that one network may hold while it loads, even when seats are short. */
   private static final int LOADING_OF_NETWORK = 8;
 
@@ -36,7 +38,7 @@ final class LobbyContext {
   private final RoomDirectory directory;
   private final int places;
   private final List<Visitor> visitors = new ArrayList<>();
-  private final PartingLinks partings = new PartingLinks(ProtocolLimits.MAX_PLAYERS);
+  private final PartingLinks partings = new PartingLinks(MAX_PARTINGS);
   private final AdmissionRate rate;
   private final Spectators spectators;
   private volatile EntryRule entryRule = EntryRule.OPEN;

@@ -274,6 +274,23 @@ final class KryoHostilityTest {
   }
 
   @Test
+  void whoWasToldToGoAndStaysKeepsNobodyOut() throws IOException {
+    try (Network strict = new Network(LIMITS.withConnections(8, 50))) {
+      List<RawPeer> peers = new ArrayList<>();
+      for (int i = 0; i < 40; i++) {
+        RawPeer peer = new RawPeer(strict);
+        peers.add(peer);
+        peer.join().close("refused");
+      }
+      Network.Pair newcomer = strict.pair();
+      assertEquals(Link.State.OPEN, newcomer.client.state());
+      for (RawPeer peer : peers) {
+        peer.close();
+      }
+    }
+  }
+
+  @Test
   void underPressureAPeerThatHasNotWorkedGetsNoFurther() throws IOException {
     KryoLimits few = LIMITS.withTimes(2_000, 2_500).withPending(10);
     try (Network strict = new Network(few)) {

@@ -340,6 +340,13 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     }
   }
 
+  /** Closes at once if the server has sent BYE. Called on the network thread. */
+  void leave() {
+    if (phase == Phase.CLOSING) {
+      closeNow("closed");
+    }
+  }
+
   /** Closes the connection at once. Called on the network thread. */
   void closeNow(String reason) {
     boolean wasOpen;

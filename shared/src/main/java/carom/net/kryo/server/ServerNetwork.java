@@ -314,6 +314,9 @@ final class ServerNetwork implements Runnable {
     connection.remote(text(remote));
     connection.origin(AddressGroup.of(remote.getAddress()));
     String host = connection.origin().host();
+    if (open.get() >= limits.maxConnections() * 3 / 4) {
+      each(ServerConnection::leave); // who was told to go holds no place that others need
+    }
     int inside = open.get();
     connections.add(connection);
     int sameHost = hosts.add(host);
