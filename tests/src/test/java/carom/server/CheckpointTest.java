@@ -39,6 +39,8 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -424,6 +426,28 @@ class CheckpointTest {
         kept.step();
       }
       assertTrue(kept.server.hasFailed());
+      kept.close();
+    }
+  }
+
+  @Test
+  void anErrorOfTheGameRefusesOneCheckpointAndTheOneBeforeIsUsed() throws Exception {
+    Path path = folder.resolve("kept0");
+    List<String> levels = List.of("chain");
+    KeptServer kept = new KeptServer(KeptServer.library(), levels, path, START_NS);
+    kept.runTo(150);
+    Path crashed = crash();
+    int tick = kept.tick();
+    kept.close();
+    Deque<Error> errors = new ArrayDeque<>(List.of(new NoSuchMethodError("of another library")));
+    MatchLibrary library = with(game -> game.keepsMoreFails = errors::poll);
+    kept = new KeptServer(library, levels, crashed, START_NS);
+    try {
+      assertTrue(errors.isEmpty());
+      assertEquals(1, kept.server.count(Counter.ROOMS_RESUMED));
+      int lost = tick - kept.resumedTick;
+      assertTrue(lost > 16 && lost <= 16 + 60, "the slot before: lost=" + lost + " ticks");
+    } finally {
       kept.close();
     }
   }

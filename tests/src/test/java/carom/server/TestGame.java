@@ -19,6 +19,7 @@ import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Supplier;
 
 /** A game with balls without gravity, one of which each player steers. It fails on demand. */
 final class TestGame extends PlainGame {
@@ -52,6 +53,9 @@ final class TestGame extends PlainGame {
 
   boolean relaysAhead = true;
   boolean keepsMore;
+
+  /** What {@link #keepsMore} throws instead of an answer; null for nothing. */
+  Supplier<Error> keepsMoreFails = () -> null;
 
   /** Makes {@link #beforeStep} loop for as long as it is true. */
   volatile boolean hangs;
@@ -155,6 +159,10 @@ final class TestGame extends PlainGame {
 
   @Override
   public boolean keepsMore() {
+    Error error = keepsMoreFails.get();
+    if (error != null) {
+      throw error;
+    }
     return keepsMore;
   }
 

@@ -141,8 +141,9 @@ public final class RoomCheckpoints {
         room.counters().add(Counter.ROOMS_RESUMED, 1);
         return resumed;
       } catch (IOException | RuntimeException e) {
-        resume.forgetSeats();
-        LOG.warn("{}checkpoint {} is refused: {}", room.label(), number, e.getMessage());
+        refuse(resume, number, e.getMessage());
+      } catch (AssertionError | StackOverflowError | LinkageError e) { // of the game's code
+        refuse(resume, number, e.toString());
       }
     }
     if (!mayResume) {
@@ -162,6 +163,11 @@ public final class RoomCheckpoints {
           folder.path());
     }
     return null;
+  }
+
+  private void refuse(RoomResume resume, int number, String why) {
+    resume.forgetSeats();
+    LOG.warn("{}checkpoint {} is refused: {}", room.label(), number, why);
   }
 
   /**
