@@ -79,6 +79,7 @@ final class SpawnSettler {
       simulation.mirror().identify(known, entity.origin());
       return;
     }
+    records.spawns().settle(key, entity.ownerId()); // its first record may still be on the way
     entity.body().readRow(row, 0);
     entity.fieldValues().copyTo(words, 0);
     Entity real =

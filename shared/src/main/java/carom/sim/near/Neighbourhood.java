@@ -152,11 +152,11 @@ public final class Neighbourhood {
       return (key, to) -> false;
     }
 
-    /** Returns the player that an entity belongs to, or {@link Entity#NO_OWNER}. */
-    int owner(int id);
+    /** Returns the player that the entity of a key belongs to, or {@link Entity#NO_OWNER}. */
+    int owner(int key);
 
-    /** Returns whether an entity may be the body of its owner. */
-    default boolean isBody(int id) {
+    /** Returns whether the entity of a key may be the body of its owner. */
+    default boolean isBody(int key) {
       return true;
     }
 
@@ -180,12 +180,12 @@ public final class Neighbourhood {
     for (int i = 0; i < bodies.count(); i++) {
       int key = bodies.get(i, BodyRow.KEY);
       int id = id(key);
-      int owner = who.owner(id);
+      int owner = who.owner(key);
       if (owner != Entity.NO_OWNER && s.player(owner) == null) {
         s.mirror().join(owner, "");
       }
       Archetype archetype = s.archetypes().get(bodies.get(i, BodyRow.ARCHETYPE));
-      Entity e = s.mirror().spawn(id, generation(key), archetype, 0, 0, 0, owner, who.isBody(id));
+      Entity e = s.mirror().spawn(id, generation(key), archetype, 0, 0, 0, owner, who.isBody(key));
       s.mirror().identify(e, who.origin(key));
       rows.setSlot(i, e.body().index());
       Player player = s.player(owner);

@@ -201,8 +201,8 @@ final class JointSimulationTest {
       }
 
       @Override
-      public int owner(int id) {
-        return server.entity(id).ownerId();
+      public int owner(int key) {
+        return server.entity(Neighbourhood.id(key)).ownerId();
       }
     };
   }

@@ -78,8 +78,8 @@ final class NeighbourhoodTest {
             client,
             new Neighbourhood.Identity() {
               @Override
-              public int owner(int id) {
-                return server.entity(id).ownerId();
+              public int owner(int key) {
+                return server.entity(Neighbourhood.id(key)).ownerId();
               }
             });
         here.readAll(client);

@@ -141,13 +141,27 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
   }
 
   @Override
-  public int owner(int id) {
-    return Ownership.player(decoder.history(id).ownership(0));
+  public int owner(int key) {
+    return Ownership.player(ownership(key));
   }
 
   @Override
-  public boolean isBody(int id) {
-    return Ownership.isBody(decoder.history(id).ownership(0));
+  public boolean isBody(int key) {
+    return Ownership.isBody(ownership(key));
+  }
+
+  /**
+   * Returns the {@link Ownership} by the newest record of an entity, or that of the own spawn which
+   * became the entity before its first record came.
+   */
+  private int ownership(int key) {
+    EntityHistory history = decoder.history(Neighbourhood.id(key));
+    for (int i = 0; history != null && i < history.size(); i++) {
+      if (history.alive(i) && history.generation(i) == Neighbourhood.generation(key)) {
+        return history.ownership(i);
+      }
+    }
+    return spawns.ownership(key);
   }
 
   @Override

@@ -3,6 +3,8 @@ package carom.client.prediction.received;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.exact.SpawnList;
+import carom.net.snapshot.frame.Ownership;
+import carom.sim.entity.Entity;
 import carom.sim.spawn.Origin;
 import carom.sim.spawn.OwnSpawns;
 
@@ -22,6 +24,7 @@ public final class SpawnMatches implements OwnSpawns {
   private final int[] origins = new int[MOST];
   private final int[] keys = new int[MOST];
   private final boolean[] near = new boolean[MOST];
+  private final int[] ownerships = new int[MOST];
   private int next;
 
   /** Origins of the entities that were predicted, a ring of the last ones. */
@@ -44,6 +47,7 @@ public final class SpawnMatches implements OwnSpawns {
         origins[at] = told.origin(i);
         keys[at] = told.key(i);
         near[at] = false;
+        ownerships[at] = Entity.NO_OWNER;
       }
       near[at] |= isNear(own.near(), told.key(i));
     }
@@ -83,6 +87,23 @@ public final class SpawnMatches implements OwnSpawns {
   public int origin(int key) {
     int at = find(keys, key);
     return at < 0 ? Origin.NONE : origins[at];
+  }
+
+  /**
+   * Notes the owner of a provisional entity that becomes one of the server's, or {@link
+   * Entity#NO_OWNER}.
+   */
+  public void settle(int key, int owner) {
+    int at = find(keys, key);
+    if (at >= 0) {
+      ownerships[at] = owner < 0 ? owner : owner | Ownership.NOT_BODY;
+    }
+  }
+
+  /** Returns the {@link Ownership} of an entity that was a provisional one, -1 for no owner. */
+  int ownership(int key) {
+    int at = find(keys, key);
+    return at < 0 ? Entity.NO_OWNER : ownerships[at];
   }
 
   /** Notes that an entity is predicted. */
