@@ -18,6 +18,8 @@ public final class PlayerName {
    */
   private static final String BLANKS = "\u034f\u115f\u1160\u17b4\u17b5\u2800\u3164\uffa0";
 
+  private static final int DOT_ABOVE = 0x307;
+
   private PlayerName() {}
 
   /**
@@ -30,15 +32,17 @@ public final class PlayerName {
 
   /**
    * Returns a form of a name that is equal for names that look alike on a screen. Letters of other
-   * scripts count as the Latin ones that they resemble, and the differences between {@code I},
-   * {@code l} and {@code 1}, {@code O} and {@code 0}, {@code m} and {@code rn} don't count.
+   * scripts and small capitals count as the Latin ones that they resemble, and the differences
+   * between {@code I}, {@code l} and {@code 1}, {@code O} and {@code 0}, {@code m} and {@code rn}
+   * don't count. Nor do marks below letters, and how many spaces are between two words.
    */
   public static String skeleton(String name) {
     StringBuilder skeleton = new StringBuilder();
-    Normalizer.normalize(name, Normalizer.Form.NFKC)
+    Normalizer.normalize(name, Normalizer.Form.NFKD)
         .codePoints()
         .map(Confusables::latin)
-        .forEach(skeleton::appendCodePoint);
+        .filter(point -> point != Confusables.NOTHING && !isLostBehind(skeleton, point))
+        .forEachOrdered(skeleton::appendCodePoint);
     return skeleton
         .toString()
         .replace('1', 'l')
@@ -47,6 +51,12 @@ public final class PlayerName {
         .replace('0', 'o')
         .replace("rn", "m")
         .replace("vv", "w");
+  }
+
+  /** Returns whether a second space, or the dot of an i that has one, doesn't show. */
+  private static boolean isLostBehind(StringBuilder text, int point) {
+    char last = text.isEmpty() ? ' ' : text.charAt(text.length() - 1);
+    return point == ' ' ? last == ' ' : point == DOT_ABOVE && (last == 'i' || last == 'j');
   }
 
   /** Returns whether a player could take one name for the other. */

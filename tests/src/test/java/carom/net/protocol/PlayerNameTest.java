@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -25,7 +26,14 @@ final class PlayerNameTest {
             "\u0391dmi\u03bf".replace("\u03bf", "n"), // Greek alpha
             "\uff21dmin", // full width
             "\ud835\udc00dmin", // mathematical bold
-            "Adm\u0456n")) { // Ukrainian i
+            "Adm\u0456n", // Ukrainian i
+            "\u1d00\u1d05\u1d0d\u026a\u0274", // small capitals
+            "A\u1e0dmin", // d with a dot below
+            "Ad\u0323min", // the same, in two characters
+            "\u1ea0d\u0331m\u1ecbn\u0328", // several marks below
+            "Adm\u0269\u0272", // iota, n with a hook
+            "Admi\u0307n", // an i with two dots, of which one shows
+            "\u0130DMIN".replace("\u0130", "A"))) {
       assertTrue(PlayerName.looksLike("Admin", name), name);
       assertTrue(PlayerName.looksLike(name, "Admin"), name);
     }
@@ -33,6 +41,10 @@ final class PlayerNameTest {
         PlayerName.looksLike("\u041d\u0418\u041d\u0410", "\u043d\u0438\u043d\u0430"), "case");
     assertTrue(PlayerName.looksLike("Bob", "B\u03bfb"), "Greek o");
     assertTrue(PlayerName.looksLike("Bob", "B0b"));
+    assertTrue(PlayerName.looksLike("Will", "\u03bd\u03bdi11"), "two nu");
+    assertTrue(PlayerName.looksLike("Will", "vviLL"));
+    assertTrue(PlayerName.looksLike("The Boss", "The  Boss"), "two spaces");
+    assertTrue(PlayerName.looksLike("The Boss", "The \u0323Boss"), "a mark on a space");
   }
 
   @Test
@@ -53,13 +65,49 @@ final class PlayerNameTest {
             "Player 2",
             "Player 12",
             "max",
-            "mux");
+            "mux",
+            "Ren\u00e9",
+            "Rene",
+            "S\u00f8ren",
+            "Soren",
+            "\u03a3\u03bf\u03c6\u03af\u03b1", // Sofia in Greek
+            "Sofia",
+            "Nguy\u1ec5n",
+            "Ng\u00f4",
+            "\u05d3\u05d5\u05d3",
+            "\u0645\u062d\u0645\u062f",
+            "\u0930\u093e\u092e",
+            "\u0930\u092e\u093e",
+            "\ud0dc\ud76c",
+            "\ud0dc\ud788",
+            "\u30cf\u30eb",
+            "\u30d0\u30eb", // with a voiced sound mark
+            "a-b",
+            "ab",
+            "a b");
     for (String name : names) {
       for (String other : names) {
         if (!name.equals(other)) {
           assertFalse(PlayerName.looksLike(name, other), name + " " + other);
         }
       }
+    }
+  }
+
+  @Test
+  void anyTextHasASkeletonAndTwoThatDifferInWhatCountsForNothingHaveTheSame() {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    SplittableRandom random = new SplittableRandom(seed);
+    for (int i = 0; i < 20_000; i++) {
+      StringBuilder name = new StringBuilder();
+      for (int length = random.nextInt(12); length > 0; length--) {
+        name.append((char) random.nextInt(1 << (random.nextBoolean() ? 16 : 9))); // any half, too
+      }
+      String skeleton = PlayerName.skeleton(name.toString());
+      assertTrue(skeleton.length() <= 18 * name.length(), "seed=" + seed); // NFKD's most, U+FDFA
+      String last = name.append('x').toString();
+      assertTrue(PlayerName.looksLike(last, last + "\u0323"), "seed=" + seed + " " + last);
+      assertTrue(PlayerName.looksLike(last + " y", last + "   Y"), "seed=" + seed + " " + last);
     }
   }
 }
