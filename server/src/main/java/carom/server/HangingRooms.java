@@ -2,11 +2,11 @@ package carom.server;
 
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
+import carom.server.threads.LoaderThread;
 import carom.server.threads.LoaderThread.Load;
 import carom.server.threads.Worker;
 import java.util.List;
-import java.util.function.Consumer;
-import java.util.function.IntFunction;
+import java.util.function.IntConsumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -25,25 +25,26 @@ final class HangingRooms {
   private static final Logger LOG = LoggerFactory.getLogger(HangingRooms.class);
 
   private final List<Room> rooms;
-  private final IntFunction<Room> replacement;
-  private final Consumer<Room> begin;
+  private final IntConsumer replacement;
   private final Runnable giveUp;
+  private final LoaderThread loads;
   private int abandoned;
 
   /**
    * Creates an object that has abandoned nothing.
    *
    * @param rooms the live list of the server's rooms
-   * @param replacement builds a room again, as its last checkpoint has it, by its place in the list
-   * @param begin gives a room a thread
+   * @param replacement replaces the room in a place of the list by another one, which begins as the
+   *     last checkpoint has it
    * @param giveUp ends the server
+   * @param loads builds rooms again
    */
   public HangingRooms(
-      List<Room> rooms, IntFunction<Room> replacement, Consumer<Room> begin, Runnable giveUp) {
+      List<Room> rooms, IntConsumer replacement, Runnable giveUp, LoaderThread loads) {
     this.rooms = rooms;
     this.replacement = replacement;
-    this.begin = begin;
     this.giveUp = giveUp;
+    this.loads = loads;
   }
 
   /** Abandons a room's thread. On the watchdog's thread. */
@@ -54,10 +55,8 @@ final class HangingRooms {
     worker.abandon();
     room.abandon("the game hangs");
     if (!endsServer()) {
-      // On a thread of its own, because the game's set-up may hang as well.
-      Thread thread = new Thread(() -> replace(room), "carom-room-restart");
-      thread.setDaemon(true);
-      thread.start();
+      // Where it is found if the game's set-up hangs as well.
+      loads.execute(Load.of("room " + room.name(), () -> replace(room)));
     }
   }
 
@@ -81,11 +80,8 @@ final class HangingRooms {
   }
 
   private void replace(Room room) {
-    int index = rooms.indexOf(room);
     try {
-      Room next = replacement.apply(index);
-      rooms.set(index, next);
-      begin.accept(next);
+      replacement.accept(rooms.indexOf(room));
     } catch (RuntimeException | Error e) {
       LOG.error("room {} can't begin again", room.name(), e);
       room.fail("its game hung, and it can't begin again");

@@ -185,7 +185,7 @@ public final class Server implements AutoCloseable {
     }
     rooms.addAll(built);
     directory.open(roomsShown);
-    hanging = new HangingRooms(rooms, this::again, this::begin, this::giveUp);
+    hanging = new HangingRooms(rooms, this::again, this::giveUp, loader);
     this.lobby = new Lobby(config, transport, roomsShown, directory);
     this.status = new StatusLine(roomsShown, clock.getAsLong());
   }
@@ -410,8 +410,8 @@ public final class Server implements AutoCloseable {
     roomBegins.accept(room);
   }
 
-  /** Builds a room again, from its last checkpoint if there is one. */
-  private Room again(int index) {
+  /** Puts another room in the place of one, from its last checkpoint if there is one. */
+  private void again(int index) {
     Room room = builder.build(index, rooms.get(index).counters());
     if (checkpoints != null) {
       disk.flush();
@@ -424,7 +424,8 @@ public final class Server implements AutoCloseable {
         throw new UncheckedIOException(e);
       }
     }
-    return room;
+    rooms.set(index, room);
+    begin(room);
   }
 
   private void giveUp() {

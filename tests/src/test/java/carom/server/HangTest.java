@@ -20,6 +20,7 @@ import ch.qos.logback.core.read.ListAppender;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
@@ -252,5 +253,66 @@ class HangTest {
     loop(games[1]);
     server.awaitStop(); // the test's timeout would end it
     assertTrue(server.hasFailed());
+  }
+
+  @Test
+  void aRoomWhoseSetUpHangsWhenItBeginsAgainEndsTheServer() throws Exception {
+    ListAppender<ILoggingEvent> lines = new ListAppender<>();
+    lines.start();
+    Logger logger = (Logger) LoggerFactory.getLogger(HangingRooms.class);
+    logger.addAppender(lines);
+    try {
+      start(true);
+      synchronized (this) {
+        setUpsHang = true;
+      }
+      loop(games[0]);
+      server.awaitStop(); // the test's timeout would end it
+      assertTrue(server.hasFailed());
+      String second = lines.list.get(1).getFormattedMessage();
+      assertTrue(
+          second.startsWith("room hangs: its set-up hangs in setUp of " + TestGame.class.getName()),
+          second);
+    } finally {
+      logger.detachAppender(lines);
+    }
+  }
+
+  @Test
+  void anOperatorWhoseMatchHangsInItsSetUpIsToldAndTheRoomGoesOn() throws Exception {
+    start(false);
+    Room room = server.rooms().get(0);
+    synchronized (this) {
+      setUpsHang = true;
+    }
+    int age = room.age();
+    long beganNs = System.nanoTime();
+    String answer = room.operator().change("test", "");
+    double seconds = (System.nanoTime() - beganNs) * 1e-9;
+    String where = "setUp of " + TestGame.class.getName();
+    assertEquals("not changed: its set-up hangs in " + where, answer);
+    assertEquals(1, room.counters().get(Counter.CALLBACKS_ABANDONED));
+    assertTrue(room.age() - age > 20 * seconds, "ticks=" + (room.age() - age) + " in " + seconds);
+    synchronized (this) {
+      setUpsHang = false;
+    }
+    answer = room.operator().change("test", "");
+    assertEquals("playing game=test level=test", answer);
+    assertFalse(server.hasFailed());
+  }
+
+  @Test
+  void anOperatorWhoWaitsForAMatchIsToldThatTheServerEnds() throws Exception {
+    start(false);
+    Room room = server.rooms().get(0);
+    synchronized (this) {
+      setUpsHang = true;
+    }
+    CompletableFuture<String> answer =
+        CompletableFuture.supplyAsync(() -> room.operator().change("test", ""));
+    await("the set-up hangs", () -> made() > 2);
+    server.close();
+    assertEquals("not changed: the server ends", answer.get(30, TimeUnit.SECONDS));
+    assertEquals("not changed: the server ends", room.operator().change("test", ""));
   }
 }

@@ -22,7 +22,9 @@ import carom.sim.Simulation;
 import carom.sim.entity.Player;
 import carom.sim.match.NextMatch;
 import java.io.IOException;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -33,7 +35,7 @@ import org.slf4j.LoggerFactory;
  *
  * <pre>
  *   game: playNext, matchOver ──► load, on another thread ──┐
- *   operator: change ───────────► load, on its thread ──────┴─► begin, between two ticks
+ *   operator: change ───────────► load, on another thread ──┴─► begin, between two ticks
  *                                                                 │
  *            recording ends and another begins ◄──────────────────┤
  *            players join the new simulation, links stay ◄────────┤
@@ -74,21 +76,31 @@ final class MatchChange implements RoomCourse {
   private NextMatch failed;
   private long failedNs;
 
-  /** The outcome of a load: a match, or null if there is none. */
-  private record Loaded(Match match) {}
+  /** Builds a match. */
+  private interface Build {
+    /**
+     * Builds it.
+     *
+     * @param onGame receives the name of the game before its code is called
+     * @throws MatchLoader.Unplayable when it can't be played
+     */
+    Match build(Consumer<String> onGame) throws MatchLoader.Unplayable;
+  }
 
   /** A match while it is built. The first outcome counts, which may be that it never ends. */
   private final class Load implements LoaderThread.Load {
     private final NextMatch wanted;
     private final NextMatch named;
-    private final AtomicReference<Loaded> outcome = new AtomicReference<>();
+    private final Build build;
+    private final CompletableFuture<Match> outcome = new CompletableFuture<>();
 
     /** The game that is set up, as far as that is known. */
     private volatile String game;
 
-    Load(NextMatch wanted, NextMatch named) {
+    Load(NextMatch wanted, NextMatch named, Build build) {
       this.wanted = wanted;
       this.named = named;
+      this.build = build;
       game = named.game();
     }
 
@@ -99,22 +111,44 @@ final class MatchChange implements RoomCourse {
 
     @Override
     public void run() {
-      Match match = null;
       try {
-        match = loader.load(named, name -> game = name);
+        outcome.complete(build.build(name -> game = name));
       } catch (MatchLoader.Unplayable e) {
-        logFailure(named, e);
-      } catch (Error e) { // such as too little memory for the level; the match goes on
-        LOG.error("{} can't be built", title(), e);
+        fail(e);
+      } catch (RuntimeException | Error e) { // such as too little memory for the level
+        fail(new MatchLoader.Unplayable("it can't be built: " + e, e));
       }
-      outcome.compareAndSet(null, new Loaded(match));
     }
 
     @Override
     public void abandoned(String why) {
-      if (outcome.compareAndSet(null, new Loaded(null))) {
+      if (fail(new MatchLoader.Unplayable(why, null))) {
         room.counters().add(Counter.CALLBACKS_ABANDONED, 1);
-        logFailure(named, new MatchLoader.Unplayable(why, null));
+      }
+    }
+
+    @Override
+    public void cancelled(String why) {
+      fail(new MatchLoader.Unplayable(why, null));
+    }
+
+    private boolean fail(MatchLoader.Unplayable why) {
+      return outcome.completeExceptionally(why);
+    }
+
+    /**
+     * Waits for the match.
+     *
+     * @throws MatchLoader.Unplayable when it can't be played
+     */
+    Match await() throws MatchLoader.Unplayable {
+      try {
+        return outcome.get();
+      } catch (ExecutionException e) {
+        throw (MatchLoader.Unplayable) e.getCause();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        throw new MatchLoader.Unplayable("interrupted while it was built", null);
       }
     }
   }
@@ -187,15 +221,15 @@ final class MatchChange implements RoomCourse {
       request(wanted, nowNs);
     }
     Load done = load;
-    Loaded outcome = done == null ? null : done.outcome.get();
-    if (outcome == null) {
+    if (done == null || !done.outcome.isDone()) {
       return;
     }
     load = null;
     pending = null;
-    if (outcome.match() != null) {
-      begin(outcome.match(), done.wanted, nowNs);
-    } else {
+    try {
+      begin(done.await(), done.wanted, nowNs);
+    } catch (MatchLoader.Unplayable e) {
+      logFailure(done.named, e);
       failed = done.wanted;
       failedNs = nowNs;
       announcer.notice("The next match can't be played. This one goes on.");
@@ -208,7 +242,8 @@ final class MatchChange implements RoomCourse {
     }
     failed = null;
     pending = wanted;
-    load = new Load(wanted, wanted.isOfRotation() ? nextOfRotation(wanted) : wanted);
+    NextMatch named = wanted.isOfRotation() ? nextOfRotation(wanted) : wanted;
+    load = new Load(wanted, named, onGame -> loader.load(named, onGame));
     loads.execute(load);
   }
 
@@ -235,29 +270,36 @@ final class MatchChange implements RoomCourse {
   }
 
   /**
-   * Builds a match for an operator, on the calling thread. It logs failures of the game's code,
-   * whose stack the answer doesn't tell.
+   * Builds a match for an operator, who waits. It logs failures of the game's code, whose stack the
+   * answer doesn't tell. Not on the room's thread.
    *
    * @throws MatchLoader.Unplayable when it can't be played
    */
   Match load(NextMatch named) throws MatchLoader.Unplayable {
+    return load(named, onGame -> loader.load(named, onGame));
+  }
+
+  /**
+   * Builds a match in a saved state as the other {@code load}.
+   *
+   * @throws MatchLoader.Unplayable when it can't be played
+   */
+  Match load(SavedMatch saved) throws MatchLoader.Unplayable {
+    NextMatch named = new NextMatch(saved.game(), saved.level().level().name(), false, false);
+    return load(named, onGame -> loader.load(saved));
+  }
+
+  private Match load(NextMatch named, Build build) throws MatchLoader.Unplayable {
+    Load ordered = new Load(named, named, build);
+    loads.execute(ordered);
     try {
-      return loader.load(named);
+      return ordered.await();
     } catch (MatchLoader.Unplayable e) {
       if (e.getCause() != null) {
         logFailure(named, e);
       }
       throw e;
     }
-  }
-
-  /**
-   * Builds a match in a saved state, on the calling thread.
-   *
-   * @throws MatchLoader.Unplayable when it can't be played
-   */
-  Match load(SavedMatch saved) throws MatchLoader.Unplayable {
-    return loader.load(saved);
   }
 
   /**

@@ -191,8 +191,8 @@ public final class OperatorCommands {
   }
 
   /**
-   * Goes on with another game or level, between two ticks. Builds the match on the calling thread,
-   * while the room goes on with the present one.
+   * Goes on with another game or level, between two ticks. The calling thread waits while the match
+   * is built, and the room goes on with the present one.
    *
    * @param game name of the game; empty for the one that the level is made for
    * @param level file or name of the level; empty for the default level of the game

@@ -1,5 +1,7 @@
 package carom.server.threads;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicReference;
@@ -11,9 +13,25 @@ import java.util.concurrent.atomic.AtomicReference;
  */
 public final class LoaderThread implements AutoCloseable {
   private static final String NAME = "carom-loader";
+  private static final String ENDS = "the server ends";
 
   /** A match that is built when it runs. */
   public interface Load extends Runnable {
+    /** Returns work of which nobody waits for the outcome. */
+    static Load of(String title, Runnable work) {
+      return new Load() {
+        @Override
+        public String title() {
+          return title;
+        }
+
+        @Override
+        public void run() {
+          work.run();
+        }
+      };
+    }
+
     /** Returns room, game and level, for people; any thread. */
     String title();
 
@@ -23,7 +41,14 @@ public final class LoaderThread implements AutoCloseable {
      *
      * @param why for people
      */
-    void abandoned(String why);
+    default void abandoned(String why) {}
+
+    /**
+     * Hears that nobody waits for the match any longer; the thread that asks, or that closes.
+     *
+     * @param why for people
+     */
+    default void cancelled(String why) {}
   }
 
   /** Hears of threads that are abandoned. */
@@ -69,12 +94,16 @@ public final class LoaderThread implements AutoCloseable {
       return;
     }
     synchronized (this) {
-      taken++;
-      waiting.add(new Task(load, LastingThread.guarded(load), taken));
-      if (builder == null && !closed) {
-        begin();
+      if (!closed) {
+        taken++;
+        waiting.add(new Task(load, LastingThread.guarded(load), taken));
+        if (builder == null) {
+          begin();
+        }
+        return;
       }
     }
+    load.cancelled(ENDS);
   }
 
   private void begin() {
@@ -90,11 +119,20 @@ public final class LoaderThread implements AutoCloseable {
   }
 
   @Override
-  public synchronized void close() {
-    closed = true;
-    if (builder != null) {
-      builder.thread.interrupt();
+  public void close() {
+    List<Task> left = new ArrayList<>();
+    synchronized (this) {
+      closed = true;
+      waiting.drainTo(left);
+      if (builder != null) {
+        Task present = builder.present.get();
+        if (present != null) {
+          left.add(present);
+        }
+        builder.thread.interrupt();
+      }
     }
+    left.forEach(task -> task.load().cancelled(ENDS)); // who waits for one mustn't wait for ever
   }
 
   private synchronized boolean isClosed() {

@@ -131,21 +131,6 @@ final class ErrorsEndNoThreadTest {
     assertEquals("done", commands.run("work").text());
   }
 
-  private record FaultyLoad(Faulty faulty) implements LoaderThread.Load {
-    @Override
-    public String title() {
-      return "faulty";
-    }
-
-    @Override
-    public void run() {
-      faulty.run();
-    }
-
-    @Override
-    public void abandoned(String why) {}
-  }
-
   @Test
   void theLoaderTakesTheNextMatch() throws Exception {
     Faulty faulty = new Faulty();
@@ -153,7 +138,7 @@ final class ErrorsEndNoThreadTest {
     try (LoaderThread loader = new LoaderThread()) {
       loader.start(watchdog, (load, thread, where, stack) -> {});
       for (int i = 0; i <= ERRORS.size(); i++) {
-        loader.execute(new FaultyLoad(faulty));
+        loader.execute(LoaderThread.Load.of("faulty", faulty::run));
       }
       faulty.assertWorks();
     }
