@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.game.Games;
 import carom.server.config.RoomConfig;
+import carom.server.config.RoomFlag;
 import carom.server.config.ServerConfig;
 import carom.server.match.HandedInMatch;
 import carom.server.match.MatchLibrary;

@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.config;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

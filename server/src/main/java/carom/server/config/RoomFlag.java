@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.config;
 
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
  * @param levels files, names of levels, or names of games, which stand for their default levels
  * @param places seats of the room; 0 = as {@code --max-players} says
  */
-record RoomFlag(String name, List<String> levels, int places) {
+public record RoomFlag(String name, List<String> levels, int places) {
   private static final String FORM =
       "; write NAME=LEVEL[,LEVEL...][:PLAYERS], for example cup=arena,commons:16";
 
@@ -30,7 +30,7 @@ record RoomFlag(String name, List<String> levels, int places) {
    *
    * @throws IllegalArgumentException when it has another form; the message says how to write it
    */
-  static RoomFlag parse(String text) {
+  public static RoomFlag parse(String text) {
     int equals = text.indexOf('=');
     if (equals < 0) {
       throw new IllegalArgumentException("--room=" + text + " has no \"=\"" + FORM);
@@ -62,7 +62,7 @@ record RoomFlag(String name, List<String> levels, int places) {
    * @throws IllegalArgumentException when it has another form, there is no such room, or the room
    *     has the key already
    */
-  static void readInfo(String text, Map<String, Map<String, String>> metadata) {
+  public static void readInfo(String text, Map<String, Map<String, String>> metadata) {
     Matcher info = INFO.matcher(text);
     if (!info.matches()) {
       throw new IllegalArgumentException(
@@ -87,7 +87,7 @@ record RoomFlag(String name, List<String> levels, int places) {
    * @param flag begins the message of the exception
    * @throws IllegalArgumentException when there is none, or one is empty
    */
-  static List<String> levels(String flag, String text) {
+  public static List<String> levels(String flag, String text) {
     List<String> levels = List.of(text.split(",", -1)).stream().map(String::strip).toList();
     if (levels.contains("")) {
       throw new IllegalArgumentException(
