@@ -4,9 +4,11 @@ import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.server.threads.LoaderThread;
 import carom.server.threads.LoaderThread.Load;
+import carom.server.threads.ThreadStack;
 import carom.server.threads.Worker;
 import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.function.IntSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -48,7 +50,7 @@ final class HangingRooms {
   }
 
   /** Abandons a room's thread. On the watchdog's thread. */
-  public synchronized void abandon(Room room, Worker worker, String callback, String stack) {
+  public synchronized void abandon(Room room, Worker worker, String callback, ThreadStack stack) {
     room.counters().add(Counter.CALLBACKS_ABANDONED, 1);
     String game = "room %s: game %s".formatted(room.name(), room.match().game());
     count(game + " hangs in " + callback + " at tick " + (room.tick() + 1), worker.name(), stack);
@@ -56,18 +58,19 @@ final class HangingRooms {
     room.abandon("the game hangs");
     if (!endsServer()) {
       // Where it is found if the game's set-up hangs as well.
-      loads.execute(Load.of("room " + room.name(), () -> replace(room)));
+      IntSupplier progress = () -> (int) room.counters().get(Counter.TICKS_REPLAYED);
+      loads.execute(Load.of("room " + room.name(), progress, () -> replace(room)));
     }
   }
 
   /** Counts the thread of a match that is never built. On the watchdog's thread. */
-  public synchronized void abandon(Load load, String thread, String where, String stack) {
+  public synchronized void abandon(Load load, String thread, String where, ThreadStack stack) {
     count(load.title() + ": its set-up hangs in " + where, thread, stack);
     endsServer();
   }
 
-  private void count(String what, String thread, String stack) {
-    String text = "{}; its thread {} is abandoned, the {}. of at most {}:\n{}";
+  private void count(String what, String thread, ThreadStack stack) {
+    String text = "{}; its thread {} is abandoned, the {}. of at most {}:";
     LOG.error(text, what, thread, ++abandoned, MOST, stack);
   }
 

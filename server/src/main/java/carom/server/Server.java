@@ -25,6 +25,7 @@ import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.ChatCommands;
 import carom.server.threads.LoaderThread;
+import carom.server.threads.ThreadStack;
 import carom.server.threads.Watchdog;
 import carom.server.threads.Worker;
 import carom.sim.Game;
@@ -402,7 +403,7 @@ public final class Server implements AutoCloseable {
           }
 
           @Override
-          public void hangs(String callback, String stack) {
+          public void hangs(String callback, ThreadStack stack) {
             workers.remove(worker);
             hanging.abandon(room, worker, callback, stack);
           }

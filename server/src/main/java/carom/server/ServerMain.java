@@ -1,5 +1,6 @@
 package carom.server;
 
+import carom.game.GuardedGame;
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
 import carom.options.VectorApi;
@@ -28,6 +29,8 @@ import carom.server.jmx.RoomInspector;
 import carom.server.login.Logins;
 import carom.server.metrics.Counter;
 import carom.server.query.StatusFacts;
+import carom.server.threads.StartWatch;
+import carom.server.threads.ThreadStack;
 import carom.server.web.WebServer;
 import carom.server.web.WebSubject;
 import carom.sim.scene.SceneRun;
@@ -221,12 +224,25 @@ public final class ServerMain implements Callable<Integer> {
     ServerStart start = new ServerStart(flags, choice, config, access, log);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
-    start.warmUp();
-    root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
-    logStart(log, config, choice.rooms(config));
-    Server server = start.open();
-    server.admit(access);
-    return server;
+    StartWatch watch = new StartWatch(GuardedGame.class, start::progress, ServerMain::hangs);
+    try {
+      start.warmUp();
+      root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
+      logStart(log, config, choice.rooms(config));
+      Server server = start.open();
+      server.admit(access);
+      return server;
+    } finally {
+      watch.close();
+    }
+  }
+
+  /** Ends the process, because a thread can't be ended. On the watchdog's thread. */
+  private static void hangs(String where, ThreadStack stack) {
+    Logger log = LoggerFactory.getLogger(ServerMain.class);
+    log.error("the start hangs in {}; the server ends:", where, stack);
+    ((LoggerContext) LoggerFactory.getILoggerFactory()).stop();
+    System.exit(FAILED);
   }
 
   private AccessLists openAccess() throws StartFailure {

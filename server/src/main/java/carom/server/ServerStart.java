@@ -12,6 +12,8 @@ import carom.options.BadFlag;
 import carom.server.access.AccessLists;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.match.MatchLibrary;
+import carom.server.metrics.Counter;
 import carom.server.recording.RotationLimit;
 import carom.server.session.SessionMemory;
 import carom.text.FileErrors;
@@ -20,6 +22,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.slf4j.Logger;
 
 /**
@@ -33,6 +36,8 @@ final class ServerStart {
   private final ServerConfig config;
   private final AccessLists access;
   private final Logger log;
+  private final AtomicInteger roomsBegun = new AtomicInteger();
+  private volatile Server server;
 
   ServerStart(
       ServerFlags flags, GameChoice choice, ServerConfig config, AccessLists access, Logger log) {
@@ -64,12 +69,12 @@ final class ServerStart {
    */
   Server open() throws StartFailure {
     List<RoomConfig> rooms = choice.rooms(config);
-    Server server = openRooms(rooms, openTransport(rooms));
+    server = openRooms(rooms, openTransport(rooms));
     SessionMemory.touch(RoomConfig.places(rooms));
     try {
-      keep(server);
-      record(server);
-      show(server);
+      keep();
+      record();
+      show();
       return server;
     } catch (BadFlag | StartFailure e) {
       server.close();
@@ -114,14 +119,21 @@ final class ServerStart {
 
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {
     try {
-      return new Server(config, rooms, choice.library(), transport, System::nanoTime);
+      MatchLibrary library = MatchLibrary.heard(choice.library(), roomsBegun::incrementAndGet);
+      return new Server(config, rooms, library, transport, System::nanoTime);
     } catch (IllegalArgumentException e) {
       transport.close();
       throw flags.bad("--level: " + e.getMessage());
     }
   }
 
-  private void keep(Server server) throws StartFailure {
+  /** Returns a number that changes whenever the start gets on; any thread. */
+  int progress() {
+    Server begun = server;
+    return roomsBegun.get() + (begun == null ? 0 : (int) begun.count(Counter.TICKS_REPLAYED));
+  }
+
+  private void keep() throws StartFailure {
     if (flags.checkpointS == 0) {
       return;
     }
@@ -134,7 +146,7 @@ final class ServerStart {
     }
   }
 
-  private void record(Server server) throws StartFailure {
+  private void record() throws StartFailure {
     Path target = flags.record();
     if (target == null) {
       return;
@@ -160,7 +172,7 @@ final class ServerStart {
     }
   }
 
-  private void show(Server server) throws StartFailure {
+  private void show() throws StartFailure {
     if (flags.spectatorDelayS == 0) {
       return;
     }

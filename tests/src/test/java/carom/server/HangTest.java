@@ -16,6 +16,7 @@ import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.classic.spi.ThrowableProxyUtil;
 import ch.qos.logback.core.read.ListAppender;
 import java.nio.file.Path;
 import java.util.List;
@@ -225,13 +226,15 @@ class HangTest {
                   thread ->
                       thread.getName().equals("carom-loader")
                           && thread.getPriority() == Thread.MIN_PRIORITY));
-      String line = lines.list.get(0).getFormattedMessage();
+      ILoggingEvent event = lines.list.get(0);
+      String line = event.getFormattedMessage();
       assertTrue(
           line.startsWith(
               "room hangs: game=\"test\" level=\"test\": its set-up hangs in setUp of "
                   + TestGame.class.getName()),
           line);
-      assertTrue(line.contains(TestGame.class.getName() + ".setUp(TestGame.java:"), line);
+      String stack = ThrowableProxyUtil.asString(event.getThrowableProxy());
+      assertTrue(stack.contains(TestGame.class.getName() + ".setUp(TestGame.java:"), stack);
       await( // ten seconds later: a match that failed isn't tried again at once
           "the room plays its next match, too",
           () -> {

@@ -10,6 +10,7 @@ import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.Link;
 import java.io.BufferedReader;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.Writer;
@@ -41,6 +42,9 @@ class ServerMainTest {
   /** The folder in which processes start; null for the tests' own. */
   private Path workingFolder;
 
+  /** A folder that names more games; null for those of the class path alone. */
+  private Path games;
+
   @AfterEach
   void endProcesses() {
     started.forEach(Process::destroyForcibly);
@@ -64,7 +68,8 @@ class ServerMainTest {
     List<String> command = new ArrayList<>(before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
-    command.add(System.getProperty("java.class.path"));
+    String path = System.getProperty("java.class.path");
+    command.add(games == null ? path : path + File.pathSeparator + games);
     command.add(ServerMain.class.getName());
     command.addAll(List.of(args));
     ProcessBuilder builder = new ProcessBuilder(command);
@@ -266,6 +271,38 @@ class ServerMainTest {
     assertTrue(printed.contains("\n#tick-rate = 60 Hz\n"), printed);
     assertEquals("", err());
     assertFalse(Files.exists(folder.resolve("data/logs")), "only printed");
+  }
+
+  /** Returns the log of a server with the exit code of failures, by which a supervisor acts. */
+  private List<String> hangs(boolean atStart) throws Exception {
+    games = folder.resolve("games");
+    Path services = Files.createDirectories(games.resolve("META-INF/services"));
+    Files.writeString(services.resolve("carom.sim.Game"), LoopingGame.class.getName());
+    Path level = folder.resolve("level.json");
+    Files.writeString(level, LoopingGame.level(atStart));
+    Process process =
+        start("--tcp-port=0", "--udp-port=0", "--log-keep=0", "--level=" + level, "--idle=run");
+    assertTrue(process.waitFor(50, TimeUnit.SECONDS), err());
+    assertEquals(1, process.exitValue(), err());
+    return err().lines().toList();
+  }
+
+  @Test
+  void aGameThatHangsTwiceEndsTheProcessWithExitCode1() throws Exception {
+    List<String> lines = hangs(false);
+    String hangs = "game looping hangs in beforeStep of " + LoopingGame.class.getName();
+    assertEquals(2, lines.stream().filter(line -> line.contains(hangs)).count(), err());
+    assertTrue(err().contains("2 threads are abandoned: the server ends; start it again"), err());
+    assertTrue(lines.get(lines.size() - 1).contains("stopped: "), err());
+  }
+
+  @Test
+  void aGameThatHangsBeforeAnyRoomRunsEndsTheStartWithExitCode1() throws Exception {
+    List<String> lines = hangs(true);
+    String hangs = "the start hangs in beforeStep of " + LoopingGame.class.getName();
+    assertTrue(lines.get(0).contains(hangs), err());
+    assertTrue(lines.get(1).endsWith("thread main"), err());
+    assertTrue(lines.get(2).contains(LoopingGame.class.getName() + ".beforeStep("), err());
   }
 
   @Test

@@ -3,6 +3,7 @@ package carom.server.checkpoint;
 import carom.net.protocol.ProtocolLimits;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
+import carom.server.metrics.Counter;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
 import carom.server.session.Seats;
@@ -173,6 +174,7 @@ final class RoomResume {
           return proven;
         }
         proven = s.tick();
+        room.counters().add(Counter.TICKS_REPLAYED, 1);
         tickEnds();
       }
     } catch (IOException e) {

@@ -76,6 +76,26 @@ public interface MatchLibrary {
     };
   }
 
+  /**
+   * Returns a library that tells whenever it gives a game.
+   *
+   * @param gives runs before, on the thread that asks
+   */
+  static MatchLibrary heard(MatchLibrary library, Runnable gives) {
+    return new MatchLibrary() {
+      @Override
+      public Game game(String name) {
+        gives.run();
+        return library.game(name);
+      }
+
+      @Override
+      public LoadedLevel level(String name) throws LevelException {
+        return library.level(name);
+      }
+    };
+  }
+
   private static Level find(String name) throws LevelException {
     try {
       Path file = Path.of(name);

@@ -64,6 +64,7 @@ public enum Counter {
       "Checkpoints that could not be kept, because the disk was too slow or failed, or the state is"
           + " too large."),
   ROOMS_RESUMED("Times that the room went on from a checkpoint."),
+  TICKS_REPLAYED("Steps that were computed again from the log behind a checkpoint."),
   CALLBACKS_ABANDONED("Callbacks of games that did not return, with the thread that ran them.");
 
   private enum Kind {

@@ -122,9 +122,8 @@ final class MatchChange implements RoomCourse {
 
     @Override
     public void abandoned(String why) {
-      if (fail(new MatchLoader.Unplayable(why, null))) {
-        room.counters().add(Counter.CALLBACKS_ABANDONED, 1);
-      }
+      room.counters().add(Counter.CALLBACKS_ABANDONED, 1);
+      fail(new MatchLoader.Unplayable(why, null));
     }
 
     @Override
@@ -132,8 +131,8 @@ final class MatchChange implements RoomCourse {
       fail(new MatchLoader.Unplayable(why, null));
     }
 
-    private boolean fail(MatchLoader.Unplayable why) {
-      return outcome.completeExceptionally(why);
+    private void fail(MatchLoader.Unplayable why) {
+      outcome.completeExceptionally(why);
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.IntSupplier;
 
 /**
  * Builds the matches that rooms go on with: on a thread of its own, so that no tick waits, or at
@@ -17,12 +18,22 @@ public final class LoaderThread implements AutoCloseable {
 
   /** A match that is built when it runs. */
   public interface Load extends Runnable {
-    /** Returns work of which nobody waits for the outcome. */
-    static Load of(String title, Runnable work) {
+    /**
+     * Returns work of which nobody waits for the outcome.
+     *
+     * @param title as {@link #title}
+     * @param progress as {@link #progress}
+     */
+    static Load of(String title, IntSupplier progress, Runnable work) {
       return new Load() {
         @Override
         public String title() {
           return title;
+        }
+
+        @Override
+        public int progress() {
+          return progress.getAsInt();
         }
 
         @Override
@@ -34,6 +45,11 @@ public final class LoaderThread implements AutoCloseable {
 
     /** Returns room, game and level, for people; any thread. */
     String title();
+
+    /** Returns a number that changes whenever the work gets on; the watchdog's thread. */
+    default int progress() {
+      return 0;
+    }
 
     /**
      * Hears that the thread doesn't come back and is abandoned: what it brings later is of no use.
@@ -60,9 +76,9 @@ public final class LoaderThread implements AutoCloseable {
      * @param load what it builds
      * @param thread its name
      * @param where the method of the game that doesn't return, for people
-     * @param stack of the thread, a line for each call
+     * @param stack of the thread
      */
-    void abandoned(Load load, String thread, String where, String stack);
+    void abandoned(Load load, String thread, String where, ThreadStack stack);
   }
 
   private final BlockingQueue<Task> waiting = new LinkedBlockingQueue<>();
@@ -193,11 +209,11 @@ public final class LoaderThread implements AutoCloseable {
     @Override
     public int progress() {
       seen = present.get();
-      return seen == null ? 0 : seen.number();
+      return seen == null ? 0 : 31 * seen.number() + seen.load().progress();
     }
 
     @Override
-    public void hangs(String callback, String stack) {
+    public void hangs(String callback, ThreadStack stack) {
       Task task = seen;
       if (task == null || !present.compareAndSet(task, null)) {
         watchdog.watchLoads(this, this); // it has come back in this moment
@@ -205,7 +221,7 @@ public final class LoaderThread implements AutoCloseable {
       }
       replace();
       thread.setPriority(Thread.MIN_PRIORITY);
-      String where = callback == null ? "code of no callback" : callback;
+      String where = Watchdog.where(callback);
       listener.abandoned(task.load(), thread.getName(), where, stack);
       task.load().abandoned("its set-up hangs in " + where);
     }

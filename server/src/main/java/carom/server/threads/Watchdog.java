@@ -43,8 +43,6 @@ public final class Watchdog implements AutoCloseable {
   /** Share of the time that a thread must have had a processor to count as computing. */
   private static final int BUSY_PARTS = 10;
 
-  private static final int MAX_FRAMES = 40;
-
   /** The work of a thread. The watchdog's thread calls every method. */
   public interface Watched {
     /** Returns a number that changes whenever the work gets on. */
@@ -55,9 +53,9 @@ public final class Watchdog implements AutoCloseable {
      *
      * @param callback the method of the game that doesn't return, for people; null for a thread
      *     that builds a match in other code
-     * @param stack of the thread, a line for each call
+     * @param stack of the thread
      */
-    void hangs(String callback, String stack);
+    void hangs(String callback, ThreadStack stack);
   }
 
   private static final class Watch {
@@ -158,7 +156,7 @@ public final class Watchdog implements AutoCloseable {
     int looks = w.builds ? LOAD_LOOKS : LOOKS;
     if (w.looks >= (clear ? looks : PATIENCE * looks)) {
       watches.remove(w);
-      w.watched.hangs(callback, text(stack));
+      w.watched.hangs(callback, new ThreadStack(watched.getName(), stack));
     }
   }
 
@@ -173,22 +171,29 @@ public final class Watchdog implements AutoCloseable {
     return threads.isThreadCpuTimeSupported() ? threads.getThreadCpuTime(thread.getId()) : -1;
   }
 
+  /** Returns where a thread hangs, for people, by what {@link Watched#hangs} received. */
+  static String where(String callback) {
+    return callback == null ? "code of no callback" : callback;
+  }
+
   /** Returns the outermost call of a game in a stack, or null if there is none. */
   private String callback(StackTraceElement[] stack) {
     for (int i = stack.length - 1; i > 0; i--) {
       if (stack[i].getClassName().equals(guard)) {
-        return stack[i].getMethodName() + " of " + stack[i - 1].getClassName();
+        return stack[i].getMethodName() + " of " + calledBy(stack, i);
       }
     }
     return null;
   }
 
-  private static String text(StackTraceElement[] stack) {
-    StringBuilder text = new StringBuilder();
-    for (int i = 0; i < Math.min(stack.length, MAX_FRAMES); i++) {
-      text.append(i == 0 ? "" : "\n").append("\tat ").append(stack[i]);
+  /** Returns the class that the guard's frame at an index calls in the end. */
+  private String calledBy(StackTraceElement[] stack, int index) {
+    for (int i = index - 1; i >= 0; i--) {
+      if (!stack[i].getClassName().startsWith(guard)) { // nor a lambda of it
+        return stack[i].getClassName();
+      }
     }
-    return text.toString();
+    return guard;
   }
 
   @Override

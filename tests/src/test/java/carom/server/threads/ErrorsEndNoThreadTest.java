@@ -138,7 +138,7 @@ final class ErrorsEndNoThreadTest {
     try (LoaderThread loader = new LoaderThread()) {
       loader.start(watchdog, (load, thread, where, stack) -> {});
       for (int i = 0; i <= ERRORS.size(); i++) {
-        loader.execute(LoaderThread.Load.of("faulty", faulty::run));
+        loader.execute(LoaderThread.Load.of("faulty", () -> 0, faulty::run));
       }
       faulty.assertWorks();
     }
@@ -158,7 +158,7 @@ final class ErrorsEndNoThreadTest {
             }
 
             @Override
-            public void hangs(String callback, String stack) {}
+            public void hangs(String callback, ThreadStack stack) {}
           });
       watchdog.start();
       faulty.assertWorks();

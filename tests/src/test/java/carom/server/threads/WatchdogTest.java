@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -95,8 +96,8 @@ class WatchdogTest {
           }
 
           @Override
-          public void hangs(String callback, String stack) {
-            found.complete(callback + "\n" + stack);
+          public void hangs(String callback, ThreadStack stack) {
+            found.complete(callback + "\n" + Arrays.toString(stack.getStackTrace()));
           }
         });
     watchdog.start();
