@@ -3,16 +3,25 @@ package carom.server;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.ClientConfig;
+import carom.client.GameClient;
+import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
 import carom.game.Games;
+import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.server.KryoServerTransport;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
 import com.sun.management.UnixOperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
+import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.file.Path;
 import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Goal: whatever comes and goes leaves nothing behind. Method: heap after a collection, threads and
@@ -22,6 +31,8 @@ import org.junit.jupiter.api.Test;
 class LeakTest {
   private static final int TICKS = Integer.getInteger("carom.leak.ticks", 12_000);
   private static final int CYCLES = Integer.getInteger("carom.leak.cycles", 24);
+
+  @TempDir Path folder;
 
   /** What the process holds. */
   private record Held(double heapMb, long threads, long files) {
@@ -82,32 +93,52 @@ class LeakTest {
 
   @Test
   void serversThatStartAndStopLeaveNothingBehind() throws Exception {
-    Level level = Level.builtIn(Games.create("arena").defaultLevel());
     Held early = null;
     for (int cycle = 0; cycle < CYCLES; cycle++) {
       if (cycle == CYCLES / 2) {
         early = Held.now();
       }
-      int port;
-      try (Server server =
-          new Server(
-              ServerConfig.defaults().withStatusIntervalS(0),
-              () -> Games.create("arena"),
-              level,
-              new KryoServerTransport(0, 0),
-              System::nanoTime)) {
-        server.tick(System.nanoTime());
-        port = server.tcpPort();
-        try (Socket stranger = new Socket("127.0.0.1", port)) {
-          assertTrue(stranger.getInputStream().read() >= 0);
-        }
-      }
-      new java.net.ServerSocket(port).close(); // throws if the port is still taken
+      int port = playOnce();
+      new ServerSocket(port).close(); // throws if the port is still taken
     }
     Held late = Held.now();
     System.out.printf("leak: cycles=%d early=%s late=%s%n", CYCLES, early, late);
     assertEquals(early.threads, late.threads);
     assertTrue(late.files <= early.files + 2, early + " " + late);
     assertTrue(late.heapMb < early.heapMb + 2, early + " " + late);
+  }
+
+  /**
+   * Starts a server with all its threads, which goes on from the checkpoint of the last one, plays
+   * a moment as a client, and stops both. Returns the number of the TCP port.
+   */
+  private int playOnce() throws Exception {
+    Level level = Level.builtIn(Games.create("arena").defaultLevel());
+    try (Server server =
+            new Server(
+                ServerConfig.defaults().withStatusIntervalS(0).withTickRateHz(120),
+                () -> Games.create("arena"),
+                level,
+                new KryoServerTransport(0, 0),
+                System::nanoTime);
+        KryoClientTransport transport = new KryoClientTransport()) {
+      server.checkpoint(folder, 1);
+      server.start();
+      ClientConfig config =
+          ClientConfig.of("guest").withServer("127.0.0.1", server.tcpPort(), server.udpPort());
+      try (GameClient client = new GameClient(config, transport, new Bot(7, true));
+          Socket stranger = new Socket("127.0.0.1", server.tcpPort())) {
+        assertTrue(stranger.getInputStream().read() >= 0);
+        long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+        for (int playing = 0; playing < 20; ) {
+          assertTrue(System.nanoTime() < endNs, "phase=" + client.view().phase());
+          client.update(System.nanoTime());
+          boolean plays = client.view().phase() == ConnectionPhase.PLAYING;
+          playing += plays && client.view().own() != null ? 1 : 0;
+          TimeUnit.MILLISECONDS.sleep(2);
+        }
+      }
+      return server.tcpPort();
+    }
   }
 }
