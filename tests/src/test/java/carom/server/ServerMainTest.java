@@ -14,6 +14,7 @@ import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.Writer;
+import java.lang.module.ModuleFinder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -271,6 +272,26 @@ class ServerMainTest {
     assertTrue(printed.contains("\n#tick-rate = 60 Hz\n"), printed);
     assertEquals("", err());
     assertFalse(Files.exists(folder.resolve("data/logs")), "only printed");
+  }
+
+  /** Goal: the server takes links without {@code sun.misc.Unsafe}, which newer JDKs warn of. */
+  @Test
+  void itNeedsNoUnsafe() throws Exception {
+    String modules = "java.se,jdk.crypto.ec,jdk.httpserver,jdk.management,jdk.zipfs";
+    assertTrue(ModuleFinder.ofSystem().find("jdk.unsupported").isPresent(), "it is left out");
+    List<String> limited = List.of("env", "JDK_JAVA_OPTIONS=--limit-modules=" + modules);
+    Process process = start(limited, "--tcp-port=0", "--udp-port=0", "--log-keep=0");
+    Matcher ready = READY.matcher(String.valueOf(process.inputReader().readLine()));
+    assertTrue(ready.matches(), err());
+    try (KryoClientTransport transport = new KryoClientTransport()) {
+      int tcp = Integer.parseInt(ready.group(1));
+      Link link = transport.connect("localhost", tcp, Integer.parseInt(ready.group(2)));
+      for (int i = 0; i < 2_000 && link.state() == Link.State.CONNECTING; i++) {
+        Thread.sleep(5);
+      }
+      assertEquals(Link.State.OPEN, link.state(), link.closeReason());
+    }
+    assertFalse(err().contains("WARN"), err());
   }
 
   /** Returns the log of a server with the exit code of failures, by which a supervisor acts. */
