@@ -4,6 +4,7 @@ import carom.client.app.ClientMain;
 import carom.client.app.LocalGames;
 import carom.client.desktop.hud.Hud;
 import carom.client.link.ConnectionPhase;
+import carom.client.stats.NetStats;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.graphics.Pixmap;
@@ -14,6 +15,7 @@ import com.badlogic.gdx.scenes.scene2d.ui.ScrollPane;
 import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
 import java.awt.Robot;
 import java.awt.event.KeyEvent;
+import java.lang.reflect.Field;
 import java.nio.file.Path;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
@@ -112,6 +114,12 @@ final class ScreenTour {
     typed(Keys.ENTER);
     typed(Keys.F3);
     look("hints and full net graph");
+    run(ScreenTour::correctMuch);
+    look("full net graph with large figures");
+    typed(Keys.F3);
+    typed(Keys.F3);
+    look("net graph with large figures");
+    typed(Keys.F3);
     typed(Keys.F3);
     robot.keyPress(KeyEvent.VK_TAB);
     until(() -> Gdx.input.isKeyPressed(Keys.TAB));
@@ -127,6 +135,23 @@ final class ScreenTour {
     press("Settings");
     look("menu settings");
     scroll("Settings in a game");
+  }
+
+  /** Makes the figures of the net graph as large as on a bad line with a slow server. */
+  private static void correctMuch() {
+    try {
+      Field prediction = NetStats.class.getDeclaredField("prediction");
+      prediction.setAccessible(true);
+      Object stats = prediction.get(screen().view().stats());
+      Field count = stats.getClass().getDeclaredField("correctionCount");
+      Field metres = stats.getClass().getDeclaredField("correctionMetres");
+      count.setAccessible(true);
+      metres.setAccessible(true);
+      count.setLong(stats, 5_000);
+      metres.setDouble(stats, 5_000 * 9.87);
+    } catch (ReflectiveOperationException e) {
+      throw new LinkageError(e.getMessage(), e);
+    }
   }
 
   private void replay() throws Exception {

@@ -60,7 +60,7 @@ final class ScreensTest {
   @Test
   void aGameWithChatTableAndMenu() throws Exception {
     for (Look look : LOOKS) {
-      assertInOrder("game", look, 7);
+      assertInOrder("game", look, 9);
     }
   }
 

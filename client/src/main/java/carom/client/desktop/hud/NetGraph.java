@@ -15,8 +15,8 @@ import java.util.Locale;
  * The connection at a glance, in two sizes: round trip, loss, rates and corrections in a few lines;
  * or all figures, and bars of recent snapshot gaps, sizes, input margins and corrections. It stands
  * in a corner where neither the own player nor another panel is, with fewer bars where a window is
- * small. Units are points. Texts change four times a second so that they can be read. Render thread
- * only.
+ * small. Units are points. Texts change four times a second so that they can be read. It widens for
+ * large figures, and doesn't narrow again, so that it stands still. Render thread only.
  */
 public final class NetGraph {
   /** The amount of detail. */
@@ -50,6 +50,7 @@ public final class NetGraph {
   private final Panel panel =
       new Panel(Spot.TOP_LEFT, Spot.BOTTOM_RIGHT, Spot.BOTTOM_LEFT, Spot.TOP_RIGHT);
   private float age = REFRESH_SECONDS;
+  private float width;
 
   /** Creates a net graph that draws into a HUD and shows nothing yet. */
   public NetGraph(Canvas canvas, Hud hud, Fonts fonts) {
@@ -61,6 +62,7 @@ public final class NetGraph {
   /** Sets how much is shown. */
   public void size(Size shown) {
     size = shown;
+    width = shown == Size.FULL ? FULL_WIDTH : SMALL_WIDTH;
     age = REFRESH_SECONDS;
   }
 
@@ -80,14 +82,16 @@ public final class NetGraph {
     if (size == Size.OFF) {
       return;
     }
+    boolean full = size == Size.FULL;
+    int lines = full ? ROWS : SMALL_ROWS;
     age += seconds;
     if (age >= REFRESH_SECONDS) {
       age = 0;
       write(view.stats(), nowNs, framesPerSecond);
+      for (int i = 0; i < lines; i++) {
+        width = Math.max(width, hud.width(fonts.small(), rows[i]) + 2 * PAD);
+      }
     }
-    boolean full = size == Size.FULL;
-    float width = full ? FULL_WIDTH : SMALL_WIDTH;
-    int lines = full ? ROWS : SMALL_ROWS;
     int graphs = full ? GRAPHS : 0;
     while (!hud.layout().place(panel, width, height(lines, graphs))) {
       if (--graphs < 0) {
