@@ -12,6 +12,10 @@ import carom.net.protocol.ProtocolLimits;
  * Neither does jitter, which leaves some datagrams quick: where they are few, an interval that
  * seems slow goes on until enough were acked to tell.
  *
+ * <p>A delay that doesn't fall although no more is sent than arrives isn't a queue of ours. The
+ * line has become longer, such as by another route, and its delay counts as that of the empty line
+ * from then on.
+ *
  * <p>Counts what is on the wire, headers included. The room's thread, no allocation.
  */
 final class LinkPace {
@@ -34,6 +38,12 @@ final class LinkPace {
   /** An interval lasts at most so many times its length. */
   private static final int LONGEST_INTERVAL = 3;
 
+  /** A queue of ours that isn't fed is shorter by {@link #QUEUE_MS} after so many intervals. */
+  private static final int UNFED_INTERVALS = 2;
+
+  /** Part of what was acked beyond which the bytes that were sent may feed a queue. */
+  private static final float FEEDING = 1.25f;
+
   /** New pace as a part of what was delivered: below 1, so that a queue drains. */
   private static final float DRAIN = 0.8f;
 
@@ -55,7 +65,11 @@ final class LinkPace {
   private final int intervalTicks;
   private final int queueTicks;
   private float rate; // bytes per second
-  private float rateBeforeSilence;
+  private float rateBefore; // a silence, or a delay that was no queue
+  private float rateBeforeSlow;
+  private int unfedTicks; // of slow intervals in a row that fed no queue
+  private int measuredTicks; // of them, since the delay below
+  private int quickestUnfed;
   private float tokens; // bytes
   private int ticks;
   private int quickest = NEVER;
@@ -109,19 +123,22 @@ final class LinkPace {
     float seconds = (float) ticks / tickRate;
     float delivered = (ackedBytes - ackedBefore) / seconds;
     if (quickest == NEVER) {
-      rateBeforeSilence = Math.max(rateBeforeSilence, rate);
+      rateBefore = Math.max(rateBefore, rate);
       rate = sent > 0 ? rate * SILENCE : rate;
     } else {
       emptyNow = Math.min(emptyNow, quickest);
-      if (isSlow()) {
+      if (!isSlow()) {
+        unfedTicks = 0;
+      }
+      if (isSlow() && !isLonger(delivered * seconds)) {
         // Few acks in a short interval may be chance: half at most at a time.
         rate = Math.max(rate * SILENCE, Math.min(rate, delivered * DRAIN));
-        rateBeforeSilence = 0;
-      } else if (rate * RETURN <= rateBeforeSilence) {
+        rateBefore = 0;
+      } else if (rate * RETURN <= rateBefore) {
         rate *= RETURN;
       } else {
         rate *= RISE;
-        rateBeforeSilence = 0;
+        rateBefore = 0;
       }
     }
     rate = Math.max(LEAST_BYTES_PER_SECOND, Math.min(most, rate));
@@ -135,6 +152,39 @@ final class LinkPace {
     acks = 0;
     ticks = 0;
     sent = 0;
+  }
+
+  /**
+   * Takes note of a slow interval. Returns true, and takes its delay for that of the empty line, if
+   * the line has become longer.
+   */
+  private boolean isLonger(float ackedBytes) {
+    if (sent > FEEDING * ackedBytes) {
+      unfedTicks = 0;
+      return false;
+    }
+    if (unfedTicks == 0) {
+      rateBeforeSlow = rate;
+      measuredTicks = 0;
+    }
+    if (unfedTicks < quickest) { // these were sent before, and may tell of a queue that still grew
+      unfedTicks += ticks;
+      return false;
+    }
+    unfedTicks += ticks;
+    if (measuredTicks == 0) {
+      quickestUnfed = quickest;
+    }
+    measuredTicks += ticks;
+    if (measuredTicks <= UNFED_INTERVALS * intervalTicks
+        || quickestUnfed - quickest >= queueTicks) {
+      return false;
+    }
+    unfedTicks = 0;
+    emptyNow = quickest;
+    emptyBefore = NEVER;
+    rateBefore = rateBeforeSlow;
+    return true;
   }
 
   /** Returns whether even the quickest ack of the interval seems to have waited in a queue. */

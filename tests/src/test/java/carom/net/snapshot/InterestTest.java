@@ -86,6 +86,62 @@ class InterestTest {
     }
   }
 
+  /** Where a slow line tells of few bodies at a time, all of them near the player. */
+  private static final class Near implements Interest {
+    @Override
+    public boolean everything() {
+      return true;
+    }
+
+    @Override
+    public boolean sees(FrameState frame, int slot, boolean known) {
+      return true;
+    }
+
+    @Override
+    public float priority(FrameState frame, int slot) {
+      return 3;
+    }
+  }
+
+  /**
+   * Goal: on a slow line, a body that is gone doesn't stay on the screen for seconds while others
+   * move. A soak found one that was told after two.
+   */
+  @Test
+  void aBodyThatIsGoneIsToldInASecondOnASlowLine() {
+    for (int seed = 1; seed <= 5; seed++) {
+      Scene scene = new Scene(60, 1, seed);
+      for (int slot = 0; slot < scene.slots; slot++) {
+        scene.spawn(slot);
+      }
+      scene.spawnPercent = 0;
+      scene.diePercent = 0;
+      scene.stopPercent = 0;
+      scene.wakePercent = 100;
+      Channel channel = new Channel(scene, 10 + seed, Scene.TICK_RATE, new Near());
+      channel.latencyTicks = 6;
+      channel.lossPercent = 5;
+      channel.sendEvery = 4;
+      channel.budget = 80;
+      channel.withOwn = false;
+      for (int i = 0; i < 600; i++) {
+        step(channel, true);
+      }
+      int longest = 0;
+      for (int slot = 5; slot < 60; slot += 5) {
+        scene.bodies[slot] = null;
+        int ticks = 0;
+        for (; channel.decoder.history(slot).alive(); ticks++) {
+          step(channel, true);
+        }
+        longest = Math.max(longest, ticks);
+      }
+      assertTrue(channel.maxWaiting > 30, channel.name + " waiting=" + channel.maxWaiting);
+      assertTrue(longest <= 45, channel.name + " longest=" + longest);
+    }
+  }
+
   @Test
   void aWanderingWindowIsExactUnderLossJitterAndDuplicates() {
     for (int seed = 1; seed <= 5; seed++) {

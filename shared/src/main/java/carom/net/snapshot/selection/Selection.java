@@ -30,6 +30,12 @@ public final class Selection {
   /** Factor for an entity that the client can't predict from what it knows. */
   private static final float NEWS = 2;
 
+  /**
+   * Priority of an entity that is gone, more than most have: until that arrives, the client shows
+   * what isn't there, and its record takes a few bits.
+   */
+  private static final float GONE = 8;
+
   /** Factor for an entity at rest: until that arrives, the client shows it moving on. */
   private static final float REST = 1.5f;
 
@@ -140,6 +146,9 @@ public final class Selection {
 
   /** Returns what a slot collects per tick. */
   public float priority(FrameState now, int slot) {
+    if (!now.alive(slot)) {
+      return GONE;
+    }
     if (!client.seesAlive(slot)) {
       return 1;
     }
