@@ -103,6 +103,7 @@ final class ProvenStates {
       Past past = rooms.get(room.name());
       if (past != null) {
         requireResumed(room, past, crashed ? MOST_LOST : 0);
+        tick(room); // the server may end before its first tick
       }
       long[] secrets = new long[Soak.SEATS];
       takeSeats(room, secrets);
