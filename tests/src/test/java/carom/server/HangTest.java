@@ -19,6 +19,7 @@ import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.classic.spi.ThrowableProxyUtil;
 import ch.qos.logback.core.read.ListAppender;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -47,7 +48,10 @@ class HangTest {
   private KryoClientTransport transport;
 
   @AfterEach
-  void end() {
+  void end() throws Exception {
+    synchronized (this) {
+      setUpsHang = false; // first: a thread that comes back makes another game
+    }
     for (TestGame game : games) {
       if (game != null) {
         game.hangs = false;
@@ -56,6 +60,13 @@ class HangTest {
     }
     transport.close();
     server.close();
+    await("no thread loops any longer", () -> !loopsInTestGame());
+  }
+
+  private static boolean loopsInTestGame() {
+    return Thread.getAllStackTraces().values().stream()
+        .flatMap(Arrays::stream)
+        .anyMatch(frame -> frame.getClassName().equals(TestGame.class.getName()));
   }
 
   private synchronized TestGame make() {

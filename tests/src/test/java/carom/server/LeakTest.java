@@ -45,11 +45,14 @@ class LeakTest {
           ManagementFactory.getOperatingSystemMXBean() instanceof UnixOperatingSystemMXBean unix
               ? unix.getOpenFileDescriptorCount()
               : 0;
-      long threads =
-          Thread.getAllStackTraces().keySet().stream()
-              .filter(t -> t.getName().startsWith("carom-"))
-              .count();
-      return new Held((runtime.totalMemory() - runtime.freeMemory()) / 1e6, threads, files);
+      double heapMb = (runtime.totalMemory() - runtime.freeMemory()) / 1e6;
+      return new Held(heapMb, countThreads(), files);
+    }
+
+    static long countThreads() {
+      return Thread.getAllStackTraces().keySet().stream()
+          .filter(t -> t.getName().startsWith("carom-"))
+          .count();
     }
   }
 
@@ -94,11 +97,13 @@ class LeakTest {
   @Test
   void serversThatStartAndStopLeaveNothingBehind() throws Exception {
     Held early = null;
+    long threads = Held.countThreads();
     for (int cycle = 0; cycle < CYCLES; cycle++) {
       if (cycle == CYCLES / 2) {
         early = Held.now();
       }
       int port = playOnce();
+      awaitThreads(threads, cycle);
       new ServerSocket(port).close(); // throws if the port is still taken
     }
     Held late = Held.now();
@@ -106,6 +111,15 @@ class LeakTest {
     assertEquals(early.threads, late.threads);
     assertTrue(late.files <= early.files + 2, early + " " + late);
     assertTrue(late.heapMb < early.heapMb + 2, early + " " + late);
+  }
+
+  /** Waits for threads that have been told to end, such as the one of keys, and still do so. */
+  private static void awaitThreads(long most, int cycle) throws Exception {
+    long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+    while (Held.countThreads() > most) {
+      assertTrue(System.nanoTime() < endNs, "cycle=" + cycle + " threads=" + Held.countThreads());
+      TimeUnit.MILLISECONDS.sleep(5);
+    }
   }
 
   /**
