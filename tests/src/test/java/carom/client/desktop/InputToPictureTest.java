@@ -30,10 +30,12 @@ final class InputToPictureTest {
   private static final int RED = 0xff5d5d;
 
   /**
-   * Least number of pixels around the body that a press changes. Two ticks move the body by a
-   * fraction of a pixel, which changes 70 to 190; at rest none changes.
+   * Least number of pixels around the body that a press changes, when none changed at rest. Two
+   * ticks move the body by a fraction of a pixel. That changed 94 to 198 pixels in 98 of 100
+   * presses, but 17 and 22 in two: how many samples of the picture an edge crosses depends on where
+   * the body stood, and on how far into the second tick the frame was drawn. So any change counts.
    */
-  private static final int SEEN = 20;
+  private static final int SEEN = 1;
 
   @TempDir private Path folder;
 
