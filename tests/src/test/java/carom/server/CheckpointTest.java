@@ -439,16 +439,53 @@ class CheckpointTest {
     Path crashed = crash();
     int tick = kept.tick();
     kept.close();
-    Deque<Error> errors = new ArrayDeque<>(List.of(new NoSuchMethodError("of another library")));
-    MatchLibrary library = with(game -> game.keepsMoreFails = errors::poll);
-    kept = new KeptServer(library, levels, crashed, START_NS);
-    try {
-      assertTrue(errors.isEmpty());
-      assertEquals(1, kept.server.count(Counter.ROOMS_RESUMED));
-      int lost = tick - kept.resumedTick;
-      assertTrue(lost > 16 && lost <= 16 + 60, "the slot before: lost=" + lost + " ticks");
-    } finally {
-      kept.close();
+    Error missing = new NoSuchMethodError("of another library");
+    for (Error error : List.of(missing, new OutOfMemoryError("on purpose"))) {
+      Path copy = Folders.copy(crashed, folder.resolve(error.getClass().getSimpleName()));
+      Deque<Error> errors = new ArrayDeque<>(List.of(error));
+      MatchLibrary library = with(game -> game.keepsMoreFails = errors::poll);
+      kept = new KeptServer(library, levels, copy, START_NS);
+      try {
+        assertTrue(errors.isEmpty());
+        assertEquals(1, kept.server.count(Counter.ROOMS_RESUMED));
+        int lost = tick - kept.resumedTick;
+        assertTrue(lost > 16 && lost <= 16 + 60, "the slot before: lost=" + lost + " ticks");
+      } finally {
+        kept.close();
+      }
+    }
+  }
+
+  @Test
+  void aPowerFailureThatTakesTheLatestSeatsLosesOnlyWhoCameSince() throws Exception {
+    List<String> levels = List.of("chain");
+    KeptServer kept =
+        new KeptServer(KeptServer.library(), levels, folder.resolve("kept0"), START_NS);
+    kept.join("Ann", 0);
+    kept.runTo(130);
+    kept.join("Bob", 0);
+    kept.runTo(170);
+    Path crashed = crash();
+    kept.close();
+    Path room = crashed.resolve("cup");
+    List<Path> latest;
+    try (Stream<Path> files = Files.list(room)) {
+      latest = files.filter(file -> file.toString().endsWith(".latest")).toList();
+    }
+    assertFalse(latest.isEmpty(), "Bob came behind a checkpoint");
+    for (boolean torn : new boolean[] {false, true}) {
+      Path copy = Folders.copy(crashed, folder.resolve("torn-" + torn));
+      for (Path file : latest) {
+        if (torn) { // as a system leaves a new file that it has only named
+          Files.write(copy.resolve("cup").resolve(file.getFileName()), new byte[0]);
+        }
+      }
+      try (KeptServer again = new KeptServer(KeptServer.library(), levels, copy, START_NS)) {
+        assertEquals(1, again.server.count(Counter.ROOMS_RESUMED), "torn=" + torn);
+        assertTrue(again.resumedTick >= 150, "torn=" + torn + ": tick=" + again.resumedTick);
+        assertEquals(SessionState.GRACE, again.room().session(0).state());
+        assertEquals(torn, again.room().session(1) == null, "Bob's seat, torn=" + torn);
+      }
     }
   }
 

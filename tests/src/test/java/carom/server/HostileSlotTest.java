@@ -113,8 +113,11 @@ class HostileSlotTest {
     Path run = folder.resolve("run" + runs++);
     Path room = Files.createDirectories(run.resolve("cup"));
     for (int slot : new int[] {older, newer}) {
-      for (String end : new String[] {".log", ".seats"}) {
-        Files.copy(original.resolve(slot + end), room.resolve(slot + end));
+      for (String end : new String[] {".log", ".seats", ".latest"}) {
+        Path file = original.resolve(slot + end);
+        if (Files.exists(file)) {
+          Files.copy(file, room.resolve(slot + end));
+        }
       }
     }
     Files.write(room.resolve(name), bytes);
@@ -151,6 +154,16 @@ class HostileSlotTest {
     for (int length = 0; length < whole.length; length += 16) {
       int tick = begin(newer + ".seats", Arrays.copyOf(whole, length), "length=" + length);
       assertTrue(tick <= newerTick, "length=" + length + ": tick=" + tick);
+    }
+  }
+
+  @Test
+  void latestSeatsCutAnywhereLoseNoTick() throws IOException {
+    int whole = begin(newer + ".log", Files.readAllBytes(original.resolve(newer + ".log")), "");
+    byte[] latest = Files.readAllBytes(original.resolve(newer + ".seats"));
+    for (int length = 0; length <= latest.length; length += 16) {
+      byte[] cut = Arrays.copyOf(latest, length);
+      assertEquals(whole, begin(newer + ".latest", cut, "length=" + length), "length=" + length);
     }
   }
 

@@ -14,6 +14,7 @@ import carom.sim.match.NextMatch;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -26,7 +27,7 @@ import org.slf4j.LoggerFactory;
  * Brings a room back from one slot: builds the match in the state of the checkpoint, computes the
  * logged ticks again, and gives the players their seats back. Each tick is compared with its
  * recorded hash, and the room goes on from the last one that is equal. Who plays then, the log
- * says; who they are, the file of seats.
+ * says; who they are, the files of seats.
  *
  * <p>Before the room's first turn, on one thread.
  */
@@ -104,6 +105,18 @@ final class RoomResume {
   }
 
   private SavedRoom readSeats() throws IOException {
+    Path latest = folder.latest(slot);
+    if (Files.exists(latest)) {
+      try {
+        return SavedRoom.parse(Files.readAllBytes(latest));
+      } catch (IOException e) {
+        LOG.warn(
+            "{}checkpoint {}: who came or went after it is lost: {}",
+            room.label(),
+            slot,
+            e.getMessage());
+      }
+    }
     try {
       return SavedRoom.parse(Files.readAllBytes(folder.seats(slot)));
     } catch (NoSuchFileException e) {

@@ -41,6 +41,9 @@ final class SlotFile implements BlockSink {
   /** True once the disk has failed, so that the rest of the queue is of no use. */
   private volatile boolean broken;
 
+  /** Whether the seats of the checkpoint were handed in. The room's thread only. */
+  private boolean hasSeats;
+
   private volatile boolean safe;
   private volatile long written;
 
@@ -82,9 +85,20 @@ final class SlotFile implements BlockSink {
     written = writer.written();
   }
 
-  /** Writes who plays, in the place of what was written before. */
+  /** Writes who plays: at first at the checkpoint, later since somebody came or went. */
   void seats(byte[] bytes) {
-    disk.write(() -> attempt(() -> folder.writeSeats(number, bytes)));
+    boolean later = hasSeats;
+    hasSeats = true;
+    disk.write(
+        () ->
+            attempt(
+                () -> {
+                  if (later) {
+                    folder.writeLatest(number, bytes);
+                  } else {
+                    folder.writeSeats(number, bytes);
+                  }
+                }));
   }
 
   /** Does something on the disk's thread after all that was handed in is written; or never. */

@@ -16,14 +16,16 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The folder of a room's checkpoints. Each slot is two files: {@code 12.log}, a recording that
- * begins with the whole state, and {@code 12.seats}. Only the user of the server may read them, as
- * the seats have the secrets of the sessions.
+ * The folder of a room's checkpoints. A slot is up to three files: {@code 12.log}, a recording that
+ * begins with the whole state, {@code 12.seats}, who played then, and {@code 12.latest}, who plays
+ * since somebody came or went. The seats of the checkpoint are never replaced: the disk has them
+ * for certain, and a machine that loses power may lose the latest. Only the user of the server may
+ * read them, as the seats have the secrets of the sessions.
  *
  * @param path the folder
  */
 record SlotFolder(Path path) {
-  private static final Pattern SLOT = Pattern.compile("([0-9]{1,9})\\.(log|seats|new)");
+  private static final Pattern SLOT = Pattern.compile("([0-9]{1,9})\\.(log|seats|latest|new)");
 
   /** Creates the folder if it isn't there. */
   void create() throws IOException {
@@ -36,6 +38,10 @@ record SlotFolder(Path path) {
 
   Path seats(int slot) {
     return path.resolve(slot + ".seats");
+  }
+
+  Path latest(int slot) {
+    return path.resolve(slot + ".latest");
   }
 
   /** Returns the numbers of the slots, the newest first. */
@@ -62,8 +68,18 @@ record SlotFolder(Path path) {
         onlyOwner("rw-------"));
   }
 
-  /** Writes the seats of a slot, in the place of those that are there, in one step. */
+  /** Writes who plays at the checkpoint of a slot. */
   void writeSeats(int slot, byte[] bytes) throws IOException {
+    write(slot, bytes, seats(slot));
+  }
+
+  /** Writes who plays in a slot now, in the place of who did before. */
+  void writeLatest(int slot, byte[] bytes) throws IOException {
+    write(slot, bytes, latest(slot));
+  }
+
+  /** Writes a file in one step. */
+  private void write(int slot, byte[] bytes, Path target) throws IOException {
     Path fresh = path.resolve(slot + ".new");
     Files.deleteIfExists(fresh);
     Set<StandardOpenOption> create =
@@ -74,7 +90,7 @@ record SlotFolder(Path path) {
       }
     }
     Files.move(
-        fresh, seats(slot), StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        fresh, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
   }
 
   /** Waits until the seats of a slot, and the names of the files, are on the disk. */
@@ -92,6 +108,7 @@ record SlotFolder(Path path) {
   /** Deletes a slot. */
   void delete(int slot) throws IOException {
     Files.deleteIfExists(seats(slot)); // first, so that no seats are without their log
+    Files.deleteIfExists(latest(slot));
     Files.deleteIfExists(log(slot));
     Files.deleteIfExists(path.resolve(slot + ".new"));
   }
@@ -99,6 +116,7 @@ record SlotFolder(Path path) {
   /** Puts a slot that can't be used out of the way, for people to look at. */
   void refuse(int slot) throws IOException {
     moveIfThere(seats(slot), slot + ".seats.refused");
+    moveIfThere(latest(slot), slot + ".latest.refused");
     moveIfThere(log(slot), slot + ".log.refused");
   }
 
