@@ -41,7 +41,7 @@ final class SlotFile implements BlockSink {
   /** True once the disk has failed, so that the rest of the queue is of no use. */
   private volatile boolean broken;
 
-  /** Whether the seats of the checkpoint were handed in. The room's thread only. */
+  /** True once the seats of the checkpoint were handed in. The room's thread only. */
   private boolean hasSeats;
 
   private volatile boolean safe;
