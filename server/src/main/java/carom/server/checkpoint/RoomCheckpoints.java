@@ -23,8 +23,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Keeps a room on the disk, so that another process can go on with it. Every few seconds a new slot
- * begins: the whole state, which is the checkpoint, and then the inputs of each tick. Beside it, small
- * files say who the players are ({@link SlotSeats}).
+ * begins: the whole state, which is the checkpoint, and then the inputs of each tick. Beside it,
+ * small files say who the players are ({@link SlotSeats}).
  *
  * <pre>
  *   slot 12   state ── inputs ── inputs ── inputs ── end │

@@ -89,8 +89,7 @@ record SlotFolder(Path path) {
         file.write(rest);
       }
     }
-    Files.move(
-        fresh, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    Files.move(fresh, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
   }
 
   /** Waits until the seats of a slot, and the names of the files, are on the disk. */
