@@ -87,18 +87,10 @@ final class SlotFile implements BlockSink {
 
   /** Writes who plays: at first at the checkpoint, later since somebody came or went. */
   void seats(byte[] bytes) {
-    boolean later = hasSeats;
+    Task write =
+        hasSeats ? () -> folder.writeLatest(number, bytes) : () -> folder.writeSeats(number, bytes);
     hasSeats = true;
-    disk.write(
-        () ->
-            attempt(
-                () -> {
-                  if (later) {
-                    folder.writeLatest(number, bytes);
-                  } else {
-                    folder.writeSeats(number, bytes);
-                  }
-                }));
+    disk.write(() -> attempt(write));
   }
 
   /** Does something on the disk's thread after all that was handed in is written; or never. */
