@@ -33,6 +33,11 @@ final class PlayerNameTest {
             "\u1ea0d\u0331m\u1ecbn\u0328", // several marks below
             "Adm\u0269\u0272", // iota, n with a hook
             "Admi\u0307n", // an i with two dots, of which one shows
+            "Ad\u043cin", // a small Cyrillic m
+            "Admi\u03b7", // eta
+            "\ud83c\udd50\ud83c\udd53\ud83c\udd5c\ud83c\udd58\ud83c\udd5d", // in black circles
+            "\ud83c\udd70\ud83c\udd73\ud83c\udd7c\ud83c\udd78\ud83c\udd7d", // in black squares
+            "\ud83c\udde6\ud83c\udde9\ud83c\uddf2\ud83c\uddee\ud83c\uddf3", // letters of flags
             "\u0130DMIN".replace("\u0130", "A"))) {
       assertTrue(PlayerName.looksLike("Admin", name), name);
       assertTrue(PlayerName.looksLike(name, "Admin"), name);
@@ -41,6 +46,9 @@ final class PlayerNameTest {
         PlayerName.looksLike("\u041d\u0418\u041d\u0410", "\u043d\u0438\u043d\u0430"), "case");
     assertTrue(PlayerName.looksLike("Bob", "B\u03bfb"), "Greek o");
     assertTrue(PlayerName.looksLike("Bob", "B0b"));
+    assertTrue(PlayerName.looksLike("Bob", "\u0432o\u0432"), "small Cyrillic v");
+    assertTrue(PlayerName.looksLike("Hawk", "\u043da\u0461\u043a"), "small Cyrillic n and k");
+    assertTrue(PlayerName.looksLike("Tom", "\u0442\u043e\u043c"), "small Cyrillic t, o and m");
     assertTrue(PlayerName.looksLike("Will", "\u03bd\u03bdi11"), "two nu");
     assertTrue(PlayerName.looksLike("Will", "vviLL"));
     assertTrue(PlayerName.looksLike("The Boss", "The  Boss"), "two spaces");
