@@ -70,10 +70,11 @@ public final class Lobby {
 
   /**
    * Returns the largest number of links that may be open for a server with so many places. These
-   * are links that play or load, that wait, that watch, and that are told goodbye.
+   * are links that play and as many that leave, that wait with a proof and without, that watch and
+   * as many that leave, and those that the lobby tells goodbye.
    */
   public static int mostLinks(int places) {
-    return 2 * places + 2 * placesToWait(places) + Spectators.MAX + LobbyContext.MAX_PARTINGS;
+    return 2 * (places + placesToWait(places) + Spectators.MAX) + LobbyContext.MAX_PARTINGS;
   }
 
   /**
