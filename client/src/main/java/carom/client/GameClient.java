@@ -216,8 +216,8 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
-    public void pace(int percent) {
-      game.pace(percent, nowNs);
+    public void pace(ServerMessage.Pace pace) {
+      game.pace(pace, nowNs);
     }
 
     @Override

@@ -92,6 +92,7 @@ final class JoinedGame {
       EventListener listener) {
     this.view = view;
     this.stats = stats;
+    stats.viewsNarrow(false);
     playerId = welcome.playerId();
     incarnation = welcome.incarnation();
     this.source = source;
@@ -205,9 +206,10 @@ final class JoinedGame {
     clock.heard(tick, time.at(nowNs));
   }
 
-  /** Lets the clocks run at another pace, percent of the tick rate. */
-  void pace(int percent, long nowNs) {
-    time.pace(percent, nowNs);
+  /** Lets the clocks run at another pace, and notes whether views are narrow. */
+  void pace(ServerMessage.Pace pace, long nowNs) {
+    time.pace(pace.percent(), nowNs);
+    stats.viewsNarrow(pace.viewsNarrow());
   }
 
   /** Takes in a piece of the state of the level's pools. */

@@ -233,7 +233,7 @@ class ProtocolDocTest {
                         "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
     golden.put(
         "redirect", codec.encode(new ServerMessage.Redirect("b.example.org:54555", "", "cup", "")));
-    golden.put("pace", codec.encode(new ServerMessage.Pace(75)));
+    golden.put("pace", codec.encode(new ServerMessage.Pace(75, false)));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put(
         "pool-chunk",

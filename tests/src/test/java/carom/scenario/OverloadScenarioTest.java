@@ -1,13 +1,19 @@
 package carom.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.link.ConnectionPhase;
 import carom.fixtures.Levels;
 import carom.net.transport.Impairment;
+import carom.physics.BodyType;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -22,6 +28,8 @@ import org.junit.jupiter.api.Test;
  */
 class OverloadScenarioTest {
   private static final Impairment LINE = Impairment.NONE.withLatency(30, 2);
+  private static final float SHOWN_WIDTH = 64;
+  private static final float SHOWN_HEIGHT = 36;
 
   /** What happened in some seconds. */
   private record Window(double ticksPerSecond, double missing, double corrections) {}
@@ -66,6 +74,66 @@ class OverloadScenarioTest {
       assertEquals(60, after.ticksPerSecond, 1);
       assertTrue(after.missing <= before.missing + 0.005, before + " " + after);
       assertTrue(after.corrections <= before.corrections + 0.5, before + " " + after);
+    }
+  }
+
+  /** Goal: what a player sees is there all the time; what is elsewhere goes first, and returns. */
+  @Test
+  void aBusyRoomTellsPlayersOnlyOfWhatTheyShow() throws LevelException {
+    Level level = Level.builtIn("commons"); // 400 by 240 m
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      List<SimulatedClient> clients = new ArrayList<>();
+      for (int i = 0; i < 4; i++) {
+        clients.add(stepper.join("p" + i, LINE.withSeed(Stepper.SEED + i), Scripts.wander(i)));
+      }
+      SimulatedClient shows = clients.get(0);
+      shows.game().look(0, 0, SHOWN_WIDTH, SHOWN_HEIGHT);
+      stepper.run(5);
+      assertEquals(stepper.frame().count(), shows.view().entityCount(), "few bodies: all are told");
+      assertFalse(shows.stats().viewsNarrow());
+
+      stepper.serverTakes(1_500_000);
+      stepper.runUntil("narrow", () -> shows.stats().viewsNarrow(), 3);
+      assertEquals(100, stepper.count(Counter.PACE_PERCENT), "time slows down later");
+      for (int i = 0; i < 3_000; i++) {
+        if (i % 300 == 0) {
+          shake(stepper.room().simulation(), i / 300 % 2 == 0 ? 3 : -3);
+        }
+        stepper.step();
+        requireShown(stepper, shows);
+      }
+      int left = shows.view().entityCount();
+      assertTrue(left < stepper.frame().count() / 4, "left=" + left);
+      assertTrue(stepper.count(Counter.TICKS_NARROW) > 0);
+
+      stepper.serverTakes(0);
+      stepper.runUntil("wide", () -> !shows.stats().viewsNarrow(), 30);
+      stepper.run(5);
+      assertEquals(stepper.frame().count(), shows.view().entityCount(), "all are back");
+    }
+  }
+
+  /** Lets all bodies that move at all but those of players move to one side, m/s. */
+  private static void shake(Simulation simulation, float speed) {
+    for (int id = 0; id < simulation.entityCapacity(); id++) {
+      Entity entity = simulation.entity(id);
+      if (entity != null && entity.body().type() == BodyType.DYNAMIC && entity.ownerId() < 0) {
+        entity.body().setVelocity(speed, 0);
+      }
+    }
+  }
+
+  /** Requires that the client draws whatever has been in its picture for a while. */
+  private static void requireShown(Stepper stepper, SimulatedClient client) {
+    Entity own = stepper.body(client);
+    Simulation simulation = stepper.room().simulation();
+    for (int id = 0; id < simulation.entityCapacity(); id++) {
+      Entity other = simulation.entity(id);
+      if (other != null
+          && Math.abs(other.body().x() - own.body().x()) < SHOWN_WIDTH / 2
+          && Math.abs(other.body().y() - own.body().y()) < SHOWN_HEIGHT / 2) {
+        assertTrue(client.view().find(id) != null, "id=" + id);
+      }
     }
   }
 

@@ -209,7 +209,7 @@ public final class Connection implements LinkHandler {
     } else if (received instanceof ServerMessage.Notice notice) {
       listener.notice(notice.text());
     } else if (received instanceof ServerMessage.Pace pace && stage == Stage.PLAYING) {
-      listener.pace(pace.percent());
+      listener.pace(pace);
     } else if (received instanceof ServerMessage.GameMessage m && stage == Stage.PLAYING) {
       listener.message(m);
     } else if (received instanceof ServerMessage.PoolChunk chunk && stage == Stage.PLAYING) {

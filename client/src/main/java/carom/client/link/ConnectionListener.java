@@ -31,8 +31,8 @@ public interface ConnectionListener {
   /** Receives a line of the server for the player. */
   void notice(String text);
 
-  /** Receives the pace at which time passes from now on, percent of the tick rate. */
-  void pace(int percent);
+  /** Receives the pace at which time passes from now on, and whether views are narrow. */
+  void pace(ServerMessage.Pace pace);
 
   /** Receives a reliable message of the game. */
   void message(ServerMessage.GameMessage message);

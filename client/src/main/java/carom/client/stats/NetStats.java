@@ -126,6 +126,11 @@ public final class NetStats {
     return recorder.clockSpeed;
   }
 
+  /** Returns whether the server is too busy to tell of more than what is shown. */
+  public boolean viewsNarrow() {
+    return recorder.viewsNarrow;
+  }
+
   /** Returns how far in the past interpolated entities are drawn, milliseconds. */
   public double interpolationDelayMs() {
     return recorder.interpolationDelayMs;

@@ -14,6 +14,7 @@ public final class NetStatsRecorder {
   double jitterMs;
   double targetMargin;
   double clockSpeed = 1;
+  boolean viewsNarrow;
   long events;
   long eventsRetracted;
   long eventsMissed;
@@ -80,6 +81,11 @@ public final class NetStatsRecorder {
     clockSpeed = clock.speed() * pace;
     jitterMs = renderClock.jitterMs();
     interpolationDelayMs = renderClock.delayTicks() * 1_000 / (tickRate * pace);
+  }
+
+  /** Sets whether the server is too busy to tell of more than what is shown. */
+  public void viewsNarrow(boolean narrow) {
+    viewsNarrow = narrow;
   }
 
   /** Notes an event that fired. */

@@ -32,6 +32,8 @@ public enum Counter {
   DATAGRAMS_OUT("Snapshot datagrams sent."),
   SNAPSHOT_BYTES("Payload bytes of snapshots sent."),
   SNAPSHOTS_POSTPONED("Snapshots that the room sent a tick later because the tick took too long."),
+  TICKS_NARROW(
+      "Ticks in which players were told only of what they show because ticks took too long."),
   DATAGRAMS_UNSENT("Snapshot datagrams that the transport didn't accept."),
   INPUTS_DUE("Inputs due: one per player and tick."),
   INPUTS_MISSING("Inputs due that had not arrived when their tick ran."),

@@ -88,6 +88,14 @@ public final class FrameCapture {
     return deltas;
   }
 
+  /**
+   * Sets whether players are told only of what they show, because the room is too busy for more.
+   * Who {@linkplain carom.sim.Game#seesAll sees all} is told of all.
+   */
+  public void narrowViews(boolean narrow) {
+    index.narrowViews(narrow);
+  }
+
   /** Captures the state after the simulation's last step. */
   public FrameState capture() {
     FrameState last = ring.newest();

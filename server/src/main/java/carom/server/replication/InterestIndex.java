@@ -28,6 +28,7 @@ final class InterestIndex {
   private int[] special = new int[MIN_LENGTH];
   private int specialCount;
   private int tick = -1;
+  private boolean narrow;
 
   InterestIndex(Simulation simulation) {
     this.simulation = simulation;
@@ -40,6 +41,16 @@ final class InterestIndex {
   /** Radius around an entity's position that holds all of it, metres. */
   float reach(FrameState frame, int slot) {
     return reach[frame.archetype(slot)];
+  }
+
+  /** Sets whether views are narrow; see {@link FrameCapture#narrowViews}. */
+  void narrowViews(boolean nowNarrow) {
+    narrow = nowNarrow;
+  }
+
+  /** Returns whether views are narrow. */
+  boolean viewsAreNarrow() {
+    return narrow;
   }
 
   /** Visits the slots whose entities may overlap a box, metres; some lie just outside. */

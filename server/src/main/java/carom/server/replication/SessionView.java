@@ -23,7 +23,8 @@ import carom.sim.near.Neighbourhood;
  *
  * <p>Everything is in sight in three cases: the level is no larger than the largest view; the world
  * has few entities and the operator has not set a view; or the player {@linkplain
- * carom.sim.Game#seesAll sees all}.
+ * carom.sim.Game#seesAll sees all}. While the room is too busy and {@linkplain
+ * FrameCapture#narrowViews views are narrow}, only the last one counts.
  *
  * <p>The room's thread; no allocation after construction.
  */
@@ -188,7 +189,7 @@ public final class SessionView implements Interest {
     y = spectatorY;
     few = automatic && frame.count() <= (few ? FEW : FEW_AGAIN);
     everyone = seesAll();
-    everything = smallLevel || few || everyone;
+    everything = everyone || (!index.viewsAreNarrow() && (smallLevel || few));
   }
 
   /** Returns the body that the client wants to follow, if the game lets it; or null. */

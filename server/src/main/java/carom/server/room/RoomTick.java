@@ -124,12 +124,13 @@ final class RoomTick {
     takeInputs(simulation.tick() + 1);
     stages.end(TurnStage.INPUTS);
     boolean stepped = step(simulation);
+    boolean late = false;
     stages.end(TurnStage.STEP);
     if (stepped) {
       match.capture().capture();
       stages.end(TurnStage.CAPTURE);
       counters.add(Counter.EVENTS_LOST, match.takeDroppedEvents());
-      send(match, beginNs, nowNs, sends);
+      late = send(match, beginNs, nowNs, sends);
     }
     counters.add(Counter.TICKS, 1);
     context.passTick();
@@ -142,7 +143,7 @@ final class RoomTick {
     }
     show();
     stages.end(TurnStage.REST);
-    parts.pace.tickTook(parts.clock.getAsLong() - beginNs, nowNs);
+    parts.pace.tickTook(parts.clock.getAsLong() - beginNs, late, nowNs);
     int rate = context.config().tickRateHz();
     if (match.failures().endTick() >= rate && !end.isClosed()) {
       String game = simulation.game().name();
@@ -153,7 +154,7 @@ final class RoomTick {
   private void takeInputs(int next) {
     for (int i = sessions.count() - 1; i >= 0; i--) {
       sessions.get(i).consumeInput(next);
-      sessions.get(i).tellPace(parts.pace.percent());
+      sessions.get(i).tellPace(parts.pace.percent(), parts.pace.viewsAreNarrow());
     }
     parts.post.collect();
   }
@@ -171,14 +172,18 @@ final class RoomTick {
     }
   }
 
-  private void send(Match match, long beginNs, long nowNs, boolean snapshots) {
+  /** Returns whether snapshots have to wait because the tick took too long. */
+  private boolean send(Match match, long beginNs, long nowNs, boolean snapshots) {
+    boolean late = false;
     if (snapshots) {
-      parts.snapshots.run(beginNs, nowNs);
+      match.capture().narrowViews(parts.pace.viewsAreNarrow());
+      late = parts.snapshots.run(beginNs, nowNs);
       stages.end(TurnStage.SNAPSHOTS);
     }
     parts.post.send();
     match.simulation().outbox().drainNotices(sendNotice);
     match.failures().tell(match.simulation().findings());
     parts.roster.send(sessions.bySeat(), nowNs, sendTo);
+    return late;
   }
 }

@@ -44,8 +44,9 @@ final class SnapshotRound {
    * Prepares the snapshots of the newest frame and sends those that are due.
    *
    * @param beginNs when the tick began, by the clock
+   * @return whether snapshots have to wait because the tick took too long
    */
-  void run(long beginNs, long nowNs) {
+  boolean run(long beginNs, long nowNs) {
     int count = sessions.count();
     turns.begin(count, beginNs);
     showWaitingInputs();
@@ -65,6 +66,7 @@ final class SnapshotRound {
       int tick = room.simulation().tick();
       warnings.snapshotsPostponed(turns.late(), sessions.count(), tick, nowNs);
     }
+    return turns.late() > 0;
   }
 
   private void showWaitingInputs() {

@@ -25,6 +25,7 @@ public final class LoadWarnings {
   private final LogInterval dropped = new LogInterval();
   private final LogInterval stoodStill = new LogInterval();
   private final LogInterval postponed = new LogInterval();
+  private final LogInterval narrowed = new LogInterval();
   private final LogInterval slowed = new LogInterval();
 
   /** Times of the last ticks in which snapshots waited: a ring, the oldest at {@link #oldest}. */
@@ -95,6 +96,23 @@ public final class LoadWarnings {
           label,
           pacePercent,
           "if this lasts, lower --max-players, --max-load or --tick-rate, or find a faster"
+              + " machine");
+    }
+  }
+
+  /**
+   * Notes that views have become narrow, or wide again.
+   *
+   * @param narrow whether players are told only of what they show
+   */
+  public void viewsChanged(boolean narrow, long nowNs) {
+    if (!narrow) {
+      LOG.info("{}players are told again of what they don't show", label);
+    } else if (narrowed.tryBegin(nowNs)) {
+      LOG.warn(
+          "{}ticks take too long: players are told only of what they show; {}",
+          label,
+          "if this lasts, lower --snapshot-rate, --budget or --max-players, or find a faster"
               + " machine");
     }
   }

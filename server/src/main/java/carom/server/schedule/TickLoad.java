@@ -7,9 +7,10 @@ import java.util.Arrays;
  * and the pace at which the room can keep its ticks apart. One thread; no allocation.
  *
  * <p>A room that is too slow sheds load in this order. First it sends fewer snapshots ({@link
- * SendTurns}). When a tick without most of its snapshots still takes longer than its period, time
- * slows down: fewer ticks a second, each of the same length, and all clients are told. Ticks that
- * would come in a burst, and leave everybody without a snapshot meanwhile, don't arise.
+ * SendTurns}). When snapshots wait in half of the ticks, views become narrow: players are told only
+ * of what they show, not of the rest of the level. When ticks still take longer than their period,
+ * time slows down: fewer ticks a second, each of the same length, and all clients are told. Ticks
+ * that would come in a burst, and leave everybody without a snapshot meanwhile, don't arise.
  */
 public final class TickLoad {
   /** Slowest pace, percent of the tick rate. */
@@ -23,7 +24,7 @@ public final class TickLoad {
 
   private static final int MOST_PARTS = 3 * PARTS;
 
-  /** A pace is chosen twice a second, in steps of so many percent. */
+  /** Times in a second that the load chooses what to shed, and the pace in steps of percent. */
   private static final int CHOICES_PER_SECOND = 2;
 
   private static final int STEP_PERCENT = 5;
@@ -37,6 +38,17 @@ public final class TickLoad {
   /** Share below which time goes faster again, by one step. */
   private static final double CALM = 0.75;
 
+  /** In calm half seconds snapshots wait in less than one of so many ticks. */
+  private static final int CALM_TICKS = 10;
+
+  /**
+   * Views widen after so many calm half seconds in a row. Nothing but trying shows whether that is
+   * too early, so each time it takes twice as many, up to the most.
+   */
+  private static final int CHOICES_TO_WIDEN = 10 * CHOICES_PER_SECOND;
+
+  private static final int MOST_CHOICES_TO_WIDEN = 32 * CHOICES_TO_WIDEN;
+
   private final long periodNs;
   private final byte[] parts;
   private final int[] counts = new int[MOST_PARTS + 1];
@@ -44,7 +56,11 @@ public final class TickLoad {
   private long ticks;
   private long sumNs;
   private int summed;
+  private int lateTicks;
   private int pacePercent = 100;
+  private boolean viewsNarrow;
+  private int calmChoices;
+  private int choicesToWiden = CHOICES_TO_WIDEN;
 
   /**
    * Creates the load of a room that has run no tick.
@@ -60,9 +76,10 @@ public final class TickLoad {
   /**
    * Notes how long a tick took.
    *
+   * @param late whether snapshots had to wait for the next tick
    * @return whether the pace has changed
    */
-  public boolean tickTook(long tookNs) {
+  public boolean tickTook(long tookNs, boolean late) {
     int place = (int) (ticks % parts.length);
     if (ticks >= parts.length) {
       counts[parts[place] & 0xff]--;
@@ -73,7 +90,8 @@ public final class TickLoad {
     ticks++;
     sumNs += tookNs;
     summed++;
-    return summed >= window && choosePace();
+    lateTicks += late ? 1 : 0;
+    return summed >= window && choose();
   }
 
   /** Notes that the room rests, as if its ticks of ten seconds had taken no time. */
@@ -84,14 +102,40 @@ public final class TickLoad {
     ticks = parts.length;
     sumNs = 0;
     summed = 0;
+    lateTicks = 0;
+    viewsNarrow = false;
+    calmChoices = 0;
+    choicesToWiden = CHOICES_TO_WIDEN;
   }
 
-  private boolean choosePace() {
+  private boolean choose() {
     double needed = (double) sumNs / summed / periodNs;
+    double share = needed * pacePercent / 100;
+    boolean narrowed = chooseViews();
     sumNs = 0;
     summed = 0;
+    lateTicks = 0;
+    return !narrowed && choosePace(needed, share);
+  }
+
+  /** Returns whether views have just become narrow, which may be enough. */
+  private boolean chooseViews() {
+    if (!viewsNarrow) {
+      viewsNarrow = 2 * lateTicks >= summed;
+      return viewsNarrow;
+    }
+    boolean calm = CALM_TICKS * lateTicks < summed && pacePercent == 100;
+    calmChoices = calm ? calmChoices + 1 : 0;
+    if (calmChoices == choicesToWiden) {
+      viewsNarrow = false;
+      calmChoices = 0;
+      choicesToWiden = Math.min(MOST_CHOICES_TO_WIDEN, 2 * choicesToWiden);
+    }
+    return false;
+  }
+
+  private boolean choosePace(double needed, double share) {
     int before = pacePercent;
-    double share = needed * pacePercent / 100;
     if (share > TOO_BUSY) {
       int fitting = (int) (100 * BUSY / needed) / STEP_PERCENT * STEP_PERCENT;
       pacePercent = Math.max(SLOWEST_PERCENT, Math.min(pacePercent, fitting));
@@ -104,6 +148,11 @@ public final class TickLoad {
   /** Returns the pace, percent of the tick rate, {@value #SLOWEST_PERCENT}..100. */
   public int pacePercent() {
     return pacePercent;
+  }
+
+  /** Returns whether players are told only of what they show. */
+  public boolean viewsAreNarrow() {
+    return viewsNarrow;
   }
 
   /**

@@ -17,6 +17,7 @@ public final class TickPace {
   private final TickLoad load;
   private final LoadWarnings warnings;
   private final Counters counters;
+  private boolean toldNarrow;
 
   /**
    * Creates the pace of a room whose clock doesn't run yet.
@@ -43,6 +44,7 @@ public final class TickPace {
     if (paused) {
       loop.pause();
       load.rest(); // or a load that nothing measures any more keeps newcomers out
+      tellViews(nowNs);
     }
     int due = paused ? 0 : loop.due(nowNs);
     counters.set(Counter.LOAD_PERCENT, load.percent());
@@ -52,24 +54,39 @@ public final class TickPace {
   }
 
   /**
-   * Notes how long a tick took, ns, which may change the pace.
+   * Notes how long a tick took, ns, which may change the pace and the views.
    *
+   * @param late whether snapshots had to wait for the next tick
    * @param nowNs when the turn began
    */
-  public void tickTook(long tookNs, long nowNs) {
+  public void tickTook(long tookNs, boolean late, long nowNs) {
     counters.tickTook(tookNs);
-    if (load.tickTook(tookNs)) {
+    counters.add(Counter.TICKS_NARROW, load.viewsAreNarrow() ? 1 : 0);
+    if (load.tickTook(tookNs, late)) {
       loop.pace(load.pacePercent(), nowNs + tookNs);
       warnings.paceChanged(load.pacePercent(), nowNs);
     }
     if (tookNs > loop.periodNs()) {
       counters.add(Counter.TICKS_OVERRUN, 1);
     }
+    tellViews(nowNs);
+  }
+
+  private void tellViews(long nowNs) {
+    if (toldNarrow != load.viewsAreNarrow()) {
+      toldNarrow = load.viewsAreNarrow();
+      warnings.viewsChanged(toldNarrow, nowNs);
+    }
   }
 
   /** Returns the pace, percent of the tick rate, {@value TickLoad#SLOWEST_PERCENT}..100. */
   public int percent() {
     return load.pacePercent();
+  }
+
+  /** Returns whether players are told only of what they show; see {@link TickLoad}. */
+  public boolean viewsAreNarrow() {
+    return load.viewsAreNarrow();
   }
 
   /** Returns when the next tick is due; valid after the first call of {@link #due}. */

@@ -65,7 +65,7 @@ public final class Session implements LinkHandler {
   private final DivergenceReports reports;
   private long nowNs;
   private int silentTicks;
-  private int toldPace;
+  private ServerMessage.Pace toldPace = ServerMessage.Pace.FULL;
   private long graceEndNs;
   private int playedTicks;
   private boolean knowsRoster;
@@ -120,7 +120,7 @@ public final class Session implements LinkHandler {
     messages.attach(link, epoch);
     inputs.begin(tick);
     silentTicks = 0;
-    toldPace = 100;
+    toldPace = ServerMessage.Pace.FULL;
     knowsRoster = false;
     seat.follows();
   }
@@ -300,11 +300,15 @@ public final class Session implements LinkHandler {
     }
   }
 
-  /** Tells the client at which pace time passes, in percent, if it plays and doesn't know. */
-  public void tellPace(int percent) {
-    if (percent != toldPace && state == SessionState.PLAYING) {
-      toldPace = percent;
-      send(new Broadcast(new ServerMessage.Pace(percent)));
+  /**
+   * Tells the client at which pace time passes and whether views are narrow, if it plays and
+   * doesn't know.
+   */
+  public void tellPace(int percent, boolean viewsNarrow) {
+    boolean known = percent == toldPace.percent() && viewsNarrow == toldPace.viewsNarrow();
+    if (!known && state == SessionState.PLAYING) {
+      toldPace = new ServerMessage.Pace(percent, viewsNarrow);
+      send(new Broadcast(toldPace));
     }
   }
 

@@ -331,11 +331,13 @@ public final class KryoMessageCodec implements MessageCodec {
     @Override
     protected void write(Output out, Pace m) {
       out.writeByte(inRange("percent", m.percent(), 1, 100));
+      out.writeByte(m.viewsNarrow() ? 1 : 0);
     }
 
     @Override
     protected Pace read(Input in) {
-      return new Pace(inRange("percent", in.readByte(), 1, 100));
+      int percent = inRange("percent", in.readByte(), 1, 100);
+      return new Pace(percent, inRange("viewsNarrow", in.readByte(), 0, 1) == 1);
     }
   }
 

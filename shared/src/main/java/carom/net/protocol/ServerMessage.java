@@ -237,12 +237,16 @@ public sealed interface ServerMessage {
   record Notice(String text) implements ServerMessage {}
 
   /**
-   * Tells at which pace time passes. A server that is too slow runs fewer ticks a second, each of
-   * the same length.
+   * Tells at which pace time passes, and whether views are narrow. A server that is too slow tells
+   * players only of what they show, and then runs fewer ticks a second, each of the same length.
    *
    * @param percent ticks a second in percent of the tick rate, 1..100; 100 until told otherwise
+   * @param viewsNarrow whether the client is told only of what it shows; false until told otherwise
    */
-  record Pace(int percent) implements ServerMessage {}
+  record Pace(int percent, boolean viewsNarrow) implements ServerMessage {
+    /** That of a server with time enough, which clients assume. */
+    public static final Pace FULL = new Pace(100, false);
+  }
 
   /**
    * Admits a spectator.

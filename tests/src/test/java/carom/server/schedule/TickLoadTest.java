@@ -14,7 +14,7 @@ class TickLoadTest {
 
   private void ticks(int count, long tookNs) {
     for (int i = 0; i < count; i++) {
-      load.tickTook(tookNs);
+      load.tickTook(tookNs, false);
     }
   }
 
@@ -71,8 +71,72 @@ class TickLoadTest {
   @Test
   void oneLongPauseSlowsNothingDown() {
     ticks(24, 2 * MS);
-    assertFalse(load.tickTook(200 * MS));
+    assertFalse(load.tickTook(200 * MS, true));
     assertEquals(100, load.pacePercent());
+  }
+
+  /** Runs half a second in which so many of the 25 ticks leave snapshots for the next one. */
+  private void halfSecond(long tookNs, int late) {
+    for (int i = 0; i < 25; i++) {
+      load.tickTook(tookNs, i < late);
+    }
+  }
+
+  @Test
+  void viewsBecomeNarrowWhenSnapshotsWaitInHalfOfTheTicks() {
+    for (int i = 0; i < 100; i++) {
+      halfSecond(13 * MS, 12);
+    }
+    assertFalse(load.viewsAreNarrow());
+    halfSecond(13 * MS, 13);
+    assertTrue(load.viewsAreNarrow());
+    assertEquals(100, load.pacePercent());
+  }
+
+  @Test
+  void timeSlowsDownOnlyWhenNarrowViewsAreNotEnough() {
+    halfSecond(30 * MS, 25);
+    assertTrue(load.viewsAreNarrow());
+    assertEquals(100, load.pacePercent());
+    halfSecond(30 * MS, 25);
+    assertEquals(55, load.pacePercent());
+    for (int i = 0; i < 9; i++) {
+      halfSecond(2 * MS, 0);
+      assertEquals(60 + 5 * i, load.pacePercent());
+    }
+    for (int i = 0; i < 20; i++) {
+      assertTrue(load.viewsAreNarrow(), "i=" + i);
+      halfSecond(2 * MS, 0);
+    }
+    assertFalse(load.viewsAreNarrow(), "time at full pace first, then the views");
+  }
+
+  @Test
+  void viewsWidenAfterTenCalmSecondsAndLaterWhereThatProvesTooEarly() {
+    int calm = 20;
+    for (int time = 0; time < 8; time++) {
+      halfSecond(13 * MS, 25);
+      assertTrue(load.viewsAreNarrow());
+      for (int i = 1; i < calm; i++) {
+        halfSecond(11 * MS, 2);
+      }
+      halfSecond(11 * MS, 3); // one in ten or more, which isn't calm
+      for (int i = 1; i < calm; i++) {
+        halfSecond(11 * MS, i % 3);
+      }
+      assertTrue(load.viewsAreNarrow(), "time=" + time);
+      halfSecond(11 * MS, 0);
+      assertFalse(load.viewsAreNarrow(), "time=" + time);
+      calm = Math.min(640, 2 * calm); // five minutes and a third
+    }
+    halfSecond(13 * MS, 25);
+    load.rest();
+    assertFalse(load.viewsAreNarrow(), "nobody plays");
+    halfSecond(13 * MS, 25);
+    for (int i = 0; i < 20; i++) {
+      halfSecond(11 * MS, 0);
+    }
+    assertFalse(load.viewsAreNarrow(), "as at the beginning");
   }
 
   @Test

@@ -1,6 +1,8 @@
 package carom.server.schedule;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
@@ -21,10 +23,13 @@ final class TickPaceTest {
     long nowNs = 0;
     for (int tick = 0; tick < 1_000; tick++, nowNs += PERIOD_NS) {
       pace.due(false, tick, nowNs);
-      pace.tickTook(18 * MS, nowNs);
+      pace.tickTook(18 * MS, true, nowNs);
     }
     assertEquals(90, counters.get(Counter.LOAD_PERCENT));
+    assertTrue(pace.viewsAreNarrow());
+    assertEquals(1_000 - 25, counters.get(Counter.TICKS_NARROW), "after half a second");
     pace.due(true, 1_000, nowNs);
     assertEquals(0, counters.get(Counter.LOAD_PERCENT));
+    assertFalse(pace.viewsAreNarrow());
   }
 }

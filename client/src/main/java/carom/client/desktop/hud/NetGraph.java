@@ -149,7 +149,10 @@ public final class NetGraph {
         text(
             "input buffer %.0f of %.1f ticks   clock x%.3f",
             s.inputMargin(), s.targetMargin(), s.clockSpeed());
-    rows[4] = text("others drawn %.0f ms ago", s.interpolationDelayMs());
+    rows[4] =
+        text(
+            "others drawn %.0f ms ago%s",
+            s.interpolationDelayMs(), s.viewsNarrow() ? "   server busy: narrow view" : "");
     rows[5] =
         text(
             "corrections %.1f/min, mean %.1f cm   exact %.1f %%",

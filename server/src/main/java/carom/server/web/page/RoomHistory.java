@@ -32,6 +32,7 @@ final class RoomHistory {
     Counter.TICKS_LATE,
     Counter.TICKS_DROPPED,
     Counter.SNAPSHOTS_POSTPONED,
+    Counter.TICKS_NARROW,
     Counter.INPUTS_DUE,
     Counter.INPUTS_MISSING,
     Counter.NEAR_DISAGREEMENTS,

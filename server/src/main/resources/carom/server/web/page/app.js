@@ -44,7 +44,9 @@ const charts = [
     {name: 'divergences_unexplained', label: 'without a reason', colour: 6}]},
   {title: 'Trouble', unit: 'per s', whole: true, series: [
     {name: 'ticks_late', label: 'ticks late', colour: 2}, {name: 'ticks_dropped', label: 'dropped', colour: 6},
-    {name: 'snapshots_postponed', label: 'snapshots late', colour: 4}, {name: 'inputs_missing', label: 'inputs missing', colour: 5}]},
+    {name: 'snapshots_postponed', label: 'snapshots late', colour: 4},
+    {name: 'ticks_narrow', label: 'ticks with narrow views', colour: 1, help: 'players are told only of what they show'},
+    {name: 'inputs_missing', label: 'inputs missing', colour: 5}]},
   {title: 'Page', unit: 'ms', series: [{name: 'picture', label: 'pictures, of each tick', colour: 5}]},
 ].map(each => new Chart($('charts'), each));
 
