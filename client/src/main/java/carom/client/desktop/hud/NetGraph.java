@@ -152,7 +152,7 @@ public final class NetGraph {
     rows[4] =
         text(
             "others drawn %.0f ms ago%s",
-            s.interpolationDelayMs(), s.viewsNarrow() ? "   server busy: narrow view" : "");
+            s.interpolationDelayMs(), s.viewsNarrow() ? "   busy: narrow view" : "");
     rows[5] =
         text(
             "corrections %.1f/min, mean %.1f cm   exact %.1f %%",

@@ -32,7 +32,6 @@ final class RoomHistory {
     Counter.TICKS_LATE,
     Counter.TICKS_DROPPED,
     Counter.SNAPSHOTS_POSTPONED,
-    Counter.TICKS_NARROW,
     Counter.INPUTS_DUE,
     Counter.INPUTS_MISSING,
     Counter.NEAR_DISAGREEMENTS,
@@ -74,6 +73,7 @@ final class RoomHistory {
                 "p50",
                 "p99",
                 "max",
+                "narrowPercent",
                 "inKbit",
                 "outKbit"));
     for (TurnStage stage : STAGES) {
@@ -108,6 +108,7 @@ final class RoomHistory {
     row[at++] = (float) (times.p50Ns() / NS_PER_MS);
     row[at++] = (float) (times.p99Ns() / NS_PER_MS);
     row[at++] = (float) (times.maxNs() / NS_PER_MS);
+    row[at++] = 100f * grown(counters, Counter.TICKS_NARROW) / ticks;
     row[at++] = (float) (grown(counters, Counter.BYTES_IN) / BITS_PER_KBIT / seconds);
     row[at++] = (float) (grown(counters, Counter.SNAPSHOT_BYTES) / BITS_PER_KBIT / seconds);
     for (TurnStage stage : STAGES) {

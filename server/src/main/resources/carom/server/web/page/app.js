@@ -33,7 +33,8 @@ const charts = [
     {name: 'residentMb', label: 'resident', colour: 1, help: 'memory of the machine that the server takes'},
     {name: 'heapMb', label: 'heap', colour: 3, help: 'the part that Java objects take'}]},
   {title: 'Load', unit: '%', series: [
-    {name: 'load_percent', label: 'of a tick\'s time, 95 %', colour: 1}, {name: 'pace_percent', label: 'pace of time', colour: 2}]},
+    {name: 'load_percent', label: 'of a tick\'s time, 95 %', colour: 1}, {name: 'pace_percent', label: 'pace of time', colour: 2},
+    {name: 'narrowPercent', label: 'ticks with narrow views', colour: 4, help: 'players are told only of what they show'}]},
   {title: 'Bandwidth', unit: 'kbit/s', series: [
     {name: 'outKbit', label: 'out', colour: 1}, {name: 'inKbit', label: 'in', colour: 3}]},
   {title: 'Clients', unit: '', whole: true, series: [
@@ -45,7 +46,6 @@ const charts = [
   {title: 'Trouble', unit: 'per s', whole: true, series: [
     {name: 'ticks_late', label: 'ticks late', colour: 2}, {name: 'ticks_dropped', label: 'dropped', colour: 6},
     {name: 'snapshots_postponed', label: 'snapshots late', colour: 4},
-    {name: 'ticks_narrow', label: 'ticks with narrow views', colour: 1, help: 'players are told only of what they show'},
     {name: 'inputs_missing', label: 'inputs missing', colour: 5}]},
   {title: 'Page', unit: 'ms', series: [{name: 'picture', label: 'pictures, of each tick', colour: 5}]},
 ].map(each => new Chart($('charts'), each));
