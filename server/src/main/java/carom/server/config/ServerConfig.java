@@ -50,7 +50,8 @@ import java.util.Objects;
  * @param snapshotBitsPerSecond budget of one session's snapshots, bits of payload per second,
  *     16,000..80,000,000. Entities that don't fit wait and collect priority
  * @param viewMetres largest half width and half height of a player's view, m, 0..4,096. In levels
- *     that are no larger the player sees everything. 0 = 64, and everything in small worlds
+ *     that are no larger the player sees everything. 0 = 64, and everything in small worlds. A room
+ *     that is too busy tells players only of what they show
  * @param rosterIntervalMs shortest time between two rosters (names and scores), ms, 0..10,000
  * @param statusIntervalS time between two status lines in the log, s, 0..86,400; 0 = none
  * @param pausesIdleRooms whether a room stops ticking while nobody plays or watches and nothing is
