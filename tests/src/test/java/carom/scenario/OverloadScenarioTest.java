@@ -123,7 +123,7 @@ class OverloadScenarioTest {
     }
   }
 
-  /** Requires that the client draws whatever has been in its picture for a while. */
+  /** Requires that the client knows all bodies that its picture shows. */
   private static void requireShown(Stepper stepper, SimulatedClient client) {
     Entity own = stepper.body(client);
     Simulation simulation = stepper.room().simulation();

@@ -38,7 +38,7 @@ public final class TickLoad {
   /** Share below which time goes faster again, by one step. */
   private static final double CALM = 0.75;
 
-  /** In calm half seconds snapshots wait in less than one of so many ticks. */
+  /** A half second is calm when snapshots wait in less than one of so many of its ticks. */
   private static final int CALM_TICKS = 10;
 
   /**
