@@ -100,6 +100,23 @@ class SpawnScenarioTest {
   }
 
   @Test
+  void theFieldsOfARocketThatOnlyTheClientKnowsCanBeRead() {
+    try (Stepper stepper = Stepper.of(rapid(), ServerConfig.defaults())) {
+      SimulatedClient ann = stepper.add("Ann", FAR, shooter(0));
+      stepper.awaitPlaying(ann);
+      int provisional = 0;
+      for (int frame = 0; frame < 120; frame++) {
+        stepper.run(1 / 60.0);
+        for (int i = 0; i < ann.view().entityCount(); i++) {
+          ann.view().fields(ann.view().entity(i));
+          provisional += Origin.isProvisional(ann.view().entity(i).id()) ? 1 : 0;
+        }
+      }
+      assertTrue(provisional > 10, "provisional=" + provisional);
+    }
+  }
+
+  @Test
   void aRocketAppearsInTheTickThatFiresItAndIsTheServersInEveryBit() {
     try (Stepper stepper = Stepper.of("rockets")) {
       SimulatedClient ann = stepper.add("Ann", FAR, shooter(0));

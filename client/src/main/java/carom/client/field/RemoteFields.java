@@ -9,6 +9,7 @@ import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
+import carom.sim.spawn.Origin;
 import java.util.Arrays;
 import java.util.function.IntSupplier;
 
@@ -25,6 +26,7 @@ public final class RemoteFields implements ShownFields {
   private FieldView[] players = {};
   private FieldView[] entities = {};
   private int ownId = -1;
+  private final FieldView provisional;
   private FieldView ownBody;
   private int ownGeneration;
 
@@ -40,6 +42,7 @@ public final class RemoteFields implements ShownFields {
     inbox = new TableInbox(tables.layouts().toArray(new TableLayout[0]));
     store = new FieldStore(schema, clock, new Finder());
     match = new FieldView(store, Scope.MATCH, 0);
+    provisional = new FieldView(store, Scope.ENTITY, 0);
   }
 
   private final class Finder implements FieldStore.References<FieldView, FieldView> {
@@ -123,8 +126,12 @@ public final class RemoteFields implements ShownFields {
     return players[id];
   }
 
+  /** An entity that only the own input has spawned has its fields as declared. */
   @Override
   public FieldView entity(int id, int generation) {
+    if (Origin.isProvisional(id)) {
+      return provisional;
+    }
     FieldView view = entityView(id);
     if (view != ownBody || generation != ownGeneration) {
       load(view, Scope.ENTITY, id, generation);

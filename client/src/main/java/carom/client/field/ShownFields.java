@@ -15,7 +15,7 @@ public interface ShownFields {
   /**
    * Returns the fields of an entity, brought up to date.
    *
-   * @param id the entity's slot
+   * @param id the entity's id in the view, which may be that of a provisional one
    */
   FieldView entity(int id, int generation);
 }

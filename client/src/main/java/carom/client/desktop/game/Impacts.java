@@ -48,14 +48,16 @@ final class Impacts {
   private static final int BLOWS = 32;
   private static final int SPARKS = 256;
 
-  private final SeenEntities entities = new SeenEntities();
+  /** The velocity of an entity a frame ago, and before the blow that goes on, m/s. */
+  private static final class Flight extends SeenEntities.Seen {
+    float lastX;
+    float lastY;
+    float fromX;
+    float fromY;
+    boolean struck;
+  }
 
-  // What each entity did a frame ago.
-  private float[] lastX = new float[0];
-  private float[] lastY = new float[0];
-  private float[] fromX = new float[0]; // velocity before the blow that goes on
-  private float[] fromY = new float[0];
-  private boolean[] struck = new boolean[0];
+  private final SeenEntities<Flight> entities = new SeenEntities<>(Flight::new);
 
   private final float[] blowX = new float[BLOWS];
   private final float[] blowY = new float[BLOWS];
@@ -96,9 +98,10 @@ final class Impacts {
     }
   }
 
-  /** Moves and fades what shows. */
+  /** Begins a frame: moves and fades what shows. */
   void age(float gravityX, float gravityY, float seconds) {
     now += seconds;
+    entities.nextFrame();
     for (int i = 0; i < BLOWS; i++) {
       blowAge[i] = Math.min(RING_SECONDS, blowAge[i] + seconds);
     }
@@ -108,8 +111,8 @@ final class Impacts {
   /**
    * Compares the velocity of an entity with the last frame's.
    *
-   * @param id its slot
-   * @param instance tells it from an earlier entity in the same slot
+   * @param id its id in the view
+   * @param instance tells it from an earlier entity with the same id
    * @param kind its shapes and colour; the look tells whether a player steers it
    * @param x position, metres
    * @param y position, metres
@@ -119,39 +122,39 @@ final class Impacts {
    */
   void watch(
       int id, int instance, Archetype kind, float x, float y, float vx, float vy, float seconds) {
-    grow(id);
-    if (!entities.sees(id, instance)) {
-      struck[id] = false;
+    Flight flight = entities.see(id, instance);
+    if (flight.isNew()) {
+      flight.struck = false;
     } else {
       boolean steered = kind.appearance().look() == Look.PLAYER;
       float limit =
           (steered ? STEERED_M_S2 : PUSHED_M_S2) * Math.max(seconds, SHORTEST_FRAME_SECONDS);
-      if (Vector2.dst2(vx, vy, lastX[id], lastY[id]) > limit * limit) {
-        if (!struck[id]) {
-          struck[id] = true;
-          fromX[id] = lastX[id];
-          fromY[id] = lastY[id];
+      if (Vector2.dst2(vx, vy, flight.lastX, flight.lastY) > limit * limit) {
+        if (!flight.struck) {
+          flight.struck = true;
+          flight.fromX = flight.lastX;
+          flight.fromY = flight.lastY;
         }
-      } else if (struck[id]) {
-        struck[id] = false;
-        show(id, kind, x, y, steered);
+      } else if (flight.struck) {
+        flight.struck = false;
+        show(flight, kind, x, y, steered);
       }
     }
-    lastX[id] = vx;
-    lastY[id] = vy;
+    flight.lastX = vx;
+    flight.lastY = vy;
   }
 
   /** Shows a blow that is over, unless it is weak or follows another one closely. */
-  private void show(int id, Archetype kind, float x, float y, boolean steered) {
-    float dx = lastX[id] - fromX[id];
-    float dy = lastY[id] - fromY[id];
+  private void show(Flight flight, Archetype kind, float x, float y, boolean steered) {
+    float dx = flight.lastX - flight.fromX;
+    float dy = flight.lastY - flight.fromY;
     float blow = Vector2.len(dx, dy);
-    float loss = Vector2.len(fromX[id], fromY[id]) - Vector2.len(lastX[id], lastY[id]);
+    float loss = Vector2.len(flight.fromX, flight.fromY) - Vector2.len(flight.lastX, flight.lastY);
     // What a player gains is a jump or a dash.
-    if (blow < LEAST_M_S || (steered && loss < LEAST_LOSS_M_S) || entities.isQuiet(id, now)) {
+    if (blow < LEAST_M_S || (steered && loss < LEAST_LOSS_M_S) || flight.isQuiet(now)) {
       return;
     }
-    entities.quieten(id, now + QUIET_SECONDS);
+    flight.quieten(now + QUIET_SECONDS);
     float nx = dx / blow;
     float ny = dy / blow;
     float extent = WorldPainter.extent(kind);
@@ -234,17 +237,5 @@ final class Impacts {
             UiColours.shade(sparks.rgb(i), 1.6f, left, color));
       }
     }
-  }
-
-  private void grow(int id) {
-    int larger = entities.sizeFor(id);
-    if (larger == lastX.length) {
-      return;
-    }
-    lastX = Arrays.copyOf(lastX, larger);
-    lastY = Arrays.copyOf(lastY, larger);
-    fromX = Arrays.copyOf(fromX, larger);
-    fromY = Arrays.copyOf(fromY, larger);
-    struck = Arrays.copyOf(struck, larger);
   }
 }

@@ -13,7 +13,6 @@ import carom.sim.pool.PoolDef;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector2;
-import java.util.Arrays;
 
 /**
  * Spray where bodies hit water, in pools and in areas of the level. It belongs to the picture
@@ -44,10 +43,13 @@ final class Splashes {
   private static final int MOST_OF_A_HIT = 48;
 
   private final Specks drops = new Specks(DROPS, DROP_SECONDS);
-  private final SeenEntities entities = new SeenEntities();
 
-  /** By slot: whether the entity's front was in water a frame ago. */
-  private boolean[] wet = new boolean[0];
+  /** Whether an entity's front was in water a frame ago. */
+  private static final class Front extends SeenEntities.Seen {
+    boolean wet;
+  }
+
+  private final SeenEntities<Front> entities = new SeenEntities<>(Front::new);
 
   private final Color color = new Color();
   private final WaterMap ofView = this::waterOfView;
@@ -107,9 +109,10 @@ final class Splashes {
     return x >= box.minX() && x <= box.maxX() && y >= box.minY() && y <= box.maxY();
   }
 
-  /** Moves the drops; those that fall back into water are gone. */
+  /** Begins a frame: moves the drops. Those that fall back into water are gone. */
   void age(WaterMap water, float gravityX, float gravityY, float seconds) {
     now += seconds;
+    entities.nextFrame();
     float gravity = Vector2.len(gravityX, gravityY);
     upX = gravity == 0 ? 0 : -gravityX / gravity;
     upY = gravity == 0 ? 0 : -gravityY / gravity;
@@ -127,8 +130,8 @@ final class Splashes {
   /**
    * Compares whether an entity's front is in water with the last frame.
    *
-   * @param id its slot
-   * @param instance tells it from an earlier entity in the same slot
+   * @param id its id in the view
+   * @param instance tells it from an earlier entity with the same id
    * @param extent radius of its shapes, metres
    * @param x position, metres
    * @param y position, metres
@@ -137,19 +140,16 @@ final class Splashes {
    */
   void watch(
       WaterMap water, int id, int instance, float extent, float x, float y, float vx, float vy) {
-    int slots = entities.sizeFor(id);
-    if (slots != wet.length) {
-      wet = Arrays.copyOf(wet, slots);
-    }
     float speed = Vector2.len(vx, vy);
     float ahead = speed == 0 ? 0 : 0.7f * extent / speed;
     int rgb = water.rgbAt(x + vx * ahead, y + vy * ahead);
-    boolean wasThere = entities.sees(id, instance);
-    if (wasThere && rgb != NONE && !wet[id] && speed > LEAST_M_S && !entities.isQuiet(id, now)) {
-      entities.quieten(id, now + QUIET_SECONDS);
+    Front front = entities.see(id, instance);
+    boolean entered = !front.isNew() && rgb != NONE && !front.wet;
+    if (entered && speed > LEAST_M_S && !front.isQuiet(now)) {
+      front.quieten(now + QUIET_SECONDS);
       splash(x + vx * ahead, y + vy * ahead, vx, vy, speed, extent, rgb);
     }
-    wet[id] = rgb != NONE;
+    front.wet = rgb != NONE;
   }
 
   /** Throws drops up, wider than the body, most of them low. */
