@@ -126,7 +126,7 @@ public final class RemoteFields implements ShownFields {
     return players[id];
   }
 
-  /** An entity that only the own input has spawned has its fields as declared. */
+  /** Returns the fields of an entity; as declared, if only the own input has spawned it. */
   @Override
   public FieldView entity(int id, int generation) {
     if (Origin.isProvisional(id)) {

@@ -44,7 +44,7 @@ final class Splashes {
 
   private final Specks drops = new Specks(DROPS, DROP_SECONDS);
 
-  /** Whether an entity's front was in water a frame ago. */
+  /** An entity that knows whether its front was in water a frame ago. */
   private static final class Front extends SeenEntities.Seen {
     boolean wet;
   }
