@@ -83,6 +83,11 @@ final class EventReceiver {
     reconciler.advance(renderTick);
   }
 
+  /** Fires the own events, too, when the server tells them, as nothing is predicted any more. */
+  void stopPredicting() {
+    reconciler.stopPredicting();
+  }
+
   /** Fires what waits, and retracts what isn't confirmed. */
   void close() {
     reconciler.close();

@@ -13,7 +13,9 @@ import carom.client.stats.NetStats;
 import carom.client.stats.NetStatsRecorder;
 import carom.client.view.ClientView;
 import carom.client.view.ViewWriter;
+import carom.game.GameFault;
 import carom.game.Games;
+import carom.game.GuardedGame;
 import carom.net.field.Declarations;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
@@ -22,6 +24,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
+import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.level.Level;
@@ -33,6 +36,8 @@ import carom.sim.message.PlayerRole;
 import carom.sim.outbox.Event;
 import java.util.List;
 import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A player's side of the game, without a window. Its owner calls {@link #update} once per frame
@@ -61,6 +66,8 @@ import java.util.function.LongSupplier;
  * }</pre>
  */
 public final class GameClient implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(GameClient.class);
+
   private final ClientConfig config;
   private final InputSource source;
   private final LongSupplier stopwatch;
@@ -168,26 +175,26 @@ public final class GameClient implements AutoCloseable {
   private final class ConnectionHandler implements ConnectionListener {
     @Override
     public String joined(ServerMessage.Welcome welcome, Level level) {
-      Simulation simulation;
+      Game rules;
       try {
-        simulation =
-            new Simulation(
-                Games.create(welcome.game()),
-                level,
-                welcome.seed(),
-                welcome.tickRate(),
-                Role.PREDICTION);
-      } catch (IllegalArgumentException | IllegalStateException e) {
+        rules = Games.create(welcome.game());
+      } catch (IllegalArgumentException e) {
         return "This client can't play " + welcome.game() + ": " + e.getMessage();
       }
-      Declarations mine = Declarations.of(simulation.schema(), simulation.messageKinds());
-      String difference =
-          mine.difference(welcome.game(), welcome.declarationsDigest(), welcome.declarations());
-      if (difference == null) {
-        declarationsDigest = mine.digest();
-        join(welcome, level, simulation);
+      try {
+        return join(welcome, level, rules);
+      } catch (RuntimeException | Error e) {
+        String text =
+            "This client can't play %s: %s failed at tick %d, for player %d: %s."
+                .formatted(
+                    welcome.game(),
+                    GameFault.callback(rules.getClass(), e),
+                    welcome.tick(),
+                    welcome.playerId(),
+                    GameFault.describe(e));
+        LOG.error("{}", text, e);
+        return text;
       }
-      return difference;
     }
 
     @Override
@@ -248,7 +255,24 @@ public final class GameClient implements AutoCloseable {
     }
   }
 
-  private void join(ServerMessage.Welcome welcome, Level level, Simulation simulation) {
+  /** Joins a match. Returns why this client can't, in words for the player, or null. */
+  private String join(ServerMessage.Welcome welcome, Level level, Game rules) {
+    PredictionFailure failure =
+        new PredictionFailure(welcome.game(), welcome.playerId(), text -> view.notice(text, nowNs));
+    Simulation simulation =
+        new Simulation(
+            new GuardedGame(rules, failure),
+            level,
+            welcome.seed(),
+            welcome.tickRate(),
+            Role.PREDICTION);
+    Declarations mine = Declarations.of(simulation.schema(), simulation.messageKinds());
+    String difference =
+        mine.difference(welcome.game(), welcome.declarationsDigest(), welcome.declarations());
+    if (difference != null) {
+      return difference;
+    }
+    declarationsDigest = mine.digest();
     interest.reset();
     watched.reset();
     colourIsDue = colour != PlayerColour.OF_THE_GAME;
@@ -259,6 +283,7 @@ public final class GameClient implements AutoCloseable {
             welcome,
             level,
             simulation,
+            failure,
             source,
             stopwatch,
             connection,
@@ -266,6 +291,7 @@ public final class GameClient implements AutoCloseable {
             view,
             repeats,
             countingListener);
+    return null;
   }
 
   private void describe() {

@@ -34,10 +34,10 @@ final class InputSender {
 
   private final int tickRate;
   private final int ticksPerDatagram;
-  private final int near;
+  private int near;
   private final int epoch;
   private final SnapshotDecoder decoder;
-  private final Prediction prediction;
+  private Prediction prediction;
   private final NetStatsRecorder stats;
   private final Connection connection;
   private final InputHistory inputs = new InputHistory();
@@ -127,6 +127,12 @@ final class InputSender {
         || silent
         || late
         || tick - lastSentTick >= quietTicks();
+  }
+
+  /** Tells the server from now on that nothing is predicted. */
+  void stopPredicting() {
+    prediction = null;
+    near = InputDatagram.NEAR_NONE;
   }
 
   private boolean disagrees() {

@@ -59,21 +59,28 @@ final class JoinedGame {
   private final PacedTime time = new PacedTime();
   private final TickClock clock;
   private final RenderClock renderClock;
-  private final Prediction prediction;
   private final InputSender sender;
-  private final DivergenceReporter divergence;
-  private final ViewComposer composer;
+  private final Simulation simulation;
+  private final PredictionFailure failure;
+
+  // Null where nothing is predicted, or no longer.
+  private Prediction prediction;
+  private DivergenceReporter divergence;
+
+  private ViewComposer composer;
   private final PoolFollower pools;
   private final Input input = new Input();
   private final int tickRate;
   private final int playerId;
   private final int incarnation;
   private long firstSnapshotNs;
+  private long lastAdvanceNs;
 
   /**
    * Joins a game.
    *
    * @param simulation of role PREDICTION, fresh
+   * @param failure hears when its game fails
    * @param stopwatch measures replays
    * @param repeats outlives this stay
    * @param listener receives each event once
@@ -83,6 +90,7 @@ final class JoinedGame {
       ServerMessage.Welcome welcome,
       Level level,
       Simulation simulation,
+      PredictionFailure failure,
       InputSource source,
       LongSupplier stopwatch,
       Connection connection,
@@ -92,6 +100,8 @@ final class JoinedGame {
       EventListener listener) {
     this.view = view;
     this.stats = stats;
+    this.simulation = simulation;
+    this.failure = failure;
     stats.viewsNarrow(false);
     playerId = welcome.playerId();
     incarnation = welcome.incarnation();
@@ -226,6 +236,7 @@ final class JoinedGame {
    * @param playing whether the link is up; without it only the picture goes on
    */
   void advance(long nowNs, float seconds, boolean playing) {
+    lastAdvanceNs = nowNs;
     if (renderClock.started()) {
       events.advance(renderClock.tick());
     }
@@ -245,6 +256,7 @@ final class JoinedGame {
     }
     if (prediction != null) {
       prediction.advance(seconds);
+      stopPredictingIfFailed(); // the sync test steps
     }
     stats.clocks(clock, renderClock, tickRate, time.pace());
   }
@@ -268,8 +280,28 @@ final class JoinedGame {
       if (!known) {
         divergence.guessed(tick);
       }
-      prediction.step(tick, packed);
+      try {
+        prediction.step(tick, packed);
+      } catch (RuntimeException | Error e) { // the engine's, over what the game did
+        failure.failed("the step", simulation, e);
+      }
+      stopPredictingIfFailed();
     }
+  }
+
+  /** Lets the stay go on without prediction if the game has failed in it. */
+  private void stopPredictingIfFailed() {
+    if (!failure.hasFailed()) {
+      return;
+    }
+    prediction = null;
+    divergence = null;
+    sender.stopPredicting();
+    events.stopPredicting();
+    fields.ownBody(-1, 0, null);
+    view.withoutPrediction();
+    composer = new ViewComposer(view.view(), decoder, simulation, null, tickRate);
+    firstSnapshotNs = lastAdvanceNs; // what is here doesn't fade in again
   }
 
   private void reconcile(long nowNs) {
@@ -281,9 +313,16 @@ final class JoinedGame {
       return;
     }
     boolean wasAlone = prediction.isAlone();
-    prediction.reconcile(inbox.own(), tick, decoder);
-    divergence.check(tick, wasAlone, nowNs);
-    stats.reconciled(prediction);
+    try {
+      prediction.reconcile(inbox.own(), tick, decoder);
+    } catch (RuntimeException | Error e) {
+      failure.failed("the step", simulation, e);
+    }
+    stopPredictingIfFailed();
+    if (prediction != null) {
+      divergence.check(tick, wasAlone, nowNs);
+      stats.reconciled(prediction);
+    }
   }
 
   // ---- the picture

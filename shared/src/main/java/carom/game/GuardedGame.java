@@ -263,7 +263,7 @@ public final class GuardedGame implements Game {
   private <S, A> void call(String callback, Simulation s, S subject, A argument, Call<S, A> call) {
     try {
       call.run(game, s, subject, argument);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
+    } catch (Exception | Error e) { // checked ones, too, which other languages don't declare
       failed(callback, s, subject, e);
     }
   }
@@ -273,13 +273,17 @@ public final class GuardedGame implements Game {
       String callback, Simulation s, S subject, A argument, Question<S, A, R> question, R failed) {
     try {
       return question.ask(game, s, subject, argument);
-    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
+    } catch (Exception | Error e) {
       failed(callback, s, subject, e);
       return failed;
     }
   }
 
+  /** Tells a failure of the game. One of the machine, such as a lack of memory, isn't the game's. */
   private void failed(String callback, Simulation s, Object subject, Throwable failure) {
+    if (failure instanceof VirtualMachineError machine && !(machine instanceof StackOverflowError)) {
+      throw machine;
+    }
     String of = subject instanceof Player p ? " of player " + p.id() : " of " + subject;
     listener.failed(subject == null ? callback : callback + of, s, failure);
   }

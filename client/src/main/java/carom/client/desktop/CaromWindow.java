@@ -22,6 +22,7 @@ import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.SpectatorThread;
 import carom.client.settings.PlayerSettings;
+import carom.game.GameFault;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.transport.ClientTransport;
 import carom.sim.level.Level;
@@ -36,6 +37,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The application: shows one screen at a time, and keeps what outlives a screen: fonts, sound,
@@ -44,6 +47,8 @@ import java.util.List;
 final class CaromWindow extends ApplicationAdapter implements SettingsHost, StartTarget {
   /** Time between two looks at a recording that begins to arrive. */
   private static final float LOOK_SECONDS = 0.1f;
+
+  private static final Logger LOG = LoggerFactory.getLogger(CaromWindow.class);
 
   private final ClientOptions options;
   private final ClientTransport sockets;
@@ -74,6 +79,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
 
   private float untilLook;
   private double seconds;
+  private boolean open;
 
   /**
    * Creates it; nothing opens.
@@ -118,6 +124,12 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     } else {
       start("");
     }
+    open = true;
+  }
+
+  /** Returns whether the window is open: what fails from then on has nothing to do with opening. */
+  boolean isOpen() {
+    return open;
   }
 
   /** Returns whether there is anything to hear; scenes are silent. */
@@ -436,7 +448,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     float delta = Gdx.graphics.getDeltaTime();
     seconds += delta;
     lookAtDownload(delta);
-    screen.render(delta);
+    renderScreen(delta);
     noteVisit();
     boolean over = options.seconds() > 0 && seconds >= options.seconds();
     if (Gdx.input.isKeyJustPressed(Keys.F12)) {
@@ -447,6 +459,20 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
         Pictures.save(options.screenshot());
       }
       Gdx.app.exit();
+    }
+  }
+
+  /** Draws the screen. One that fails as a whole is left for the start screen, which tells why. */
+  private void renderScreen(float delta) {
+    try {
+      screen.render(delta);
+    } catch (RuntimeException | Error e) {
+      if (screen instanceof StartScreen) {
+        throw e;
+      }
+      LOG.error("the screen {} failed and is left", screen.getClass().getSimpleName(), e);
+      canvas.abandon();
+      start("The screen failed and was left: " + GameFault.describe(e));
     }
   }
 

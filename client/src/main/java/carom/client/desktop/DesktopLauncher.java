@@ -5,6 +5,7 @@ import carom.client.app.RenderJob;
 import carom.client.app.Window;
 import carom.client.desktop.sound.AudioDevice;
 import carom.client.settings.PlayerSettings;
+import carom.game.GameFault;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
@@ -44,10 +45,22 @@ public final class DesktopLauncher implements Window {
             options.impairment(),
             new KryoMessageCodec(),
             System::nanoTime)) {
-      new Lwjgl3Application(new CaromWindow(options, transport, hasSound), window);
+      return run(new CaromWindow(options, transport, hasSound), window);
+    }
+  }
+
+  private static int run(CaromWindow window, Lwjgl3ApplicationConfiguration settings) {
+    try {
+      new Lwjgl3Application(window, settings);
       return 0;
-    } catch (GdxRuntimeException | UnsatisfiedLinkError e) {
-      return refuse(e.getMessage());
+    } catch (RuntimeException | Error e) {
+      if (!window.isOpen()) {
+        return refuse(e.getMessage());
+      }
+      Throwable cause = e instanceof GdxRuntimeException && e.getCause() != null ? e.getCause() : e;
+      System.err.println("carom-client: the window failed: " + GameFault.describe(cause));
+      cause.printStackTrace();
+      return 1;
     }
   }
 

@@ -18,6 +18,7 @@ import carom.client.desktop.menu.Widgets;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.LevelPictures;
+import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.desktop.sound.EventSounds;
 import carom.client.link.ConnectionPhase;
@@ -328,24 +329,26 @@ final class GameScreen extends ScreenAdapter {
       OrthographicCamera shown = picture.camera().gdx();
       client.look(shown.position.x, shown.position.y, shown.viewportWidth, shown.viewportHeight);
     }
-    boolean changes = curtain.draw(view, deltaSeconds);
+    PictureParts parts = picture.parts();
+    parts.run("curtain", () -> curtain.draw(view, deltaSeconds));
     if (view.phase() != ConnectionPhase.PLAYING) {
-      if (!changes) {
+      if (parts.isBroken("curtain") || !curtain.showsLoading()) {
         hud.phase(view);
       }
     } else {
       if (view.own() == null && secondsPlayed > 1) {
-        hud.bodiless(view);
+        parts.run("words for those without a body", () -> hud.bodiless(view));
       }
-      conversation.draw(hud, nowNs);
+      parts.run("chat", () -> conversation.draw(hud, nowNs));
     }
     if (view.phase() == ConnectionPhase.PLAYING && !rooms.isOpen()) {
-      hints.draw(deltaSeconds);
+      parts.run("key hints", () -> hints.draw(deltaSeconds));
     }
     if (!rooms.isOpen()) {
-      netGraph.draw(view, nowNs, Gdx.graphics.getFramesPerSecond(), deltaSeconds);
+      int framesPerSecond = Gdx.graphics.getFramesPerSecond();
+      parts.run("net graph", () -> netGraph.draw(view, nowNs, framesPerSecond, deltaSeconds));
     }
-    rooms.draw(view, deltaSeconds);
+    parts.run("rooms", () -> rooms.draw(view, deltaSeconds));
     if (pause.isOpen()) {
       hud.veil();
       pause.draw(deltaSeconds);

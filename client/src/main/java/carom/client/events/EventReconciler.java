@@ -65,7 +65,7 @@ public final class EventReconciler implements Journal {
   }
 
   private final int playerId;
-  private final boolean predicts;
+  private boolean predicts;
   private final IntUnaryOperator origins;
   private final EventListener listener;
   private final int tolerance;
@@ -264,9 +264,22 @@ public final class EventReconciler implements Journal {
     }
   }
 
+  /**
+   * Fires own events like those of all others from now on, because the prediction has ended, and
+   * retracts those that wait for the server's word.
+   */
+  public void stopPredicting() {
+    predicts = false;
+    forget();
+  }
+
   /** Fires all queued events and retracts all unconfirmed ones. */
   public void close() {
     advance(Double.MAX_VALUE);
+    forget();
+  }
+
+  private void forget() {
     for (int i = 0; i < entries.size(); i++) {
       Entry e = entries.get(i);
       if (e.used && !e.confirmed) {

@@ -59,6 +59,11 @@ public final class ViewWriter {
     view.predictedWorld = predicted;
   }
 
+  /** Notes that nothing is predicted any more. */
+  public void withoutPrediction() {
+    view.predictedWorld = null;
+  }
+
   /** Sets the water and sand that is shown, or null. */
   public void pools(Pools pools) {
     view.pools = pools;

@@ -10,12 +10,14 @@ import carom.client.desktop.hud.ShownGame;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.DebugPainter;
 import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.desktop.sound.EventSounds;
 import carom.client.events.EventListener;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.sim.level.Level;
 import carom.sim.outbox.Event;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
@@ -40,6 +42,7 @@ public final class GamePicture implements Disposable {
   private static final float STALE_SECONDS = 1;
 
   private final ViewCamera camera = new ViewCamera();
+  private final PictureParts parts;
   private final Flashes flashes = new Flashes();
   private final EventSounds sounds;
   private final WorldPainter world;
@@ -55,13 +58,15 @@ public final class GamePicture implements Disposable {
   private boolean showDebug;
   private boolean showPanels = true;
   private double seconds;
+  private Level level;
 
   /** Creates a picture. The arguments stay the property of the caller. */
   public GamePicture(Canvas canvas, Fonts fonts, EventSounds sounds) {
     this.sounds = sounds;
-    world = new WorldPainter(canvas);
-    debug = new DebugPainter(canvas);
     hud = new Hud(canvas, fonts);
+    parts = new PictureParts(hud::abandon, hud::showAnswer);
+    world = new WorldPainter(canvas, parts);
+    debug = new DebugPainter(canvas);
     clock = new ClockPanel(hud, canvas, fonts, game);
     scoreBoard = new ScoreBoard(hud, canvas, fonts, game);
     scores = new ScoreList(hud, canvas, fonts, game);
@@ -77,6 +82,11 @@ public final class GamePicture implements Disposable {
   /** Returns the HUD, for text and panels over the picture. */
   public Hud hud() {
     return hud;
+  }
+
+  /** Returns what runs the parts of the picture, for those that a screen adds. */
+  public PictureParts parts() {
+    return parts;
   }
 
   /** Returns what the game that is shown says of itself. */
@@ -111,15 +121,15 @@ public final class GamePicture implements Disposable {
       public void happened(Event event, boolean predicted) {
         double ago = view.renderTick() - event.tick();
         if (ago < STALE_SECONDS * view.tickRate()) {
-          flashes.happened(event, predicted);
-          sounds.happened(event, predicted);
+          parts.run("flashes", () -> flashes.happened(event, predicted));
+          parts.run("sounds", () -> sounds.happened(event, predicted));
         }
       }
 
       @Override
       public void retracted(Event event) {
-        flashes.retracted(event);
-        sounds.retracted(event);
+        parts.run("flashes", () -> flashes.retracted(event));
+        parts.run("sounds", () -> sounds.retracted(event));
       }
     };
   }
@@ -155,6 +165,10 @@ public final class GamePicture implements Disposable {
     if (view.level() == null) {
       return;
     }
+    if (view.level() != level) {
+      level = view.level();
+      parts.renew();
+    }
     Drawn own = view.own() == null ? view.watched() : view.own();
     camera.update(
         view.level().bounds(),
@@ -164,42 +178,50 @@ public final class GamePicture implements Disposable {
         width,
         height,
         deltaSeconds);
-    sounds.listen(
-        own == null ? camera.gdx().position.x : own.x(),
-        own == null ? camera.gdx().position.y : own.y(),
-        deltaSeconds);
+    float x = own == null ? camera.gdx().position.x : own.x();
+    float y = own == null ? camera.gdx().position.y : own.y();
+    parts.run("sounds", () -> sounds.listen(x, y, deltaSeconds));
     float pixelsPerMetre = camera.pixelsPerMetre(height);
     world.draw(view, flashes, camera.gdx(), pixelsPerMetre, (float) seconds, deltaSeconds);
     if (showDebug && view.predictedWorld() != null) {
-      debug.draw(view.predictedWorld().world(), camera.gdx(), pixelsPerMetre);
+      parts.run(
+          "debug layers",
+          () -> debug.draw(view.predictedWorld().world(), camera.gdx(), pixelsPerMetre));
     }
-    game.look(view);
+    parts.run("the game's own words", () -> game.look(view));
     if (own != null) {
       float radius = WorldPainter.extent(own.archetype());
       hud.keepFree(camera, own.x(), own.y(), radius, pixelsPerMetre);
     }
-    gauges.heads(view, camera, pixelsPerMetre);
-    hud.begin();
-    flashes.label(hud, camera);
-    hud.end();
-    labels.draw(view, hud, camera, nowNs);
-    pointers.draw(view, camera);
-    hud.names(view, camera, pixelsPerMetre);
-    if (!showPanels) {
-      return;
-    }
-    boolean over = clock.isOver(view);
-    clock.draw(view);
-    if (table || over) {
-      scoreBoard.draw(view, clock.depth());
-    } else {
-      scores.draw(view);
-      gauges.draw(view);
-    }
-    if (!over) {
-      hud.notices(view, nowNs); // the result says the same
+    parts.run("gauges over heads", () -> gauges.heads(view, camera, pixelsPerMetre));
+    parts.run(
+        "words of events",
+        () -> {
+          hud.begin();
+          flashes.label(hud, camera);
+          hud.end();
+        });
+    parts.run("emotes", () -> labels.draw(view, hud, camera, nowNs));
+    parts.run("pointers", () -> pointers.draw(view, camera));
+    parts.run("names", () -> hud.names(view, camera, pixelsPerMetre));
+    if (showPanels) {
+      panels(view, table, nowNs);
     }
     hud.drawAnswer(deltaSeconds);
+  }
+
+  private void panels(ClientView view, boolean table, long nowNs) {
+    boolean over = !parts.isBroken("clock") && clock.isOver(view);
+    parts.run("clock", () -> clock.draw(view));
+    if (table || over) {
+      parts.run("table of players", () -> scoreBoard.draw(view, clock.depth()));
+    } else {
+      parts.run("scores", () -> scores.draw(view));
+      parts.run("gauges", () -> gauges.draw(view));
+    }
+    if (!over) { // the result says the same
+      parts.run("notices", () -> hud.notices(view, nowNs));
+    }
   }
 
   @Override

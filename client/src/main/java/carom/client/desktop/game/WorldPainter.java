@@ -2,6 +2,7 @@ package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.JointPainter;
+import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.ShapePainter;
 import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
@@ -60,6 +61,7 @@ final class WorldPainter {
   private record Scenery(Archetype archetype, float x, float y, float cos, float sin) {}
 
   private final Canvas canvas;
+  private final PictureParts parts;
   private final ShapePainter shapes;
   private final JointPainter joints;
   private final AreaPainter areas;
@@ -75,8 +77,9 @@ final class WorldPainter {
   private Level sceneryOf;
   private boolean hasTeams;
 
-  WorldPainter(Canvas canvas) {
+  WorldPainter(Canvas canvas, PictureParts parts) {
     this.canvas = canvas;
+    this.parts = parts;
     shapes = new ShapePainter(canvas);
     joints = new JointPainter(canvas);
     areas = new AreaPainter(canvas);
@@ -95,17 +98,30 @@ final class WorldPainter {
       float seconds,
       float deltaSeconds) {
     Level level = view.level();
-    gather(level);
-    impacts.update(view, deltaSeconds);
-    splashes.update(view, deltaSeconds);
-    flashes.age(deltaSeconds);
+    parts.run("scenery", () -> gather(level));
+    parts.run("impacts", () -> impacts.update(view, deltaSeconds));
+    parts.run("splashes", () -> splashes.update(view, deltaSeconds));
+    parts.run("flashes", () -> flashes.age(deltaSeconds));
     canvas.begin(camera.combined, pixelsPerMetre);
-    backdrop(level, camera);
-    areasBehind(view, seconds);
-    shadows(view);
+    parts.run("backdrop", () -> backdrop(level, camera));
+    parts.run("areas behind", () -> areasBehind(view, seconds));
+    parts.run("shadows", () -> shadows(view));
     if (view.pools() != null) {
-      pools.draw(view.pools(), camera, pixelsPerMetre);
+      parts.run("water and sand", () -> pools.draw(view.pools(), camera, pixelsPerMetre));
     }
+    parts.run("scenery", () -> scenery(seconds));
+    parts.run("streaks", () -> streaks(view));
+    parts.run("bodies", () -> bodies(view, seconds));
+    parts.run("joints", () -> joints(view, pixelsPerMetre));
+    parts.run("areas before", () -> areasBefore(view, seconds));
+    parts.run("waits", () -> cooldowns.draw(view, canvas, deltaSeconds));
+    parts.run("splashes", () -> splashes.draw(canvas));
+    parts.run("impacts", () -> impacts.draw(canvas));
+    parts.run("flashes", () -> flashes.draw(canvas));
+    canvas.end();
+  }
+
+  private void scenery(float seconds) {
     for (Scenery s : scenery) {
       shapes.pose(s.x, s.y, s.cos, s.sin);
       boolean glows = s.archetype.appearance().look() == Appearance.Look.BUMPER;
@@ -116,9 +132,15 @@ final class WorldPainter {
           seconds,
           glows ? glow(s.archetype, s.x, s.y) : 0);
     }
+  }
+
+  private void streaks(ClientView view) {
     for (int i = 0; i < view.entityCount(); i++) {
       streak(view.entity(i), view);
     }
+  }
+
+  private void bodies(ClientView view, float seconds) {
     Drawn own = view.own();
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
@@ -133,13 +155,6 @@ final class WorldPainter {
         face(drawn, drawn == own, view, seconds);
       }
     }
-    joints(view, pixelsPerMetre);
-    areasBefore(view, seconds);
-    cooldowns.draw(view, canvas, deltaSeconds);
-    splashes.draw(canvas);
-    impacts.draw(canvas);
-    flashes.draw(canvas);
-    canvas.end();
   }
 
   private void shadows(ClientView view) {

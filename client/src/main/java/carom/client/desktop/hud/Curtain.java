@@ -28,6 +28,7 @@ public final class Curtain {
   private final Color edge = new Color();
   private String room = "";
   private int match;
+  private boolean loads;
   private float closed;
   private float holdSeconds;
 
@@ -41,11 +42,10 @@ public final class Curtain {
    * Moves the curtain and draws it.
    *
    * @param seconds since the last picture
-   * @return whether it shows the level that loads, so that nothing else needs to
    */
-  public boolean draw(ClientView view, float seconds) {
+  public void draw(ClientView view, float seconds) {
     boolean hasPicture = match > 0;
-    boolean loads = hasPicture && view.phase() == ConnectionPhase.LOADING;
+    loads = hasPicture && view.phase() == ConnectionPhase.LOADING;
     if (view.matchNumber() != match || !view.room().equals(room)) {
       match = view.matchNumber();
       room = view.room();
@@ -60,12 +60,16 @@ public final class Curtain {
       closed = Math.max(0, closed - seconds / OPEN_SECONDS);
     }
     if (closed > 0) {
-      paint(view, loads);
+      paint(view);
     }
+  }
+
+  /** Returns whether it shows the level that loads, so that nothing else needs to. */
+  public boolean showsLoading() {
     return loads;
   }
 
-  private void paint(ClientView view, boolean loads) {
+  private void paint(ClientView view) {
     float share = closed * closed * (3 - 2 * closed);
     float width = hud.windowWidth();
     float height = hud.height();

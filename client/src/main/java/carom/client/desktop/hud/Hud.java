@@ -22,6 +22,8 @@ import com.badlogic.gdx.math.Matrix4;
 import com.badlogic.gdx.math.Vector3;
 import com.badlogic.gdx.utils.Align;
 import com.badlogic.gdx.utils.Disposable;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * Text and panels over the picture: names, scores, notices, the state of the connection, key hints.
@@ -61,6 +63,8 @@ public final class Hud implements Disposable {
   private BitmapFont wrapFont;
   private final FreePlaces places = new FreePlaces();
   private final NameRows names = new NameRows(places, ProtocolLimits.MAX_PLAYERS);
+  private final List<String> noticeLines = new ArrayList<>();
+  private final List<Float> noticeAges = new ArrayList<>();
   private String answer = "";
   private float answerSeconds;
   private Witness witness;
@@ -143,6 +147,14 @@ public final class Hud implements Disposable {
     batch.end();
   }
 
+  /** Ends the batches that a part of the picture has begun before it threw. */
+  public void abandon() {
+    canvas.abandon();
+    if (batch.isDrawing()) {
+      batch.end();
+    }
+  }
+
   /**
    * Draws names above the players' bodies, in rows where bodies are close together. A name without
    * room, or where the last frame had a panel, isn't drawn.
@@ -195,28 +207,49 @@ public final class Hud implements Disposable {
     centred(large ? fonts.title() : fonts.text(), text, at.x, at.y, textColor);
   }
 
-  /** Draws the notices of the last seconds, newest on top, fading. */
+  /** Draws the notices of the last seconds, newest on top, fading; long ones in several lines. */
   public void notices(ClientView view, long nowNs) {
-    int shown = 0;
+    noticeLines.clear();
+    noticeAges.clear();
     float widest = 0;
-    for (int i = view.notices().size() - 1; i >= 0 && shown < MOST_NOTICES; i--) {
-      if (age(view, i, nowNs) >= 1) {
-        break;
+    int newest = view.notices().size() - 1;
+    for (int i = newest; i >= 0 && i > newest - MOST_NOTICES && age(view, i, nowNs) < 1; i--) {
+      for (String line : lines(fonts.large(), view.notices().get(i).text(), width - 4 * PAD)) {
+        noticeLines.add(line);
+        noticeAges.add(age(view, i, nowNs));
+        widest = Math.max(widest, width(fonts.large(), line));
       }
-      shown++;
-      widest = Math.max(widest, width(fonts.large(), view.notices().get(i).text()));
     }
-    if (shown == 0 || !layout.place(news, Math.min(widest, width), shown * NOTICE_LINE)) {
+    int shown = noticeLines.size();
+    if (shown == 0 || !layout.place(news, widest, shown * NOTICE_LINE)) {
       return;
     }
     batch.begin();
     for (int row = 0; row < shown; row++) {
-      int i = view.notices().size() - 1 - row;
-      color.set(UiColours.TEXT).a = Math.min(1, 3 * (1 - age(view, i, nowNs)));
+      color.set(UiColours.TEXT).a = Math.min(1, 3 * (1 - noticeAges.get(row)));
       float y = news.y() + (shown - row) * NOTICE_LINE - 4;
-      centred(fonts.large(), view.notices().get(i).text(), width / 2f, y, color);
+      centred(fonts.large(), noticeLines.get(row), width / 2f, y, color);
     }
     batch.end();
+  }
+
+  /** Breaks a text between words into lines that are no wider than a room, points. */
+  private List<String> lines(BitmapFont font, String text, float room) {
+    if (width(font, text) <= room) {
+      return List.of(text);
+    }
+    List<String> lines = new ArrayList<>();
+    String line = "";
+    for (String word : text.split(" ")) {
+      String longer = line.isEmpty() ? word : line + " " + word;
+      if (width(font, longer) > room && !line.isEmpty()) {
+        lines.add(line);
+        longer = word;
+      }
+      line = cut(font, longer, room);
+    }
+    lines.add(line);
+    return lines;
   }
 
   /** Returns the age of a notice in parts of the time for which it shows. */

@@ -163,6 +163,11 @@ public final class Canvas implements Disposable {
     flush();
   }
 
+  /** Forgets a batch that can't be ended as it should, because something threw in the middle. */
+  public void abandon() {
+    used = 0;
+  }
+
   private void flush() {
     if (used == 0) {
       return;

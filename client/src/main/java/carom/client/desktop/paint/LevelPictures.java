@@ -85,7 +85,7 @@ public final class LevelPictures implements Disposable {
       Simulation begun = new Simulation(game, level, 0, 60, Role.AUTHORITY);
       begun.world().forEachBody(body -> body(body, EDGE_PX / pixelsPerMetre));
       pools(begun.pools());
-    } catch (IllegalArgumentException | IllegalStateException unknown) {
+    } catch (RuntimeException | LinkageError | AssertionError | StackOverflowError refused) {
       // Its ground is better than nothing: the player may choose it all the same.
     }
     canvas.end();

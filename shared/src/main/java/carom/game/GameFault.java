@@ -1,0 +1,67 @@
+package carom.game;
+
+import carom.sim.Game;
+import java.lang.reflect.Method;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** Words for people about what a game's code threw. Stateless; any thread. */
+public final class GameFault {
+  /** What other code calls: the line that is to blame stands above these in the stack. */
+  private static final List<String> LIBRARIES =
+      List.of("java.", "javax.", "jdk.", "sun.", "carom.physics.", "carom.sim.");
+
+  private static final Set<String> CALLBACKS =
+      Arrays.stream(Game.class.getMethods()).map(Method::getName).collect(Collectors.toSet());
+
+  private GameFault() {}
+
+  /**
+   * Returns what was thrown and where: its class and message, and class, method and line of the
+   * innermost code that belongs neither to the JDK nor to the engine.
+   */
+  public static String describe(Throwable failure) {
+    List<StackTraceElement> stack = List.of(failure.getStackTrace());
+    StackTraceElement line =
+        stack.stream()
+            .filter(frame -> LIBRARIES.stream().noneMatch(frame.getClassName()::startsWith))
+            .findFirst()
+            .orElse(stack.isEmpty() ? null : stack.get(0));
+    return failure + (line == null ? "" : ", at " + place(line));
+  }
+
+  private static String place(StackTraceElement frame) {
+    String where =
+        frame.getLineNumber() > 0 ? ":" + frame.getLineNumber() : ", a line that it doesn't tell";
+    return frame.getClassName() + "." + frame.getMethodName() + where;
+  }
+
+  /**
+   * Returns the callback in which a game failed while it was set up.
+   *
+   * @param type class of the game, whose base classes count, too
+   * @return name of the outermost method of {@link Game} in the stack that the game has, {@code
+   *     constructor}, or {@code set-up} when neither is there
+   */
+  public static String callback(Class<?> type, Throwable failure) {
+    StackTraceElement[] stack = failure.getStackTrace();
+    for (int i = stack.length - 1; i >= 0; i--) {
+      String method = stack[i].getMethodName();
+      boolean creates = method.equals("<init>") || method.equals("<clinit>");
+      if ((creates || CALLBACKS.contains(method)) && isOf(type, stack[i].getClassName())) {
+        return creates ? "constructor" : method;
+      }
+    }
+    return "set-up";
+  }
+
+  private static boolean isOf(Class<?> type, String name) {
+    Class<?> c = type;
+    while (c != null && !c.getName().equals(name)) {
+      c = c.getSuperclass();
+    }
+    return c != null;
+  }
+}
