@@ -279,9 +279,12 @@ public final class GuardedGame implements Game {
     }
   }
 
-  /** Tells a failure of the game. One of the machine, such as a lack of memory, isn't the game's. */
+  /**
+   * Tells a failure of the game. One of the machine, such as a lack of memory, isn't the game's.
+   */
   private void failed(String callback, Simulation s, Object subject, Throwable failure) {
-    if (failure instanceof VirtualMachineError machine && !(machine instanceof StackOverflowError)) {
+    if (failure instanceof VirtualMachineError machine
+        && !(machine instanceof StackOverflowError)) {
       throw machine;
     }
     String of = subject instanceof Player p ? " of player " + p.id() : " of " + subject;

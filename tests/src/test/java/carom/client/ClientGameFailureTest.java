@@ -109,7 +109,8 @@ final class ClientGameFailureTest {
         stepper,
         20,
         () ->
-            view.own() != null && Math.hypot(view.own().x() - from[0], view.own().y() - from[1]) > 1);
+            view.own() != null
+                && Math.hypot(view.own().x() - from[0], view.own().y() - from[1]) > 1);
     assertTrue(
         Math.hypot(view.own().x() - from[0], view.own().y() - from[1]) > 1,
         "the own body moves with the player's input");

@@ -169,6 +169,11 @@ final class GameScreen extends ScreenAdapter {
     picture.debug(shown);
   }
 
+  /** Returns whether something lies over the picture of the game. */
+  boolean isCovered() {
+    return pause.isOpen() || rooms.isOpen() || !curtain.isOpen();
+  }
+
   ClientView view() {
     return client.view();
   }

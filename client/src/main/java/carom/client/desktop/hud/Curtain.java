@@ -64,6 +64,11 @@ public final class Curtain {
     }
   }
 
+  /** Returns whether nothing of it shows. */
+  public boolean isOpen() {
+    return closed == 0;
+  }
+
   /** Returns whether it shows the level that loads, so that nothing else needs to. */
   public boolean showsLoading() {
     return loads;

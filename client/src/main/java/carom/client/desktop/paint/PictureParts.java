@@ -57,10 +57,7 @@ public final class PictureParts {
       repair.run();
       if (told.add(name)) {
         LOG.error(
-            "the picture's part \"{}\" failed and is left out: {}",
-            name,
-            GameFault.describe(e),
-            e);
+            "the picture's part \"{}\" failed and is left out: {}", name, GameFault.describe(e), e);
         player.accept("A part of the picture failed and is left out: " + name);
       }
     }

@@ -1,0 +1,538 @@
+package carom.client.desktop;
+
+import carom.client.app.ClientMain;
+import carom.client.desktop.scene.SceneScreen;
+import carom.client.link.ConnectionPhase;
+import carom.client.link.RoomBrowser;
+import carom.client.link.ServerAddress;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
+import carom.net.protocol.ServerMessage.RoomEntry;
+import carom.net.protocol.ServerMessage.RosterEntry;
+import carom.replay.RecordingReader;
+import carom.sim.message.PlayerColour;
+import carom.sim.scene.Scene;
+import carom.sim.scene.catalog.Scenes;
+import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Screen;
+import com.badlogic.gdx.graphics.Pixmap;
+import com.badlogic.gdx.math.Vector3;
+import com.badlogic.gdx.scenes.scene2d.Stage;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+
+/**
+ * A program that opens the client's window and plays like somebody who tries every key and button:
+ * in each room of a server, or as a viewer of rooms, recordings and scenes. It presses them through
+ * the display, and prints what it saw: {@code problem} and a sentence when that is wrong.
+ */
+final class WindowPlayer {
+  private static final long LIMIT_NS = 60_000_000_000L;
+  private static final int TOLERANCE = 24;
+
+  /** Least number of looks at the own body in a room. */
+  private static final int LOOKS = 5;
+
+  /** Keys that the player holds for a moment: moves, shots, emotes, panels. */
+  private static final int[] KEYS = {
+    KeyEvent.VK_A,
+    KeyEvent.VK_D,
+    KeyEvent.VK_W,
+    KeyEvent.VK_S,
+    KeyEvent.VK_LEFT,
+    KeyEvent.VK_RIGHT,
+    KeyEvent.VK_UP,
+    KeyEvent.VK_DOWN,
+    KeyEvent.VK_SPACE,
+    KeyEvent.VK_E,
+    KeyEvent.VK_SHIFT,
+    KeyEvent.VK_1,
+    KeyEvent.VK_2,
+    KeyEvent.VK_3,
+    KeyEvent.VK_4,
+    KeyEvent.VK_5,
+    KeyEvent.VK_6,
+    KeyEvent.VK_7,
+    KeyEvent.VK_8,
+    KeyEvent.VK_TAB,
+    KeyEvent.VK_M,
+    KeyEvent.VK_F1,
+    KeyEvent.VK_F3,
+    KeyEvent.VK_F4,
+    KeyEvent.VK_F12,
+  };
+
+  /** Keys that open something, and what is pressed before the last of them closes it. */
+  private static final int[][] SEQUENCES = {
+    {KeyEvent.VK_ENTER, KeyEvent.VK_H, KeyEvent.VK_I, KeyEvent.VK_ENTER},
+    {KeyEvent.VK_T, KeyEvent.VK_G, KeyEvent.VK_BACK_SPACE, KeyEvent.VK_G, KeyEvent.VK_ENTER},
+    {KeyEvent.VK_ENTER, KeyEvent.VK_X, KeyEvent.VK_ESCAPE},
+    {KeyEvent.VK_ESCAPE, KeyEvent.VK_DOWN, KeyEvent.VK_UP, KeyEvent.VK_ESCAPE},
+    {KeyEvent.VK_F2, KeyEvent.VK_DOWN, KeyEvent.VK_UP, KeyEvent.VK_F2},
+    {KeyEvent.VK_M, KeyEvent.VK_M},
+  };
+
+  /** Keys that count while the table of players shows. */
+  private static final int[] WITH_TABLE = {
+    KeyEvent.VK_R, KeyEvent.VK_1, KeyEvent.VK_2, KeyEvent.VK_P,
+  };
+
+  private static final int[] BUTTONS = {
+    InputEvent.BUTTON1_DOWN_MASK, InputEvent.BUTTON2_DOWN_MASK, InputEvent.BUTTON3_DOWN_MASK,
+  };
+
+  private static final int[] FILM_KEYS = {
+    KeyEvent.VK_SPACE,
+    KeyEvent.VK_PERIOD,
+    KeyEvent.VK_PERIOD,
+    KeyEvent.VK_SPACE,
+    KeyEvent.VK_LEFT,
+    KeyEvent.VK_MINUS,
+    KeyEvent.VK_EQUALS,
+    KeyEvent.VK_RIGHT,
+    KeyEvent.VK_TAB,
+    KeyEvent.VK_1,
+    KeyEvent.VK_2,
+    KeyEvent.VK_9,
+    KeyEvent.VK_0,
+    KeyEvent.VK_M,
+    KeyEvent.VK_F4,
+    KeyEvent.VK_HOME,
+    KeyEvent.VK_F4,
+    KeyEvent.VK_END,
+  };
+
+  private static final int[] SCENE_KEYS = {
+    KeyEvent.VK_SPACE,
+    KeyEvent.VK_PERIOD,
+    KeyEvent.VK_SPACE,
+    KeyEvent.VK_MINUS,
+    KeyEvent.VK_EQUALS,
+    KeyEvent.VK_R,
+    KeyEvent.VK_0,
+    KeyEvent.VK_F4,
+    KeyEvent.VK_H,
+    KeyEvent.VK_1,
+    KeyEvent.VK_2,
+    KeyEvent.VK_3,
+    KeyEvent.VK_4,
+    KeyEvent.VK_5,
+    KeyEvent.VK_6,
+    KeyEvent.VK_7,
+    KeyEvent.VK_TAB,
+  };
+
+  private final Robot robot;
+  private final Random random;
+  private int looks;
+  private int seen;
+
+  private WindowPlayer(Robot robot, long seed) {
+    this.robot = robot;
+    random = new Random(seed);
+  }
+
+  /**
+   * Runs the program.
+   *
+   * @param args {@code play} and the seconds in each room, or {@code view} and a folder of
+   *     recordings; the server's TCP port; a seed; the client's flags
+   */
+  public static void main(String[] args) {
+    Thread player = new Thread(() -> play(args), "player");
+    player.setDaemon(true);
+    player.start();
+    System.exit(ClientMain.run(List.of(args).subList(4, args.length).toArray(new String[0])));
+  }
+
+  private static void play(String[] args) {
+    try {
+      WindowPlayer player = new WindowPlayer(new Robot(), Long.parseLong(args[3]));
+      while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
+        Thread.sleep(20);
+      }
+      if (args[0].equals("play")) {
+        player.playRooms(Double.parseDouble(args[1]));
+      } else {
+        ServerAddress server = ServerAddress.parse("localhost:" + args[2]);
+        player.viewRooms(server);
+        player.viewRecordings(Path.of(args[1]));
+        player.viewScenes();
+      }
+      System.out.println("done");
+    } catch (Exception e) {
+      System.out.println("problem: " + e);
+      e.printStackTrace(System.out);
+    }
+    Gdx.app.exit();
+  }
+
+  // ---- a player
+
+  private void playRooms(double seconds) throws Exception {
+    awaitBody();
+    tap(KeyEvent.VK_F2);
+    until("the rooms are listed", () -> !view().rooms().isEmpty());
+    tap(KeyEvent.VK_F2);
+    List<String> rooms = new ArrayList<>();
+    run(() -> view().rooms().stream().map(RoomEntry::name).forEach(rooms::add));
+    long before = 0;
+    for (String room : rooms) {
+      goTo(room);
+      looks = 0;
+      seen = 0;
+      pressForSeconds(seconds);
+      awaitBody();
+      System.out.printf(
+          Locale.ROOT, "room %s looks %d seen %d heap %d MB%n", room, looks, seen, heapMb());
+      if (looks < LOOKS || seen < 0.6 * looks) {
+        System.out.printf("problem: in room %s the own body is seen %d of %d%n", room, seen, looks);
+      }
+      before = before == 0 ? heapMb() : before;
+    }
+    goTo(rooms.get(0));
+    System.out.println("heap before " + before + " after " + heapMb());
+  }
+
+  /** Chooses a room from the list, as a player does. */
+  private void goTo(String room) throws Exception {
+    boolean[] there = {false};
+    run(() -> there[0] = view().room().equals(room));
+    for (int attempt = 0; !there[0] && attempt < 4; attempt++) {
+      tap(KeyEvent.VK_F2);
+      until("the rooms are listed", () -> !view().rooms().isEmpty());
+      Thread.sleep(300); // the newest list is there, and the present room is marked
+      int[] steps = {0};
+      run(() -> steps[0] = view().rooms().stream().map(RoomEntry::name).toList().indexOf(room));
+      for (int i = 0; i < steps[0]; i++) {
+        tap(KeyEvent.VK_DOWN);
+      }
+      tap(KeyEvent.VK_ENTER);
+      long end = System.nanoTime() + 5_000_000_000L;
+      while (!there[0] && System.nanoTime() < end) {
+        Thread.sleep(50);
+        run(() -> there[0] = view().room().equals(room));
+      }
+    }
+    if (!there[0]) {
+      System.out.println("problem: the list of rooms doesn't lead to " + room);
+    }
+    awaitBody();
+  }
+
+  private void awaitBody() throws Exception {
+    until(
+        "the own body is there",
+        () ->
+            screen() instanceof GameScreen
+                && view().phase() == ConnectionPhase.PLAYING
+                && (view().own() != null || isSpectator() || view().watchedPlayer() >= 0));
+  }
+
+  private boolean isSpectator() {
+    RosterEntry own = view().participant(view().playerId());
+    return own != null && own.spectator();
+  }
+
+  private void pressForSeconds(double seconds) throws Exception {
+    long end = System.nanoTime() + (long) (seconds * 1e9);
+    List<Runnable> acts = acts();
+    Collections.shuffle(acts, random);
+    int next = 0;
+    while (next < acts.size() || System.nanoTime() < end) {
+      acts.get(next++ % acts.size()).run();
+      aim();
+      if (next % 3 == 0) {
+        look();
+      }
+      if (!(screen() instanceof GameScreen)) {
+        throw new IllegalStateException("the game ended: " + screen());
+      }
+    }
+    robot.mouseMove(640, 60);
+    lookSometimes();
+  }
+
+  /** Looks until the own body was there often enough, which players who watch or are out lack. */
+  private void lookSometimes() throws Exception {
+    long end = System.nanoTime() + LIMIT_NS / 3;
+    while (looks < LOOKS && System.nanoTime() < end) {
+      boolean[] watches = {false};
+      run(() -> watches[0] = isSpectator());
+      if (watches[0]) {
+        withTable(KeyEvent.VK_P);
+      }
+      Thread.sleep(400);
+      look();
+    }
+  }
+
+  private List<Runnable> acts() {
+    List<Runnable> acts = new ArrayList<>();
+    for (int key : KEYS) {
+      acts.add(() -> hold(key));
+    }
+    for (int[] sequence : SEQUENCES) {
+      acts.add(() -> tap(sequence));
+    }
+    for (int button : BUTTONS) {
+      acts.add(() -> click(button));
+      acts.add(() -> click(button));
+    }
+    acts.add(() -> robot.mouseWheel(random.nextBoolean() ? 2 : -2));
+    acts.add(() -> withTable(WITH_TABLE));
+    return acts;
+  }
+
+  private void withTable(int... keys) {
+    robot.keyPress(KeyEvent.VK_TAB);
+    robot.delay(60);
+    tap(keys);
+    robot.keyRelease(KeyEvent.VK_TAB);
+  }
+
+  private void aim() {
+    robot.mouseMove(100 + random.nextInt(1_080), 100 + random.nextInt(520));
+  }
+
+  private void hold(int key) {
+    robot.keyPress(key);
+    robot.delay(40 + random.nextInt(160));
+    robot.keyRelease(key);
+    robot.delay(20);
+  }
+
+  private void click(int button) {
+    robot.mousePress(button);
+    robot.delay(40 + random.nextInt(160));
+    robot.mouseRelease(button);
+    robot.delay(20);
+  }
+
+  private void tap(int... keys) {
+    for (int key : keys) {
+      robot.keyPress(key);
+      robot.delay(35);
+      robot.keyRelease(key);
+      robot.delay(35);
+    }
+  }
+
+  /** Looks for the own body's colour where the view has it, unless something covers the picture. */
+  private void look() throws Exception {
+    run(
+        () -> {
+          if (!(screen() instanceof GameScreen game)
+              || Gdx.input.getInputProcessor() instanceof Stage) {
+            return;
+          }
+          game.render(0);
+          ClientView view = game.view();
+          Drawn own = view.own();
+          if (own == null || own.alpha() < 1 || game.isCovered()) {
+            return;
+          }
+          looks++;
+          RosterEntry entry = view.participant(view.playerId());
+          int chosen = entry == null ? -1 : PlayerColour.of(entry.colour()).rgb();
+          int rgb = own.archetype().appearance().rgb();
+          Vector3 at = game.camera().toScreen(own.x(), own.y());
+          int w = Gdx.graphics.getWidth();
+          int h = Gdx.graphics.getHeight();
+          Pixmap pixels = Pixmap.createFromFrameBuffer(0, 0, w, h);
+          int count = 0;
+          for (int dy = -12; dy <= 12; dy++) {
+            for (int dx = -12; dx <= 12; dx++) {
+              int x = Math.round(at.x) + dx;
+              int y = Math.round(at.y) + dy;
+              if (x >= 0 && y >= 0 && x < w && y < h) {
+                int pixel = pixels.getPixel(x, y) >>> 8;
+                count += near(pixel, rgb) || (chosen >= 0 && near(pixel, chosen)) ? 1 : 0;
+              }
+            }
+          }
+          pixels.dispose();
+          seen += count >= 20 ? 1 : 0;
+          if (count < 20) {
+            Pictures.save("unseen-" + looks + ".png");
+          }
+        });
+  }
+
+  private static boolean near(int a, int b) {
+    for (int shift = 0; shift < 24; shift += 8) {
+      if (Math.abs((a >> shift & 0xff) - (b >> shift & 0xff)) > TOLERANCE) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static long heapMb() {
+    System.gc();
+    Runtime runtime = Runtime.getRuntime();
+    return (runtime.totalMemory() - runtime.freeMemory()) >> 20;
+  }
+
+  // ---- a viewer
+
+  private void viewRooms(ServerAddress server) throws Exception {
+    RoomBrowser[] browser = {null};
+    run(() -> browser[0] = window().browse(server));
+    until(
+        "the server tells its rooms",
+        () -> {
+          browser[0].update(System.nanoTime());
+          return browser[0].isDone();
+        });
+    for (int i = 0; i < browser[0].rooms().size(); i++) {
+      int number = i + 1;
+      run(() -> window().watch(server, number));
+      until("room " + number + " is watched", () -> screen() instanceof ReplayScreen);
+      film("watching room " + number);
+    }
+    run(browser[0]::close);
+  }
+
+  private void viewRecordings(Path folder) throws Exception {
+    List<Path> files;
+    try (Stream<Path> found = Files.walk(folder)) {
+      files = found.filter(file -> file.toString().endsWith(".carom")).sorted().toList();
+    }
+    if (files.isEmpty()) {
+      System.out.println("problem: no recordings in " + folder);
+    }
+    Set<String> games = new HashSet<>();
+    for (Path file : files) {
+      try (RecordingReader reader = RecordingReader.open(file)) {
+        if (!games.add(reader.header().game())) {
+          continue;
+        }
+      }
+      CompletableFuture<String> problem = new CompletableFuture<>();
+      run(() -> problem.complete(window().replay(file)));
+      if (!problem.get().isEmpty()) {
+        System.out.println("problem: " + file + ": " + problem.get());
+        continue;
+      }
+      until("the recording is shown", () -> screen() instanceof ReplayScreen);
+      film("replay of " + file.getFileName());
+    }
+    System.out.println("replays " + games);
+  }
+
+  private void film(String what) throws Exception {
+    for (int key : FILM_KEYS) {
+      hold(key);
+    }
+    for (int i = 0; i < 4; i++) {
+      robot.mouseMove(200 + 250 * i, 700 - 10 * i);
+      click(InputEvent.BUTTON1_DOWN_MASK);
+    }
+    lookAtColours(what);
+    leave();
+  }
+
+  private void leave() throws Exception {
+    tap(KeyEvent.VK_ESCAPE);
+    until(
+        "Esc leaves", () -> !(screen() instanceof ReplayScreen || screen() instanceof SceneScreen));
+  }
+
+  private void viewScenes() throws Exception {
+    Set<String> all = new HashSet<>();
+    for (Scene scene : Scenes.all()) {
+      all.add(scene.name());
+      run(() -> window().scene(scene));
+      until("scene " + scene.name(), () -> screen() instanceof SceneScreen);
+      tap(SCENE_KEYS[random.nextInt(SCENE_KEYS.length)]);
+      lookAtColours("scene " + scene.name());
+      if (all.size() == 1) {
+        for (int key : SCENE_KEYS) {
+          hold(key);
+        }
+        robot.mouseMove(640, 500);
+        click(InputEvent.BUTTON1_DOWN_MASK);
+        click(InputEvent.BUTTON3_DOWN_MASK);
+        robot.mouseWheel(3);
+      }
+      leave();
+    }
+    System.out.println("scenes " + all.size());
+  }
+
+  /** Requires that the picture isn't bare. */
+  private static void lookAtColours(String what) throws Exception {
+    run(
+        () -> {
+          int w = Gdx.graphics.getWidth();
+          int h = Gdx.graphics.getHeight();
+          window().screen().render(0);
+          Pixmap pixels = Pixmap.createFromFrameBuffer(0, 0, w, h);
+          Set<Integer> colours = new HashSet<>();
+          for (int y = 0; y < h; y += 4) {
+            for (int x = 0; x < w; x += 4) {
+              colours.add(pixels.getPixel(x, y));
+            }
+          }
+          pixels.dispose();
+          if (colours.size() < 20) {
+            System.out.println("problem: " + what + " shows " + colours.size() + " colours");
+          }
+        });
+  }
+
+  // ---- the window
+
+  private static CaromWindow window() {
+    return (CaromWindow) Gdx.app.getApplicationListener();
+  }
+
+  private static Screen screen() {
+    return window().screen();
+  }
+
+  private static ClientView view() {
+    return ((GameScreen) screen()).view();
+  }
+
+  private static void run(Runnable action) throws Exception {
+    CompletableFuture<Void> done = new CompletableFuture<>();
+    Gdx.app.postRunnable(
+        () -> {
+          try {
+            action.run();
+            done.complete(null);
+          } catch (RuntimeException | Error e) {
+            done.completeExceptionally(e);
+          }
+        });
+    done.get();
+  }
+
+  /** Waits for what is so between two frames; views belong to the render thread. */
+  private static void until(String what, BooleanSupplier condition) throws Exception {
+    long end = System.nanoTime() + LIMIT_NS;
+    boolean[] so = {false};
+    while (!so[0]) {
+      run(() -> so[0] = condition.getAsBoolean());
+      if (System.nanoTime() > end) {
+        throw new IllegalStateException("never so: " + what + ", on " + screen());
+      }
+      Thread.sleep(20);
+    }
+  }
+}
