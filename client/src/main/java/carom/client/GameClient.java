@@ -35,6 +35,7 @@ import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import carom.sim.outbox.Event;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -185,13 +186,14 @@ public final class GameClient implements AutoCloseable {
         return join(welcome, level, rules);
       } catch (RuntimeException | Error e) {
         String text =
-            "This client can't play %s: %s failed at tick %d, for player %d: %s."
-                .formatted(
-                    welcome.game(),
-                    GameFault.callback(rules.getClass(), e),
-                    welcome.tick(),
-                    welcome.playerId(),
-                    GameFault.describe(e));
+            String.format(
+                Locale.ROOT,
+                "This client can't play %s: %s failed at tick %d, for player %d: %s.",
+                welcome.game(),
+                GameFault.callback(rules.getClass(), e),
+                welcome.tick(),
+                welcome.playerId(),
+                GameFault.describe(e));
         LOG.error("{}", text, e);
         return text;
       }

@@ -3,6 +3,7 @@ package carom.client;
 import carom.game.GameFault;
 import carom.game.GuardedGame;
 import carom.sim.Simulation;
+import java.util.Locale;
 import java.util.function.Consumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -44,8 +45,15 @@ final class PredictionFailure implements GuardedGame.FailureListener {
     }
     failed = true;
     String text =
-        "Game %s failed in %s at tick %d, predicted for player %d: %s. You play on without prediction."
-            .formatted(game, callback, s.tick(), playerId, GameFault.describe(failure));
+        String.format(
+            Locale.ROOT,
+            "Game %s failed in %s at tick %d, predicted for player %d: %s. You play on without"
+                + " prediction.",
+            game,
+            callback,
+            s.tick(),
+            playerId,
+            GameFault.describe(failure));
     LOG.error("{}", text, failure);
     player.accept(text);
   }

@@ -19,6 +19,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -185,8 +186,12 @@ final class GameChoice {
     Scene chosen = Scenes.get(scene);
     if (flags.tickRate != chosen.tickRate()) {
       throw flags.bad(
-          "--tick-rate=%d doesn't fit --scene=%s, which runs at %d Hz"
-              .formatted(flags.tickRate, scene, chosen.tickRate()));
+          String.format(
+              Locale.ROOT,
+              "--tick-rate=%d doesn't fit --scene=%s, which runs at %d Hz",
+              flags.tickRate,
+              scene,
+              chosen.tickRate()));
     }
     return chosen;
   }

@@ -463,8 +463,11 @@ final class ServerFlags {
       }
       if (rooms.size() > ServerConfig.MAX_ROOMS) {
         throw bad(
-            "--room is given %d times, a server has 1..%d rooms; leave some out"
-                .formatted(rooms.size(), ServerConfig.MAX_ROOMS));
+            String.format(
+                Locale.ROOT,
+                "--room is given %d times, a server has 1..%d rooms; leave some out",
+                rooms.size(),
+                ServerConfig.MAX_ROOMS));
       }
     }
     if (levels != null) {
@@ -505,13 +508,14 @@ final class ServerFlags {
       OptionSpec written = program.commandLine().getParseResult().matchedOption(flag);
       String unit = SettingUnits.plain(written.paramLabel());
       throw bad(
-          "%s=%s is outside %d..%d%s"
-              .formatted(
-                  flag,
-                  written.originalStringValues().get(0),
-                  min,
-                  max,
-                  unit.isEmpty() ? "" : " " + unit));
+          String.format(
+              Locale.ROOT,
+              "%s=%s is outside %d..%d%s",
+              flag,
+              written.originalStringValues().get(0),
+              min,
+              max,
+              unit.isEmpty() ? "" : " " + unit));
     }
   }
 

@@ -5,6 +5,7 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactKey;
 import java.util.Arrays;
+import java.util.Locale;
 
 /**
  * Computes the recording of a {@link WorldRecorder} again in a fresh world, and compares the
@@ -187,7 +188,8 @@ public final class WorldReplay {
   private void compare(long expected) {
     long hash = world.stateHash();
     if (hash != expected) {
-      difference = String.format("%s: state hash %016x, recorded %016x", last, hash, expected);
+      difference =
+          String.format(Locale.ROOT, "%s: state hash %016x, recorded %016x", last, hash, expected);
     }
   }
 

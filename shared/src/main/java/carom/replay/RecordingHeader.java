@@ -10,6 +10,7 @@ import carom.sim.level.LevelException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 
 /**
@@ -131,7 +132,13 @@ public record RecordingHeader(
   @Override
   public String toString() {
     return String.format(
+        Locale.ROOT,
         "game=%s level=%s hash=%016x seed=%d tickRate=%d physics=%016x",
-        game, levelName, levelHash, seed, tickRate, physicsDigest);
+        game,
+        levelName,
+        levelHash,
+        seed,
+        tickRate,
+        physicsDigest);
   }
 }

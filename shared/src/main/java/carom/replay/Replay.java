@@ -9,6 +9,7 @@ import carom.sim.message.MessageKind.Direction;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Simulation of a recorded game that finds where it differs from the recording. Use it from one
@@ -111,9 +112,11 @@ public final class Replay {
     if (header.physicsDigest() != digest) {
       throw new RecordingException(
           String.format(
+              Locale.ROOT,
               "recorded with physics=%016x, this build has %016x: the same inputs give other"
                   + " states; play it with the build that recorded it",
-              header.physicsDigest(), digest));
+              header.physicsDigest(),
+              digest));
     }
   }
 
@@ -305,8 +308,11 @@ public final class Replay {
     if (simulation.tick() != reader.stateTick() || simulation.stateHash() != reader.hash()) {
       throw contradicts(
           String.format(
+              Locale.ROOT,
               "the state of tick=%d has the recorded hash %016x, but %016x when restored",
-              reader.stateTick(), reader.hash(), simulation.stateHash()));
+              reader.stateTick(),
+              reader.hash(),
+              simulation.stateHash()));
     }
   }
 

@@ -17,6 +17,7 @@ import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import carom.server.room.Room;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.LongSupplier;
 
 /**
@@ -150,14 +151,16 @@ public final class SimulatedClient {
                     && frame.still(slot) == history.still(i)));
     if (!equal) {
       throw new AssertionError(
-          "%s decoded another state than the server had: slot=%d tick=%d client=%s server=%s %s"
-              .formatted(
-                  name,
-                  slot,
-                  history.tick(i),
-                  history.alive(i) ? "(" + history.x(i) + ", " + history.y(i) + ")" : "gone",
-                  frame.alive(slot) ? "(" + frame.x(slot) + ", " + frame.y(slot) + ")" : "gone",
-                  impairment));
+          String.format(
+              Locale.ROOT,
+              "%s decoded another state than the server had: slot=%d tick=%d client=%s server=%s"
+                  + " %s",
+              name,
+              slot,
+              history.tick(i),
+              history.alive(i) ? "(" + history.x(i) + ", " + history.y(i) + ")" : "gone",
+              frame.alive(slot) ? "(" + frame.x(slot) + ", " + frame.y(slot) + ")" : "gone",
+              impairment));
     }
   }
 

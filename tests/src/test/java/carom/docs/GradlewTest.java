@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
@@ -74,8 +75,12 @@ final class GradlewTest {
   private void pin(String sum) throws IOException {
     Files.writeString(
         folder.resolve("gradle/wrapper/gradle-wrapper.properties"),
-        "distributionUrl=http\\://127.0.0.1\\:%d/gradle-9.9-bin.zip\ndistributionSha256Sum=%s\n"
-            .formatted(web.getAddress().getPort(), sum));
+        String.format(
+            Locale.ROOT,
+            "distributionUrl=http\\://127.0.0.1\\:%d/gradle-9.9-bin.zip\n"
+                + "distributionSha256Sum=%s\n",
+            web.getAddress().getPort(),
+            sum));
   }
 
   private String sum() throws Exception {

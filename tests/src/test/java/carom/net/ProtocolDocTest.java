@@ -47,6 +47,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -400,7 +401,8 @@ class ProtocolDocTest {
   private static String hex(byte[] bytes) {
     StringBuilder text = new StringBuilder();
     for (int i = 0; i < bytes.length; i++) {
-      text.append(i == 0 ? "" : i % 24 == 0 ? "\n" : " ").append(String.format("%02x", bytes[i]));
+      text.append(i == 0 ? "" : i % 24 == 0 ? "\n" : " ")
+          .append(String.format(Locale.ROOT, "%02x", bytes[i]));
     }
     return text.toString();
   }

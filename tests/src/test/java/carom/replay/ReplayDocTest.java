@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
@@ -62,7 +63,8 @@ final class ReplayDocTest {
   private static String hex(byte[] bytes, int length) {
     StringBuilder text = new StringBuilder();
     for (int i = 0; i < length; i++) {
-      text.append(i == 0 ? "" : i % 24 == 0 ? "\n" : " ").append(String.format("%02x", bytes[i]));
+      text.append(i == 0 ? "" : i % 24 == 0 ? "\n" : " ")
+          .append(String.format(Locale.ROOT, "%02x", bytes[i]));
     }
     return text.toString();
   }

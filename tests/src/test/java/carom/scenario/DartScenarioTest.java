@@ -31,6 +31,7 @@ import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -132,14 +133,16 @@ class DartScenarioTest {
   private static Stepper play(int disarmTicks) {
     Games.add(() -> new DartGame(disarmTicks));
     String json =
-        """
-        {"name": "Darts", "game": "darts%d", "gravity": [0, 0],
-         "bounds": {"min": [-30, -20], "max": [30, 20]},
-         "statics": [{"at": [14, 0], "shape": {"type": "box", "width": 1, "height": 30}}],
-         "bodies": [{"at": [0, -8], "shape": {"type": "box", "width": 1, "height": 1},
-           "repeat": {"columns": 1, "rows": 6, "step": [0, 3.2]}}]}
-        """
-            .formatted(disarmTicks);
+        String.format(
+            Locale.ROOT,
+            """
+            {"name": "Darts", "game": "darts%d", "gravity": [0, 0],
+             "bounds": {"min": [-30, -20], "max": [30, 20]},
+             "statics": [{"at": [14, 0], "shape": {"type": "box", "width": 1, "height": 30}}],
+             "bodies": [{"at": [0, -8], "shape": {"type": "box", "width": 1, "height": 1},
+               "repeat": {"columns": 1, "rows": 6, "step": [0, 3.2]}}]}
+            """,
+            disarmTicks);
     try {
       Level level = Level.parse("darts.json", json.getBytes(StandardCharsets.UTF_8));
       return Stepper.of(level, ServerConfig.defaults());

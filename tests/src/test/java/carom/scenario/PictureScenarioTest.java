@@ -19,6 +19,7 @@ import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -170,6 +171,7 @@ class PictureScenarioTest {
     @Override
     public String toString() {
       return String.format(
+          Locale.ROOT,
           "looks=%d error p50=%.4f p95=%.4f p99=%.4f max=%.4f m, in a frame p95=%.4f p99=%.4f"
               + " max=%.4f m, delay=%.0f ms",
           looks,

@@ -20,6 +20,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
@@ -244,7 +245,7 @@ class KillTest {
         } else if (e == RecordingReader.Entry.STEPPED) {
           tick++;
         }
-        hashOnDisk = "%016x".formatted(reader.hash());
+        hashOnDisk = String.format(Locale.ROOT, "%016x", reader.hash());
       }
     }
     return tick;

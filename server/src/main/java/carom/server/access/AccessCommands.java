@@ -15,6 +15,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
@@ -172,22 +173,27 @@ public final class AccessCommands {
       long others = household == null ? 0 : others(household, name);
       if (others > 0) {
         spared =
-            "; not address %s, which %d other %s: ban %s"
-                .formatted(
-                    household, others, others == 1 ? "player has" : "players have", household);
+            String.format(
+                Locale.ROOT,
+                "; not address %s, which %d other %s: ban %s",
+                household,
+                others,
+                others == 1 ? "player has" : "players have",
+                household);
       } else if (household != null) {
         entries.add(new AccessEntry(household, name, null, end, reason));
       }
     }
     change(lists.bans(), entries);
     int removed = removePlayers();
-    return "banned %s%s; %d %s removed%s"
-        .formatted(
-            String.join(" and ", entries.stream().map(AccessEntry::what).toList()),
-            end == null ? " forever" : " until " + end,
-            removed,
-            removed == 1 ? "player" : "players",
-            spared);
+    return String.format(
+        Locale.ROOT,
+        "banned %s%s; %d %s removed%s",
+        String.join(" and ", entries.stream().map(AccessEntry::what).toList()),
+        end == null ? " forever" : " until " + end,
+        removed,
+        removed == 1 ? "player" : "players",
+        spared);
   }
 
   /** Returns the player of the first word, who must be here. */

@@ -112,8 +112,12 @@ public final class AccessLists implements EntryRule {
     if (reloadIfChanged()) {
       changed.set(true); // for the thread that removes players
     }
-    return "in force: bans %d, allowed %d, admins %d"
-        .formatted(bans.entries().size(), allowed.entries().size(), admins.entries().size());
+    return String.format(
+        Locale.ROOT,
+        "in force: bans %d, allowed %d, admins %d",
+        bans.entries().size(),
+        allowed.entries().size(),
+        admins.entries().size());
   }
 
   /**

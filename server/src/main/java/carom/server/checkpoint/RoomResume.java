@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -100,7 +101,7 @@ final class RoomResume {
         saved.tick(),
         inputs,
         sessions.size(),
-        "%016x".formatted(provenHash));
+        String.format(Locale.ROOT, "%016x", provenHash));
     return new ResumedRoom(match, saved.rotation(), pending, sessions);
   }
 
@@ -172,8 +173,11 @@ final class RoomResume {
     }
     if (saved.hasSamePhysics() && s.stateHash() != saved.hash()) {
       throw new SlotException(
-          "its state has the hash %016x, but its seats belong to %016x"
-              .formatted(s.stateHash(), saved.hash()));
+          String.format(
+              Locale.ROOT,
+              "its state has the hash %016x, but its seats belong to %016x",
+              s.stateHash(),
+              saved.hash()));
     }
   }
 

@@ -11,6 +11,7 @@ import carom.sim.SimState;
 import carom.sim.match.NextMatch;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.zip.CRC32;
 
 /**
@@ -56,8 +57,13 @@ record SavedRoom(
 
   /** Returns the settings of a room that decide whether its checkpoints may be resumed. */
   static String config(RoomConfig room, int tickRateHz) {
-    return "room=%s game=%s levels=%s tickRate=%d"
-        .formatted(room.name(), room.game(), String.join(",", room.levels()), tickRateHz);
+    return String.format(
+        Locale.ROOT,
+        "room=%s game=%s levels=%s tickRate=%d",
+        room.name(),
+        room.game(),
+        String.join(",", room.levels()),
+        tickRateHz);
   }
 
   /** Returns the bytes of a file. */
@@ -144,7 +150,11 @@ record SavedRoom(
   void requireFits(String presentConfig) throws SlotException {
     if (layout != SimState.LAYOUT) {
       throw new SlotException(
-          "its state has layout=%d, this build reads %d".formatted(layout, SimState.LAYOUT));
+          String.format(
+              Locale.ROOT,
+              "its state has layout=%d, this build reads %d",
+              layout,
+              SimState.LAYOUT));
     }
     if (!config.equals(presentConfig)) {
       throw new SlotException(

@@ -1,6 +1,7 @@
 package carom.server.command;
 
 import carom.text.Texts;
+import java.util.Locale;
 
 /**
  * Makes text from players and files safe for a terminal: escape sequences would move its cursor or
@@ -21,7 +22,7 @@ public final class Printable {
               if (point == '\n' || !Texts.isInvisible(point)) {
                 safe.appendCodePoint(point);
               } else {
-                safe.append(String.format("U+%04X", point));
+                safe.append(String.format(Locale.ROOT, "U+%04X", point));
               }
             });
     return safe.toString();

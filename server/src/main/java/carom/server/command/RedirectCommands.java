@@ -5,6 +5,7 @@ import carom.net.protocol.ServerMessage;
 import carom.server.room.Room;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -64,8 +65,11 @@ public final class RedirectCommands {
     String token = words.has(2) ? words.word(2, "TOKEN") : "";
     if (token.length() > ProtocolLimits.MAX_TOKEN_BYTES) {
       throw new CommandException(
-          "TOKEN has characters=%d, limit=%d"
-              .formatted(token.length(), ProtocolLimits.MAX_TOKEN_BYTES));
+          String.format(
+              Locale.ROOT,
+              "TOKEN has characters=%d, limit=%d",
+              token.length(),
+              ProtocolLimits.MAX_TOKEN_BYTES));
     }
     ServerMessage.Redirect redirect = parse(words.word(0, SERVER), token);
     if (!words.has(1) && words.room() == null) {
@@ -76,7 +80,7 @@ public final class RedirectCommands {
     }
     RoomFinder.Found found = finder.player(new CommandWords(words.all(), words.room()), 1);
     int sent = found.room().operator().redirect(found.player().id(), redirect);
-    return "sent players=%d to %s".formatted(sent, redirect.server());
+    return String.format(Locale.ROOT, "sent players=%d to %s", sent, redirect.server());
   }
 
   private String sentEverybody(ServerMessage.Redirect redirect) {
@@ -89,7 +93,7 @@ public final class RedirectCommands {
     for (Room room : rooms) {
       sent += room.operator().redirect(ALL, redirect);
     }
-    return "sent players=%d to %s".formatted(sent, redirect.server());
+    return String.format(Locale.ROOT, "sent players=%d to %s", sent, redirect.server());
   }
 
   private String stop(CommandWords words) throws CommandException {

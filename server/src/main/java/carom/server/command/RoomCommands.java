@@ -219,8 +219,11 @@ public final class RoomCommands {
     String text = words.word(0, "TEXT").isEmpty() ? "" : words.rest(0);
     if (text.isBlank() || text.length() > BuiltInKinds.MAX_CHAT) {
       throw new CommandException(
-          "TEXT has %d characters, allowed are 1..%d"
-              .formatted(text.length(), BuiltInKinds.MAX_CHAT));
+          String.format(
+              Locale.ROOT,
+              "TEXT has %d characters, allowed are 1..%d",
+              text.length(),
+              BuiltInKinds.MAX_CHAT));
     }
     int heard = 0;
     for (Room room : finder.all(words)) {

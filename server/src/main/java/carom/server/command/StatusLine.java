@@ -129,7 +129,9 @@ public final class StatusLine {
     if (rooms.size() > 1) {
       Span all = new Span(Reading.sum(from), Reading.sum(to));
       int places = rooms.stream().mapToInt(room -> room.seats().count()).sum();
-      lines.add("all %d rooms: %s, %s".formatted(rooms.size(), all.players(places), all.load()));
+      lines.add(
+          String.format(
+              Locale.ROOT, "all %d rooms: %s, %s", rooms.size(), all.players(places), all.load()));
     }
     return lines;
   }

@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 
@@ -79,8 +80,11 @@ public record RoomConfig(
     }
     if (places > ServerConfig.MAX_PLACES) {
       throw new IllegalArgumentException(
-          "places=%d in all rooms are more than limit=%d; lower the players of some rooms"
-              .formatted(places, ServerConfig.MAX_PLACES));
+          String.format(
+              Locale.ROOT,
+              "places=%d in all rooms are more than limit=%d; lower the players of some rooms",
+              places,
+              ServerConfig.MAX_PLACES));
     }
     return places;
   }

@@ -3,6 +3,7 @@ package carom.server.config;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -48,8 +49,12 @@ public record RoomFlag(String name, List<String> levels, int places) {
       places = number(withPlaces.group(2));
       if (places < 1 || places > ProtocolLimits.MAX_PLAYERS) {
         throw new IllegalArgumentException(
-            "--room=%s: players=%s is outside 1..%d"
-                .formatted(text, withPlaces.group(2), ProtocolLimits.MAX_PLAYERS));
+            String.format(
+                Locale.ROOT,
+                "--room=%s: players=%s is outside 1..%d",
+                text,
+                withPlaces.group(2),
+                ProtocolLimits.MAX_PLAYERS));
       }
     }
     return new RoomFlag(name, levels("--room=" + text, levels), places);

@@ -3,6 +3,7 @@ package carom.server.config;
 import carom.net.protocol.ProtocolLimits;
 import carom.physics.threads.WorkerThreads;
 import carom.values.Records;
+import java.util.Locale;
 import java.util.Objects;
 
 /**
@@ -113,8 +114,12 @@ public record ServerConfig(
     }
     if (serverName.isBlank() || serverName.length() > MAX_SERVER_NAME) {
       throw new IllegalArgumentException(
-          "serverName=\"%s\" has %d characters, allowed are 1..%d; set it with --name"
-              .formatted(serverName, serverName.strip().length(), MAX_SERVER_NAME));
+          String.format(
+              Locale.ROOT,
+              "serverName=\"%s\" has %d characters, allowed are 1..%d; set it with --name",
+              serverName,
+              serverName.strip().length(),
+              MAX_SERVER_NAME));
     }
     check("tickRateHz", tickRateHz, 10, 240, "--tick-rate");
     check("rooms", rooms, 1, MAX_ROOMS, "--rooms");
@@ -122,13 +127,14 @@ public record ServerConfig(
     check("maxPlayers", maxPlayers, 1, ProtocolLimits.MAX_PLAYERS, "--max-players");
     if (rooms * maxPlayers > MAX_PLACES) {
       throw new IllegalArgumentException(
-          "rooms=%d with maxPlayers=%d each are %d places, a server has at most %d; %s"
-              .formatted(
-                  rooms,
-                  maxPlayers,
-                  rooms * maxPlayers,
-                  MAX_PLACES,
-                  "lower --rooms or --max-players"));
+          String.format(
+              Locale.ROOT,
+              "rooms=%d with maxPlayers=%d each are %d places, a server has at most %d; %s",
+              rooms,
+              maxPlayers,
+              rooms * maxPlayers,
+              MAX_PLACES,
+              "lower --rooms or --max-players"));
     }
     check("handshakeTimeoutMs", handshakeTimeoutMs, 100, 60_000, "withHandshakeTimeoutMs");
     check("loadTimeoutMs", loadTimeoutMs, 100, 600_000, "withLoadTimeoutMs");
@@ -151,7 +157,14 @@ public record ServerConfig(
   private static void check(String name, int value, int min, int max, String where) {
     if (value < min || value > max) {
       throw new IllegalArgumentException(
-          "%s=%d is outside %d..%d; set it with %s".formatted(name, value, min, max, where));
+          String.format(
+              Locale.ROOT,
+              "%s=%d is outside %d..%d; set it with %s",
+              name,
+              value,
+              min,
+              max,
+              where));
     }
   }
 

@@ -12,6 +12,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** The last {@value #LINES} lines of the log, for people who watch the server. Any thread. */
 public final class LogTail extends AppenderBase<ILoggingEvent> {
@@ -19,7 +20,8 @@ public final class LogTail extends AppenderBase<ILoggingEvent> {
   public static final int LINES = 500;
 
   private static final int MAX_LENGTH = 1_000;
-  private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("HH:mm:ss");
+  private static final DateTimeFormatter TIME =
+      DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
 
   private final ArrayDeque<Line> lines = new ArrayDeque<>();
   private long next = 1;

@@ -4,6 +4,7 @@ import carom.net.admission.AddressGroup;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import java.util.List;
+import java.util.Locale;
 
 /** Finds the room for a newcomer. Rooms that have failed count as full. */
 final class RoomChooser {
@@ -89,8 +90,11 @@ final class RoomChooser {
       }
       least = Math.min(least, load(room));
     }
-    return "Its ticks take %d %% of their time; newcomers may come below %d %%."
-        .formatted(least, maxLoadPercent);
+    return String.format(
+        Locale.ROOT,
+        "Its ticks take %d %% of their time; newcomers may come below %d %%.",
+        least,
+        maxLoadPercent);
   }
 
   private boolean isOverloaded(Room room) {

@@ -22,6 +22,7 @@ import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.Admission;
 import carom.server.session.Seats;
+import java.util.Locale;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -200,8 +201,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     if (protocolVersion != Protocol.VERSION) {
       refuse(
           RefusalReason.PROTOCOL_VERSION,
-          "This server speaks protocol %d, your game %d."
-              .formatted(Protocol.VERSION, protocolVersion));
+          String.format(
+              Locale.ROOT,
+              "This server speaks protocol %d, your game %d.",
+              Protocol.VERSION,
+              protocolVersion));
       return false;
     }
     return true;
@@ -403,8 +407,10 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       refuse(
           RefusalReason.TOO_SLOW,
           state == SessionState.CONNECTED
-              ? "No greeting came within %d ms.".formatted(config.handshakeTimeoutMs())
-              : "The level was not loaded within %d ms.".formatted(config.loadTimeoutMs()));
+              ? String.format(
+                  Locale.ROOT, "No greeting came within %d ms.", config.handshakeTimeoutMs())
+              : String.format(
+                  Locale.ROOT, "The level was not loaded within %d ms.", config.loadTimeoutMs()));
     }
   }
 

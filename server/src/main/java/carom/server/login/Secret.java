@@ -14,6 +14,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.security.SecureRandom;
 import java.util.Base64;
+import java.util.Locale;
 import java.util.Set;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -55,8 +56,13 @@ public final class Secret {
       String text = Files.readString(file).lines().findFirst().orElse("").strip();
       if (text.length() < LEAST) {
         throw new IOException(
-            "%s has a secret of length=%d, at least %d is needed; remove the file for a random one"
-                .formatted(file, text.length(), LEAST));
+            String.format(
+                Locale.ROOT,
+                "%s has a secret of length=%d, at least %d is needed; remove the file for a random"
+                    + " one",
+                file,
+                text.length(),
+                LEAST));
       }
       warnIfShared(file);
       return new Secret(text);

@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.zip.CRC32;
 
 /**
@@ -128,8 +129,12 @@ public final class SavedMatch {
       int layout = in.readInt();
       if (layout != SimState.LAYOUT) {
         throw new IOException(
-            "%s has a state of layout=%d, this build reads %d"
-                .formatted(file, layout, SimState.LAYOUT));
+            String.format(
+                Locale.ROOT,
+                "%s has a state of layout=%d, this build reads %d",
+                file,
+                layout,
+                SimState.LAYOUT));
       }
       long sum = in.readLong();
       byte[] body = in.readAllBytes();

@@ -15,6 +15,7 @@ import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -83,8 +84,11 @@ public final class RemoteConsole implements AutoCloseable {
       server = new ServerSocket(port, BACKLOG, address);
     } catch (IOException e) {
       throw new IOException(
-          "rcon-port=%d can't be opened: %s; choose another with --rcon-port"
-              .formatted(port, e.getMessage()),
+          String.format(
+              Locale.ROOT,
+              "rcon-port=%d can't be opened: %s; choose another with --rcon-port",
+              port,
+              e.getMessage()),
           e);
     }
     LastingThread.start("carom-rcon", () -> !server.isClosed(), this::accept);

@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -108,8 +109,12 @@ final class StatusAnswers {
         .putShort((short) facts.tcpPort())
         .put(
             text(
-                "carom,tcp=%d,udp=%d,protocol=%d"
-                    .formatted(facts.tcpPort(), facts.udpPort(), Protocol.VERSION)));
+                String.format(
+                    Locale.ROOT,
+                    "carom,tcp=%d,udp=%d,protocol=%d",
+                    facts.tcpPort(),
+                    facts.udpPort(),
+                    Protocol.VERSION)));
     return end(out);
   }
 
@@ -141,12 +146,13 @@ final class StatusAnswers {
     for (Room room : facts.rooms()) {
       rules.put(
           "room_" + room.name(),
-          "%s, %s, %d/%d"
-              .formatted(
-                  room.match().game(),
-                  room.match().level().level().name(),
-                  room.seats().takenCount(),
-                  room.seats().count()));
+          String.format(
+              Locale.ROOT,
+              "%s, %s, %d/%d",
+              room.match().game(),
+              room.match().level().level().name(),
+              room.seats().takenCount(),
+              room.seats().count()));
     }
     ByteBuffer out = begin(RULES).putShort((short) 0);
     int count = 0;

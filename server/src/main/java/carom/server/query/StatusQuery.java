@@ -14,6 +14,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.security.SecureRandom;
 import java.util.Arrays;
+import java.util.Locale;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -73,8 +74,11 @@ public final class StatusQuery implements AutoCloseable {
       socket = new DatagramSocket(new InetSocketAddress(address, port));
     } catch (SocketException e) {
       throw new IOException(
-          "query-port=%d can't be opened: %s; choose another with --query-port, or --no-query"
-              .formatted(port, e.getMessage()),
+          String.format(
+              Locale.ROOT,
+              "query-port=%d can't be opened: %s; choose another with --query-port, or --no-query",
+              port,
+              e.getMessage()),
           e);
     }
     DatagramPacket packet = new DatagramPacket(new byte[MAX_QUERY_BYTES], MAX_QUERY_BYTES);

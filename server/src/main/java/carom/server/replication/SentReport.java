@@ -1,6 +1,7 @@
 package carom.server.replication;
 
 import carom.net.snapshot.Explanation;
+import java.util.Locale;
 
 /**
  * Answers an operator's question why a player was not sent an entity, or that it was.
@@ -13,7 +14,11 @@ public record SentReport(Explanation why, int nearRowsWaiting, int paceBytesPerS
   /** Returns all values in one line, for programs. */
   @Override
   public String toString() {
-    return "%s nearRowsWaiting=%d paceBytesPerSecond=%d"
-        .formatted(why, nearRowsWaiting, paceBytesPerSecond);
+    return String.format(
+        Locale.ROOT,
+        "%s nearRowsWaiting=%d paceBytesPerSecond=%d",
+        why,
+        nearRowsWaiting,
+        paceBytesPerSecond);
   }
 }

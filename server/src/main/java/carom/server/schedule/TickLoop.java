@@ -1,5 +1,7 @@
 package carom.server.schedule;
 
+import java.util.Locale;
+
 /**
  * Says how many ticks are due, at a fixed rate, for a clock that is handed in.
  *
@@ -37,7 +39,11 @@ public final class TickLoop {
   public TickLoop(int rateHz, int catchUpTicks) {
     if (rateHz < 1 || catchUpTicks < 1) {
       throw new IllegalArgumentException(
-          "rateHz=%d and catchUpTicks=%d must be at least 1".formatted(rateHz, catchUpTicks));
+          String.format(
+              Locale.ROOT,
+              "rateHz=%d and catchUpTicks=%d must be at least 1",
+              rateHz,
+              catchUpTicks));
     }
     this.rateHz = rateHz;
     ticksIn100s = 100L * rateHz;

@@ -2,6 +2,7 @@ package carom.server.session;
 
 import carom.sim.entity.Input;
 import java.util.Arrays;
+import java.util.Locale;
 
 /**
  * One player's inputs between arrival and use: exactly one is consumed per tick.
@@ -72,8 +73,12 @@ public final class InputBuffer {
   public InputBuffer(int windowTicks, int holdTicks) {
     if (windowTicks < 1 || windowTicks > SIZE || holdTicks < 0) {
       throw new IllegalArgumentException(
-          "windowTicks=%d must be 1..%d and holdTicks=%d at least 0"
-              .formatted(windowTicks, SIZE, holdTicks));
+          String.format(
+              Locale.ROOT,
+              "windowTicks=%d must be 1..%d and holdTicks=%d at least 0",
+              windowTicks,
+              SIZE,
+              holdTicks));
     }
     this.windowTicks = windowTicks;
     this.holdTicks = holdTicks;
@@ -170,7 +175,11 @@ public final class InputBuffer {
   public long consume(int tick) {
     if (tick != lastConsumedTick + 1) {
       throw new IllegalStateException(
-          "tick=%d is not the one after lastConsumedTick=%d".formatted(tick, lastConsumedTick));
+          String.format(
+              Locale.ROOT,
+              "tick=%d is not the one after lastConsumedTick=%d",
+              tick,
+              lastConsumedTick));
     }
     lastConsumedTick = tick;
     consumed++;

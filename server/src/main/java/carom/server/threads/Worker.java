@@ -1,5 +1,6 @@
 package carom.server.threads;
 
+import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongSupplier;
@@ -154,7 +155,7 @@ public final class Worker implements WatchedThread {
         if (failures == 1) {
           LOG.error("{} failed; it goes on", thread.getName(), e);
         } else if (failures == MAX_FAILURES_IN_A_ROW) {
-          duty.fail("%d turns in a row failed".formatted(failures));
+          duty.fail(String.format(Locale.ROOT, "%d turns in a row failed", failures));
         }
       }
       long napNs = duty.napNs(clock.getAsLong());

@@ -103,6 +103,7 @@ public final class ReplayCommand implements Callable<Integer> {
       out.println("End of the recording: " + reader.reason());
     } else if (progress == Replay.Progress.WAIT) {
       out.printf(
+          Locale.ROOT,
           "The file ends here, %d bytes into a block: it is torn, or still being written.%n",
           reader.tornBytes());
     }

@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.util.Locale;
 import org.xnio.Options;
 
 /**
@@ -68,8 +69,12 @@ public final class WebServer implements AutoCloseable {
       String why =
           e.getCause() instanceof BindException ? "it is busy" : String.valueOf(e.getMessage());
       throw new IOException(
-          "web-port=%d on %s can't be opened: %s; choose another with --web-port, or --no-web"
-              .formatted(port, address.getHostAddress(), why),
+          String.format(
+              Locale.ROOT,
+              "web-port=%d on %s can't be opened: %s; choose another with --web-port, or --no-web",
+              port,
+              address.getHostAddress(),
+              why),
           e);
     }
   }

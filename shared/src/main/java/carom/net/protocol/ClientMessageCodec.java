@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Codec of client messages with a fixed layout: a tag byte, then the fields, big-endian, with exact
@@ -273,14 +274,22 @@ public final class ClientMessageCodec {
     int bodies = ints / BODY_INTS;
     if (ints % BODY_INTS != 0 || bodies < 1 || bodies > MAX_BODIES) {
       throw new IllegalArgumentException(
-          "Diverged.bodies has size=%d, which is not %d for each of 1..%d bodies"
-              .formatted(ints, BODY_INTS, MAX_BODIES));
+          String.format(
+              Locale.ROOT,
+              "Diverged.bodies has size=%d, which is not %d for each of 1..%d bodies",
+              ints,
+              BODY_INTS,
+              MAX_BODIES));
     }
     int words = d.words().size();
     if (d.ofSet() ? words > 0 : bodies != 1 || words > MAX_WORDS) {
       throw new IllegalArgumentException(
-          "Diverged.words has size=%d with bodies=%d; at most %d belong to one own body"
-              .formatted(words, bodies, MAX_WORDS));
+          String.format(
+              Locale.ROOT,
+              "Diverged.words has size=%d with bodies=%d; at most %d belong to one own body",
+              words,
+              bodies,
+              MAX_WORDS));
     }
     inRange("Diverged.equalTick", d.equalTick(), 0, d.tick() - 1);
     buffer.put(d.ofSet() ? DIVERGED_NEAR : DIVERGED).putInt(d.tick()).putInt(d.equalTick());

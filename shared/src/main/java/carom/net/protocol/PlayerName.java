@@ -87,7 +87,8 @@ public final class PlayerName {
     for (int i = 0; i < name.length(); i += Character.charCount(name.codePointAt(i))) {
       int point = name.codePointAt(i);
       if (isHidden(point)) {
-        return String.format("the name has the character U+%04X, which can't be shown", point);
+        return String.format(
+            Locale.ROOT, "the name has the character U+%04X, which can't be shown", point);
       }
       marks = Texts.isMark(point) ? marks + 1 : 0;
       if (marks > MAX_MARKS) {

@@ -1,6 +1,7 @@
 package carom.net.protocol;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 
@@ -52,8 +53,13 @@ public final class RoomName {
     if (text.length() <= maxBytes && PLAIN.matcher(text).matches()) {
       return null;
     }
-    return "%s=%s must be 1..%d letters, digits, dots, dashes and underlines, and begin with a letter or a digit"
-        .formatted(what, text, maxBytes);
+    return String.format(
+        Locale.ROOT,
+        "%s=%s must be 1..%d letters, digits, dots, dashes and underlines, and begin with a letter"
+            + " or a digit",
+        what,
+        text,
+        maxBytes);
   }
 
   private static boolean isLine(String text) {

@@ -4,6 +4,7 @@ import carom.physics.math.Limits;
 import carom.physics.particles.ParticleDef;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Definition of a pool: particles of one kind in a rectangle, where they are at the start, the
@@ -107,9 +108,15 @@ public final class PoolDef implements Cloneable {
     long cells = (long) PoolGrid.columns(this) * PoolGrid.rows(this);
     if (cells > MAX_CELLS) {
       throw new IllegalArgumentException(
-          ("pool %s has cells=%d, more than %d; make it smaller, or its spacing=%s wider: a cell is"
-                  + " %s spacings wide")
-              .formatted(name, cells, MAX_CELLS, spacing, PoolGrid.SPACINGS));
+          String.format(
+              Locale.ROOT,
+              "pool %s has cells=%d, more than %d; make it smaller, or its spacing=%s wider: a cell"
+                  + " is %s spacings wide",
+              name,
+              cells,
+              MAX_CELLS,
+              spacing,
+              PoolGrid.SPACINGS));
     }
   }
 

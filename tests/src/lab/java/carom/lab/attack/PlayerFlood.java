@@ -9,6 +9,7 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicLong;
@@ -80,13 +81,15 @@ final class PlayerFlood implements Flood {
     if (!kickedAfterMs.isEmpty()) {
       kickedAfterMs.sort(null);
       text.append(
-          "%d times a flooding player was kicked, after %d to %d ms%n"
-              .formatted(
-                  kickedAfterMs.size(),
-                  kickedAfterMs.get(0),
-                  kickedAfterMs.get(kickedAfterMs.size() - 1)));
+          String.format(
+              Locale.ROOT,
+              "%d times a flooding player was kicked, after %d to %d ms%n",
+              kickedAfterMs.size(),
+              kickedAfterMs.get(0),
+              kickedAfterMs.get(kickedAfterMs.size() - 1)));
     }
-    endings.forEach((end, count) -> text.append("  %d x %s%n".formatted(count, end)));
+    endings.forEach(
+        (end, count) -> text.append(String.format(Locale.ROOT, "  %d x %s%n", count, end)));
     return text.toString();
   }
 

@@ -18,6 +18,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * The job that times the start of a server with a level of 10,000 bodies, from the start of the
@@ -66,15 +67,18 @@ record StartupJob() implements BenchJob {
 
   /** Returns a level with stacks of boxes on a floor. */
   private static String level() {
-    return """
-    {"name":"Crates","game":"platformer","gravity":[0,-10],
-     "bounds":{"min":[-100,-10],"max":[100,120]},
-     "spawns":[{"name":"player","at":[-90,1]},{"name":"flag","at":[90,1]}],
-     "statics":[{"name":"floor","at":[0,-1],"shape":{"type":"box","width":200,"height":2}}],
-     "bodies":[{"name":"crate","at":[-74.25,0.5],"shape":{"type":"box","width":1,"height":1},
-       "repeat":{"columns":%d,"rows":%d,"step":[1.5,1]}}]}
-    """
-        .formatted(COLUMNS, ROWS);
+    return String.format(
+        Locale.ROOT,
+        """
+        {"name":"Crates","game":"platformer","gravity":[0,-10],
+         "bounds":{"min":[-100,-10],"max":[100,120]},
+         "spawns":[{"name":"player","at":[-90,1]},{"name":"flag","at":[90,1]}],
+         "statics":[{"name":"floor","at":[0,-1],"shape":{"type":"box","width":200,"height":2}}],
+         "bodies":[{"name":"crate","at":[-74.25,0.5],"shape":{"type":"box","width":1,"height":1},
+           "repeat":{"columns":%d,"rows":%d,"step":[1.5,1]}}]}
+        """,
+        COLUMNS,
+        ROWS);
   }
 
   private static List<String> program() {

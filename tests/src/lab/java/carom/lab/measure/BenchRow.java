@@ -2,6 +2,7 @@ package carom.lab.measure;
 
 import carom.sim.scene.SceneReport;
 import java.io.IOException;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -87,7 +88,7 @@ public record BenchRow(
 
   /** Returns a copy with the hash of the last state. */
   public BenchRow withHash(long newHash) {
-    return with("%016x".formatted(newHash), stages, scaling, ratios, fault);
+    return with(String.format(Locale.ROOT, "%016x", newHash), stages, scaling, ratios, fault);
   }
 
   /** Returns a copy with the time of each stage by name, ms per step. */

@@ -4,6 +4,7 @@ import carom.server.room.Room;
 import carom.server.session.Session;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -52,14 +53,15 @@ final class Comebacks {
     }
     if (had.player != guest.playerId() || !had.room.equals(guest.room())) {
       throw new AssertionError(
-          "%s of seat=%d room=%s came back %.2f s after the server ended to seat=%d room=%s"
-              .formatted(
-                  guest,
-                  had.player,
-                  had.room,
-                  (nowNs - endedNs) * 1e-9,
-                  guest.playerId(),
-                  guest.room()));
+          String.format(
+              Locale.ROOT,
+              "%s of seat=%d room=%s came back %.2f s after the server ended to seat=%d room=%s",
+              guest,
+              had.player,
+              had.room,
+              (nowNs - endedNs) * 1e-9,
+              guest.playerId(),
+              guest.room()));
     }
     came++;
   }

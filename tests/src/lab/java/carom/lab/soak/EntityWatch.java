@@ -7,6 +7,7 @@ import carom.net.snapshot.frame.FrameState;
 import carom.server.match.MatchInfo;
 import carom.sim.level.Level;
 import carom.testkit.SimulatedClient;
+import java.util.Locale;
 import java.util.Map;
 import java.util.WeakHashMap;
 
@@ -94,15 +95,16 @@ final class EntityWatch {
       int shown = heard && history.alive(0) ? history.generation(0) + 1 : 0;
       if (shown != known[slot]) {
         throw new AssertionError(
-            "%s slot=%d has generation=%d at the server since tick=%d, now %d; told: %s; %s"
-                .formatted(
-                    shown == 0 ? "a body is lost:" : "a ghost:",
-                    slot,
-                    known[slot] - 1,
-                    since[slot],
-                    newest.tick(),
-                    heard ? shown - 1 + " of tick=" + history.tick(0) : "never",
-                    client));
+            String.format(
+                Locale.ROOT,
+                "%s slot=%d has generation=%d at the server since tick=%d, now %d; told: %s; %s",
+                shown == 0 ? "a body is lost:" : "a ghost:",
+                slot,
+                known[slot] - 1,
+                since[slot],
+                newest.tick(),
+                heard ? shown - 1 + " of tick=" + history.tick(0) : "never",
+                client));
       }
       compared++;
     }

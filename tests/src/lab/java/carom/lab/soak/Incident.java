@@ -4,6 +4,7 @@ import carom.net.transport.Impairment;
 import carom.sim.random.SimRandom;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Something that happens to a server or a client.
@@ -91,6 +92,6 @@ record Incident(double atS, Kind kind, int client, long detail) {
 
   @Override
   public String toString() {
-    return "%.2f s: %s client=%d detail=%d".formatted(atS, kind, client, detail);
+    return String.format(Locale.ROOT, "%.2f s: %s client=%d detail=%d", atS, kind, client, detail);
   }
 }

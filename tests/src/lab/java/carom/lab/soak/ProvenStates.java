@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 
@@ -145,18 +146,30 @@ final class ProvenStates {
       }
     }
     throw new AssertionError(
-        "room=%s goes on at match=%d tick=%d, it was at match=%d tick=%d; at most %d are lost"
-            .formatted(room.name(), match, tick, past.matches[last], past.ticks[last], mostLost));
+        String.format(
+            Locale.ROOT,
+            "room=%s goes on at match=%d tick=%d, it was at match=%d tick=%d; at most %d are lost",
+            room.name(),
+            match,
+            tick,
+            past.matches[last],
+            past.ticks[last],
+            mostLost));
   }
 
   private void requireSame(Room room, Past past, int at) {
     compared++;
     String where =
-        "room=%s goes on at match=%d tick=%d with "
-            .formatted(room.name(), past.matches[at], past.ticks[at]);
+        String.format(
+            Locale.ROOT,
+            "room=%s goes on at match=%d tick=%d with ",
+            room.name(),
+            past.matches[at],
+            past.ticks[at]);
     long hash = room.simulation().stateHash();
     if (hash != past.hashes[at]) {
-      throw new AssertionError(where + "hash=%016x, it was %016x".formatted(hash, past.hashes[at]));
+      throw new AssertionError(
+          where + String.format(Locale.ROOT, "hash=%016x, it was %016x", hash, past.hashes[at]));
     }
     long[] seats = new long[Soak.SEATS];
     takeSeats(room, seats);
@@ -230,8 +243,14 @@ final class ProvenStates {
 
   /** Returns what was seen, for people. */
   String summary() {
-    return ("rooms resumed with equal hash and seats=%d, seats=%d, reserved=%d, at a tick between"
-            + " two seen=%d, most ticks lost=%d")
-        .formatted(compared, seatsCompared, reserved, unseen, worstLost);
+    return String.format(
+        Locale.ROOT,
+        "rooms resumed with equal hash and seats=%d, seats=%d, reserved=%d, at a tick between"
+            + " two seen=%d, most ticks lost=%d",
+        compared,
+        seatsCompared,
+        reserved,
+        unseen,
+        worstLost);
   }
 }

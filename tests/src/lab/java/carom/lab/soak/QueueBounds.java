@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -112,7 +113,8 @@ final class QueueBounds {
     void require(long size) {
       highest = Math.max(highest, size);
       if (size > limit) {
-        throw new AssertionError("%s has size=%d, bound=%d".formatted(name, size, limit));
+        throw new AssertionError(
+            String.format(Locale.ROOT, "%s has size=%d, bound=%d", name, size, limit));
       }
     }
   }
@@ -270,8 +272,11 @@ final class QueueBounds {
         .sorted((a, b) -> Double.compare(share(b), share(a)))
         .limit(8)
         .forEach(
-            bound -> text.append(" %s=%d/%d".formatted(bound.name, bound.highest, bound.limit)));
-    return "looks at all queues=%d, fullest:%s".formatted(looks, text);
+            bound ->
+                text.append(
+                    String.format(
+                        Locale.ROOT, " %s=%d/%d", bound.name, bound.highest, bound.limit)));
+    return String.format(Locale.ROOT, "looks at all queues=%d, fullest:%s", looks, text);
   }
 
   private static double share(Bound bound) {

@@ -26,6 +26,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -192,29 +193,31 @@ final class Soak {
 
   /** Returns the most important of what the soak saw, in one line. */
   String counts() {
-    return "ticks=%d crashes=%d restarts=%d resumed=%d back=%d replayed=%d"
-        .formatted(
-            ticks,
-            happened.getOrDefault(Incident.Kind.CRASH, 0),
-            happened.getOrDefault(Incident.Kind.RESTART, 0),
-            states.resumed(),
-            comebacks.came(),
-            replays.ticks());
+    return String.format(
+        Locale.ROOT,
+        "ticks=%d crashes=%d restarts=%d resumed=%d back=%d replayed=%d",
+        ticks,
+        happened.getOrDefault(Incident.Kind.CRASH, 0),
+        happened.getOrDefault(Incident.Kind.RESTART, 0),
+        states.resumed(),
+        comebacks.came(),
+        replays.ticks());
   }
 
   /** Returns what the soak saw, for people. */
   String summary() {
-    return ("ticks=%d states compared=%d entities seen=%d replayed ticks=%d%nincidents=%s%nplayers"
-            + " who came back to their seats=%d, %s%n%s")
-        .formatted(
-            ticks,
-            compared,
-            entitiesSeen,
-            replays.ticks(),
-            happened,
-            comebacks.came(),
-            states.summary(),
-            queues.summary());
+    return String.format(
+        Locale.ROOT,
+        "ticks=%d states compared=%d entities seen=%d replayed ticks=%d%nincidents=%s%nplayers"
+            + " who came back to their seats=%d, %s%n%s",
+        ticks,
+        compared,
+        entitiesSeen,
+        replays.ticks(),
+        happened,
+        comebacks.came(),
+        states.summary(),
+        queues.summary());
   }
 
   private void step() {

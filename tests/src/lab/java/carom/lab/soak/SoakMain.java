@@ -7,6 +7,7 @@ import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -73,15 +74,17 @@ public final class SoakMain implements Callable<Integer> {
     System.out.println(outcome.soak.summary());
     double took = (System.nanoTime() - start) * 1e-9;
     String speed =
-        "seed=%d play=%s, %.0f s of virtual time in %.0f s, %.0f s of processors: %.1f times real time, %.1f times processor time"
-            .formatted(
-                seed,
-                play(),
-                outcome.seconds(),
-                took,
-                cpuS() - startCpuS,
-                outcome.seconds() / took,
-                outcome.seconds() / (cpuS() - startCpuS));
+        String.format(
+            Locale.ROOT,
+            "seed=%d play=%s, %.0f s of virtual time in %.0f s, %.0f s of processors: %.1f times"
+                + " real time, %.1f times processor time",
+            seed,
+            play(),
+            outcome.seconds(),
+            took,
+            cpuS() - startCpuS,
+            outcome.seconds() / took,
+            outcome.seconds() / (cpuS() - startCpuS));
     if (outcome.failure == null) {
       List<String> unseen = outcome.soak.unseenQueues();
       System.out.printf(

@@ -22,6 +22,7 @@ import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * A game of joints, all of whose state can be saved: cars drive over a bridge that breaks, and drop
@@ -47,11 +48,15 @@ final class Workshop implements Game {
     StringBuilder planks = new StringBuilder();
     for (int i = 1; i < 8; i++) {
       planks.append(
-          """
-          {"type": "revolute", "a": "plank[%d]", "b": "plank[%d]", "at": [%d, -0.15],
-           "breaks": {"force": 900}},
-          """
-              .formatted(i - 1, i, i - 4));
+          String.format(
+              Locale.ROOT,
+              """
+              {"type": "revolute", "a": "plank[%d]", "b": "plank[%d]", "at": [%d, -0.15],
+               "breaks": {"force": 900}},
+              """,
+              i - 1,
+              i,
+              i - 4));
     }
     String json =
         """

@@ -16,6 +16,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -95,8 +96,13 @@ final class ScreensTest {
     Path settings = folder.resolve(look.name() + ".conf");
     Files.writeString(
         settings,
-        "window = %d x %d\ntext-size = %d\ncolours = %s\ncolour = lime\n"
-            .formatted(look.width, look.height, look.textSize, look.colours));
+        String.format(
+            Locale.ROOT,
+            "window = %d x %d\ntext-size = %d\ncolours = %s\ncolour = lime\n",
+            look.width,
+            look.height,
+            look.textSize,
+            look.colours));
     Path output = folder.resolve("output.txt");
     List<String> command = new ArrayList<>();
     command.add(new File(System.getProperty("java.home"), "bin/java").getPath());

@@ -24,6 +24,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
@@ -183,7 +184,13 @@ final class WindowTest {
         near(rgb, seen),
         () ->
             String.format(
-                "%s at %.2f, %.2f: expected %06x, seen %06x", what, x, y, rgb, seen & 0xffffff));
+                Locale.ROOT,
+                "%s at %.2f, %.2f: expected %06x, seen %06x",
+                what,
+                x,
+                y,
+                rgb,
+                seen & 0xffffff));
   }
 
   private static int pixel(BufferedImage image, ViewCamera camera, float x, float y) {

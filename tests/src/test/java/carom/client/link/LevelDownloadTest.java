@@ -12,6 +12,7 @@ import carom.sim.level.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
 /** Goal: a rotation loads each level once, and memory is bounded. */
@@ -20,12 +21,14 @@ class LevelDownloadTest {
 
   private static Level level(int number) throws Exception {
     String json =
-        """
-        {"name": "Level %d", "game": "arena", "gravity": [0, 0],
-         "bounds": {"min": [-9, -9], "max": [9, 9]}, "spawns": [{"at": [0, 0]}],
-         "statics": [{"at": [0, -2], "shape": {"type": "box", "width": 9, "height": 1}}]}
-        """
-            .formatted(number);
+        String.format(
+            Locale.ROOT,
+            """
+            {"name": "Level %d", "game": "arena", "gravity": [0, 0],
+             "bounds": {"min": [-9, -9], "max": [9, 9]}, "spawns": [{"at": [0, 0]}],
+             "statics": [{"at": [0, -2], "shape": {"type": "box", "width": 9, "height": 1}}]}
+            """,
+            number);
     return Level.parse("level.json", json.getBytes(StandardCharsets.UTF_8));
   }
 

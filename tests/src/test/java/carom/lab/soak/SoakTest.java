@@ -13,6 +13,7 @@ import carom.testkit.Stepper;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -86,7 +87,9 @@ final class SoakTest {
       assertEquals(List.of(), soak.unseenQueues(), "bounds that no queue was compared with");
     } catch (AssertionError | RuntimeException e) {
       throw new AssertionError(
-          "at %.2f s; to see it again: -Dcarom.seed=%d".formatted(soak.elapsedS(), SEED), e);
+          String.format(
+              Locale.ROOT, "at %.2f s; to see it again: -Dcarom.seed=%d", soak.elapsedS(), SEED),
+          e);
     }
   }
 

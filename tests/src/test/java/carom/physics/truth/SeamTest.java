@@ -18,6 +18,7 @@ import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.BiConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -116,8 +117,16 @@ final class SeamTest {
     boolean fine = along > .999 * speed && along < 1.001 * speed && highest < .01 && lowest > -.02;
     return fine
         ? null
-        : "%s %s v=%s angle=%.2f: v=%.3f high=%.4f low=%.4f\n"
-            .formatted(floor, shape, speed, angle, along, highest, lowest);
+        : String.format(
+            Locale.ROOT,
+            "%s %s v=%s angle=%.2f: v=%.3f high=%.4f low=%.4f\n",
+            floor,
+            shape,
+            speed,
+            angle,
+            along,
+            highest,
+            lowest);
   }
 
   @ParameterizedTest

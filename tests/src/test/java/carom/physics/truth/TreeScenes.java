@@ -18,6 +18,7 @@ import carom.physics.geometry.Circle;
 import carom.physics.math.Transform;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** Scenes in which contacts act on the pieces of joint trees, and a meter of their energy. */
 enum TreeScenes {
@@ -285,6 +286,7 @@ enum TreeScenes {
     @Override
     public String toString() {
       return String.format(
+          Locale.ROOT,
           "gained %10.1f rise %8.1f J of drop %9.0f (%8.3f %%), gap %.4f m, jump %.3f m, at end"
               + " %9.3f J, overlap %.4f, fallen %.0f",
           gained,

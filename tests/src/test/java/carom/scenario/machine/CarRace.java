@@ -20,6 +20,7 @@ import carom.sim.joint.AssemblyDef;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import java.util.List;
+import java.util.Locale;
 
 /** Cars race over a bridge that breaks under a second one. Nitro is used up and comes back. */
 final class CarRace implements Game {
@@ -51,11 +52,15 @@ final class CarRace implements Game {
     StringBuilder joints = new StringBuilder();
     for (int i = 1; i < 10; i++) {
       joints.append(
-          """
-          {"type": "revolute", "a": "plank[%d]", "b": "plank[%d]", "at": [%d, -0.15],
-           "breaks": {"force": 900}},
-          """
-              .formatted(i - 1, i, i - 5));
+          String.format(
+              Locale.ROOT,
+              """
+              {"type": "revolute", "a": "plank[%d]", "b": "plank[%d]", "at": [%d, -0.15],
+               "breaks": {"force": 900}},
+              """,
+              i - 1,
+              i,
+              i - 5));
     }
     return joints.toString();
   }

@@ -15,6 +15,7 @@ import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -71,8 +72,16 @@ class MachineSocketTest {
       }
       double right = 100.0 * exact / awake;
       String about =
-          "%s: seconds=%d right=%.3f of %d corrections=%d %s %s"
-              .formatted(what, calm, right, awake, corrections, gaps, stepper.describe());
+          String.format(
+              Locale.ROOT,
+              "%s: seconds=%d right=%.3f of %d corrections=%d %s %s",
+              what,
+              calm,
+              right,
+              awake,
+              corrections,
+              gaps,
+              stepper.describe());
       assertTrue(calm >= LEAST_SECONDS && awake > 300, about);
       assertTrue(right >= 99, about);
       assertEquals(0, corrections, about);

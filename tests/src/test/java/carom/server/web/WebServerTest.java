@@ -210,8 +210,11 @@ final class WebServerTest {
     String java = Runtime.version().toString();
     assertTrue(
         text.contains(
-            "carom_build_info{java=\"%s\",protocol=\"%d\",version=\"1.2.3\"} 1"
-                .formatted(java, Protocol.VERSION)),
+            String.format(
+                Locale.ROOT,
+                "carom_build_info{java=\"%s\",protocol=\"%d\",version=\"1.2.3\"} 1",
+                java,
+                Protocol.VERSION)),
         text);
     assertTrue(text.contains("carom_logins_failed_total{door=\"page\"} 1.0\n"), text);
     assertTrue(text.contains("carom_logins_failed_total{door=\"rcon\"} 3.0\n"), text);

@@ -12,6 +12,7 @@ import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
 import com.badlogic.gdx.scenes.scene2d.ui.TextField;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Joins a server: by its address, or from those on this network, the favourites and those played on
@@ -125,14 +126,15 @@ final class JoinPage implements Page {
   private void rooms(Table into) {
     for (RoomEntry room : rooms) {
       String text =
-          "%s     %s, %s     %d/%d     %s"
-              .formatted(
-                  room.name(),
-                  room.game(),
-                  room.level(),
-                  room.players(),
-                  room.places(),
-                  room.phase());
+          String.format(
+              Locale.ROOT,
+              "%s     %s, %s     %d/%d     %s",
+              room.name(),
+              room.game(),
+              room.level(),
+              room.players(),
+              room.places(),
+              room.phase());
       into.add(widgets.row(text.stripTrailing(), () -> join(room.name())))
           .colspan(2)
           .height(Widgets.HEIGHT)

@@ -227,7 +227,7 @@ public final class SceneScreen extends ScreenAdapter {
             Gdx.graphics.getFramesPerSecond());
     StringBuilder text = new StringBuilder();
     text.append("tick ").append(player.run().tick());
-    text.append("   hash ").append(String.format("%016x", player.run().stateHash()));
+    text.append("   hash ").append(String.format(Locale.ROOT, "%016x", player.run().stateHash()));
     text.append(player.paused() ? "   paused" : "");
     if (player.speed() != 1) {
       text.append("   speed ").append(player.speed());

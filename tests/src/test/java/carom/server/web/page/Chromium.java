@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -173,7 +174,9 @@ public final class Chromium implements AutoCloseable {
     waiting.put(id, answer);
     socket
         .sendText(
-            "{\"id\":%d,\"method\":\"%s\",\"params\":{%s}}".formatted(id, method, params), true)
+            String.format(
+                Locale.ROOT, "{\"id\":%d,\"method\":\"%s\",\"params\":{%s}}", id, method, params),
+            true)
         .get(ANSWER_S, TimeUnit.SECONDS);
     return answer.get(ANSWER_S, TimeUnit.SECONDS);
   }
@@ -182,7 +185,10 @@ public final class Chromium implements AutoCloseable {
     StringBuilder out = new StringBuilder("\"");
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);
-      out.append(c < ' ' || c == '"' || c == '\\' || c > '~' ? "\\u%04x".formatted((int) c) : c);
+      out.append(
+          c < ' ' || c == '"' || c == '\\' || c > '~'
+              ? String.format(Locale.ROOT, "\\u%04x", (int) c)
+              : c);
     }
     return out.append('"').toString();
   }
@@ -191,8 +197,11 @@ public final class Chromium implements AutoCloseable {
   public void look(int width, int height, boolean dark) throws Exception {
     call(
         "Emulation.setDeviceMetricsOverride",
-        "\"width\":%d,\"height\":%d,\"deviceScaleFactor\":1,\"mobile\":false"
-            .formatted(width, height));
+        String.format(
+            Locale.ROOT,
+            "\"width\":%d,\"height\":%d,\"deviceScaleFactor\":1,\"mobile\":false",
+            width,
+            height));
     call(
         "Emulation.setEmulatedMedia",
         "\"features\":[{\"name\":\"prefers-color-scheme\",\"value\":\"%s\"}]"
@@ -271,8 +280,14 @@ public final class Chromium implements AutoCloseable {
     for (String type : List.of("keyDown", "keyUp")) {
       call(
           "Input.dispatchKeyEvent",
-          "\"type\":\"%s\",\"key\":\"%s\",\"code\":\"%s\",\"windowsVirtualKeyCode\":%d%s"
-              .formatted(type, key, key, code, type.equals("keyDown") ? text : ""));
+          String.format(
+              Locale.ROOT,
+              "\"type\":\"%s\",\"key\":\"%s\",\"code\":\"%s\",\"windowsVirtualKeyCode\":%d%s",
+              type,
+              key,
+              key,
+              code,
+              type.equals("keyDown") ? text : ""));
     }
   }
 
