@@ -28,6 +28,8 @@ import carom.values.Records;
  * @param minInterpolationMs least time by which other players' bodies are drawn late, 0..300 ms; 0
  *     = as little as the connection allows
  * @param token join token, for servers whose operator demands one; empty for none
+ * @param takesAnyCode whether to play also where the server's build of the game differs, with a
+ *     warning; for developers
  */
 public record ClientConfig(
     String host,
@@ -43,7 +45,8 @@ public record ClientConfig(
     String room,
     String game,
     int minInterpolationMs,
-    String token) {
+    String token,
+    boolean takesAnyCode) {
   /**
    * Checks the ranges.
    *
@@ -80,7 +83,8 @@ public record ClientConfig(
         /* room= */ "",
         /* game= */ "",
         /* minInterpolationMs= */ 0,
-        /* token= */ "");
+        /* token= */ "",
+        /* takesAnyCode= */ false);
   }
 
   /** Returns a copy for this server. */
@@ -136,6 +140,11 @@ public record ClientConfig(
   /** Returns a copy with a join token; empty for none. */
   public ClientConfig withToken(String token) {
     return Records.with(this, "token", token);
+  }
+
+  /** Returns a copy that plays also where the server's build of the game differs, or not. */
+  public ClientConfig withTakesAnyCode(boolean takesAnyCode) {
+    return Records.with(this, "takesAnyCode", takesAnyCode);
   }
 
   private static void require(String name, double value, double min, double max) {

@@ -13,6 +13,7 @@ import carom.client.stats.NetStats;
 import carom.client.stats.NetStatsRecorder;
 import carom.client.view.ClientView;
 import carom.client.view.ViewWriter;
+import carom.game.GameDigest;
 import carom.game.GameFault;
 import carom.game.Games;
 import carom.game.GuardedGame;
@@ -101,6 +102,7 @@ public final class GameClient implements AutoCloseable {
   private JoinedGame game;
 
   private long declarationsDigest;
+  private long gameDigest;
   private PlayerColour colour = PlayerColour.OF_THE_GAME;
   private boolean colourIsDue;
 
@@ -205,6 +207,11 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
+    public long gameDigest() {
+      return gameDigest;
+    }
+
+    @Override
     public void datagram(byte[] bytes, int length, long arrivedNs) {
       if (!messages.receive(bytes, length)) {
         game.receive(bytes, length, arrivedNs, nowNs, connection.roundTripNs());
@@ -273,6 +280,17 @@ public final class GameClient implements AutoCloseable {
         mine.difference(welcome.game(), welcome.declarationsDigest(), welcome.declarations());
     if (difference != null) {
       return difference;
+    }
+    gameDigest =
+        config.prediction() == PredictionMode.NONE ? GameDigest.UNKNOWN : GameDigest.of(rules);
+    difference = welcome.codeDifference(gameDigest);
+    if (difference != null) {
+      if (!welcome.takesAnyCode() && !config.takesAnyCode()) {
+        return difference + " Use the same build, or --dev to play all the same.";
+      }
+      LOG.warn("{} Predictions may be wrong.", difference);
+      view.notice(difference + " Predictions may be wrong.", nowNs);
+      gameDigest = welcome.takesAnyCode() ? gameDigest : GameDigest.UNKNOWN;
     }
     declarationsDigest = mine.digest();
     interest.reset();

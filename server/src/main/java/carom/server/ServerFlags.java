@@ -315,6 +315,18 @@ final class ServerFlags {
   private Idle idle;
 
   @Option(
+      names = "--dev",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "false",
+      description =
+          "For developers of games: let in players whose build of the game differs, with a warning"
+              + " instead of a refusal.")
+  private boolean dev;
+
+  @Option(
       names = "--allow-list",
       paramLabel = "true|false",
       arity = "0..1",
@@ -543,7 +555,8 @@ final class ServerFlags {
           .withInputHoldTicks(tickRate / 2)
           .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)
           .withStatusIntervalS(statusIntervalS)
-          .withPausesIdleRooms(idle == Idle.PAUSE);
+          .withPausesIdleRooms(idle == Idle.PAUSE)
+          .withTakesAnyCode(dev);
     } catch (IllegalArgumentException e) {
       throw bad(e.getMessage());
     }

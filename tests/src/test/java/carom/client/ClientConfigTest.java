@@ -20,10 +20,25 @@ class ClientConfigTest {
             .withRoom("cup")
             .withGame("arena")
             .withMinInterpolationMs(6)
-            .withToken("t");
+            .withToken("t")
+            .withTakesAnyCode(true);
     assertEquals(
         new ClientConfig(
-            "host", 1, 2, "b", PredictionMode.NONE, 3, 4, true, 5, false, "cup", "arena", 6, "t"),
+            "host",
+            1,
+            2,
+            "b",
+            PredictionMode.NONE,
+            3,
+            4,
+            true,
+            5,
+            false,
+            "cup",
+            "arena",
+            6,
+            "t",
+            true),
         other);
   }
 

@@ -321,6 +321,8 @@ final class HostileServerTest {
         levelSize,
         packedSize,
         0,
+        0,
+        false,
         List.of());
   }
 

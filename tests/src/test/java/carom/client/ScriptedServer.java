@@ -106,6 +106,8 @@ final class ScriptedServer {
               PackedLevel.pack(bytes).length,
               Declarations.of(simulation.schema(), simulation.messageKinds()).digest()
                   + (fields.isEmpty() ? 0 : 1),
+              ClientMessage.Ready.ANY_CODE,
+              false,
               fields));
     }
 

@@ -115,7 +115,8 @@ class ProtocolDocTest {
         ClientMessageCodec.encode(
             new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0, "cup", "", "")));
     golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(3, 4096)));
-    golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready(3, 0x0102030405060708L)));
+    golden.put(
+        "ready", ClientMessageCodec.encode(new ClientMessage.Ready(3, 0x0102030405060708L, 9)));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
     golden.put(
         "diverged",
@@ -213,6 +214,8 @@ class ProtocolDocTest {
                 300,
                 200,
                 5,
+                6,
+                true,
                 List.of("player.ammo count 0..30 to OWNER"))));
     golden.put(
         "level-chunk", codec.encode(new ServerMessage.LevelChunk(4096, new byte[] {0x7b, 0x7d})));

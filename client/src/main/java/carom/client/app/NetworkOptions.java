@@ -88,6 +88,13 @@ public final class NetworkOptions {
       defaultValue = "on")
   Encryption encryption = Encryption.ON;
 
+  @Option(
+      names = "--dev",
+      description =
+          "For developers of games: play also where the server's build of the game differs, with a"
+              + " warning.")
+  boolean dev;
+
   @Mixin NetworkConditions conditions = new NetworkConditions();
 
   /** Creates the defaults; the command line changes them. */
@@ -99,7 +106,8 @@ public final class NetworkOptions {
         .withServer(address().host(), address().tcpPort(), address().udpPort())
         .withRoom(room)
         .withGame(game)
-        .withToken(token);
+        .withToken(token)
+        .withTakesAnyCode(dev);
   }
 
   /** Returns what is wrong with the flags (flag, value, range), or null if nothing is. */

@@ -309,7 +309,9 @@ public final class Connection implements LinkHandler {
     message = "";
     comeback.stop();
     lastHeardNs = nowNs;
-    link.send(new ClientMessage.Ready(welcome.epoch(), listener.declarationsDigest()));
+    link.send(
+        new ClientMessage.Ready(
+            welcome.epoch(), listener.declarationsDigest(), listener.gameDigest()));
   }
 
   private void refused(ServerMessage.Refused refused) {

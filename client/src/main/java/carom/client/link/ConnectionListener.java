@@ -15,6 +15,9 @@ public interface ConnectionListener {
   /** Returns the digest of the declarations of the game that was joined last. */
   long declarationsDigest();
 
+  /** Returns the digest of the code of the game that was joined last, as the server is told it. */
+  long gameDigest();
+
   /**
    * Receives a datagram that arrived while playing.
    *

@@ -57,6 +57,8 @@ import java.util.Objects;
  * @param statusIntervalS time between two status lines in the log, s, 0..86,400; 0 = none
  * @param pausesIdleRooms whether a room stops ticking while nobody plays or watches and nothing is
  *     recorded. It goes on where it stopped as soon as a player comes
+ * @param takesAnyCode whether players whose build of a game differs may play, with a warning; for
+ *     developers
  */
 public record ServerConfig(
     String gameName,
@@ -82,7 +84,8 @@ public record ServerConfig(
     int viewMetres,
     int rosterIntervalMs,
     int statusIntervalS,
-    boolean pausesIdleRooms) {
+    boolean pausesIdleRooms,
+    boolean takesAnyCode) {
 
   private static final int MAX_SERVER_NAME = 40;
 
@@ -198,7 +201,8 @@ public record ServerConfig(
         /* viewMetres= */ 0,
         /* rosterIntervalMs= */ 250,
         /* statusIntervalS= */ 60,
-        /* pausesIdleRooms= */ false);
+        /* pausesIdleRooms= */ false,
+        /* takesAnyCode= */ false);
   }
 
   /** Returns the length of one tick, ns, rounded down. Use a tick loop for exact deadlines. */
@@ -324,5 +328,10 @@ public record ServerConfig(
   /** Returns a copy whose rooms pause while they are idle, or don't. */
   public ServerConfig withPausesIdleRooms(boolean value) {
     return Records.with(this, "pausesIdleRooms", value);
+  }
+
+  /** Returns a copy in which players with another build of a game may play, or not. */
+  public ServerConfig withTakesAnyCode(boolean value) {
+    return Records.with(this, "takesAnyCode", value);
   }
 }

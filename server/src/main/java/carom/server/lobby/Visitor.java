@@ -82,6 +82,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private Room promised;
 
   private MatchInfo match;
+  private ServerMessage.Welcome welcome;
   private LevelUpload upload;
   private boolean done;
 
@@ -147,10 +148,14 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     } else if (state == SessionState.LOADING && message instanceof ClientMessage.Ready ready) {
       if (!upload.isFinishedBy(ready)) {
         refuse(RefusalReason.BAD_REQUEST, "Ready has the key of another Welcome.");
-      } else if (ready.declarationsDigest() == match.declarations().digest()) {
-        enterRoom();
+      } else if (welcome.refusal(ready) != null) {
+        refuse(RefusalReason.GAME_VERSION, welcome.refusal(ready));
       } else {
-        refuse(RefusalReason.GAME_VERSION, "The fields of your game " + match.game() + " differ.");
+        String difference = welcome.codeDifference(ready.gameDigest());
+        if (difference != null) {
+          LOG.warn("{} plays with other code, as --dev allows: {}", seat.name(), difference);
+        }
+        enterRoom();
       }
     } else if (message instanceof ClientMessage.Leave) {
       end("left before playing");
@@ -376,7 +381,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     deadlineNs = context.nowNs() + config.loadTimeoutMs() * NS_PER_MS;
     askedNs = context.nowNs();
     state = state.become(SessionState.LOADING);
-    link.send(
+    welcome =
         match.welcome(
             seat.secret(),
             seat.id(),
@@ -384,7 +389,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
             config.tickRateHz(),
             room.tick(),
             room.seats().incarnation(),
-            seat.courseTick()));
+            seat.courseTick());
+    link.send(welcome);
   }
 
   private void enterRoom() {

@@ -12,9 +12,18 @@ import carom.net.protocol.ServerMessage.Welcome;
  * @param level the level with its download
  * @param seed seed of the match's random numbers
  * @param declarations of the game's fields and kinds of messages
+ * @param gameDigest digest of the game's code
+ * @param takesAnyCode whether clients whose code differs may play all the same
  */
 public record MatchInfo(
-    String room, int number, String game, LoadedLevel level, long seed, Declarations declarations) {
+    String room,
+    int number,
+    String game,
+    LoadedLevel level,
+    long seed,
+    Declarations declarations,
+    long gameDigest,
+    boolean takesAnyCode) {
   /**
    * Returns the message that lets a player load and join the match.
    *
@@ -51,6 +60,8 @@ public record MatchInfo(
         level.size(),
         level.packedSize(),
         declarations.digest(),
+        gameDigest,
+        takesAnyCode,
         declarations.lines());
   }
 }

@@ -1,19 +1,20 @@
 package carom.server.session;
 
 import carom.net.protocol.ClientMessage;
+import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.server.match.LevelUpload;
 
 /**
- * Lets the client of one session load a match: sends the level, checks that the client has the
- * fields of the match's game, and counts the ticks that it takes. The room's thread.
+ * Lets the client of one session load a match: sends the level, checks that the client has the game
+ * of the match, and counts the ticks that it takes. The room's thread.
  */
 final class MatchLoading {
   /** Sends the level; null while the client plays. */
   private LevelUpload upload;
 
-  private long declarationsDigest;
+  private ServerMessage.Welcome welcome;
   private boolean done;
   private int ticks;
 
@@ -21,11 +22,11 @@ final class MatchLoading {
    * Begins with a match.
    *
    * @param newUpload sends the level
-   * @param digest of the fields that the match's game declares
+   * @param newWelcome tells the client of the match
    */
-  void begin(LevelUpload newUpload, long digest) {
+  void begin(LevelUpload newUpload, ServerMessage.Welcome newWelcome) {
     upload = newUpload;
-    declarationsDigest = digest;
+    welcome = newWelcome;
     done = false;
     ticks = 0;
   }
@@ -48,8 +49,8 @@ final class MatchLoading {
     }
     if (message instanceof ClientMessage.Ready ready) {
       boolean ofThisMatch = upload.isFinishedBy(ready);
-      if (ofThisMatch && ready.declarationsDigest() != declarationsDigest) {
-        return "Ready with fields that differ from those of the match's game";
+      if (ofThisMatch && welcome.refusal(ready) != null) {
+        return "Ready with another game than the match's: " + welcome.refusal(ready);
       }
       done |= ofThisMatch;
       return null;

@@ -153,7 +153,7 @@ public final class Session implements LinkHandler {
       state = state.become(SessionState.LOADING);
     }
     epoch = welcome.epoch();
-    loading.begin(upload, welcome.declarationsDigest());
+    loading.begin(upload, welcome);
     send(welcome);
   }
 

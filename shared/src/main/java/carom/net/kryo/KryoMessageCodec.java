@@ -195,6 +195,8 @@ public final class KryoMessageCodec implements MessageCodec {
       writeInt(out, "levelSize", m.levelSize(), 0, ProtocolLimits.MAX_LEVEL_BYTES);
       writeInt(out, "packedSize", m.packedSize(), 0, ProtocolLimits.MAX_LEVEL_BYTES);
       out.writeLong(m.declarationsDigest());
+      out.writeLong(m.gameDigest());
+      out.writeBoolean(m.takesAnyCode());
       writeInt(out, "fields", m.declarations().size(), 0, ProtocolLimits.MAX_DECLARATIONS);
       for (String line : m.declarations()) {
         writeText(out, "field", line, ProtocolLimits.MAX_DECLARATION_BYTES);
@@ -224,6 +226,8 @@ public final class KryoMessageCodec implements MessageCodec {
           readInt(in, "levelSize", 0, ProtocolLimits.MAX_LEVEL_BYTES),
           readInt(in, "packedSize", 0, ProtocolLimits.MAX_LEVEL_BYTES),
           in.readLong(),
+          in.readLong(),
+          inRange("takesAnyCode", in.readByteUnsigned(), 0, 1) == 1,
           fields(in));
     }
 

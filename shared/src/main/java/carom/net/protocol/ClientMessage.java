@@ -78,8 +78,18 @@ public sealed interface ClientMessage {
    * @param epoch that of the {@link ServerMessage.Welcome} that named the level
    * @param declarationsDigest digest of the declarations of the client's game; the server refuses
    *     another than its own
+   * @param gameDigest digest of the code of the client's game, or {@link #ANY_CODE}; unless the
+   *     server takes any code, it refuses another than its own
    */
-  record Ready(int epoch, long declarationsDigest) implements ClientMessage {}
+  record Ready(int epoch, long declarationsDigest, long gameDigest) implements ClientMessage {
+    /** The game digest of a client that computes nothing with the game's code. */
+    public static final long ANY_CODE = 0;
+
+    /** Creates the message of a client that computes nothing with the game's code. */
+    public Ready(int epoch, long declarationsDigest) {
+      this(epoch, declarationsDigest, ANY_CODE);
+    }
+  }
 
   /**
    * Tells the server what part of the world the client shows. The client sends it on every change.

@@ -109,7 +109,7 @@ public final class ClientMessageCodec {
       putText("ChangeRoom.room", change.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.Ready ready) {
       buffer.put(READY).put((byte) DatagramMark.checkedEpoch(ready.epoch()));
-      buffer.putLong(ready.declarationsDigest());
+      buffer.putLong(ready.declarationsDigest()).putLong(ready.gameDigest());
     } else {
       buffer.put(LEAVE);
     }
@@ -234,11 +234,13 @@ public final class ClientMessageCodec {
   }
 
   private static ClientMessage decodeReady(ByteBuffer buffer) {
-    if (buffer.remaining() != Byte.BYTES + Long.BYTES) {
+    if (buffer.remaining() != Byte.BYTES + 2 * Long.BYTES) {
       return null;
     }
     int epoch = buffer.get();
-    return DatagramMark.isEpoch(epoch) ? new ClientMessage.Ready(epoch, buffer.getLong()) : null;
+    return DatagramMark.isEpoch(epoch)
+        ? new ClientMessage.Ready(epoch, buffer.getLong(), buffer.getLong())
+        : null;
   }
 
   /**

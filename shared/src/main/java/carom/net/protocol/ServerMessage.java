@@ -36,6 +36,9 @@ public sealed interface ServerMessage {
    * @param packedSize size of the {@linkplain PackedLevel packed} level file in bytes; the chunks
    *     are pieces of it
    * @param declarationsDigest digest of the game's fields and kinds of messages
+   * @param gameDigest digest of the game's code; {@link ClientMessage.Ready#ANY_CODE} if it has
+   *     none
+   * @param takesAnyCode whether a client whose code differs may play all the same
    * @param declarations the declarations, which name a difference: at most {@value
    *     ProtocolLimits#MAX_DECLARATIONS} texts of at most {@value
    *     ProtocolLimits#MAX_DECLARATION_BYTES} bytes
@@ -57,11 +60,38 @@ public sealed interface ServerMessage {
       int levelSize,
       int packedSize,
       long declarationsDigest,
+      long gameDigest,
+      boolean takesAnyCode,
       List<String> declarations)
       implements ServerMessage {
     /** Copies the list. */
     public Welcome {
       declarations = List.copyOf(declarations);
+    }
+
+    /** Returns why a client that is ready is refused, in words for the player, or null. */
+    public String refusal(ClientMessage.Ready ready) {
+      if (ready.declarationsDigest() != declarationsDigest) {
+        return "The fields of your game " + game + " differ.";
+      }
+      String difference = takesAnyCode ? null : codeDifference(ready.gameDigest());
+      return difference == null ? null : difference + " Use the same build.";
+    }
+
+    /**
+     * Returns how the code of a client's game differs from the server's.
+     *
+     * @param clientDigest as in {@link ClientMessage.Ready}
+     * @return in words for the player, or null if it is the same or one side doesn't tell
+     */
+    public String codeDifference(long clientDigest) {
+      boolean compared =
+          gameDigest != ClientMessage.Ready.ANY_CODE
+              && clientDigest != ClientMessage.Ready.ANY_CODE;
+      return compared && clientDigest != gameDigest
+          ? "Game %s is another build here: server %016x, client %016x."
+              .formatted(game, gameDigest, clientDigest)
+          : null;
     }
   }
 

@@ -51,6 +51,8 @@ class LevelDownloadTest {
         level.source().length,
         packed.length,
         0,
+        0,
+        false,
         List.of());
   }
 

@@ -61,6 +61,8 @@ final class KryoMessageCodecTest {
             12_345,
             678,
             -9,
+            -11,
+            true,
             List.of("player.ammo count 0..30 to OWNER", "")),
         new ServerMessage.LevelChunk(4_096, chunk),
         new ServerMessage.Refused(RefusalReason.NAME_INVALID, "Ünal is no name"),
@@ -84,7 +86,7 @@ final class KryoMessageCodecTest {
         new ClientMessage.RecordingRequest(Long.MAX_VALUE),
         new ClientMessage.Hello(1, -5, "Ünal", 99),
         new ClientMessage.LevelRequest(7, 1_000),
-        new ClientMessage.Ready(7, 5),
+        new ClientMessage.Ready(7, 5, -6),
         new ClientMessage.Leave(),
         new ClientMessage.Look(1.5f, -2, 0, 1e30f, ClientMessage.Look.NOBODY));
   }
@@ -150,6 +152,7 @@ final class KryoMessageCodecTest {
             + "b960" // levelSize
             + "a605" // packedSize
             + "f7ffffffffffffff" // declarationsDigest
+            + "f5ffffffffffffff01" // gameDigest, takesAnyCode
             + "0220706c617965722e616d6d6f20636f756e7420302e2e333020746f204f574e455200", // fields
         hex.formatHex(codec.encode(everyMessage().get(0))));
     assertEquals(
@@ -219,13 +222,33 @@ final class KryoMessageCodecTest {
                 0,
                 0,
                 0,
+                0,
+                false,
                 List.of()),
             new ServerMessage.Welcome(
-                1, 8, 1, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+                1, 8, 1, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, 0, false, List.of()),
             new ServerMessage.Welcome(
-                1, 1, 1, 0, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+                1, 1, 1, 0, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, 0, false, List.of()),
             new ServerMessage.Welcome(
-                1, 1, 1, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of("x".repeat(101))),
+                1,
+                1,
+                1,
+                60,
+                "r",
+                1,
+                0,
+                0,
+                0,
+                0,
+                "g",
+                "l",
+                0,
+                0,
+                0,
+                0,
+                0,
+                false,
+                List.of("x".repeat(101))),
             "no message");
     for (Object message : wrong) {
       IllegalArgumentException x =

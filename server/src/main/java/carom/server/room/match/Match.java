@@ -1,5 +1,6 @@
 package carom.server.room.match;
 
+import carom.game.GameDigest;
 import carom.game.GuardedGame;
 import carom.net.field.Declarations;
 import carom.server.config.ServerConfig;
@@ -62,7 +63,9 @@ public final class Match {
             rules.name(),
             level,
             seed,
-            Declarations.of(simulation.schema(), simulation.messageKinds()));
+            Declarations.of(simulation.schema(), simulation.messageKinds()),
+            GameDigest.of(rules),
+            config.takesAnyCode());
     capture = new FrameCapture(simulation);
     ownCapture = new OwnCapture(simulation);
   }
