@@ -23,6 +23,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.jar.JarEntry;
@@ -148,7 +149,7 @@ final class GameDigestTest {
   }
 
   private String digest(String speed) throws Exception {
-    return "%016x".formatted(GameDigest.of(build(speed, "").get()));
+    return HexFormat.of().toHexDigits(GameDigest.of(build(speed, "").get()));
   }
 
   private Stepper server(boolean dev) throws Exception {

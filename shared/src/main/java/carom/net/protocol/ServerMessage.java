@@ -2,6 +2,7 @@ package carom.net.protocol;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -89,8 +90,12 @@ public sealed interface ServerMessage {
           gameDigest != ClientMessage.Ready.ANY_CODE
               && clientDigest != ClientMessage.Ready.ANY_CODE;
       return compared && clientDigest != gameDigest
-          ? "Game %s is another build here: server %016x, client %016x."
-              .formatted(game, gameDigest, clientDigest)
+          ? String.format(
+              Locale.ROOT,
+              "Game %s is another build here: server %016x, client %016x.",
+              game,
+              gameDigest,
+              clientDigest)
           : null;
     }
   }

@@ -199,7 +199,8 @@ final class WindowPlayer {
       System.out.printf(
           Locale.ROOT, "room %s looks %d seen %d heap %d MB%n", room, looks, seen, heapMb());
       if (looks < LOOKS || seen < 0.6 * looks) {
-        System.out.printf("problem: in room %s the own body is seen %d of %d%n", room, seen, looks);
+        System.out.println(
+            "problem: in room " + room + " the own body is seen " + seen + " of " + looks);
       }
       before = before == 0 ? heapMb() : before;
     }
