@@ -345,6 +345,15 @@ final class ServerFlags {
           "Demand join tokens that belong to this public key: Ed25519, PEM (everybody may join).")
   Path joinKey;
 
+  @Option(
+      names = "--token-uses",
+      paramLabel = "N",
+      defaultValue = "0",
+      description =
+          "Seats that one account may have at a time with join tokens, 0..1024, 0 = any number"
+              + " (${DEFAULT-VALUE}).")
+  int tokenUses;
+
   @Mixin final WebFlags web = new WebFlags();
 
   @Option(

@@ -7,6 +7,7 @@ import carom.options.VectorApi;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
+import carom.server.command.Caller;
 import carom.server.command.CommandException;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RedirectCommands;
@@ -40,6 +41,8 @@ import ch.qos.logback.classic.LoggerContext;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.Collections;
 import java.util.List;
@@ -348,7 +351,11 @@ public final class ServerMain implements Callable<Integer> {
       Signals.register(
           "HUP",
           () ->
-              commands.run("reload").text().lines().forEach(line -> log.info("reload: {}", line)));
+              commands
+                  .run("reload", Caller.SIGNAL)
+                  .text()
+                  .lines()
+                  .forEach(line -> log.info("reload: {}", line)));
     }
     server.awaitStop();
     if (server.hasFailed()) {
@@ -370,12 +377,7 @@ public final class ServerMain implements Callable<Integer> {
             "log-level",
             ServerMain::logLevel);
     ServerCommands.add(
-        commands,
-        server::status,
-        settings(),
-        live.keySet(),
-        flags.dataFolder()::recordingFiles,
-        ServerMain::replay);
+        commands, server::status, settings(), live.keySet(), recordings(), ServerMain::replay);
     ReloadCommand.add(commands, settings(), this::settingsNow, live, access::reload);
     return commands;
   }
@@ -391,11 +393,18 @@ public final class ServerMain implements Callable<Integer> {
       flags.protocols.open(flags.bindAddress(), data, settings(), commands, facts, logins.rcon());
       WebSubject subject =
           new WebSubject(name, version(), server.rooms(), server.networkCounters(), logins);
-      return flags.web.open(subject, data, flags.record(), settings(), commands, logTail);
+      return flags.web.open(subject, data, recordings(), settings(), commands, logTail);
     } catch (IOException e) {
       server.close();
       throw new StartFailure(e.getMessage(), e);
     }
+  }
+
+  /** Returns the folders in which this server's recordings are. */
+  private List<Path> recordings() {
+    Path own = flags.dataFolder().recordings();
+    Path target = flags.record();
+    return target != null && Files.isDirectory(target) ? List.of(own, target) : List.of(own);
   }
 
   private static String replay(String file) {

@@ -12,6 +12,7 @@ import carom.options.BadFlag;
 import carom.server.access.AccessLists;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.login.Secret;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.recording.RotationLimit;
@@ -108,7 +109,8 @@ final class ServerStart {
     try {
       ServerIdentity identity = flags.dataFolder().identity(flags.encryption);
       String fingerprint = identity.fingerprint();
-      access.demandTokens(flags.joinKey, fingerprint);
+      Secret.warnIfShared(flags.dataFolder().serverKey());
+      access.demandTokens(flags.joinKey, fingerprint, flags.tokenUses);
       String meaning = flags.encryption.meaning();
       log.info("identity: players know this server by {}; {}", fingerprint, meaning);
       return identity;

@@ -121,16 +121,30 @@ public final class Json {
       int line = at == null ? 0 : at.getLineNr();
       int column = at == null ? 0 : at.getColumnNr();
       throw new JsonException(
-          line, column, "", "not JSON: " + Texts.clean(withoutSource(e.getOriginalMessage())));
+          line, column, "", "not JSON: " + Texts.clean(withoutContent(e.getOriginalMessage())));
     } catch (IOException e) {
       throw new JsonException(0, 0, "", "not JSON: " + e.getMessage());
     }
   }
 
-  /** Removes where the object began from Jackson's message, because Jackson names no file there. */
-  private static String withoutSource(String message) {
-    int at = message.indexOf(" (start marker at [");
-    return at < 0 ? message : message.substring(0, at);
+  /**
+   * Returns Jackson's message if it tells no more of the document than one character, or else what
+   * a document is made of: somebody may have named a file whose content is secret.
+   */
+  private static String withoutContent(String message) {
+    int source = message.indexOf(" (start marker at ["); // Jackson names no file there
+    String text = source < 0 ? message : message.substring(0, source);
+    boolean harmless =
+        text.startsWith("Unexpected character (")
+            || text.startsWith("Unexpected end-of-input")
+            || text.startsWith("Illegal unquoted character")
+            || text.startsWith("Document nesting depth");
+    if (text.contains("surrogate")) {
+      return "an invisible character, half of a surrogate pair";
+    }
+    return harmless
+        ? text
+        : "this is no object, list, number, text in double quotes, true, false or null";
   }
 
   /** Turns the tokens of one document into nodes. */
@@ -181,10 +195,7 @@ public final class Json {
       String clean = Texts.clean(text);
       if (!clean.equals(text)) {
         throw new JsonException(
-            node.line,
-            node.column,
-            node.path(),
-            " has an invisible character in \"" + clean + "\"; remove it");
+            node.line, node.column, node.path(), " has an invisible character; remove it");
       }
     }
 

@@ -160,12 +160,10 @@ public final class JsonFields {
   /** Checks the kind of a node. */
   public static void require(Json node, Json.Kind kind) throws JsonException {
     if (node.kind != kind) {
-      throw wrong(
-          node,
-          (node.path().isEmpty() ? "the file holds " : "=")
-              + node.shown()
-              + ", must be "
-              + kind.words);
+      // The whole of a file may be a secret that happens to be a number or a text.
+      String held =
+          node.path().isEmpty() ? "the file holds " + node.kind.words : "=" + node.shown();
+      throw wrong(node, held + ", must be " + kind.words);
     }
   }
 

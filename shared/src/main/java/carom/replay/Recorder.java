@@ -12,6 +12,7 @@ import carom.sim.message.MessageKinds;
 import carom.sim.message.PlayerRole;
 import carom.sim.message.WaitingMessages;
 import java.util.Arrays;
+import java.util.function.Predicate;
 
 /**
  * Recorder of a simulation from any tick on. It stores the inputs and a hash of the state after
@@ -58,6 +59,7 @@ public final class Recorder implements Journal {
   private static final int FULL_BLOCK = 1 << 16;
 
   private final Intervals pace;
+  private final Predicate<Message> leavesOut;
   private final ByteSink out = new ByteSink();
   private final ByteSink keyframe = new ByteSink();
   private final Fingerprint now = new Fingerprint();
@@ -94,9 +96,30 @@ public final class Recorder implements Journal {
     this(s, header, sink, Intervals.RECORDING);
   }
 
+  /**
+   * Begins a recording without some messages of participants.
+   *
+   * @param leavesOut tells of each message that comes whether it is left out; one that has an
+   *     effect on the state must not be
+   */
+  public Recorder(
+      Simulation s, RecordingHeader header, BlockSink sink, Predicate<Message> leavesOut) {
+    this(s, header, sink, Intervals.RECORDING, leavesOut);
+  }
+
   /** Begins a recording as above, with another pace. */
   public Recorder(Simulation s, RecordingHeader header, BlockSink sink, Intervals pace) {
+    this(s, header, sink, pace, message -> false);
+  }
+
+  private Recorder(
+      Simulation s,
+      RecordingHeader header,
+      BlockSink sink,
+      Intervals pace,
+      Predicate<Message> leavesOut) {
     this.pace = pace;
+    this.leavesOut = leavesOut;
     begin(s, header, sink);
   }
 
@@ -212,6 +235,9 @@ public final class Recorder implements Journal {
   }
 
   private void writeMessage(int player, Message message) {
+    if (leavesOut.test(message)) {
+      return;
+    }
     byte[] bytes = messageKinds.encode(message, Direction.FROM_CLIENT);
     out.u8(Block.MESSAGE);
     out.varint(player);

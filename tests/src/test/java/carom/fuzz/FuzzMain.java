@@ -1,6 +1,7 @@
 package carom.fuzz;
 
 import carom.testkit.Folders;
+import carom.text.Suggestion;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
@@ -80,6 +81,17 @@ public final class FuzzMain implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
+    for (String target : targets) {
+      if (!FuzzTargets.names().contains(target)) {
+        System.err.println(
+            "unknown target=%s; targets are %s%s"
+                .formatted(
+                    target,
+                    String.join(", ", FuzzTargets.names()),
+                    Suggestion.didYouMean(target, FuzzTargets.names())));
+        return CommandLine.ExitCode.USAGE;
+      }
+    }
     boolean found = false;
     System.out.println("target          inputs  inputs/s  coverage  corpus");
     for (String target : targets.isEmpty() ? FuzzTargets.names() : targets) {

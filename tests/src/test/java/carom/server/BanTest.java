@@ -18,6 +18,7 @@ import carom.net.transport.Link;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
+import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
@@ -103,7 +104,7 @@ final class BanTest {
   }
 
   private String run(String line) {
-    CommandRegistry.Answer answer = commands.run(line);
+    CommandRegistry.Answer answer = commands.run(line, Caller.CONSOLE);
     assertTrue(answer.ok(), answer.text());
     return answer.text();
   }
@@ -111,11 +112,15 @@ final class BanTest {
   @Test
   void aBannedPlayerIsRemovedAndStaysOutUntilUnbanned() throws Exception {
     FakeClient bob = join("Bob B");
-    assertTrue(commands.run("ban Rob").text().contains("to ban a name in advance: ban name Rob"));
-    String mistyped = commands.run("ban \"bob b\" 7x threats in chat").text();
+    assertTrue(
+        commands
+            .run("ban Rob", Caller.CONSOLE)
+            .text()
+            .contains("to ban a name in advance: ban name Rob"));
+    String mistyped = commands.run("ban \"bob b\" 7x threats in chat", Caller.CONSOLE).text();
     assertTrue(mistyped.startsWith("TIME=7x is none, so nobody is banned; give 30m"), mistyped);
     for (String line : List.of("ban 10.0.0.0/99", "allow 10.0.0.0/99", "unban 300.1.2.3")) {
-      CommandRegistry.Answer refused = commands.run(line);
+      CommandRegistry.Answer refused = commands.run(line, Caller.CONSOLE);
       assertFalse(refused.ok(), line);
       assertTrue(refused.text().contains(" is no address such as 203.0.113.7"), refused.text());
     }
@@ -197,7 +202,8 @@ final class BanTest {
     bob.link.send(new ClientMessage.Heard(0));
     say(ann, "/ban name bob");
     await(bob, () -> heard(bob).contains(": /ban name bob")); // Ann is no admin: it is chat
-    assertTrue(commands.run("admin Ann").text().contains("anybody can take the name"));
+    assertTrue(
+        commands.run("admin Ann", Caller.CONSOLE).text().contains("anybody can take the name"));
     Files.writeString(folder.resolve("admin.txt"), "name Ann\naddress 127.0.0.1\n");
     await(ann, () -> run("admin").equals("address 127.0.0.1")); // the name has no effect
     say(ann, "/ban name bob");
@@ -205,7 +211,7 @@ final class BanTest {
     await(bob, () -> bob.goodbye != null);
     say(ann, "/unadmin 127.0.0.1");
     say(ann, "/\"UnAdmin\" 127.0.0.1");
-    String refusal = "-1: unadmin works at the server's console only";
+    String refusal = "-1: unadmin isn't a moderator's; operators give it at the console";
     await(ann, () -> heard(ann).split(refusal, -1).length == 3);
     assertEquals("address 127.0.0.1", run("admin"));
     run("unadmin 127.0.0.1");

@@ -17,6 +17,7 @@ import carom.net.snapshot.table.TableInbox;
 import carom.net.snapshot.table.TableLayout;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
+import carom.sim.Game;
 import carom.sim.Simulation;
 import carom.sim.entity.Input;
 import carom.sim.field.Schema;
@@ -69,6 +70,9 @@ final class FakeClient implements LinkHandler {
   private final Deque<Long> sent = new ArrayDeque<>();
   private int loaded;
 
+  /** The game that the server plays, if it is neither installed nor {@link TestGame}. */
+  Game game;
+
   FakeClient(Link link) {
     this.link = link;
   }
@@ -115,6 +119,9 @@ final class FakeClient implements LinkHandler {
 
   /** The fields of the game that the server plays. */
   private Schema schema() {
+    if (game != null) {
+      return Simulation.schemaOf(game);
+    }
     boolean isTest = welcome.game().equals("test");
     return Simulation.schemaOf(isTest ? new TestGame(0) : Games.create(welcome.game()));
   }

@@ -32,6 +32,7 @@ final class JoinTokenTest {
   @TempDir private Path folder;
   private KeyPair backend;
   private long now = NOW;
+  private int uses;
 
   @BeforeEach
   void demandTokens() throws Exception {
@@ -47,7 +48,7 @@ final class JoinTokenTest {
             + "\n-----END PUBLIC KEY-----\n");
     AccessLists lists =
         new AccessLists(new DataFolder(folder), false, () -> Instant.ofEpochSecond(now));
-    lists.demandTokens(file, "us");
+    lists.demandTokens(file, "us", uses);
     rig.server.admit(lists);
   }
 
@@ -142,5 +143,36 @@ final class JoinTokenTest {
     demandTokens();
     FakeClient again = join("Ann", "", ann.welcome.sessionSecret());
     assertEquals(RefusalReason.BANNED, again.refused.reason());
+  }
+
+  @Test
+  void anAccountHasAsManySeatsAsATokenHasUses() throws Exception {
+    uses = 1;
+    demandTokens();
+    String seven = token("{\"sub\":\"7\",\"exp\":1800000060}");
+    FakeClient ann = join("Ann", seven, 0);
+    assertNotNull(ann.welcome);
+    FakeClient again = join("Ann", seven, 0);
+    for (int i = 0; i < 1_200 && again.refused == null && again.welcome == null; i++) {
+      rig.step();
+    }
+    assertNull(again.welcome);
+    assertEquals(RefusalReason.TOKEN_INVALID, again.refused.reason());
+    assertTrue(again.refused.text().startsWith("Your account plays here"), again.refused.text());
+    FakeClient bob = join("Bob", token("{\"sub\":\"8\",\"exp\":1800000060}"), 0);
+    assertNotNull(bob.welcome, "another account");
+    ann.link.close("lost");
+    rig.step();
+    FakeClient back = join("Ann", "", ann.welcome.sessionSecret());
+    assertNull(back.refused, "the seat is its own");
+    back.link.send(new ClientMessage.Leave());
+    for (int i = 0; i < 60; i++) {
+      rig.step();
+    }
+    FakeClient anew = join("Ann", seven, 0);
+    assertNotNull(anew.welcome, "the seat is free");
+    uses = 2;
+    demandTokens();
+    assertNotNull(join("Ann", seven, 0).welcome, "two seats");
   }
 }

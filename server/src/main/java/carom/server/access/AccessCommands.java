@@ -5,6 +5,7 @@ import carom.server.command.Command;
 import carom.server.command.CommandException;
 import carom.server.command.CommandRegistry;
 import carom.server.command.CommandWords;
+import carom.server.command.Quoting;
 import carom.server.command.RoomFinder;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
@@ -54,38 +55,44 @@ public final class AccessCommands {
     AccessCommands all = new AccessCommands(lists, rooms);
     registry.add(
         new Command(
-            "ban",
-            "[PLAYER | ADDRESS[/BITS] | name NAME | account ID] [TIME] [REASON]",
-            "Bans: a player by account, or else by name and, if nobody else here has it, address;"
-                + " or one of them. TIME is 30m, 12h, 7d or 2w. Alone: shows the bans.",
-            all::ban,
-            place -> place == 0 ? all.playerNames() : List.of()));
+                "ban",
+                "[PLAYER | ADDRESS[/BITS] | name NAME | account ID] [TIME] [REASON]",
+                "Bans: a player by account, or else by name and, if nobody else here has it,"
+                    + " address; or one of them. TIME is 30m, 12h, 7d or 2w. Alone: shows the"
+                    + " bans.",
+                all::ban,
+                place -> place == 0 ? all.playerNames() : List.of())
+            .forModerators());
     registry.add(
         new Command(
-            "unban",
-            "[name] NAME | ADDRESS[/BITS] | account ID",
-            "Ends bans of a name, account or address; of a name also that of its address.",
-            words -> all.remove(lists.bans(), words, "ban"),
-            place -> place == 0 ? values(lists.bans()) : List.of()));
+                "unban",
+                "[name] NAME | ADDRESS[/BITS] | account ID",
+                "Ends bans of a name, account or address; of a name also that of its address.",
+                words -> all.remove(lists.bans(), words, "ban"),
+                place -> place == 0 ? values(lists.bans()) : List.of())
+            .forModerators());
     registry.add(
         new Command(
-            "allow",
-            "[NAME | ADDRESS[/BITS] | account ID]",
-            "Lets a name, account or address play where allow-list = true. Alone: shows the list.",
-            all::allow,
-            place -> place == 0 ? all.playerNames() : List.of()));
+                "allow",
+                "[NAME | ADDRESS[/BITS] | account ID]",
+                "Lets a name, account or address play where allow-list = true. Alone: shows the"
+                    + " list.",
+                all::allow,
+                place -> place == 0 ? all.playerNames() : List.of())
+            .forModerators());
     registry.add(
         new Command(
-            "disallow",
-            "NAME | ADDRESS[/BITS] | account ID",
-            "Takes a name, account or address from that list.",
-            words -> all.remove(lists.allowed(), words, "entry"),
-            place -> place == 0 ? values(lists.allowed()) : List.of()));
+                "disallow",
+                "NAME | ADDRESS[/BITS] | account ID",
+                "Takes a name, account or address from that list.",
+                words -> all.remove(lists.allowed(), words, "entry"),
+                place -> place == 0 ? values(lists.allowed()) : List.of())
+            .forModerators());
     registry.add(
         new Command(
             "admin",
             "[ADDRESS[/BITS] | account ID]",
-            "Lets an account or address give commands in the chat (/kick bob). Alone: shows the"
+            "Lets an account or address moderate in the chat (/kick bob, /help). Alone: shows the"
                 + " list.",
             all::admin,
             Command.NONE));
@@ -207,7 +214,8 @@ public final class AccessCommands {
             AddressRange.problem(who)
                 + ", and no player of that name plays here; nobody is banned");
       }
-      String advice = RoomFinder.isId(who) ? "" : "; to ban a name in advance: ban name " + who;
+      String advice =
+          RoomFinder.isId(who) ? "" : "; to ban a name in advance: ban name " + Quoting.shown(who);
       throw new CommandException(e.getMessage() + advice);
     }
   }
@@ -274,7 +282,9 @@ public final class AccessCommands {
     Optional<AddressRange> range = AddressRange.parse(value);
     if (range.isEmpty() && AddressRange.isMeant(value)) {
       throw new CommandException(
-          AddressRange.problem(value) + "; if it is a player's name, write: name " + value);
+          AddressRange.problem(value)
+              + "; if it is a player's name, write: name "
+              + Quoting.shown(value));
     }
     return new AccessEntry(range.orElse(null), range.isPresent() ? null : value, null, null, "");
   }

@@ -1,12 +1,14 @@
 package carom.server.access;
 
 import carom.net.protocol.PlayerName;
-import carom.server.command.CommandWords;
+import carom.server.command.Quoting;
 import java.time.DateTimeException;
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * One line of a list: {@code name "Bob B" until 2026-12-01T00:00:00Z because of threats}.
@@ -24,6 +26,18 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
   private static final String ACCOUNT = "account";
   private static final String UNTIL = "until";
   private static final String OF = "of";
+  private static final List<String> KINDS = List.of(ADDRESS, NAME, ACCOUNT);
+
+  /** Words that a reason may not begin with, unless in quotes. */
+  private static final List<String> KEYWORDS = List.of(UNTIL, OF);
+
+  /** Checks that all of it fits into a line. */
+  AccessEntry {
+    if (Stream.of(name, account, reason)
+        .anyMatch(text -> text != null && text.matches("(?s).*[\\n\\r].*"))) {
+      throw new IllegalArgumentException("names, accounts and reasons have no line ends");
+    }
+  }
 
   /**
    * Returns the entry of a line.
@@ -31,8 +45,8 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
    * @throws IllegalArgumentException if it is none; the message says what is wrong
    */
   static AccessEntry parse(String line) {
-    List<String> words = CommandWords.split(line);
-    if (words.size() < 2 || !List.of(ADDRESS, NAME, ACCOUNT).contains(words.get(0))) {
+    List<Quoting.Word> words = Quoting.words(line);
+    if (words.size() < 2 || KINDS.stream().noneMatch(words.get(0)::is)) {
       throw new IllegalArgumentException(
           "lines look like: address 203.0.113.7, or: name \"Bob B\" until 2026-12-01T00:00:00Z"
               + " REASON");
@@ -40,17 +54,12 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
     Instant until = null;
     int next = 2;
     String of = null;
-    if (words.get(0).equals(ADDRESS) && words.size() > 3 && words.get(2).equals(OF)) {
-      of = words.get(3);
+    if (words.get(0).is(ADDRESS) && words.size() > 3 && words.get(2).is(OF)) {
+      of = words.get(3).text();
       next = 4;
     }
-    boolean isOpen = line.chars().filter(c -> c == '"').count() % 2 == 1;
-    if (isOpen
-        && words.size() == next) { // the rest of the line, its end and reason, would be a name
-      throw new IllegalArgumentException("a quote is opened and never closed");
-    }
-    if (words.size() > next && words.get(next).equals(UNTIL)) {
-      String time = words.size() > next + 1 ? words.get(next + 1) : "";
+    if (words.size() > next && words.get(next).is(UNTIL)) {
+      String time = words.size() > next + 1 ? words.get(next + 1).text() : "";
       try {
         until = Instant.parse(time);
       } catch (DateTimeException e) {
@@ -59,12 +68,13 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
       }
       next += 2;
     }
-    String reason = String.join(" ", words.subList(next, words.size()));
-    String value = words.get(1);
-    if (words.get(0).equals(NAME)) {
+    String reason =
+        words.stream().skip(next).map(Quoting.Word::text).collect(Collectors.joining(" "));
+    String value = words.get(1).text();
+    if (words.get(0).is(NAME)) {
       return new AccessEntry(null, value, null, until, reason);
     }
-    if (words.get(0).equals(ACCOUNT)) {
+    if (words.get(0).is(ACCOUNT)) {
       return new AccessEntry(null, null, value, until, reason);
     }
     Optional<AddressRange> range = AddressRange.parse(value);
@@ -108,19 +118,22 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
   String line() {
     return what()
         + (until == null ? "" : " " + UNTIL + " " + until)
-        + (reason.isEmpty() ? "" : " " + reason.replace("\"", "'"));
+        + (reason.isEmpty() ? "" : " " + (readsAsWords(reason) ? reason : Quoting.quoted(reason)));
+  }
+
+  /** Returns whether a reason is read back as it is without quotes around it. */
+  private static boolean readsAsWords(String reason) {
+    List<String> words = List.of(reason.split(" ", -1));
+    return !KEYWORDS.contains(words.get(0))
+        && words.stream().allMatch(word -> word.equals(Quoting.shown(word)));
   }
 
   /** Returns what it is about, as in the file. */
   String what() {
     if (range != null) {
-      return ADDRESS + " " + range + (name == null ? "" : " " + OF + " " + quoted(name));
+      return ADDRESS + " " + range + (name == null ? "" : " " + OF + " " + Quoting.quoted(name));
     }
-    return (account != null ? ACCOUNT : NAME) + " " + quoted(value());
-  }
-
-  private static String quoted(String text) {
-    return "\"" + text.replace("\"", "") + "\"";
+    return (account != null ? ACCOUNT : NAME) + " " + Quoting.quoted(value());
   }
 
   /** Returns the addresses, the name or the account. */

@@ -125,10 +125,11 @@ public final class AccessLists implements EntryRule {
    *
    * @param key PEM file with the backend's public key, or null
    * @param fingerprint of this server's key
+   * @param uses seats that one account may have at a time, 0 = any number
    * @throws IOException if the file has no such key; the message says how to make one
    */
-  public void demandTokens(Path key, String fingerprint) throws IOException {
-    tokens = key == null ? null : JoinTokens.load(key, fingerprint, clock);
+  public void demandTokens(Path key, String fingerprint, int uses) throws IOException {
+    tokens = key == null ? null : JoinTokens.load(key, fingerprint, uses, clock);
   }
 
   @Override

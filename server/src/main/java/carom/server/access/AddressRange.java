@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /** An address, or the network of addresses that begin with the same bits. Immutable. */
-final class AddressRange {
+public final class AddressRange {
   /** Pattern of an address; a name would be looked up in the network. */
   private static final Pattern LITERAL =
       Pattern.compile("\\d{1,3}(\\.\\d{1,3}){3}|[0-9a-fA-F:.]*:[0-9a-fA-F:.]*");
@@ -36,7 +36,7 @@ final class AddressRange {
   /**
    * Returns the range of a text such as {@code 203.0.113.7} or {@code 2001:db8::/48}, if it is one.
    */
-  static Optional<AddressRange> parse(String text) {
+  public static Optional<AddressRange> parse(String text) {
     int slash = text.indexOf('/');
     Optional<byte[]> address = bytes(slash < 0 ? text : text.substring(0, slash));
     if (address.isEmpty()) {
@@ -59,7 +59,7 @@ final class AddressRange {
   }
 
   /** Returns what is wrong with a text that is no address. */
-  static String problem(String text) {
+  public static String problem(String text) {
     return "address=" + text + " is no address such as 203.0.113.7 or 2001:db8::/48";
   }
 
@@ -91,8 +91,20 @@ final class AddressRange {
     return bytes(address.replaceAll("^/|[\\[\\]]|%.*", ""));
   }
 
-  /** Returns whether an address is in the range. */
-  boolean contains(byte[] address) {
+  /**
+   * Returns the bytes of an address with or without a port, as proxies write them: {@code
+   * 203.0.113.7}, {@code 203.0.113.7:5000}, {@code 2001:db8::1}, {@code [2001:db8::1]:5000}.
+   */
+  public static Optional<byte[]> addressIn(String text) {
+    if (text.startsWith("[")) {
+      return addressOf(text.endsWith("]") ? text + ":0" : text);
+    }
+    Optional<byte[]> bare = bytes(text);
+    return bare.isPresent() ? bare : addressOf(text);
+  }
+
+  /** Returns whether an address, 4 or 16 bytes, is in the range. */
+  public boolean contains(byte[] address) {
     return address.length == first.length
         && Arrays.equals(new AddressRange(address, prefix).first, first);
   }

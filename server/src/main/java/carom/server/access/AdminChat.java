@@ -1,13 +1,14 @@
 package carom.server.access;
 
+import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
+import carom.server.command.Role;
 import carom.server.room.Room;
 import carom.server.session.ChatCommands;
 import carom.server.session.PlayerInfo;
 import carom.sim.message.BuiltInKinds;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -17,15 +18,14 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Commands that admins write into the chat, such as {@code /kick bob}. One thread carries them out
- * in turn, while there are any, and the player alone reads the answer. Only the console decides who
- * is an admin.
+ * in turn, while there are any, and the player alone reads the answer. Admins are {@linkplain
+ * Role#MODERATOR moderators}; only operators decide who is one.
  */
 public final class AdminChat implements ChatCommands {
   /** Most lines of an answer. */
-  static final int MAX_LINES = 12;
+  static final int MAX_LINES = 32;
 
   private static final Logger LOG = LoggerFactory.getLogger(AdminChat.class);
-  private static final Set<String> CONSOLE_ONLY = Set.of("admin", "unadmin");
   private static final int MAX_WAITING = 16;
 
   /** Time by which its thread outlives the last command, s; so it needs no end of its own. */
@@ -73,12 +73,9 @@ public final class AdminChat implements ChatCommands {
   }
 
   private void run(PlayerInfo player, String line) {
-    LOG.info("{} ({} {}) runs: {}", player.name(), player.account(), player.remote(), line);
-    String verb = CommandRegistry.verb(line);
-    String answer =
-        CONSOLE_ONLY.contains(verb)
-            ? verb + " works at the server's console only"
-            : registry.run(line).text();
+    String account = player.account().isEmpty() ? "" : player.account() + " ";
+    String who = "%s (%s%s)".formatted(player.name(), account, player.remote());
+    String answer = registry.run(line, new Caller(Role.MODERATOR, "chat", who)).text();
     for (Room room : rooms) {
       LOG.debug("{}: {}", room.name(), room.operator().tell(player, lines(answer)));
     }
@@ -96,7 +93,7 @@ public final class AdminChat implements ChatCommands {
       return lines;
     }
     List<String> cut = new ArrayList<>(lines.subList(0, MAX_LINES - 1));
-    cut.add("... " + (lines.size() - cut.size()) + " more lines; the console shows all");
+    cut.add("... " + (lines.size() - cut.size()) + " more lines; operators see all");
     return cut;
   }
 }

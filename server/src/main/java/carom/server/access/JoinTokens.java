@@ -34,14 +34,17 @@ public final class JoinTokens {
 
   private final PublicKey key;
   private final String fingerprint;
+  private final int uses;
   private final InstantSource clock;
 
   /**
    * Creates a check.
    *
    * @param fingerprint of this server's key
+   * @param uses seats that one account may have at a time, 0 = any number
    */
-  JoinTokens(PublicKey key, String fingerprint, InstantSource clock) {
+  JoinTokens(PublicKey key, String fingerprint, int uses, InstantSource clock) {
+    this.uses = uses;
     this.key = key;
     this.fingerprint = fingerprint;
     this.clock = clock;
@@ -51,9 +54,10 @@ public final class JoinTokens {
    * Reads the backend's public key from a PEM file.
    *
    * @param fingerprint of this server's key
+   * @param uses seats that one account may have at a time, 0 = any number
    * @throws IOException if the file has no such key; the message says how to make one
    */
-  public static JoinTokens load(Path file, String fingerprint, InstantSource clock)
+  public static JoinTokens load(Path file, String fingerprint, int uses, InstantSource clock)
       throws IOException {
     String how =
         "; make a pair with: openssl genpkey -algorithm ed25519 -out backend.pem, and its public"
@@ -63,12 +67,23 @@ public final class JoinTokens {
       String base64 = text.replaceAll("-----(BEGIN|END) PUBLIC KEY-----", "").replaceAll("\\s", "");
       X509EncodedKeySpec encoded = new X509EncodedKeySpec(Base64.getDecoder().decode(base64));
       return new JoinTokens(
-          KeyFactory.getInstance(ALGORITHM).generatePublic(encoded), fingerprint, clock);
+          KeyFactory.getInstance(ALGORITHM).generatePublic(encoded), fingerprint, uses, clock);
     } catch (NoSuchFileException e) {
       throw new IOException(file + " isn't there" + how, e);
     } catch (IOException | IllegalArgumentException | GeneralSecurityException e) {
       throw new IOException(file + " has no public Ed25519 key in PEM" + how, e);
     }
+  }
+
+  /**
+   * Returns why an account may have no further seat, or null if it may.
+   *
+   * @param seats how many it has
+   */
+  public String refusal(int seats) {
+    return uses == 0 || seats < uses
+        ? null
+        : "Your account plays here already. After a lost connection its place is free in a moment.";
   }
 
   /**
@@ -86,8 +101,12 @@ public final class JoinTokens {
       throw new BadTokenException("The token isn't one.");
     }
     // Only one algorithm is right: a header that names another one must not choose the check.
-    if (!text(fields(parts[0]), "alg").equals("EdDSA")) {
+    Map<String, Json> head = fields(parts[0]);
+    if (!text(head, "alg").equals("EdDSA")) {
       throw new BadTokenException("The token isn't signed by EdDSA.");
+    }
+    if (head.containsKey("crit")) { // RFC 7515: what it lists must be understood
+      throw new BadTokenException("The token demands what this server doesn't know (crit).");
     }
     if (!isSigned(parts)) {
       throw new BadTokenException("The token isn't from this game's operator, or was changed.");

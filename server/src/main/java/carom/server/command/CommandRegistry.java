@@ -1,7 +1,6 @@
 package carom.server.command;
 
 import carom.text.Suggestion;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
@@ -18,6 +17,8 @@ public final class CommandRegistry {
   /** Longest line, in characters. */
   public static final int MAX_LINE = 4_096;
 
+  private static final String HELP = "help";
+  private static final String WHERE = "operators give it at the console, on the page or by RCON";
   private static final Logger LOG = LoggerFactory.getLogger(CommandRegistry.class);
 
   private final Map<String, Command> commands = new TreeMap<>();
@@ -32,7 +33,10 @@ public final class CommandRegistry {
 
   /** Creates a registry that has {@code help} only. */
   public CommandRegistry() {
-    add(new Command("help", "[COMMAND]", "Shows this, or one command.", this::help, this::names));
+    add(
+        new Command(HELP, "[COMMAND]", "Shows this, or one command.", this::help, Command.NONE)
+            .forModerators()
+            .thatShows());
   }
 
   /** Adds a command. */
@@ -47,12 +51,19 @@ public final class CommandRegistry {
     return List.copyOf(commands.keySet());
   }
 
+  /** Returns all commands, sorted by name. */
+  public Collection<Command> all() {
+    return List.copyOf(commands.values());
+  }
+
   /**
-   * Carries out a line. Never throws: whatever goes wrong is the answer.
+   * Carries out a line. Never throws: whatever goes wrong is the answer. A command that may change
+   * something leaves a line in the log: who gave it, what it was, and the answer.
    *
    * @param line a command and its words; empty and comments (#) have an empty answer
+   * @param caller who gives it, which decides what it may do
    */
-  public Answer run(String line) {
+  public Answer run(String line, Caller caller) {
     String text = line.strip();
     if (text.isEmpty() || text.startsWith("#")) {
       return new Answer(true, "");
@@ -60,32 +71,59 @@ public final class CommandRegistry {
     if (text.length() > MAX_LINE) {
       return new Answer(false, "the line has more than " + MAX_LINE + " characters");
     }
-    CommandWords words = CommandWords.parse(text);
-    String name = name(words.all());
-    Command command = commands.get(name);
-    if (command == null) {
-      String near = Suggestion.didYouMean(name, commands.keySet());
-      return answer(false, "unknown command=" + name + near + (near.isEmpty() ? "; try help" : ""));
+    if (text.chars().anyMatch(c -> c == '\n' || c == '\r')) {
+      return new Answer(false, "this is more than one line; give one command at a time");
     }
     try {
-      return answer(true, command.action().run(words.behindFirst()));
+      CommandWords words = CommandWords.parse(text, caller);
+      return run(name(words.all()), words.behindFirst());
+    } catch (IllegalArgumentException e) {
+      return answer(false, e.getMessage());
+    }
+  }
+
+  private Answer run(String name, CommandWords words) {
+    Command command = commands.get(name);
+    Caller caller = words.caller();
+    if (command == null) {
+      String near = Suggestion.didYouMean(name, namesFor(caller));
+      return answer(false, "unknown command=" + name + near + (near.isEmpty() ? "; try help" : ""));
+    }
+    Answer answer =
+        caller.role().includes(command.least())
+            ? run(command, words)
+            : answer(false, name + " isn't a moderator's; " + WHERE + "; try help");
+    if (command.changes()) {
+      String said = answer.text().lines().findFirst().orElse("");
+      LOG.info("{}: {} -> {}", caller, Printable.text(command.line(words)), said);
+    }
+    return answer;
+  }
+
+  private static Answer run(Command command, CommandWords words) {
+    try {
+      return answer(true, command.action().run(words));
     } catch (CommandException e) {
       String usage = e.isOfWords() ? "; usage: " + command.synopsis() : "";
       return answer(false, e.getMessage() + usage);
     } catch (RuntimeException | Error e) { // threads of consoles go on
-      LOG.error("the command {} failed", name, e);
-      return answer(false, name + " failed because of a bug, see the log: " + e);
+      LOG.error("the command {} failed", command.name(), e);
+      return answer(false, command.name() + " failed because of a bug, see the log: " + e);
     }
-  }
-
-  /** Returns the name of the command that a line would run, or "" if it has no words. */
-  public static String verb(String line) {
-    List<String> words = CommandWords.split(line);
-    return words.isEmpty() ? "" : name(words);
   }
 
   private static String name(List<String> words) {
     return words.get(0).toLowerCase(Locale.ROOT);
+  }
+
+  private List<Command> commandsFor(Caller caller) {
+    return commands.values().stream()
+        .filter(command -> caller.role().includes(command.least()))
+        .toList();
+  }
+
+  private List<String> namesFor(Caller caller) {
+    return commandsFor(caller).stream().map(Command::name).toList();
   }
 
   private static Answer answer(boolean ok, String text) {
@@ -96,36 +134,40 @@ public final class CommandRegistry {
    * Returns the words that may stand at the end of a line.
    *
    * @param words the words before the one to complete
+   * @param caller who writes the line
    */
-  public List<String> complete(List<String> words) {
+  public List<String> complete(List<String> words, Caller caller) {
     if (words.isEmpty()) {
-      return new ArrayList<>(commands.keySet());
+      return namesFor(caller);
     }
     Command command = commands.get(name(words));
     long rooms = words.stream().skip(1).filter(word -> word.startsWith("@")).count();
-    if (command == null) {
+    if (command == null || !caller.role().includes(command.least())) {
       return List.of();
+    }
+    if (command.name().equals(HELP)) {
+      return words.size() == 1 ? namesFor(caller) : List.of();
     }
     List<String> next = command.completer().words((int) (words.size() - 1 - rooms));
     return rooms == 0 ? next : next.stream().filter(word -> !word.startsWith("@")).toList();
   }
 
-  private List<String> names(int place) {
-    return place == 0 ? new ArrayList<>(commands.keySet()) : List.of();
-  }
-
   private String help(CommandWords words) throws CommandException {
     words.requireAtMost(1);
+    List<Command> known = commandsFor(words.caller());
     if (words.has(0)) {
-      Command command = commands.get(words.all().get(0));
-      if (command == null) {
-        String wanted = words.all().get(0);
-        throw new CommandException(
-            "unknown command=" + wanted + Suggestion.didYouMean(wanted, commands.keySet()));
+      String wanted = words.word(0, "COMMAND");
+      for (Command command : known) {
+        if (command.name().equals(wanted)) {
+          return command.synopsis() + "\n" + HelpText.wrap(command.doc(), 2);
+        }
       }
-      return command.synopsis() + "\n" + HelpText.wrap(command.doc(), 2);
+      throw new CommandException(
+          "unknown command="
+              + wanted
+              + Suggestion.didYouMean(wanted, known.stream().map(Command::name).toList()));
     }
-    return HelpText.of(commands.values())
+    return HelpText.of(known)
         + "@NAME anywhere in a line names a room. Quotes hold words together.";
   }
 }

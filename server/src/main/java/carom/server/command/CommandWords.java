@@ -4,62 +4,41 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The words of a line. Double quotes hold words together, and {@code @NAME} anywhere names a room.
+ * The words of a line, by the rule of {@link Quoting}. {@code @NAME} anywhere, not in quotes, names
+ * a room.
  *
  * @param all the words behind the command, without the room
  * @param room name of the room, or null if the line names none
+ * @param caller who gave the line
  */
-public record CommandWords(List<String> all, String room) {
+public record CommandWords(List<String> all, String room, Caller caller) {
   /** Copies the list. */
   public CommandWords {
     all = List.copyOf(all);
   }
 
-  /** Returns the words of a line, the command's name first. */
-  static CommandWords parse(String line) {
+  /**
+   * Returns the words of a line, the command's name first.
+   *
+   * @throws IllegalArgumentException if its quotes are wrong; the message says what to do
+   */
+  static CommandWords parse(String line, Caller caller) {
     List<String> words = new ArrayList<>();
     String room = null;
-    for (String word : split(line)) {
-      if (word.length() > 1 && word.startsWith("@") && !words.isEmpty()) {
-        room = word.substring(1);
+    for (Quoting.Word word : Quoting.words(line)) {
+      boolean named = !word.quoted() && word.text().length() > 1 && word.text().startsWith("@");
+      if (named && !words.isEmpty()) {
+        room = word.text().substring(1);
       } else {
-        words.add(word);
+        words.add(word.text());
       }
     }
-    return new CommandWords(words, room);
-  }
-
-  /** Returns the words of a line; in quotes, also empty ones and those with spaces. */
-  public static List<String> split(String line) {
-    List<String> words = new ArrayList<>();
-    StringBuilder word = new StringBuilder();
-    boolean begun = false;
-    boolean quoted = false;
-    for (int i = 0; i < line.length(); i++) {
-      char c = line.charAt(i);
-      if (c == '"') {
-        quoted = !quoted;
-        begun = true;
-      } else if (Character.isWhitespace(c) && !quoted) {
-        if (begun) {
-          words.add(word.toString());
-        }
-        word.setLength(0);
-        begun = false;
-      } else {
-        word.append(c);
-        begun = true;
-      }
-    }
-    if (begun) {
-      words.add(word.toString());
-    }
-    return words;
+    return new CommandWords(words, room, caller);
   }
 
   /** Returns the words behind the first. */
   CommandWords behindFirst() {
-    return new CommandWords(all.subList(1, all.size()), room);
+    return new CommandWords(all.subList(1, all.size()), room, caller);
   }
 
   /** Returns the number of words. */
@@ -99,5 +78,10 @@ public record CommandWords(List<String> all, String room) {
     if (all.size() > count) {
       throw CommandException.ofWords("\"" + all.get(count) + "\" is one word too many");
     }
+  }
+
+  /** Returns whether the caller may name files anywhere, rather than in folders of their kind. */
+  public boolean mayNameAnyFile() {
+    return caller.role().includes(Role.CONSOLE);
   }
 }

@@ -46,11 +46,12 @@ public final class RedirectCommands {
     RedirectCommands all = new RedirectCommands(rooms, lobby, stop);
     registry.add(
         new Command(
-            "redirect",
-            "[@ROOM] HOST:PORT[#FINGERPRINT] [PLAYER [TOKEN]]",
-            "Sends everybody to another server, or a room's players, or one player.",
-            all::redirect,
-            place -> place == 1 ? all.finder.playerNames() : List.of()));
+                "redirect",
+                "[@ROOM] HOST:PORT[#FINGERPRINT] [PLAYER [TOKEN]]",
+                "Sends everybody to another server, or a room's players, or one player.",
+                all::redirect,
+                place -> place == 1 ? all.finder.playerNames() : List.of())
+            .logging(2));
     registry.add(
         new Command(
             "stop",
@@ -78,7 +79,7 @@ public final class RedirectCommands {
     if (!words.has(1)) {
       return sentAll(finder.all(words), redirect);
     }
-    RoomFinder.Found found = finder.player(new CommandWords(words.all(), words.room()), 1);
+    RoomFinder.Found found = finder.player(words, 1);
     int sent = found.room().operator().redirect(found.player().id(), redirect);
     return String.format(Locale.ROOT, "sent players=%d to %s", sent, redirect.server());
   }

@@ -8,8 +8,8 @@ import carom.server.room.OperatorCommands;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
 import carom.sim.message.BuiltInKinds;
+import carom.text.Suggestion;
 import java.io.IOException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -46,44 +46,53 @@ public final class RoomCommands {
   }
 
   private void addForPlayers(CommandRegistry registry) {
-    registry.add(new Command("list", "[@ROOM]", "Shows the players.", this::list, this::onlyRooms));
     registry.add(
-        new Command("rooms", "", "Shows the rooms and what they play.", this::rooms, Command.NONE));
+        new Command("list", "[@ROOM]", "Shows the players.", this::list, this::onlyRooms)
+            .forModerators()
+            .thatShows());
     registry.add(
-        new Command(
-            "say",
-            "[@ROOM] TEXT",
-            "Says a line to all players, or to those of a room.",
-            this::say,
-            this::onlyRooms));
+        new Command("rooms", "", "Shows the rooms and what they play.", this::rooms, Command.NONE)
+            .thatShows());
     registry.add(
         new Command(
-            "kick",
-            "PLAYER [REASON]",
-            "Removes a player, by name or id, who may join again.",
-            this::kick,
-            this::players));
+                "say",
+                "[@ROOM] TEXT",
+                "Says a line to all players, or to those of a room.",
+                this::say,
+                this::onlyRooms)
+            .forModerators());
     registry.add(
         new Command(
-            "mute",
-            "PLAYER",
-            "Drops a player's chat and emotes for the rest of its stay.",
-            words -> mute(words, true),
-            this::players));
+                "kick",
+                "PLAYER [REASON]",
+                "Removes a player, by name or id, who may join again.",
+                this::kick,
+                this::players)
+            .forModerators());
     registry.add(
         new Command(
-            "unmute",
-            "PLAYER",
-            "Lets a muted player chat again.",
-            words -> mute(words, false),
-            this::players));
+                "mute",
+                "PLAYER",
+                "Drops a player's chat and emotes for the rest of its stay.",
+                words -> mute(words, true),
+                this::players)
+            .forModerators());
     registry.add(
         new Command(
-            "spectate",
-            "PLAYER",
-            "Makes a player a spectator, who may ask to play again.",
-            this::spectate,
-            this::players));
+                "unmute",
+                "PLAYER",
+                "Lets a muted player chat again.",
+                words -> mute(words, false),
+                this::players)
+            .forModerators());
+    registry.add(
+        new Command(
+                "spectate",
+                "PLAYER",
+                "Makes a player a spectator, who may ask to play again.",
+                this::spectate,
+                this::players)
+            .forModerators());
   }
 
   private void addForMatches(CommandRegistry registry) {
@@ -124,18 +133,20 @@ public final class RoomCommands {
             behindRoom(place -> place == 0 ? data.savedNames() : List.of())));
     registry.add(
         new Command(
-            "why",
-            "PLAYER ENTITY",
-            "Explains why a player was not sent an entity, or that it was.",
-            this::why,
-            this::players));
+                "why",
+                "PLAYER ENTITY",
+                "Explains why a player was not sent an entity, or that it was.",
+                this::why,
+                this::players)
+            .thatShows());
     registry.add(
         new Command(
-            "fields",
-            "[@ROOM] match | player N | entity N",
-            "Shows the values of fields.",
-            this::fields,
-            behindRoom(place -> place == 0 ? List.of(MATCH, "player", "entity") : List.of())));
+                "fields",
+                "[@ROOM] match | player N | entity N",
+                "Shows the values of fields.",
+                this::fields,
+                behindRoom(place -> place == 0 ? List.of(MATCH, "player", "entity") : List.of()))
+            .thatShows());
   }
 
   /** Adds the rooms to the words of a command that is about one room, if there are several. */
@@ -251,13 +262,26 @@ public final class RoomCommands {
 
   private String level(CommandWords words) throws CommandException {
     words.requireAtMost(1);
-    return finder.one(words).operator().change("", words.word(0, "LEVEL"));
+    return finder.one(words).operator().change("", levelName(words, 0));
   }
 
   private String game(CommandWords words) throws CommandException {
     words.requireAtMost(2);
     String game = words.word(0, "GAME");
-    return finder.one(words).operator().change(game, words.rest(1));
+    String level = words.has(1) ? levelName(words, 1) : "";
+    return finder.one(words).operator().change(game, level);
+  }
+
+  /** Returns the level that a word names: a file only at the console. */
+  private String levelName(CommandWords words, int place) throws CommandException {
+    String name = words.word(place, "LEVEL");
+    boolean known = data.levelNames().contains(name) || MatchLibrary.isBuiltInLevel(name);
+    if (!known && !words.mayNameAnyFile()) {
+      throw new CommandException(
+          "LEVEL=%s is none of %s and none that comes along%s; only the server's console names files"
+              .formatted(name, data.levels(), Suggestion.didYouMean(name, levelNames())));
+    }
+    return name;
   }
 
   private String record(CommandWords words) throws CommandException {
@@ -267,9 +291,10 @@ public final class RoomCommands {
       return room.stopRecording();
     }
     try {
-      return room.record(words.has(0) ? Path.of(words.word(0, "FILE")) : data.newRecordings());
-    } catch (InvalidPathException e) {
-      throw new CommandException("FILE=" + words.rest(0) + " can't be the name of a file");
+      boolean anywhere = words.has(0) && words.mayNameAnyFile();
+      Path folder = anywhere ? data.recordings() : data.newRecordings();
+      return room.record(
+          words.has(0) ? NamedFiles.file(words, 0, "FILE", List.of(folder)) : folder);
     } catch (IOException e) {
       throw new CommandException(e.getMessage());
     }

@@ -1,8 +1,10 @@
 package carom.server.command;
 
+import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
 import carom.server.config.Setting;
 import carom.text.Suggestion;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -13,13 +15,16 @@ public final class ServerCommands {
   private final Supplier<List<String>> status;
   private final EffectiveSettings settings;
   private final Set<String> live;
+  private final List<Path> recordings;
   private final UnaryOperator<String> replay;
 
   private ServerCommands(
       Supplier<List<String>> status,
       EffectiveSettings settings,
       Set<String> live,
+      List<Path> recordings,
       UnaryOperator<String> replay) {
+    this.recordings = List.copyOf(recordings);
     this.status = status;
     this.settings = settings;
     this.live = live;
@@ -32,7 +37,7 @@ public final class ServerCommands {
    * @param status returns lines about rooms and load
    * @param settings the effective settings
    * @param live names of the settings that {@code reload} brings into force
-   * @param recordings returns the files that may be computed again, for completion
+   * @param recordings folders with files that operators may have computed again
    * @param replay computes a recording again and returns the outcome
    */
   public static void add(
@@ -40,26 +45,29 @@ public final class ServerCommands {
       Supplier<List<String>> status,
       EffectiveSettings settings,
       Set<String> live,
-      Supplier<List<String>> recordings,
+      List<Path> recordings,
       UnaryOperator<String> replay) {
-    ServerCommands all = new ServerCommands(status, settings, live, replay);
+    ServerCommands all = new ServerCommands(status, settings, live, recordings, replay);
     registry.add(
         new Command(
-            "status", "", "Shows load and traffic since the start.", all::status, Command.NONE));
+                "status", "", "Shows load and traffic since the start.", all::status, Command.NONE)
+            .thatShows());
     registry.add(
         new Command(
-            "config",
-            "[SETTING]",
-            "Shows all settings with value and origin, or one with its default and what it does.",
-            all::config,
-            place -> place == 0 ? settings.names() : List.of()));
+                "config",
+                "[SETTING]",
+                "Shows all settings with value and origin, or one with its default and what it"
+                    + " does.",
+                all::config,
+                place -> place == 0 ? settings.names() : List.of())
+            .thatShows());
     registry.add(
         new Command(
             "replay",
             "FILE",
             "Computes a recording again and compares every tick; takes a core for a while.",
             all::replay,
-            place -> place == 0 ? recordings.get() : List.of()));
+            place -> place == 0 ? DataFolder.recordingFiles(recordings) : List.of()));
   }
 
   private String status(CommandWords words) throws CommandException {
@@ -101,6 +109,6 @@ public final class ServerCommands {
 
   private String replay(CommandWords words) throws CommandException {
     words.requireAtMost(1);
-    return replay.apply(words.word(0, "FILE"));
+    return replay.apply(NamedFiles.file(words, 0, "FILE", recordings).toString());
   }
 }

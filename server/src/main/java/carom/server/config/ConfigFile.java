@@ -65,11 +65,14 @@ final class ConfigFile {
     return new BadSettingException("config=" + file + " can't be read: " + why, cause);
   }
 
-  /** Returns the library's message in one line that begins with the file and the line. */
+  /** Returns where a file is wrong. The library's own message may quote what stands there. */
   private static String explain(Path file, ConfigException e) {
-    String message = e.getMessage().lines().findFirst().orElse("").strip();
-    String place = message.startsWith(file.toString()) ? "" : file + ": ";
-    return place + message + "; lines look like tick-rate = 60, texts with spaces need \"quotes\"";
+    String place =
+        e.origin() == null || e.origin().lineNumber() < 1
+            ? file.toString()
+            : file + ": " + e.origin().lineNumber();
+    return place
+        + ": this can't be read; lines look like tick-rate = 60, texts with spaces need \"quotes\"";
   }
 
   private static Map<String, Value> values(Config config) throws BadSettingException {

@@ -37,8 +37,13 @@ public record DataFolder(Path root) {
    */
   public ServerIdentity identity(Encryption encryption) throws IOException {
     return Files.isDirectory(root) && Files.isWritable(root)
-        ? new ServerIdentity(encryption, ServerKey.load(root.resolve("server.key")))
+        ? new ServerIdentity(encryption, ServerKey.load(serverKey()))
         : ServerIdentity.temporary(encryption);
+  }
+
+  /** Returns the file of the key by which players know the server. */
+  public Path serverKey() {
+    return root.resolve("server.key");
   }
 
   /** Returns the folder in which recordings begin that are given no other place. */
@@ -76,10 +81,13 @@ public record DataFolder(Path root) {
     return names(root.resolve("saves"), SAVED);
   }
 
-  /** Returns the files in the folder for recordings, sorted. */
-  public List<String> recordingFiles() {
-    return names(recordings(), RECORDING).stream()
-        .map(name -> recordings().resolve(name + RECORDING).toString())
+  /** Returns the recordings in some folders, those of each folder sorted. */
+  public static List<String> recordingFiles(List<Path> folders) {
+    return folders.stream()
+        .flatMap(
+            folder ->
+                names(folder, RECORDING).stream()
+                    .map(name -> folder.resolve(name + RECORDING).toString()))
         .toList();
   }
 

@@ -1,5 +1,6 @@
 package carom.server.console;
 
+import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -82,7 +83,7 @@ public final class Console implements AutoCloseable {
   }
 
   private static void answer(CommandRegistry commands, String line, PrintStream out) {
-    CommandRegistry.Answer answer = commands.run(line);
+    CommandRegistry.Answer answer = commands.run(line, Caller.CONSOLE);
     if (!answer.text().isEmpty()) {
       out.println(answer.text());
       out.flush();

@@ -1,6 +1,8 @@
 package carom.server.console;
 
+import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
+import carom.server.command.Quoting;
 import ch.qos.logback.classic.AsyncAppender;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.LoggerContext;
@@ -10,12 +12,15 @@ import ch.qos.logback.core.AppenderBase;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.jline.reader.Candidate;
+import org.jline.reader.CompletingParsedLine;
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
 import org.jline.reader.LineReaderBuilder;
 import org.jline.reader.ParsedLine;
+import org.jline.reader.Parser;
 import org.jline.reader.UserInterruptException;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
@@ -45,6 +50,7 @@ final class TerminalPrompt implements AutoCloseable {
         LineReaderBuilder.builder()
             .appName("carom")
             .terminal(terminal)
+            .parser(TerminalPrompt::parse)
             .completer((ignored, line, candidates) -> complete(line, candidates))
             .variable(LineReader.HISTORY_FILE, history)
             .variable(LineReader.HISTORY_FILE_SIZE, MAX_HISTORY)
@@ -70,7 +76,7 @@ final class TerminalPrompt implements AutoCloseable {
     showLogAbove();
     while (true) {
       try {
-        CommandRegistry.Answer answer = commands.run(reader.readLine(PROMPT));
+        CommandRegistry.Answer answer = commands.run(reader.readLine(PROMPT), Caller.CONSOLE);
         if (!answer.text().isEmpty()) {
           terminal.writer().println(answer.text());
           terminal.flush();
@@ -83,9 +89,55 @@ final class TerminalPrompt implements AutoCloseable {
     }
   }
 
+  /** Takes a line apart as the registry does, for completion and to see when it is whole. */
+  private static ParsedLine parse(String line, int cursor, Parser.ParseContext context) {
+    List<Quoting.Word> words = new ArrayList<>(Quoting.begunWords(line.substring(0, cursor)));
+    boolean begun =
+        !words.isEmpty() && (words.get(words.size() - 1).isOpen() || !endsWithSpace(line, cursor));
+    if (!begun) {
+      words.add(new Quoting.Word("", false, cursor, false));
+    }
+    Quoting.Word last = words.get(words.size() - 1);
+    List<String> texts = words.stream().map(Quoting.Word::text).toList();
+    return new BegunLine(line, cursor, texts, cursor - last.begin());
+  }
+
+  private static boolean endsWithSpace(String line, int cursor) {
+    return cursor == 0 || Character.isWhitespace(line.charAt(cursor - 1));
+  }
+
+  /** A line up to the cursor, whose last word is being written. */
+  private record BegunLine(String line, int cursor, List<String> words, int rawWordCursor)
+      implements CompletingParsedLine {
+    @Override
+    public String word() {
+      return words.get(wordIndex());
+    }
+
+    @Override
+    public int wordCursor() {
+      return word().length();
+    }
+
+    @Override
+    public int wordIndex() {
+      return words.size() - 1;
+    }
+
+    @Override
+    public int rawWordLength() {
+      return rawWordCursor;
+    }
+
+    @Override
+    public CharSequence escape(CharSequence candidate, boolean complete) {
+      return Quoting.shown(candidate.toString());
+    }
+  }
+
   private void complete(ParsedLine line, List<Candidate> candidates) {
     List<String> before = line.words().subList(0, line.wordIndex());
-    commands.complete(before).forEach(word -> candidates.add(new Candidate(word)));
+    commands.complete(before, Caller.CONSOLE).forEach(word -> candidates.add(new Candidate(word)));
   }
 
   /** Prints log lines above the prompt instead of across it. */

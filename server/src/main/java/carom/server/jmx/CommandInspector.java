@@ -1,5 +1,6 @@
 package carom.server.jmx;
 
+import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
 import java.lang.management.ManagementFactory;
 import javax.management.JMException;
@@ -38,7 +39,7 @@ public final class CommandInspector implements CommandMXBean {
 
   @Override
   public String run(String line) {
-    return registry.run(line == null ? "" : line).text();
+    return registry.run(line == null ? "" : line, Caller.JMX).text();
   }
 
   @Override

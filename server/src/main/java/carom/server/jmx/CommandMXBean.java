@@ -6,7 +6,7 @@ package carom.server.jmx;
  */
 public interface CommandMXBean {
   /**
-   * Carries out a command as the console does.
+   * Carries out a command as an operator.
    *
    * @param line a command and its words, such as {@code kick Mallory}
    * @return the answer

@@ -107,6 +107,14 @@ final class RoomChooser {
     return (int) room.counters().get(Counter.LOAD_PERCENT);
   }
 
+  /** Returns how many seats an account has in all rooms that have not failed. */
+  int seatsOf(String account) {
+    return rooms.stream()
+        .filter(room -> !room.hasFailed())
+        .mapToInt(room -> room.seats().countOf(account))
+        .sum();
+  }
+
   /**
    * Returns the seats that are neither taken nor promised.
    *

@@ -311,7 +311,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       refuse(RefusalReason.OVERLOADED, overload);
       return;
     }
-    boolean allowed = context.rate().allows(origin.host(), context.nowNs());
+    String used = expecting == null ? accountInUse() : null;
+    boolean allowed = used == null && context.rate().allows(origin.host(), context.nowNs());
     boolean full = false;
     if (allowed && expecting != null) {
       room = expecting;
@@ -326,9 +327,17 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       welcome();
     } else if (full || (allowed && chooser.seatsLeft(requested) == 0 && late)) {
       refuseFull(requested);
+    } else if (late && used != null) {
+      refuse(RefusalReason.TOKEN_INVALID, used);
     } else if (late) {
       refuse(RefusalReason.TOO_MANY_CONNECTIONS, "");
     }
+  }
+
+  /** Returns why the account may have no further seat, or null if it may. */
+  private String accountInUse() {
+    JoinTokens tokens = context.entryRule().tokens();
+    return tokens == null ? null : tokens.refusal(chooser.seatsOf(waiting.account()));
   }
 
   private void refuseFull(Room requested) {

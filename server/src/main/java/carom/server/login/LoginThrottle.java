@@ -9,8 +9,9 @@ import java.util.function.LongSupplier;
 
 /**
  * Limits how often somebody may try to log in. After {@value #MOST} wrong tries an address waits
- * until a minute after the first of them; of IPv6, the /64 network counts as one address. All
- * addresses together have {@value #MOST_OF_ALL} wrong tries a minute. Any thread.
+ * until a minute after the first of them; of IPv6, the /64 network counts as one address. When all
+ * addresses together have had {@value #MOST_OF_ALL} wrong tries in a minute, those with a wrong one
+ * wait. One that has none may always try, so that strangers lock no operator out. Any thread.
  */
 public final class LoginThrottle {
   /** Wrong tries of one address in a minute. */
@@ -53,6 +54,10 @@ public final class LoginThrottle {
       return wrong >= most && nowNs - beginNs < MINUTE_NS;
     }
 
+    boolean hasAny(long nowNs) {
+      return wrong > 0 && nowNs - beginNs < MINUTE_NS;
+    }
+
     void add(long nowNs) {
       if (nowNs - beginNs >= MINUTE_NS) {
         beginNs = nowNs;
@@ -76,7 +81,15 @@ public final class LoginThrottle {
   public synchronized boolean mustWait(InetAddress address) {
     Tries tries = byAddress.get(key(address));
     long nowNs = clock.getAsLong();
-    return all.areTooMany(nowNs) || (tries != null && tries.areTooMany(nowNs));
+    if (tries == null) {
+      return false;
+    }
+    return tries.areTooMany(nowNs) || all.areTooMany(nowNs) && tries.hasAny(nowNs);
+  }
+
+  /** Notes that an address knew the secret: its wrong tries were mistakes. */
+  public synchronized void right(InetAddress address) {
+    byAddress.remove(key(address));
   }
 
   /** Notes that an address tried a wrong secret. */

@@ -103,9 +103,12 @@ public final class Secret {
     return file.getFileSystem().supportedFileAttributeViews().contains("posix");
   }
 
-  private static void warnIfShared(Path file) throws IOException {
-    if (isPosix(file) && !OWNER_ONLY.containsAll(Files.getPosixFilePermissions(file))) {
-      LOG.warn("{} can be read by other users; chmod 600 {}", file, file);
+  /** Logs a warning if users other than its owner may read or change a file that is there. */
+  public static void warnIfShared(Path file) throws IOException {
+    if (Files.exists(file)
+        && isPosix(file)
+        && !OWNER_ONLY.containsAll(Files.getPosixFilePermissions(file))) {
+      LOG.warn("{} is open to other users; chmod 600 {}", file, file);
     }
   }
 

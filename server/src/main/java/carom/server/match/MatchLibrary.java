@@ -105,16 +105,11 @@ public interface MatchLibrary {
     } catch (InvalidPathException e) {
       throw new LevelException(name, 0, 0, "", "this can't be the name of a file or level");
     }
+    Level builtIn = builtInLevel(name);
+    if (builtIn != null) {
+      return builtIn;
+    }
     List<String> known = builtInLevels();
-    if (isBuiltIn(name)) {
-      return Level.builtIn(name);
-    }
-    for (String other : known) {
-      Level level = Level.builtIn(other);
-      if (asTyped(level.name()).equals(asTyped(name))) {
-        return level;
-      }
-    }
     throw new LevelException(
         name,
         0,
@@ -122,6 +117,29 @@ public interface MatchLibrary {
         "",
         "there is no such file or level; levels here are %s%s"
             .formatted(String.join(", ", known), Suggestion.didYouMean(name, known)));
+  }
+
+  /** Returns the level that comes with the program under a name or title, or null. */
+  private static Level builtInLevel(String name) throws LevelException {
+    if (isBuiltIn(name)) {
+      return Level.builtIn(name);
+    }
+    for (String other : builtInLevels()) {
+      Level level = Level.builtIn(other);
+      if (asTyped(level.name()).equals(asTyped(name))) {
+        return level;
+      }
+    }
+    return null;
+  }
+
+  /** Returns whether a text names a level that comes with the program, and no file that is here. */
+  static boolean isBuiltInLevel(String name) {
+    try {
+      return !Files.exists(Path.of(name)) && builtInLevel(name) != null;
+    } catch (LevelException | InvalidPathException e) {
+      return false;
+    }
   }
 
   private static boolean isBuiltIn(String name) {

@@ -1,6 +1,8 @@
 package carom.server.query;
 
+import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
+import carom.server.command.Role;
 import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
 import carom.server.threads.LastingThread;
@@ -135,11 +137,11 @@ public final class RemoteConsole implements AutoCloseable {
         return;
       }
       socket.setSoTimeout(SILENCE_MS);
+      Caller caller = new Caller(Role.OPERATOR, "rcon", socket.getInetAddress().getHostAddress());
       while (true) {
         Packet message = read(in);
         if (message.type == COMMAND) {
-          LOG.info("rcon: {} runs: {}", socket.getInetAddress().getHostAddress(), message.body);
-          write(out, message.id, ANSWER, commands.run(message.body).text());
+          write(out, message.id, ANSWER, commands.run(message.body, caller).text());
         } else {
           // Clients send an empty message to see where a long answer ends.
           write(out, message.id, ANSWER, "");
@@ -187,6 +189,7 @@ public final class RemoteConsole implements AutoCloseable {
     // Some servers send an empty answer before; clients that read ahead lose what follows it.
     write(out, right ? first.id : REFUSED, AUTH_ANSWER, "");
     if (right) {
+      throttle.right(address);
       LOG.info("rcon: {} logged in", address.getHostAddress());
     } else {
       throttle.wrong(address);

@@ -25,8 +25,8 @@ import org.slf4j.LoggerFactory;
  * <p>A sender can put another's address on a datagram. So a query is first answered with a
  * challenge, which is never larger than the query. Only a sender that returns the challenge, and so
  * has the address, gets the answer. Challenges are computed from the address and a secret of this
- * run, so that nothing is kept about strangers. Beyond {@value #MOST_PER_S} datagrams a second, the
- * rest of the second's are dropped.
+ * run, so that nothing is kept about strangers. Beyond their {@linkplain QueryBudgets budgets},
+ * queries are dropped.
  */
 public final class StatusQuery implements AutoCloseable {
   /** Port at which server lists look. */
@@ -41,9 +41,6 @@ public final class StatusQuery implements AutoCloseable {
   /** Asks for the rules. */
   static final byte RULES = 'V';
 
-  /** Most datagrams that are looked at in a second. */
-  static final int MOST_PER_S = 2_000;
-
   private static final Logger LOG = LoggerFactory.getLogger(StatusQuery.class);
   private static final byte CHALLENGE = 'A';
   private static final int SINGLE = -1;
@@ -52,13 +49,14 @@ public final class StatusQuery implements AutoCloseable {
   private static final int MAX_QUERY_BYTES = 64;
   private static final int SECRET_BYTES = 32;
   private static final long PERIOD_NS = 30_000_000_000L;
-  private static final long SECOND_NS = 1_000_000_000L;
+
+  /** Bytes of queries that wait while another is answered. */
+  private static final int WAITING_BYTES = 1 << 20;
 
   private final DatagramSocket socket;
   private final StatusAnswers answers;
   private final byte[] secret = new byte[SECRET_BYTES];
-  private long secondNs;
-  private int inSecond;
+  private final QueryBudgets budgets;
 
   /**
    * Opens the port and begins to answer.
@@ -69,9 +67,12 @@ public final class StatusQuery implements AutoCloseable {
    */
   public StatusQuery(InetAddress address, int port, StatusFacts facts) throws IOException {
     answers = new StatusAnswers(facts);
-    new SecureRandom().nextBytes(secret);
+    SecureRandom random = new SecureRandom();
+    random.nextBytes(secret);
+    budgets = new QueryBudgets(random.nextInt());
     try {
       socket = new DatagramSocket(new InetSocketAddress(address, port));
+      socket.setReceiveBufferSize(WAITING_BYTES);
     } catch (SocketException e) {
       throw new IOException(
           String.format(
@@ -107,11 +108,7 @@ public final class StatusQuery implements AutoCloseable {
   /** Returns the answer to a datagram, or null if it gets none. */
   byte[] answer(byte[] query, InetSocketAddress from) {
     long nowNs = System.nanoTime();
-    if (inSecond == 0 || nowNs - secondNs >= SECOND_NS) {
-      secondNs = nowNs;
-      inSecond = 0;
-    }
-    if (++inSecond > MOST_PER_S || query.length < HEAD_BYTES || from.getPort() == 0) {
+    if (query.length < HEAD_BYTES || from.getPort() == 0 || !budgets.allow(from, nowNs)) {
       return null;
     }
     ByteBuffer in = ByteBuffer.wrap(query).order(ByteOrder.LITTLE_ENDIAN);

@@ -12,10 +12,10 @@ import java.util.function.IntSupplier;
 
 /**
  * A room's recording that shows each block to spectators after a delay, counted from the last tick
- * in the block. All spectators read the same file. A spectator that comes late can skip what lies
- * before the last whole state.
+ * in the block, and not while it is {@linkplain #hold held}. All spectators read the same file. A
+ * spectator that comes late can skip what lies before the last whole state.
  *
- * <p>The room's thread calls {@link #take}, the lobby's thread all other methods.
+ * <p>The room's thread calls {@link #take} and {@link #hold}, the lobby's thread all other methods.
  */
 public final class DelayedRecording implements BlockSink, AutoCloseable {
   private final RecordingFile file;
@@ -38,6 +38,7 @@ public final class DelayedRecording implements BlockSink, AutoCloseable {
   private long begunState;
 
   private int delayTicks = Integer.MAX_VALUE;
+  private volatile boolean held;
   private int shownBlocks;
   private long shownBytes;
   private FileChannel channel;
@@ -58,6 +59,14 @@ public final class DelayedRecording implements BlockSink, AutoCloseable {
   /** Sets the delay, in ticks. Call it before the first block is read. */
   public void delay(int newDelayTicks) {
     delayTicks = newDelayTicks;
+  }
+
+  /**
+   * Shows no further block, or goes on showing blocks. Whoever computes a match from a recording
+   * knows all of it, also what a team alone may know.
+   */
+  public void hold(boolean newHeld) {
+    held = newHeld;
   }
 
   /** Returns whether spectators may see the recording. Constant after the room's first turn. */
@@ -89,7 +98,8 @@ public final class DelayedRecording implements BlockSink, AutoCloseable {
    */
   public long shownBytes(int now) {
     synchronized (ticks) {
-      while (shownBlocks < ticks.size()
+      while (!held
+          && shownBlocks < ticks.size()
           && now - ticks.get(shownBlocks) >= delayTicks
           && file.endOf(shownBlocks) >= 0) {
         noteState(types.get(shownBlocks));

@@ -66,6 +66,7 @@ public final class FrameCapture {
 
   private int entityCount;
   private long roster = -1;
+  private boolean teamSecrets;
 
   /** Creates an empty ring for a simulation's entities, which starts from the level's bodies. */
   public FrameCapture(Simulation simulation) {
@@ -94,6 +95,11 @@ public final class FrameCapture {
    */
   public void narrowViews(boolean narrow) {
     index.narrowViews(narrow);
+  }
+
+  /** Returns whether any entity or event so far was one that a team alone may know of. */
+  public boolean hasTeamSecrets() {
+    return teamSecrets;
   }
 
   /** Captures the state after the simulation's last step. */
@@ -164,6 +170,7 @@ public final class FrameCapture {
       if (audience != Audience.NEAR) {
         Player owner = simulation.owner(entity);
         int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;
+        teamSecrets |= audience == Audience.TEAM;
         frame.setAudience(ids[i], recipients(audience, team));
       }
     }
@@ -209,6 +216,7 @@ public final class FrameCapture {
     record.data = e.data();
     Player by = simulation.player(e.player());
     int team = e.audience() == Audience.TEAM && by != null ? by.team() : 0;
+    teamSecrets |= e.audience() == Audience.TEAM;
     ring.events().add(record, recipients(e.audience(), team));
   }
 

@@ -39,6 +39,9 @@ final class Post {
   }
 
   private void deliver(Delivery d) {
+    if (d.recipients() == Delivery.Recipients.TEAM) {
+      room.match().toldTeam(d.message());
+    }
     byte[] bytes = room.simulation().messageKinds().encode(d.message(), Direction.FROM_SERVER);
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);

@@ -6,11 +6,13 @@ import java.util.Arrays;
  * Measures how much of its time a room's ticks take: the 95th percentile of the last ten seconds,
  * and the pace at which the room can keep its ticks apart. One thread; no allocation.
  *
- * <p>A room that is too slow sheds load in this order. First it sends fewer snapshots ({@link
- * SendTurns}). When snapshots wait in half of the ticks, views become narrow: players are told only
- * of what they show, not of the rest of the level. When ticks still take longer than their period,
- * time slows down: fewer ticks a second, each of the same length, and all clients are told. Ticks
- * that would come in a burst, and leave everybody without a snapshot meanwhile, don't arise.
+ * <p>The longest tick of each half second doesn't count for the pace, so that a callback that
+ * waited once slows nobody down. A room that is too slow sheds load in this order. First it sends
+ * fewer snapshots ({@link SendTurns}). When snapshots wait in half of the ticks, views become
+ * narrow: players are told only of what they show, not of the rest of the level. When ticks still
+ * take longer than their period, time slows down: fewer ticks a second, each of the same length,
+ * and all clients are told. Ticks that would come in a burst, and leave everybody without a
+ * snapshot meanwhile, don't arise.
  */
 public final class TickLoad {
   /** Slowest pace, percent of the tick rate. */
@@ -26,6 +28,9 @@ public final class TickLoad {
 
   /** Times in a second that the load chooses what to shed, and the pace in steps of percent. */
   private static final int CHOICES_PER_SECOND = 2;
+
+  /** Fewest ticks of a choice. The longest doesn't count, and the others must tell how it is. */
+  private static final int FEWEST_TICKS = 4;
 
   private static final int STEP_PERCENT = 5;
 
@@ -55,6 +60,7 @@ public final class TickLoad {
   private final int window;
   private long ticks;
   private long sumNs;
+  private long longestNs;
   private int summed;
   private int lateTicks;
   private int pacePercent = 100;
@@ -70,7 +76,7 @@ public final class TickLoad {
   public TickLoad(int rateHz) {
     periodNs = 1_000_000_000L / rateHz;
     parts = new byte[ticksUntilKnown(rateHz)];
-    window = Math.max(1, rateHz / CHOICES_PER_SECOND);
+    window = Math.max(FEWEST_TICKS, rateHz / CHOICES_PER_SECOND);
   }
 
   /**
@@ -89,6 +95,7 @@ public final class TickLoad {
     counts[part]++;
     ticks++;
     sumNs += tookNs;
+    longestNs = Math.max(longestNs, tookNs);
     summed++;
     lateTicks += late ? 1 : 0;
     return summed >= window && choose();
@@ -101,6 +108,7 @@ public final class TickLoad {
     counts[0] = parts.length;
     ticks = parts.length;
     sumNs = 0;
+    longestNs = 0;
     summed = 0;
     lateTicks = 0;
     viewsNarrow = false;
@@ -109,10 +117,12 @@ public final class TickLoad {
   }
 
   private boolean choose() {
-    double needed = (double) sumNs / summed / periodNs;
+    // One long tick is past when it is seen, however long it was: a slower pace would mend nothing.
+    double needed = (double) (sumNs - longestNs) / (summed - 1) / periodNs;
     double share = needed * pacePercent / 100;
     boolean narrowed = chooseViews();
     sumNs = 0;
+    longestNs = 0;
     summed = 0;
     lateTicks = 0;
     return !narrowed && choosePace(needed, share);

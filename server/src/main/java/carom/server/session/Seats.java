@@ -171,6 +171,15 @@ public final class Seats {
     return seat == null ? "" : seat.account;
   }
 
+  /** Returns how many seats an account has. */
+  public synchronized int countOf(String account) {
+    int count = 0;
+    for (Seat seat : taken) {
+      count += seat != null && seat.account.equals(account) ? 1 : 0;
+    }
+    return count;
+  }
+
   private synchronized Seat find(long secret) {
     for (int id = 0; secret != 0 && id < taken.length; id++) {
       if (taken[id] != null && taken[id].secret == secret) {

@@ -1,6 +1,7 @@
 package carom.server.web;
 
 import carom.options.Sockets;
+import carom.server.access.AddressRange;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
@@ -12,7 +13,6 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
@@ -47,8 +47,8 @@ public final class WebFlags {
       paramLabel = "ADDRESS",
       defaultValue = "127.0.0.1",
       description =
-          "Address of this machine for HTTP. On a loopback address any visitor may watch, on"
-              + " another only visitors that know the token in admin.token of the data folder"
+          "Address of this machine for HTTP. On a loopback address visitors at this machine may"
+              + " watch, others only with the token in admin.token of the data folder"
               + " (${DEFAULT-VALUE}).")
   private String webBind;
 
@@ -60,13 +60,24 @@ public final class WebFlags {
               + " once for each name.")
   private List<String> webHosts = List.of();
 
+  @Option(
+      names = "--web-behind",
+      paramLabel = "NETWORK",
+      description =
+          "Address or network of a proxy (127.0.0.1, 10.0.0.0/8) before the page: its visitors come"
+              + " from where X-Forwarded-For says, and watch with the token only; give it once for"
+              + " each.")
+  private List<String> webBehind = List.of();
+
   /** Creates flags that picocli has yet to fill in. */
   public WebFlags() {}
 
   /** Returns what is wrong with the flags, or null. */
   public String problem() {
     return Sockets.first(
-        Sockets.portProblem("--web-port", webPort), Sockets.addressProblem("--web-bind", webBind));
+        Sockets.portProblem("--web-port", webPort),
+        Sockets.addressProblem("--web-bind", webBind),
+        proxyProblem());
   }
 
   /**
@@ -74,8 +85,8 @@ public final class WebFlags {
    * busy, perhaps by another server, runs without it.
    *
    * @param subject the server
-   * @param data has the page's token, and recordings
-   * @param record target of the flag {@code --record}, or null
+   * @param data has the page's token
+   * @param recordings folders of recordings, to be downloaded
    * @param settings tell whether the port was named
    * @param commands carried out for those who know the token
    * @param tail the log's last lines
@@ -85,7 +96,7 @@ public final class WebFlags {
   public WebServer open(
       WebSubject subject,
       DataFolder data,
-      Path record,
+      List<Path> recordings,
       EffectiveSettings settings,
       CommandRegistry commands,
       LogTail tail)
@@ -115,8 +126,9 @@ public final class WebFlags {
             token,
             subject.logins().page(),
             tail,
-            recordings(data, record),
+            recordings,
             address.isLoopbackAddress(),
+            proxies(),
             hosts());
     try {
       WebServer server =
@@ -135,13 +147,16 @@ public final class WebFlags {
     }
   }
 
-  private static List<Path> recordings(DataFolder data, Path record) {
-    List<Path> folders = new ArrayList<>();
-    folders.add(data.recordings());
-    if (record != null && Files.isDirectory(record)) {
-      folders.add(record);
-    }
-    return folders;
+  private String proxyProblem() {
+    return webBehind.stream()
+        .filter(network -> AddressRange.parse(network).isEmpty())
+        .findFirst()
+        .map(network -> "--web-behind: " + AddressRange.problem(network))
+        .orElse(null);
+  }
+
+  private List<AddressRange> proxies() {
+    return webBehind.stream().map(network -> AddressRange.parse(network).orElseThrow()).toList();
   }
 
   private Set<String> hosts() {

@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.AnyText;
 import java.time.Instant;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /** Goal: lines of the lists mean what they say. */
@@ -68,7 +70,7 @@ final class AccessEntryTest {
             "account \"4711 cheats",
             "address 203.0.113.7 of \"Bob until 2026-12-01T00:00:00Z")) {
       Exception e = assertThrows(IllegalArgumentException.class, () -> AccessEntry.parse(line));
-      assertEquals("a quote is opened and never closed", e.getMessage(), line);
+      assertTrue(e.getMessage().startsWith("a quote is opened and never closed"), line);
     }
     assertTrue(covers("name Bob a 5\" nail", "Bob", "x"), "a quote in the reason does no harm");
   }
@@ -93,6 +95,38 @@ final class AccessEntryTest {
             "address 203.0.113.0/24 flood")) {
       assertEquals(line, AccessEntry.parse(line).line());
       assertEquals(AccessEntry.parse(line), AccessEntry.parse(AccessEntry.parse(line).line()));
+    }
+  }
+
+  @Test
+  void anyNameAccountAndReasonIsReadBackAsItWas() {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    Random random = new Random(seed);
+    for (int i = 0; i < 20_000; i++) {
+      String name = AnyText.of(random);
+      String reason = AnyText.of(random).strip();
+      Instant until = random.nextBoolean() ? NOW : null;
+      AddressRange range = AddressRange.parse("203.0.113.0/24").orElseThrow();
+      AccessEntry entry =
+          switch (random.nextInt(4)) {
+            case 0 -> new AccessEntry(null, name, null, until, reason);
+            case 1 -> new AccessEntry(null, null, name, until, reason);
+            case 2 -> new AccessEntry(range, null, null, until, reason);
+            default -> new AccessEntry(range, name, null, until, reason);
+          };
+      assertEquals(
+          entry, AccessEntry.parse(entry.line()), () -> "seed=" + seed + " " + entry.line());
+    }
+  }
+
+  @Test
+  void anEntryNeverTakesTwoLines() {
+    for (String end : List.of("\n", "\r", "\r\n")) {
+      String text = "Bob" + end + "name \"Ann\"";
+      assertThrows(
+          IllegalArgumentException.class, () -> new AccessEntry(null, text, null, null, ""));
+      assertThrows(
+          IllegalArgumentException.class, () -> new AccessEntry(null, "Bob", null, null, text));
     }
   }
 

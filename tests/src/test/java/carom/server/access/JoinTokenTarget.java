@@ -33,7 +33,7 @@ public final class JoinTokenTarget implements FuzzTarget {
     } catch (GeneralSecurityException e) {
       throw new IllegalStateException("every JDK has Ed25519", e);
     }
-    tokens = new JoinTokens(backend.getPublic(), "the-server", () -> Instant.ofEpochSecond(NOW));
+    tokens = new JoinTokens(backend.getPublic(), "the-server", 0, () -> Instant.ofEpochSecond(NOW));
   }
 
   @Override

@@ -30,7 +30,7 @@ final class JoinTokensTest {
   @TempDir Path folder;
   private final KeyPair backend = pair();
   private final JoinTokens tokens =
-      new JoinTokens(backend.getPublic(), SERVER, () -> Instant.ofEpochSecond(NOW));
+      new JoinTokens(backend.getPublic(), SERVER, 0, () -> Instant.ofEpochSecond(NOW));
 
   private static KeyPair pair() {
     try {
@@ -105,6 +105,15 @@ final class JoinTokensTest {
   }
 
   @Test
+  void whatMustBeUnderstoodAndIsNotIsRefused() {
+    for (String crit : List.of("[\"exp\"]", "[\"b64\"]", "[]", "\"x\"", "null")) {
+      refused(
+          token(backend, "{\"alg\":\"EdDSA\",\"exp\":1,\"crit\":" + crit + "}", claims("")),
+          "(crit)");
+    }
+  }
+
+  @Test
   void noCharacterMayChange() {
     String good = token(backend, HEAD, claims(",\"name\":\"Ann\""));
     SplittableRandom random = new SplittableRandom(7);
@@ -131,13 +140,14 @@ final class JoinTokensTest {
             + Base64.getMimeEncoder().encodeToString(backend.getPublic().getEncoded())
             + "\n-----END PUBLIC KEY-----\n";
     Files.writeString(file, pem);
-    JoinTokens read = JoinTokens.load(file, SERVER, () -> Instant.ofEpochSecond(NOW));
+    JoinTokens read = JoinTokens.load(file, SERVER, 0, () -> Instant.ofEpochSecond(NOW));
     assertEquals("42", read.check(token(backend, HEAD, claims(""))).account());
     Files.writeString(file, "nothing");
     IOException e =
-        assertThrows(IOException.class, () -> JoinTokens.load(file, SERVER, Instant::now));
+        assertThrows(IOException.class, () -> JoinTokens.load(file, SERVER, 0, Instant::now));
     assertTrue(e.getMessage().contains("openssl genpkey"), e::getMessage);
     assertThrows(
-        IOException.class, () -> JoinTokens.load(folder.resolve("none.pem"), SERVER, Instant::now));
+        IOException.class,
+        () -> JoinTokens.load(folder.resolve("none.pem"), SERVER, 0, Instant::now));
   }
 }

@@ -33,13 +33,13 @@ final class CommandRegistryTest {
   }
 
   private String ok(String line) {
-    CommandRegistry.Answer answer = registry.run(line);
+    CommandRegistry.Answer answer = registry.run(line, Caller.CONSOLE);
     assertTrue(answer.ok(), answer.text());
     return answer.text();
   }
 
   private String fails(String line) {
-    CommandRegistry.Answer answer = registry.run(line);
+    CommandRegistry.Answer answer = registry.run(line, Caller.CONSOLE);
     assertFalse(answer.ok(), answer.text());
     return answer.text();
   }
@@ -49,7 +49,9 @@ final class CommandRegistryTest {
     assertEquals("a|b c|null", ok("  tell a b   c "));
     assertEquals("a b|c|duel", ok("TELL \"a b\" @duel c"));
     assertEquals("|x|null", ok("tell \"\" x"));
-    assertEquals("a b @||null", ok("tell \"a b @"));
+    assertEquals("@duel|a\"b|null", ok("tell \"@duel\" a\"b"));
+    assertTrue(fails("tell \"a b @").startsWith("a quote is opened and never closed"));
+    assertTrue(fails("tell a\ntell b").startsWith("this is more than one line"));
     assertEquals("", ok("") + ok("   ") + ok("# comment"));
   }
 
@@ -76,10 +78,11 @@ final class CommandRegistryTest {
 
   @Test
   void completionKnowsThePlaceWithoutTheRoom() {
-    assertEquals(List.of("bug", "help", "tell"), registry.complete(List.of()));
-    assertEquals(List.of("place0", "@duel"), registry.complete(List.of("tell")));
-    assertEquals(List.of("place1"), registry.complete(List.of("tell", "@duel", "a")));
-    assertEquals(List.of(), registry.complete(List.of("xyzzy")));
+    assertEquals(List.of("bug", "help", "tell"), registry.complete(List.of(), Caller.CONSOLE));
+    assertEquals(List.of("place0", "@duel"), registry.complete(List.of("tell"), Caller.CONSOLE));
+    assertEquals(
+        List.of("place1"), registry.complete(List.of("tell", "@duel", "a"), Caller.CONSOLE));
+    assertEquals(List.of(), registry.complete(List.of("xyzzy"), Caller.CONSOLE));
   }
 
   @Test

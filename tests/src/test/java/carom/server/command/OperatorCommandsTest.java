@@ -60,7 +60,7 @@ final class OperatorCommandsTest {
         stepper.server()::status,
         new EffectiveSettings(List.of(grace, level, seed)),
         Set.of("log-level"),
-        data::recordingFiles,
+        List.of(data.recordings()),
         file -> "replayed " + file);
     RedirectCommands.add(
         registry,
@@ -77,7 +77,7 @@ final class OperatorCommandsTest {
   /** Runs a line beside the room, which goes on meanwhile. */
   private CommandRegistry.Answer run(String line) {
     CompletableFuture<CommandRegistry.Answer> answer =
-        CompletableFuture.supplyAsync(() -> registry.run(line));
+        CompletableFuture.supplyAsync(() -> registry.run(line, Caller.CONSOLE));
     while (!answer.isDone()) {
       stepper.run(0.02);
       Thread.onSpinWait();
@@ -163,7 +163,7 @@ final class OperatorCommandsTest {
     stepper.run(1);
     int before = stepper.room().simulation().tick();
     assertTrue(ok("save evening").startsWith("saved room=1 to " + folder.resolve("saves")));
-    assertEquals(List.of("evening"), registry.complete(List.of("load")));
+    assertEquals(List.of("evening"), registry.complete(List.of("load"), Caller.CONSOLE));
     int saved = stepper.room().simulation().tick();
     float x = stepper.room().simulation().player(0).body().body().x();
     ok("kick \"Bob B\"");
@@ -201,7 +201,7 @@ final class OperatorCommandsTest {
     try (var files = Files.list(folder.resolve("recordings"))) {
       Path file = files.findFirst().orElseThrow();
       assertEquals("replayed " + file, ok("replay " + file));
-      assertEquals(List.of(file.toString()), registry.complete(List.of("replay")));
+      assertEquals(List.of(file.toString()), registry.complete(List.of("replay"), Caller.CONSOLE));
     }
   }
 

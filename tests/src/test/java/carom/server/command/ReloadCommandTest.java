@@ -38,7 +38,7 @@ final class ReloadCommandTest {
   }
 
   private String reload() {
-    return registry.run("reload").text();
+    return registry.run("reload", Caller.CONSOLE).text();
   }
 
   @Test
@@ -58,7 +58,7 @@ final class ReloadCommandTest {
   @Test
   void aFileThatCannotBeUsedChangesNothing() {
     next = null;
-    CommandRegistry.Answer answer = registry.run("reload");
+    CommandRegistry.Answer answer = registry.run("reload", Caller.CONSOLE);
     assertFalse(answer.ok());
     assertEquals("nothing has changed: carom.conf: 1 is wrong", answer.text());
     assertEquals(List.of(), levels);

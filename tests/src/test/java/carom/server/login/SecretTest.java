@@ -55,8 +55,14 @@ final class SecretTest {
     for (int i = 0; i < LoginThrottle.MOST_OF_ALL; i++) {
       throttle.wrong(InetAddress.getByName("10.0.0." + i));
     }
-    assertTrue(throttle.mustWait(InetAddress.getByName("192.0.2.1")));
+    InetAddress operator = InetAddress.getByName("192.0.2.1");
+    assertFalse(throttle.mustWait(operator), "strangers lock no operator out");
+    throttle.wrong(operator);
+    assertTrue(throttle.mustWait(operator), "it guesses, too");
+    throttle.right(operator);
+    assertFalse(throttle.mustWait(operator));
+    throttle.wrong(operator);
     now[0] += 60_000_000_000L;
-    assertFalse(throttle.mustWait(InetAddress.getByName("192.0.2.1")));
+    assertFalse(throttle.mustWait(operator));
   }
 }

@@ -1,6 +1,7 @@
 package carom.server.query;
 
 import carom.fuzz.FuzzTarget;
+import carom.server.command.Caller;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
 import java.io.ByteArrayInputStream;
@@ -29,7 +30,7 @@ public final class RemoteConsoleTarget implements FuzzTarget {
         if (body.length() > RemoteConsole.MAX_BODY_BYTES) {
           throw new AssertionError("a text of " + body.length() + " characters was read");
         }
-        commands.run(body).text().lines().forEach(FuzzTarget::requirePrintable);
+        commands.run(body, Caller.CONSOLE).text().lines().forEach(FuzzTarget::requirePrintable);
       }
     } catch (IOException e) {
       // the stream ends, or isn't RCON

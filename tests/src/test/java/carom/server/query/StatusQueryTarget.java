@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
@@ -19,16 +20,24 @@ public final class StatusQueryTarget implements FuzzTarget {
       "\u00ff\u00ff\u00ff\u00ffTSource Engine Query\0".getBytes(StandardCharsets.ISO_8859_1);
   private static final int CHALLENGE_AT = 5;
   private static final int CHALLENGE_BYTES = 9;
-  private static final int PORTS = 65_535;
 
   private final Stepper stepper = Stepper.of("arena");
   private StatusQuery server = open();
 
   /** Another sender for each input: a fuzzer sees challenges, and would return them later. */
-  private InetSocketAddress from = sender(1);
+  private InetSocketAddress from = sender();
 
-  private static InetSocketAddress sender(int port) {
-    return new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
+  private int senders;
+
+  /** Returns a sender of another host, so that no budget but that of all is used up. */
+  private InetSocketAddress sender() {
+    int n = ++senders;
+    try {
+      byte[] address = {10, (byte) (n >> 16), (byte) (n >> 8), (byte) n};
+      return new InetSocketAddress(InetAddress.getByAddress(address), 1 + (n & 0x7fff));
+    } catch (UnknownHostException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private StatusQuery open() {
@@ -55,7 +64,7 @@ public final class StatusQueryTarget implements FuzzTarget {
 
   @Override
   public void take(byte[] data) {
-    from = sender(1 + from.getPort() % PORTS);
+    from = sender();
     byte[] challenge = challenge();
     byte[] answer = server.answer(data, from);
     if (answer != null && answer.length > Math.min(CHALLENGE_BYTES, data.length)) {

@@ -184,14 +184,66 @@ final class StatusQueryTest {
   }
 
   @Test
-  void aFloodIsDropped() {
-    InetSocketAddress from = new InetSocketAddress(LOOPBACK, 1_000);
-    int answered = 0;
-    long beginNs = System.nanoTime();
-    for (int i = 0; i < 4 * StatusQuery.MOST_PER_S; i++) {
-      answered += server.answer(INFO, from) == null ? 0 : 1;
+  void aFloodUsesUpNothingOfOthers() throws IOException {
+    long second = 1_000_000_000L;
+    QueryBudgets budgets = new QueryBudgets(new Random().nextInt());
+    InetAddress hostile = InetAddress.getByName("192.0.2.1");
+    for (int i = 0; i < 10_000; i++) { // one socket
+      boolean allowed = budgets.allow(new InetSocketAddress(hostile, 1_000), 0);
+      assertEquals(i < QueryBudgets.MOST_OF_SOCKET, allowed, "i=" + i);
     }
-    long seconds = (System.nanoTime() - beginNs) / 1_000_000_000L + 1;
-    assertTrue(answered <= (seconds + 1) * StatusQuery.MOST_PER_S, "answered=" + answered);
+    for (int i = 0; i < 50; i++) { // honest ones, also behind the same address
+      InetAddress honest = InetAddress.getByName("198.51.100." + i);
+      assertTrue(budgets.allow(new InetSocketAddress(honest, 2_000), 0), "i=" + i);
+    }
+    assertTrue(budgets.allow(new InetSocketAddress(hostile, 1_001), 0));
+    int ofHost = 0;
+    for (int i = 0; i < 10_000; i++) { // all sockets of a host
+      ofHost += budgets.allow(new InetSocketAddress(hostile, 1_100 + i), second) ? 1 : 0;
+    }
+    assertEquals(QueryBudgets.MOST_OF_HOST, ofHost);
+    assertTrue(
+        budgets.allow(new InetSocketAddress(InetAddress.getByName("198.51.100.9"), 7), second));
+    int ofAll = 0;
+    for (int i = 0; i < 40_000; i++) { // a host each
+      InetAddress any =
+          InetAddress.getByAddress(new byte[] {10, (byte) (i >> 16), (byte) (i >> 8), (byte) i});
+      ofAll += budgets.allow(new InetSocketAddress(any, 9), 2 * second) ? 1 : 0;
+    }
+    assertEquals(QueryBudgets.MOST_OF_ALL, ofAll);
+  }
+
+  @Test
+  void honestQueriesAreAnsweredBesideAFlood() throws Exception {
+    Thread flood =
+        new Thread(
+            () -> {
+              try (DatagramSocket socket = new DatagramSocket()) {
+                while (!Thread.interrupted()) {
+                  for (int i = 0; i < 100; i++) {
+                    socket.send(new DatagramPacket(INFO, INFO.length, LOOPBACK, server.port()));
+                  }
+                  Thread.sleep(10);
+                }
+              } catch (IOException | InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            });
+    flood.start();
+    try {
+      for (int i = 0; i < 25; i++) {
+        try (DatagramSocket socket = new DatagramSocket()) {
+          byte[] challenge = new byte[4];
+          ask(socket, INFO).position(5).get(challenge);
+          byte[] again = Arrays.copyOf(INFO, INFO.length + challenge.length);
+          System.arraycopy(challenge, 0, again, INFO.length, challenge.length);
+          assertEquals('I', ask(socket, again).get(4), "i=" + i);
+        }
+        Thread.sleep(20);
+      }
+    } finally {
+      flood.interrupt();
+      flood.join();
+    }
   }
 }

@@ -17,6 +17,33 @@ final class TickPaceTest {
   private final TickPace pace =
       new TickPace(50, 4, new LoadWarnings("room 1: ", counters, 50), counters);
 
+  /**
+   * Goal: one long tick slows nobody, however long it was and whenever it came. Method: a loop in
+   * virtual time whose ticks take a fifth of their time but for one.
+   */
+  @Test
+  void oneLongTickSlowsNobody() {
+    for (int rate : new int[] {5, 10, 20, 30, 50, 60, 120, 240}) {
+      for (long longMs : new long[] {100, 500, 1_500, 10_000, 60_000}) {
+        for (int at = 3 * rate; at < 4 * rate + 2; at += Math.max(1, rate / 20)) {
+          Counters own = new Counters();
+          TickPace one = new TickPace(rate, 4, new LoadWarnings("", own, rate), own);
+          String what = "rate=" + rate + " ms=" + longMs + " at=" + at;
+          long nowNs = 0;
+          for (int tick = 0; tick < 40 * rate; nowNs = Math.max(nowNs, one.nextDeadlineNs())) {
+            for (int due = one.due(false, tick, nowNs); due > 0; due--, tick++) {
+              long tookNs = tick == at ? longMs * MS : 200 * MS / rate;
+              one.tickTook(tookNs, tick == at, nowNs);
+              nowNs += tookNs;
+              assertEquals(100, one.percent(), what);
+              assertFalse(one.viewsAreNarrow(), what);
+            }
+          }
+        }
+      }
+    }
+  }
+
   /** Goal: the load of the last player's ticks doesn't keep the next one out. */
   @Test
   void aPausedRoomHasNoLoad() {

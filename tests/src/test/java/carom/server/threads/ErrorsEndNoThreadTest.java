@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.datagram.DatagramPort;
+import carom.server.command.Caller;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
 import java.net.DatagramPacket;
@@ -124,11 +125,11 @@ final class ErrorsEndNoThreadTest {
             },
             Command.NONE));
     for (Throwable error : ERRORS) {
-      CommandRegistry.Answer answer = commands.run("work");
+      CommandRegistry.Answer answer = commands.run("work", Caller.CONSOLE);
       assertFalse(answer.ok());
       assertTrue(answer.text().contains(error.toString()), answer.text());
     }
-    assertEquals("done", commands.run("work").text());
+    assertEquals("done", commands.run("work", Caller.CONSOLE).text());
   }
 
   @Test

@@ -48,6 +48,7 @@ public final class WebTarget implements FuzzTarget {
             LogTail.begin(new LoggerContext()),
             List.of(),
             true,
+            List.of(),
             Set.of("carom.example"));
     try {
       InetAddress loopback = InetAddress.getLoopbackAddress();

@@ -16,6 +16,10 @@ import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Player;
+import carom.sim.event.Audience;
+import carom.sim.message.BuiltInKinds;
+import carom.sim.message.Message;
+import java.util.stream.Stream;
 
 /**
  * One game in one level in a room, from tick 0 on: the simulation and what sessions are told from.
@@ -32,7 +36,9 @@ public final class Match {
   private final OwnCapture ownCapture;
   private final ServerConfig config;
   private final Counters counters;
+  private final boolean hearsChat;
   private long droppedEvents;
+  private boolean teamSecrets;
 
   /**
    * Builds the level and sets up the game.
@@ -68,6 +74,33 @@ public final class Match {
             config.takesAnyCode());
     capture = new FrameCapture(simulation);
     ownCapture = new OwnCapture(simulation);
+    hearsChat = overridesChat(rules);
+    teamSecrets =
+        simulation.schema().fields().stream().anyMatch(f -> f.audience() == Audience.TEAM);
+  }
+
+  private static boolean overridesChat(Game rules) {
+    return Stream.of(rules.getClass().getMethods())
+        .anyMatch(m -> m.getName().equals("chat") && m.getDeclaringClass() != Game.class);
+  }
+
+  /** Returns whether the game does something with what players say, so that it may be of effect. */
+  public boolean hearsChat() {
+    return hearsChat;
+  }
+
+  /**
+   * Returns whether the match has anything so far that a team alone may know, but for plain chat:
+   * fields, entities, events or messages.
+   */
+  public boolean hasTeamSecrets() {
+    return teamSecrets || capture.hasTeamSecrets();
+  }
+
+  /** Notes that a team alone was sent a message. */
+  public void toldTeam(Message message) {
+    boolean isChat = message.is(BuiltInKinds.SAID) && message.count("player") >= 0;
+    teamSecrets |= hearsChat || !isChat;
   }
 
   /** Returns what clients must know to play. */

@@ -11,6 +11,10 @@ import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.server.room.match.RoomContext;
 import carom.sim.Simulation;
+import carom.sim.match.MatchClock;
+import carom.sim.match.MatchPhase;
+import carom.sim.message.BuiltInKinds;
+import carom.sim.message.Message;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.slf4j.Logger;
@@ -81,13 +85,40 @@ public final class RoomRecording {
     Recorder before = recorder;
     recorder =
         new Recorder(
-            simulation, RecordingHeader.of(simulation, seed, Protocol.physicsDigest()), newSink);
+            simulation,
+            RecordingHeader.of(simulation, seed, Protocol.physicsDigest()),
+            newSink,
+            this::isForTeamAlone);
     simulation.removeJournal(before);
     sink = newSink;
+    holdSecrets();
     awaited = null;
     begunAt = simulation.tick();
     toldLeftOut = false;
     simulation.addJournal(recorder);
+  }
+
+  /**
+   * Returns whether spectators, who watch the recording, may not have a message: a line of chat to
+   * a team. A game that hears chat needs it; that match is held instead.
+   */
+  private boolean isForTeamAlone(Message message) {
+    return isWatched()
+        && message.is(BuiltInKinds.SAY)
+        && message.flag("team")
+        && !room.match().hearsChat();
+  }
+
+  /** Shows spectators nothing while the match has what a team alone may know and isn't over. */
+  private void holdSecrets() {
+    if (sink instanceof DelayedRecording delayed) {
+      delayed.hold(room.match().hasTeamSecrets() && !isOver());
+    }
+  }
+
+  private boolean isOver() {
+    Simulation simulation = room.simulation();
+    return simulation.game().clock() != null && MatchClock.phase(simulation) == MatchPhase.OVER;
   }
 
   /**
@@ -120,6 +151,9 @@ public final class RoomRecording {
 
   /** Ends the recording because the match ends; {@link #beginMatch} goes on with the next one. */
   public void endMatch() {
+    if (sink instanceof DelayedRecording delayed) {
+      delayed.hold(false);
+    }
     if (beside != null) {
       beside.endMatch();
     }
@@ -204,6 +238,7 @@ public final class RoomRecording {
     if (recorder == null) {
       return;
     }
+    holdSecrets();
     if (recorder.isCut()) {
       cut();
       return;

@@ -2,23 +2,27 @@ package carom.server.web.page;
 
 import carom.json.Json;
 import carom.json.JsonException;
+import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
-import carom.server.command.CommandWords;
+import carom.server.command.Quoting;
+import carom.server.command.Role;
 import carom.server.console.LogTail;
 import carom.server.metrics.ProcessFigures;
 import carom.server.room.Room;
 import carom.server.threads.LastingThread;
 import io.undertow.server.HttpServerExchange;
+import io.undertow.util.AttachmentKey;
 import io.undertow.util.StatusCodes;
 import io.undertow.websockets.WebSocketProtocolHandshakeHandler;
 import io.undertow.websockets.core.AbstractReceiveListener;
 import io.undertow.websockets.core.BufferedTextMessage;
 import io.undertow.websockets.core.WebSocketChannel;
 import io.undertow.websockets.spi.WebSocketHttpExchange;
+import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.RejectedExecutionException;
@@ -27,6 +31,7 @@ import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -35,11 +40,16 @@ import org.slf4j.LoggerFactory;
  * pictures and figures; {@code carom-page-commands} carries out commands, which may take seconds.
  */
 public final class LivePage implements AutoCloseable {
-  /** Most pages that may be open at once. */
+  /** Most pages that may be open at once without the secret. */
   static final int MAX_VIEWERS = 32;
+
+  /** Most pages that may be open at once with it. */
+  static final int MAX_OPERATORS = 16;
 
   private static final Logger LOG = LoggerFactory.getLogger(LivePage.class);
   private static final String SOCKET = "/live";
+  private static final AttachmentKey<Origins.Origin> ORIGIN =
+      AttachmentKey.create(Origins.Origin.class);
   private static final int MAX_MESSAGE_BYTES = 8_192;
   private static final int MAX_COMMANDS = 16;
   private static final long PICTURE_MS = 66;
@@ -50,6 +60,7 @@ public final class LivePage implements AutoCloseable {
 
   private final PageConfig config;
   private final RequestGuard guard;
+  private final Origins origins;
   private final PageFiles files = new PageFiles();
   private final Downloads downloads;
   private final List<RoomHistory> histories;
@@ -65,13 +76,14 @@ public final class LivePage implements AutoCloseable {
   private ScheduledFuture<?> pictures; // null while nobody watches
   private long sampledNs = System.nanoTime();
 
-  /** Begins to note figures; {@link #serves} and {@link #handle} show them. */
+  /** Begins to note figures; {@link #handle} shows them. */
   @SuppressWarnings(
       "FutureReturnValueIgnored") // The guarded tasks throw nothing, and end with the clock.
   public LivePage(PageConfig config, List<Room> rooms) {
     this.config = config;
     this.rooms = List.copyOf(rooms);
     guard = new RequestGuard(config.hosts());
+    origins = new Origins(config.proxies());
     downloads = new Downloads(config.recordings(), System::nanoTime);
     ProcessFigures begin = ProcessFigures.now();
     histories = rooms.stream().map(room -> new RoomHistory(room, begin)).toList();
@@ -97,9 +109,9 @@ public final class LivePage implements AutoCloseable {
     };
   }
 
-  /** Returns whether a path is the page's. */
-  public boolean serves(String path) {
-    return !path.equals("/healthz") && !path.equals("/readyz") && !path.equals("/metrics");
+  /** Returns whether an address is that of a proxy, and so stands for many visitors. Any thread. */
+  public boolean isProxy(InetAddress address) {
+    return origins.isProxy(address);
   }
 
   /** Answers a request, on the thread that reads and writes sockets. */
@@ -111,10 +123,8 @@ public final class LivePage implements AutoCloseable {
     } else if (exchange.getRequestPath().equals(SOCKET)) {
       if (!guard.acceptsOrigin(exchange)) {
         refuse(exchange, "only the page itself may connect");
-      } else if (viewers.size() >= MAX_VIEWERS && !strangerGivesWay()) {
-        exchange.setStatusCode(StatusCodes.SERVICE_UNAVAILABLE);
-        exchange.getResponseSender().send("too many pages are open\n");
       } else {
+        exchange.putAttachment(ORIGIN, origins.of(exchange));
         handshake.handleRequest(exchange);
       }
     } else if (exchange.getRequestPath().equals(Downloads.PATH)) {
@@ -132,8 +142,9 @@ public final class LivePage implements AutoCloseable {
   }
 
   private void connected(WebSocketHttpExchange exchange, WebSocketChannel channel) {
-    Viewer viewer = new Viewer(channel, System.nanoTime());
+    Viewer viewer = new Viewer(channel, exchange.getAttachment(ORIGIN), System.nanoTime());
     viewers.add(viewer);
+    strangerGivesWay();
     channel.addCloseTask(closed -> viewers.remove(viewer));
     channel
         .getReceiveSetter()
@@ -168,21 +179,27 @@ public final class LivePage implements AutoCloseable {
   }
 
   /**
-   * Ends the oldest connection that may do nothing but log in, so that strangers keep no operator
-   * out. Returns whether there was one.
+   * Ends the oldest page without the secret, of the address that has most of them, if there are too
+   * many: strangers keep neither each other nor an operator out.
    */
-  private boolean strangerGivesWay() {
-    Optional<Viewer> first = viewers.stream().filter(viewer -> !watches(viewer)).findFirst();
-    first.ifPresent(
-        viewer -> {
-          viewers.remove(viewer);
-          viewer.refuse("too many pages are open");
-        });
-    return first.isPresent();
+  private void strangerGivesWay() {
+    List<Viewer> strangers = viewers.stream().filter(viewer -> !viewer.isAdmin()).toList();
+    if (strangers.size() <= MAX_VIEWERS) {
+      return;
+    }
+    Map<InetAddress, Long> counts =
+        strangers.stream().collect(Collectors.groupingBy(Viewer::address, Collectors.counting()));
+    strangers.stream()
+        .min(Comparator.comparing(viewer -> -counts.get(viewer.address()))) // the first of equals
+        .ifPresent(
+            viewer -> {
+              viewers.remove(viewer);
+              viewer.refuse("too many pages are open");
+            });
   }
 
   private boolean watches(Viewer viewer) {
-    return viewer.isAdmin() || config.strangersWatch();
+    return viewer.isAdmin() || (config.strangersWatch() && viewer.isHere());
   }
 
   private void greet(Viewer viewer) {
@@ -242,7 +259,10 @@ public final class LivePage implements AutoCloseable {
       config.throttle().wrong(viewer.address());
       LOG.warn("page: a wrong token from {}", viewer.address().getHostAddress());
       viewer.send(PageJson.refused("wrong token"));
+    } else if (viewers.stream().filter(Viewer::isAdmin).count() >= MAX_OPERATORS) {
+      viewer.send(PageJson.refused("too many pages of operators are open; close one"));
     } else {
+      config.throttle().right(viewer.address());
       LOG.info("page: {} logged in", viewer.address().getHostAddress());
       viewer.becomeAdmin();
       clock.execute(LastingThread.guarded(() -> greet(viewer)));
@@ -269,17 +289,27 @@ public final class LivePage implements AutoCloseable {
   private void carryOut(Viewer viewer, String what, int id, String text) {
     switch (what) {
       case "run" -> {
-        LOG.info("page: {} runs: {}", viewer.address().getHostAddress(), text);
-        viewer.send(PageJson.answer(id, config.commands().run(text)));
+        viewer.send(PageJson.answer(id, config.commands().run(text, caller(viewer))));
       }
       case "complete" -> {
-        List<String> words = new ArrayList<>(CommandWords.split(text));
-        boolean begun = !text.isEmpty() && !Character.isWhitespace(text.charAt(text.length() - 1));
-        String start = begun && !words.isEmpty() ? words.remove(words.size() - 1) : "";
-        List<String> all = config.commands().complete(words);
-        viewer.send(
-            PageJson.words(
-                id, all.stream().filter(word -> startsWith(word, start)).limit(20).toList()));
+        List<Quoting.Word> words = Quoting.begunWords(text);
+        int last = words.size() - 1;
+        boolean begun =
+            last >= 0
+                && (words.get(last).isOpen()
+                    || !Character.isWhitespace(text.charAt(text.length() - 1)));
+        String start = begun ? words.get(last).text() : "";
+        String before = begun ? text.substring(0, words.get(last).begin()) : text;
+        List<String> whole =
+            words.stream().limit(begun ? last : last + 1).map(Quoting.Word::text).toList();
+        List<String> next = config.commands().complete(whole, caller(viewer));
+        List<String> fitting =
+            next.stream()
+                .filter(word -> startsWith(word, start))
+                .limit(20)
+                .map(Quoting::shown)
+                .toList();
+        viewer.send(PageJson.words(id, before, fitting));
       }
       case "recordings" -> viewer.send(PageJson.recordings(downloads.list()));
       case "download" -> {
@@ -291,6 +321,10 @@ public final class LivePage implements AutoCloseable {
       }
       default -> viewer.refuse("there is no such message");
     }
+  }
+
+  private static Caller caller(Viewer viewer) {
+    return new Caller(Role.OPERATOR, "page", viewer.address().getHostAddress());
   }
 
   private static boolean startsWith(String word, String start) {

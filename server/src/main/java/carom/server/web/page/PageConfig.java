@@ -1,5 +1,6 @@
 package carom.server.web.page;
 
+import carom.server.access.AddressRange;
 import carom.server.command.CommandRegistry;
 import carom.server.console.LogTail;
 import carom.server.login.LoginThrottle;
@@ -17,7 +18,9 @@ import java.util.Set;
  * @param throttle limits wrong secrets
  * @param log the log's last lines
  * @param recordings folders of recordings
- * @param strangersWatch whether rooms and charts are shown without the secret
+ * @param strangersWatch whether rooms and charts are shown to visitors at this machine without the
+ *     secret
+ * @param proxies addresses of proxies, which tell from where their requests come
  * @param hosts names under which browsers may reach the server, beside addresses and {@code
  *     localhost}
  */
@@ -29,10 +32,12 @@ public record PageConfig(
     LogTail log,
     List<Path> recordings,
     boolean strangersWatch,
+    List<AddressRange> proxies,
     Set<String> hosts) {
   /** Copies the lists. */
   public PageConfig {
     recordings = List.copyOf(recordings);
+    proxies = List.copyOf(proxies);
     hosts = Set.copyOf(hosts);
   }
 }

@@ -269,12 +269,17 @@ final class PageJson {
         });
   }
 
-  /** Words that may stand at the end of a line. */
-  static String words(long id, List<String> words) {
+  /**
+   * Words that may stand at the end of a line, in quotes where they need them.
+   *
+   * @param before the line before the word that they complete
+   */
+  static String words(long id, String before, List<String> words) {
     return message(
         "words",
         g -> {
           g.writeNumberField("id", id);
+          g.writeStringField("before", before);
           g.writeArrayFieldStart("words");
           for (String word : words) {
             g.writeString(Printable.text(word));

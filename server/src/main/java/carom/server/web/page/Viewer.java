@@ -29,6 +29,7 @@ final class Viewer {
   private static final double NS_PER_S = 1e9;
 
   private final WebSocketChannel channel;
+  private final Origins.Origin origin;
   private final AtomicInteger waiting = new AtomicInteger();
   private volatile boolean admin;
   private volatile Gaze gaze = Gaze.NOTHING;
@@ -80,13 +81,19 @@ final class Viewer {
     static final Gaze NOTHING = new Gaze(null, false, false, -1);
   }
 
-  Viewer(WebSocketChannel channel, long nowNs) {
+  Viewer(WebSocketChannel channel, Origins.Origin origin, long nowNs) {
     this.channel = channel;
+    this.origin = origin;
     heardNs = nowNs;
   }
 
   InetAddress address() {
-    return channel.getSourceAddress().getAddress();
+    return origin.address();
+  }
+
+  /** Returns whether it sits at this machine for sure. */
+  boolean isHere() {
+    return origin.isHere();
   }
 
   boolean isAdmin() {

@@ -176,10 +176,9 @@ const handlers = {
   },
   words(message) {
     if (message.id !== asked) return;
-    const input = $('line'), start = input.value.slice(0, input.value.search(/\S*$/));
-    const quoted = message.words.map(word => /\s/.test(word) ? `"${word}"` : word);
-    if (quoted.length === 1) input.value = start + quoted[0] + ' ';
-    $('words').textContent = quoted.length > 1 ? quoted.join('  ') : '';
+    const words = message.words;
+    if (words.length === 1) $('line').value = message.before + words[0] + ' ';
+    $('words').textContent = words.length > 1 ? words.join('  ') : '';
   },
   refused(message) {
     note(message.why);

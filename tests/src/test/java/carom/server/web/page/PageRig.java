@@ -66,6 +66,7 @@ final class PageRig implements AutoCloseable {
             LogTail.begin(logging),
             List.of(data.recordings()),
             strangersWatch,
+            List.of(),
             Set.of("carom.example"));
     web =
         new WebServer(
