@@ -3,6 +3,9 @@
 # Where it can't be downloaded, runs the gradle on the PATH, which on Debian this installs if need be.
 set -eu
 
+# What is given and typed is UTF-8, whatever locale cron or ssh set.
+[ "$(locale charmap 2>/dev/null)" = UTF-8 ] || export LC_ALL=C.UTF-8
+
 properties=$(cd "$(dirname "$0")" && pwd)/gradle/wrapper/gradle-wrapper.properties
 property() { sed -n "s/^$1=//p" "$properties" | tr -d '\\\r'; }
 url=$(property distributionUrl)

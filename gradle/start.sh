@@ -14,16 +14,20 @@ if ! command -v "\$java" >/dev/null; then
     echo "${applicationName}: there is no Java: install a JRE from 17 on, or take the zip that brings a runtime" >&2
     exit 127
 fi
+# File names, arguments and what is typed are UTF-8, also where cron, ssh or systemd set no locale or one that isn't installed.
+[ "\$(locale charmap 2>/dev/null)" = UTF-8 ] || export LC_ALL=C.UTF-8
+jdk=\${home:-\$(dirname "\$(readlink -f "\$(command -v java)")")/..}
 # Classes that carom-prepare has kept, for the JVM that made them alone: others crashed on them.
 classes=
 if [ -f "\$APP_HOME/lib/${applicationName}.jsa" ]; then
-    jdk=\${home:-\$(dirname "\$(readlink -f "\$(command -v java)")")/..}
     cmp -s "\$jdk/release" "\$APP_HOME/lib/${applicationName}.release" && classes=\$APP_HOME/lib/${applicationName}.jsa
 fi
 priorities=
 <% if (applicationName in ['carom-server', 'carom-bots']) { %># Linux: Java's priorities count, as nice values, and the JIT compiler's threads leave the processors to those that play. Without root
 # a process can't be preferred, only step back, and the JVM would say so at each start. Measured: docs/lab/crowd.md.
-if [ "\$(uname)" = Linux ]; then
+# Only on the JVMs that CI has tried: a later one may refuse flags that only tune.
+version=\$(sed -n 's/^JAVA_VERSION="\\([0-9]*\\).*/\\1/p' "\$jdk/release" 2>/dev/null)
+if [ "\$(uname)" = Linux ] && [ "\${version:-99}" -le 25 ]; then
     priorities='-XX:ThreadPriorityPolicy=1 -XX:CompilerThreadPriority=10'
     [ "\$(id -u)" = 0 ] || priorities="\$priorities -XX:-PrintWarnings"
 fi

@@ -4,6 +4,7 @@ import carom.game.GuardedGame;
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
 import carom.options.VectorApi;
+import carom.physics.simd.VectorModule;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
@@ -282,6 +283,7 @@ public final class ServerMain implements Callable<Integer> {
         config.tickRateHz(),
         config.seed(),
         Runtime.version().feature());
+    log.info("engine: {}", VectorModule.describe());
     layers.warnings().forEach(log::warn);
     if (layers.file() != null) {
       log.info("settings: {}", layers.file());

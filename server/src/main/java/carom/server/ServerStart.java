@@ -144,7 +144,7 @@ final class ServerStart {
       server.checkpoint(folder, flags.checkpointS);
       log.info("checkpoints: {}, every {} s", folder, flags.checkpointS);
     } catch (IOException e) {
-      throw new StartFailure("--checkpoint: " + e.getMessage(), e);
+      throw new StartFailure("--checkpoint: " + FileErrors.reason(e), e);
     }
   }
 
@@ -182,7 +182,8 @@ final class ServerStart {
       server.allowSpectators(flags.spectatorDelayS);
       log.info("spectators: let in, {} s late", flags.spectatorDelayS);
     } catch (IOException e) {
-      throw new StartFailure("--spectator-delay: no file for the recording: " + e, e);
+      throw new StartFailure(
+          "--spectator-delay: no file for the recording: " + FileErrors.reason(e), e);
     }
   }
 }

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 
 /** Words for people about what a game's code threw. Stateless; any thread. */
 public final class GameFault {
-  /** What other code calls: the line that is to blame stands above these in the stack. */
+  /** Packages that other code calls: the line that is to blame stands above these in a stack. */
   private static final List<String> LIBRARIES =
       List.of("java.", "javax.", "jdk.", "sun.", "carom.physics.", "carom.sim.");
 

@@ -100,16 +100,30 @@ public final class Json {
   }
 
   /**
-   * Reads a whole document.
+   * Reads a whole document that people wrote.
+   *
+   * @throws JsonException if it is no JSON, beyond a limit, or has characters that can't be shown
+   */
+  public static Json parse(byte[] bytes) throws JsonException {
+    return parse(bytes, true);
+  }
+
+  /**
+   * Reads a whole document that a program made, whose texts may have characters that can't be
+   * shown: clean them before people see them.
    *
    * @throws JsonException if it is no JSON, or beyond a limit
    */
-  public static Json parse(byte[] bytes) throws JsonException {
+  public static Json parseMachineMade(byte[] bytes) throws JsonException {
+    return parse(bytes, false);
+  }
+
+  private static Json parse(byte[] bytes, boolean visible) throws JsonException {
     try (JsonParser p = FACTORY.createParser(bytes)) {
       if (p.nextToken() == null) {
         throw new JsonException(1, 1, "", "the file is empty; it must be a JSON object");
       }
-      Json root = new Reader(p).read(null, "", -1);
+      Json root = new Reader(p, visible).read(null, "", -1);
       if (p.nextToken() != null) {
         JsonLocation at = p.currentTokenLocation();
         throw new JsonException(
@@ -150,10 +164,12 @@ public final class Json {
   /** Turns the tokens of one document into nodes. */
   private static final class Reader {
     private final JsonParser tokens;
+    private final boolean visible;
     private int nodes;
 
-    Reader(JsonParser tokens) {
+    Reader(JsonParser tokens, boolean visible) {
       this.tokens = tokens;
+      this.visible = visible;
     }
 
     /** Reads the node of the present token. */
@@ -164,7 +180,7 @@ public final class Json {
             node.line, node.column, "", "the file has more than " + MAX_NODES + " values");
       }
       if (node.kind == Kind.STRING) {
-        visible(node.text, node);
+        requireVisible(node.text, node);
       }
       if (node.kind == Kind.OBJECT) {
         readFields(node);
@@ -180,7 +196,7 @@ public final class Json {
       while (tokens.nextToken() != JsonToken.END_OBJECT) {
         JsonLocation at = tokens.currentTokenLocation();
         String name = tokens.currentName();
-        visible(name, object);
+        requireVisible(name, object);
         tokens.nextToken();
         Json field = read(object, name, -1);
         if (object.fields.put(name, field) != null) {
@@ -191,9 +207,9 @@ public final class Json {
     }
 
     /** Refuses a text that would change how a terminal or a screen shows its neighbours. */
-    private static void visible(String text, Json node) throws JsonException {
+    private void requireVisible(String text, Json node) throws JsonException {
       String clean = Texts.clean(text);
-      if (!clean.equals(text)) {
+      if (visible && !clean.equals(text)) {
         throw new JsonException(
             node.line, node.column, node.path(), " has an invisible character; remove it");
       }

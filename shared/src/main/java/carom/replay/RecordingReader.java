@@ -316,9 +316,13 @@ public final class RecordingReader implements AutoCloseable {
     return Entry.KEYFRAME;
   }
 
-  private Entry readEnd() throws RecordingException {
+  private Entry readEnd() throws IOException {
     cut = block.u8() != 0;
     reason = block.text("reason", MAX_REASON_BYTES);
+    long more = file.size() - position + block.left();
+    if (more > 0) {
+      throw new RecordingException("damaged: " + more + " bytes follow the end");
+    }
     ended = true;
     return Entry.END;
   }

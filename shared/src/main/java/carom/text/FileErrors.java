@@ -1,7 +1,9 @@
 package carom.text;
 
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
@@ -22,7 +24,20 @@ public final class FileErrors {
     if (e instanceof NotDirectoryException || e instanceof FileAlreadyExistsException) {
       return ((FileSystemException) e).getFile() + " is in the way";
     }
-    String reason = e instanceof FileSystemException file ? file.getReason() : e.getMessage();
-    return reason == null || reason.isBlank() ? e.getClass().getSimpleName() : reason;
+    if (e instanceof CharacterCodingException) {
+      return "it isn't text in UTF-8";
+    }
+    if (e instanceof DirectoryNotEmptyException full) {
+      return full.getFile() + " is a folder that isn't empty";
+    }
+    boolean ofSystem = e instanceof FileSystemException;
+    String reason = ofSystem ? ((FileSystemException) e).getReason() : e.getMessage();
+    if (reason == null || reason.isBlank()) {
+      return "it failed as " + e.getClass().getSimpleName();
+    }
+    if (reason.equals("Is a directory")) {
+      return "it is a folder";
+    }
+    return ofSystem ? "the system says: " + reason : reason;
   }
 }

@@ -351,7 +351,7 @@ final class ArchitectureTest {
     allow("carom.json", "carom.text");
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
     allow("carom.net.admission");
-    allow("carom.net.seal");
+    allow("carom.net.seal", "carom.text");
     allow("carom.net.datagram");
     allow(
         "carom.net.frame",

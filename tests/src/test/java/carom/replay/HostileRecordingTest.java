@@ -103,6 +103,19 @@ final class HostileRecordingTest {
   }
 
   @Test
+  void nothingMayFollowTheEnd() {
+    Random random = new Random(SEED);
+    for (int more : new int[] {1, 8, 17, 30_000}) {
+      byte[] longer = Arrays.copyOf(good, good.length + more);
+      for (int i = good.length; i < longer.length; i++) {
+        longer[i] = (byte) random.nextInt();
+      }
+      RecordingException e = assertThrows(RecordingException.class, () -> play(longer, null));
+      assertTrue(e.getMessage().contains(more + " bytes follow the end"), e.getMessage());
+    }
+  }
+
+  @Test
   void aFileThatGrowsIsFollowed() throws Exception {
     Path file = folder.resolve("growing.carom");
     Files.write(file, Arrays.copyOf(good, good.length / 2));

@@ -27,6 +27,7 @@ import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.transport.ClientTransport;
 import carom.sim.level.Level;
 import carom.sim.scene.Scene;
+import carom.text.FileErrors;
 import com.badlogic.gdx.Application;
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
@@ -286,7 +287,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     try {
       spectator = new SpectatorThread(config, room, sockets);
     } catch (IOException e) {
-      start("Can't watch: " + e);
+      start("Can't watch: " + FileErrors.reason(e) + ".");
     }
   }
 
@@ -326,7 +327,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
       try {
         next = watched.follow();
       } catch (IOException e) {
-        System.err.println("carom-client: can't watch: " + e);
+        System.err.println("carom-client: can't watch: " + FileErrors.reason(e));
       }
     }
     if (next != null && (waits || next.isReady())) {

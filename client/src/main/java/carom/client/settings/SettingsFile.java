@@ -3,8 +3,8 @@ package carom.client.settings;
 import carom.sim.message.PlayerColour;
 import carom.text.FileErrors;
 import carom.text.Suggestion;
+import carom.text.TextFile;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -212,11 +212,8 @@ public final class SettingsFile {
     List<String> problems = new ArrayList<>();
     settings = PlayerSettings.defaults();
     try {
-      if (Files.size(file) > MAX_BYTES) {
-        throw new IOException("it is larger than " + MAX_BYTES + " bytes");
-      }
       int number = 0;
-      for (String line : Files.readAllLines(file, StandardCharsets.UTF_8)) {
+      for (String line : TextFile.read(file, MAX_BYTES).split("\\R")) {
         number++;
         try {
           settings = read(settings, line.strip());

@@ -2,10 +2,9 @@ package carom.server.access;
 
 import carom.server.config.DataFolder;
 import carom.text.FileErrors;
+import carom.text.TextFile;
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -109,7 +108,7 @@ final class AccessFile {
 
   private List<String> lines() throws IOException {
     try {
-      return Files.readAllLines(file);
+      return TextFile.read(file, TextFile.MAX_BYTES).lines().toList();
     } catch (NoSuchFileException e) {
       return List.of();
     } catch (IOException e) {
@@ -119,13 +118,6 @@ final class AccessFile {
 
   private IOException unreadable(IOException cause) {
     String why = FileErrors.reason(cause);
-    if (cause instanceof AccessDeniedException) {
-      why = "the user " + System.getProperty("user.name") + " has no permission";
-    } else if (cause instanceof CharacterCodingException) {
-      why = "it isn't text in UTF-8";
-    } else if (Files.isDirectory(file)) {
-      why = "it is a folder";
-    }
     return new IOException(file + " can't be read: " + why + "; mend it, or move it away", cause);
   }
 

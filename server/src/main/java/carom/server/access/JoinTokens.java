@@ -5,9 +5,10 @@ import carom.json.JsonException;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
+import carom.text.TextFile;
+import carom.text.Texts;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
@@ -26,11 +27,13 @@ import java.util.Map;
  *
  * <p>Claims: {@code sub} (the account) and {@code exp} (the end, seconds since 1970) must be there.
  * {@code name}, {@code room}, {@code nbf} (the begin) and {@code server} (the fingerprint of the
- * one server that the token is for) may. Others are ignored.
+ * one server that the token is for) may. Others are ignored. The account identifies the player; the
+ * name is only shown, so it is {@linkplain PlayerName#fitted fitted}, never a reason to refuse.
  */
 public final class JoinTokens {
   private static final int SIGNATURE_BYTES = 64;
   private static final String ALGORITHM = "Ed25519";
+  private static final int MAX_PEM_BYTES = 10_000;
 
   private final PublicKey key;
   private final String fingerprint;
@@ -63,14 +66,16 @@ public final class JoinTokens {
         "; make a pair with: openssl genpkey -algorithm ed25519 -out backend.pem, and its public"
             + " key with: openssl pkey -in backend.pem -pubout -out join.pem";
     try {
-      String text = Files.readString(file, StandardCharsets.US_ASCII);
+      String text = TextFile.read(file, MAX_PEM_BYTES);
       String base64 = text.replaceAll("-----(BEGIN|END) PUBLIC KEY-----", "").replaceAll("\\s", "");
       X509EncodedKeySpec encoded = new X509EncodedKeySpec(Base64.getDecoder().decode(base64));
       return new JoinTokens(
           KeyFactory.getInstance(ALGORITHM).generatePublic(encoded), fingerprint, uses, clock);
     } catch (NoSuchFileException e) {
       throw new IOException(file + " isn't there" + how, e);
-    } catch (IOException | IllegalArgumentException | GeneralSecurityException e) {
+    } catch (IOException e) {
+      throw new IOException(file + " can't be read: " + e.getMessage() + how, e);
+    } catch (IllegalArgumentException | GeneralSecurityException e) {
       throw new IOException(file + " has no public Ed25519 key in PEM" + how, e);
     }
   }
@@ -124,20 +129,20 @@ public final class JoinTokens {
       throw new BadTokenException("The token is for another server.");
     }
     JoinToken result =
-        new JoinToken(text(claims, "sub"), text(claims, "name"), text(claims, "room"));
+        new JoinToken(
+            text(claims, "sub"), PlayerName.fitted(text(claims, "name")), text(claims, "room"));
     requireUsable(result);
     return result;
   }
 
   private static void requireUsable(JoinToken token) throws BadTokenException {
     String account = token.account();
-    if (account.isBlank() || account.length() > ProtocolLimits.MAX_ACCOUNT_CHARACTERS) {
-      throw new BadTokenException("The token has no account of 1 to 64 characters (sub).");
+    if (account.isBlank()
+        || !account.equals(Texts.clean(account))
+        || account.length() > ProtocolLimits.MAX_ACCOUNT_CHARACTERS) {
+      throw new BadTokenException("The token has no account of 1 to 64 visible characters (sub).");
     }
-    String problem = token.name().isEmpty() ? null : PlayerName.problem(token.name());
-    if (problem == null && !token.room().isEmpty()) {
-      problem = RoomName.problem(token.room());
-    }
+    String problem = token.room().isEmpty() ? null : RoomName.problem(token.room());
     if (problem != null) {
       throw new BadTokenException("The token can't be used: " + problem + ".");
     }
@@ -165,7 +170,7 @@ public final class JoinTokens {
 
   private static Map<String, Json> fields(String part) throws BadTokenException {
     try {
-      return Json.parse(bytes(part)).fields;
+      return Json.parseMachineMade(bytes(part)).fields;
     } catch (JsonException e) {
       throw new BadTokenException("The token isn't one.");
     }

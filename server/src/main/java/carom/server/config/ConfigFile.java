@@ -1,5 +1,6 @@
 package carom.server.config;
 
+import carom.text.TextFile;
 import com.typesafe.config.Config;
 import com.typesafe.config.ConfigException;
 import com.typesafe.config.ConfigFactory;
@@ -9,9 +10,6 @@ import com.typesafe.config.ConfigSyntax;
 import com.typesafe.config.ConfigValue;
 import com.typesafe.config.ConfigValueType;
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
@@ -36,18 +34,13 @@ final class ConfigFile {
    * @throws BadSettingException if the file can't be read; the message says what to do
    */
   static Map<String, Value> read(Path file) throws BadSettingException {
+    String text;
     try {
-      Files.readString(file);
+      text = TextFile.read(file, TextFile.MAX_BYTES);
     } catch (NoSuchFileException e) {
       throw unreadable(file, "there is no such file; carom-server --print-config writes one", e);
-    } catch (AccessDeniedException e) {
-      String user = System.getProperty("user.name");
-      throw unreadable(file, "the user " + user + " has no permission; let it read the file", e);
-    } catch (CharacterCodingException e) {
-      throw unreadable(file, "it isn't text in UTF-8; save it as such", e);
     } catch (IOException e) {
-      String what = Files.isDirectory(file) ? "it is a folder" : e.getMessage();
-      throw unreadable(file, what + "; name a text file", e);
+      throw unreadable(file, e.getMessage() + "; name a text file that this user may read", e);
     }
     try {
       ConfigParseOptions strict =
@@ -55,7 +48,7 @@ final class ConfigFile {
               .setSyntax(ConfigSyntax.CONF)
               .setAllowMissing(false)
               .setOriginDescription(file.toString());
-      return values(ConfigFactory.parseFile(file.toFile(), strict).resolve());
+      return values(ConfigFactory.parseString(text, strict).resolve());
     } catch (ConfigException e) {
       throw new BadSettingException(explain(file, e), e);
     }

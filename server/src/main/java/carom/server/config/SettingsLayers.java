@@ -3,10 +3,12 @@ package carom.server.config;
 import carom.text.Suggestion;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -70,7 +72,10 @@ public final class SettingsLayers {
       data = option(DATA).defaultValue();
     }
     Path usual = path(data, DATA).resolve(DataFolder.CONFIG);
-    file = named != null ? path(named, CONFIG) : Files.exists(usual) ? usual : null;
+    file =
+        named != null
+            ? path(named, CONFIG)
+            : Files.exists(usual, LinkOption.NOFOLLOW_LINKS) ? usual : null;
     if (file != null) {
       readFile(named == null ? path(data, DATA) : null);
     }
@@ -92,9 +97,22 @@ public final class SettingsLayers {
   public String[] arguments() {
     List<String> all = new ArrayList<>();
     below.forEach(
-        (name, value) -> value.texts().forEach(text -> all.add(FLAG + name + "=" + text)));
+        (name, value) ->
+            value.texts().forEach(text -> all.add(FLAG + name + "=" + argument(name, text))));
     all.addAll(commandLine);
     return all.toArray(new String[0]);
+  }
+
+  /** Returns a value as the parser takes it: HOCON has four more words for true and false. */
+  private String argument(String name, String text) {
+    if (option(name).type() != boolean.class) {
+      return text;
+    }
+    return switch (text.toLowerCase(Locale.ROOT)) {
+      case "yes", "on" -> "true";
+      case "no", "off" -> "false";
+      default -> text;
+    };
   }
 
   /**

@@ -2,12 +2,14 @@ package carom.server.console;
 
 import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
-import java.io.BufferedReader;
+import carom.text.Texts;
+import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStreamReader;
+import java.io.InputStream;
 import java.io.PrintStream;
-import java.io.Reader;
-import java.nio.charset.Charset;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -20,6 +22,9 @@ import org.slf4j.LoggerFactory;
  */
 public final class Console implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Console.class);
+
+  /** Most bytes of a line that may be one: a character has at most four. */
+  private static final int MAX_LINE_BYTES = 4 * CommandRegistry.MAX_LINE;
 
   private final CommandRegistry commands;
   private final PrintStream out;
@@ -40,7 +45,8 @@ public final class Console implements AutoCloseable {
    */
   public static Console start(CommandRegistry commands, Path history) {
     TerminalPrompt prompt = TerminalPrompt.open(commands, history);
-    Console console = new Console(commands, System.out, prompt);
+    Console console =
+        new Console(commands, new PrintStream(System.out, false, StandardCharsets.UTF_8), prompt);
     Thread thread = new Thread(console::run, "carom-console");
     thread.setDaemon(true);
     thread.start();
@@ -52,8 +58,7 @@ public final class Console implements AutoCloseable {
       if (prompt != null) {
         prompt.run();
       } else {
-        Charset charset = Charset.defaultCharset();
-        read(commands, new InputStreamReader(System.in, charset), out);
+        read(commands, System.in, out);
       }
     } catch (IOException e) {
       LOG.debug("the console ends: {}", e.toString()); // standard input was closed
@@ -61,25 +66,40 @@ public final class Console implements AutoCloseable {
   }
 
   /**
-   * Carries out line after line until the input ends. A line that is too long is answered, not
-   * kept.
+   * Carries out line after line until the input ends. Lines are UTF-8, whatever the locale is. One
+   * that isn't, or that is too long, is answered and has no effect.
    *
    * @param out receives the answers
    */
-  static void read(CommandRegistry commands, Reader input, PrintStream out) throws IOException {
-    BufferedReader lines = new BufferedReader(input);
-    StringBuilder line = new StringBuilder();
-    for (int c; (c = lines.read()) >= 0; ) {
-      if (c != '\n') {
-        if (line.length() <= CommandRegistry.MAX_LINE) {
-          line.append((char) c);
+  static void read(CommandRegistry commands, InputStream input, PrintStream out)
+      throws IOException {
+    InputStream bytes = new BufferedInputStream(input);
+    ByteArrayOutputStream line = new ByteArrayOutputStream();
+    for (int b; (b = bytes.read()) >= 0; ) {
+      if (b != '\n') {
+        if (line.size() <= MAX_LINE_BYTES) {
+          line.write(b);
         }
         continue;
       }
-      answer(commands, line.toString(), out);
-      line.setLength(0);
+      answer(commands, line, out);
+      line.reset();
     }
-    answer(commands, line.toString(), out);
+    answer(commands, line, out);
+  }
+
+  private static void answer(
+      CommandRegistry commands, ByteArrayOutputStream line, PrintStream out) {
+    String text =
+        line.size() > MAX_LINE_BYTES
+            ? line.toString(StandardCharsets.ISO_8859_1) // which the commands refuse by its length
+            : Texts.ofUtf8(ByteBuffer.wrap(line.toByteArray()));
+    if (text == null) {
+      out.println("The line isn't UTF-8, so nothing was done. Set the terminal to UTF-8.");
+      out.flush();
+    } else {
+      answer(commands, text, out);
+    }
   }
 
   private static void answer(CommandRegistry commands, String line, PrintStream out) {

@@ -64,7 +64,12 @@ final class TerminalPrompt implements AutoCloseable {
       return null;
     }
     try {
-      Terminal terminal = TerminalBuilder.builder().system(true).dumb(false).build();
+      Terminal terminal =
+          TerminalBuilder.builder()
+              .system(true)
+              .dumb(false)
+              .encoding(StandardCharsets.UTF_8)
+              .build();
       return new TerminalPrompt(commands, terminal, history);
     } catch (IOException | IllegalStateException e) {
       return null; // such as TERM=dumb

@@ -1,6 +1,7 @@
 package carom.server.login;
 
 import carom.text.FileErrors;
+import carom.text.TextFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
@@ -26,6 +27,7 @@ public final class Secret {
 
   private static final Logger LOG = LoggerFactory.getLogger(Secret.class);
   private static final int RANDOM_BYTES = 24;
+  private static final int MAX_BYTES = 10_000;
   private static final Set<PosixFilePermission> OWNER_ONLY =
       PosixFilePermissions.fromString("rw-------");
 
@@ -53,7 +55,7 @@ public final class Secret {
    */
   public static Secret of(Path file) throws IOException {
     try {
-      String text = Files.readString(file).lines().findFirst().orElse("").strip();
+      String text = firstLine(file);
       if (text.length() < LEAST) {
         throw new IOException(
             String.format(
@@ -68,6 +70,17 @@ public final class Secret {
       return new Secret(text);
     } catch (NoSuchFileException e) {
       return create(file);
+    }
+  }
+
+  private static String firstLine(Path file) throws IOException {
+    try {
+      return TextFile.read(file, MAX_BYTES).lines().findFirst().orElse("").strip();
+    } catch (NoSuchFileException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new IOException(
+          file + " can't be read: " + e.getMessage() + "; remove it for a random secret", e);
     }
   }
 

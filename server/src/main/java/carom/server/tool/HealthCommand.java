@@ -2,6 +2,7 @@ package carom.server.tool;
 
 import carom.options.BadFlag;
 import carom.options.Sockets;
+import carom.text.FileErrors;
 import carom.text.Texts;
 import java.io.IOException;
 import java.io.InputStream;
@@ -79,7 +80,7 @@ public final class HealthCommand implements Callable<Integer> {
       }
       return well ? 0 : UNWELL;
     } catch (IOException e) {
-      out.println("No answer from " + url + " (" + e.getMessage() + ").");
+      out.println("No answer from " + url + " (" + FileErrors.reason(e) + ").");
       return UNWELL;
     } finally {
       out.flush();

@@ -6,6 +6,7 @@ import carom.replay.RecordingException;
 import carom.replay.RecordingHeader;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -76,7 +77,8 @@ public final class ReplayCommand implements Callable<Integer> {
       }
       return play(reader, replay, out, err);
     } catch (IOException e) {
-      String message = e instanceof RecordingException ? e.getMessage() : e.toString();
+      String message =
+          e instanceof RecordingException ? e.getMessage() : file + ": " + FileErrors.reason(e);
       err.println("carom replay: " + message);
       err.flush();
       return BAD_FILE;

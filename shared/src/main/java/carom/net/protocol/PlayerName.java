@@ -101,6 +101,37 @@ public final class PlayerName {
     return null;
   }
 
+  /**
+   * Returns the valid name that is nearest to a text, or "" if nothing of it can be shown. What a
+   * name can't have is left out, other spaces become U+0020, and what is too long is cut.
+   */
+  public static String fitted(String text) {
+    StringBuilder shown = new StringBuilder();
+    text.codePoints()
+        .map(point -> Character.getType(point) == Character.SPACE_SEPARATOR ? ' ' : point)
+        .filter(point -> !isHidden(point))
+        .forEach(shown::appendCodePoint);
+    String composed = Normalizer.normalize(shown, Normalizer.Form.NFC);
+    StringBuilder name = new StringBuilder();
+    int bytes = 0;
+    int marks = MAX_MARKS; // no mark may come first
+    for (int i = 0, next; i < composed.length(); i = next) {
+      int point = composed.codePointAt(i);
+      next = i + Character.charCount(point);
+      boolean mark = Texts.isMark(point);
+      if ((mark && marks == MAX_MARKS) || (point == ' ' && name.isEmpty())) {
+        continue;
+      }
+      bytes += Character.toString(point).getBytes(StandardCharsets.UTF_8).length;
+      if (bytes > ProtocolLimits.MAX_NAME_BYTES) {
+        break;
+      }
+      marks = mark ? marks + 1 : 0;
+      name.appendCodePoint(point);
+    }
+    return name.toString().strip();
+  }
+
   private static boolean isHidden(int point) {
     return Texts.isInvisible(point)
         || (Character.getType(point) == Character.SPACE_SEPARATOR && point != ' ')

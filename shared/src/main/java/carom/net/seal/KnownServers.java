@@ -1,5 +1,6 @@
 package carom.net.seal;
 
+import carom.text.TextFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -116,7 +117,7 @@ public final class KnownServers {
       return expected;
     }
     try {
-      for (String line : Files.readAllLines(file)) {
+      for (String line : TextFile.read(file, TextFile.MAX_BYTES).split("\\R")) {
         String[] words = line.strip().split("\\s+", 3);
         if (words.length >= 2 && words[0].equals(key(server))) {
           return words[1];

@@ -1,10 +1,11 @@
 package carom.net.seal;
 
+import carom.text.FileErrors;
+import carom.text.TextFile;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -21,6 +22,9 @@ import java.util.Set;
 /** The lasting key by which clients know a server: its file and its fingerprint. */
 public final class ServerKey {
   private static final String OWNER_ONLY = "rw-------";
+
+  /** Most bytes of the file: its one line has 44. */
+  private static final int MAX_BYTES = 1_000;
 
   private ServerKey() {}
 
@@ -40,9 +44,13 @@ public final class ServerKey {
   private static ExchangeKey read(Path file) throws IOException {
     String text;
     try {
-      text = Files.readString(file, StandardCharsets.US_ASCII).strip();
-    } catch (AccessDeniedException e) {
-      throw new IOException(file + " can't be read; give it to the user that runs the server", e);
+      text = TextFile.read(file, MAX_BYTES).strip();
+    } catch (NoSuchFileException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new IOException(
+          file + " can't be read: " + e.getMessage() + "; give it to the user that runs the server",
+          e);
     }
     try {
       return ExchangeKey.of(Base64.getUrlDecoder().decode(text));
@@ -77,7 +85,7 @@ public final class ServerKey {
       throw new IOException(
           file
               + " can't be written ("
-              + e.getMessage()
+              + FileErrors.reason(e)
               + "); free the disk or make its folder writable",
           e);
     }

@@ -3,7 +3,7 @@
  * authenticate what they send. All of it is made of the JDK's own X25519, HMAC-SHA256 and AES-GCM.
  * It opens no socket.
  *
- * <p>Imports the JDK only.
+ * <p>Imports {@code carom.text}.
  *
  * <p>Read first: {@link carom.net.seal.KeyExchange}, {@link carom.net.seal.DatagramSealer}, {@link
  * carom.net.seal.KnownServers}.

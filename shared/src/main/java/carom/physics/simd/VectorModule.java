@@ -64,6 +64,23 @@ public final class VectorModule {
     warmer.accept(set);
   }
 
+  /** Returns which kernels this JVM computes with, and why if it has no vectors, for a log. */
+  public static String describe() {
+    Width width = find("carom.physics.simd.VectorWidth", Width.class);
+    if (width == null) {
+      return "scalar kernels: the JVM has no module jdk.incubator.vector; start by the script in"
+          + " bin, or add --add-modules jdk.incubator.vector";
+    }
+    if (width.floats() < LANES) {
+      return "scalar kernels: vectors of this processor hold "
+          + width.floats()
+          + " floats, and "
+          + LANES
+          + " are needed";
+    }
+    return "vector kernels of " + LANES + " lanes";
+  }
+
   private static int lanes() {
     Width width = find("carom.physics.simd.VectorWidth", Width.class);
     return width != null && width.floats() >= 16 ? 16 : 8;

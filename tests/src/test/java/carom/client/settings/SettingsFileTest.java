@@ -67,6 +67,15 @@ final class SettingsFileTest {
   }
 
   @Test
+  void aByteOrderMarkCostsNoLine() throws Exception {
+    write("\ufeffname = Zo\u00eb\r\nvolume = 35\r\n");
+    SettingsFile settings = loaded();
+    assertEquals("Zo\u00eb", settings.settings().name());
+    assertEquals(35, settings.settings().volume());
+    assertEquals("", settings.problem());
+  }
+
+  @Test
   void withoutAFileEverythingIsAsByDefault() {
     SettingsFile settings = loaded();
     assertEquals(PlayerSettings.defaults(), settings.settings());

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.protocol.PlayerName;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -15,6 +16,7 @@ import java.security.Signature;
 import java.time.Instant;
 import java.util.Base64;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -89,8 +91,48 @@ final class JoinTokensTest {
     refused(token(backend, HEAD, claims(",\"server\":\"other\"")), "another server");
     refused(token(pair(), HEAD, claims("")), "isn't from this game's operator");
     refused(token(backend, HEAD, "{\"exp\":" + (NOW + 60) + "}"), "no account");
-    refused(token(backend, HEAD, claims(",\"name\":\" \"")), "can't be used");
+    refused(token(backend, HEAD, claims(",\"room\":\" \"")), "can't be used");
     refused("", "Join through");
+  }
+
+  @Test
+  void noNameKeepsAnAccountOut() throws BadTokenException {
+    String[][] names = {
+      {"Ann ", "Ann"},
+      {" ", ""},
+      {"\u2764\ufe0f", "\u2764"},
+      {"\u0645\u06cc\u200c\u062e\u0648", "\u0645\u06cc\u062e\u0648"},
+      {"x".repeat(33), "x".repeat(32)},
+      {"Ann\u00a0Lee\u0000", "Ann Lee"},
+      {"\u0301e\u0301\u0301\u0301\u0301\u0301", "\u00e9\u0301\u0301\u0301"}
+    };
+    for (String[] name : names) {
+      String claims = claims(",\"name\":" + quoted(name[0]));
+      assertEquals(name[1], tokens.check(token(backend, HEAD, claims)).name());
+    }
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    System.out.println("JoinTokensTest seed=" + seed);
+    SplittableRandom random = new SplittableRandom(seed);
+    int[] blocks = {0x20, 0x80, 0x300, 0x600, 0x2000, 0x3000, 0xd800, 0xfe00, 0x1f600, 0xe0100};
+    for (int i = 0; i < 20_000; i++) {
+      StringBuilder name = new StringBuilder();
+      for (int length = random.nextInt(40); length > 0; length--) {
+        name.appendCodePoint(blocks[random.nextInt(blocks.length)] + random.nextInt(128));
+      }
+      String fitted = PlayerName.fitted(name.toString());
+      assertTrue(fitted.isEmpty() || PlayerName.problem(fitted) == null, () -> quoted("" + name));
+      assertEquals(fitted, PlayerName.fitted(fitted), () -> quoted("" + name));
+      if (PlayerName.problem(name.toString()) == null) {
+        assertTrue(PlayerName.looksLike(fitted, name.toString()), () -> quoted("" + name));
+      }
+    }
+  }
+
+  /** Returns a text as JSON has it, with ASCII alone. */
+  private static String quoted(String text) {
+    StringBuilder json = new StringBuilder("\"");
+    text.chars().forEach(c -> json.append(String.format(Locale.ROOT, "\\u%04x", c)));
+    return json.append('"').toString();
   }
 
   @Test

@@ -64,6 +64,15 @@ final class SettingsLayersTest {
     @Option(names = "--room", description = "Rooms.")
     List<String> rooms = new ArrayList<>();
 
+    @Option(
+        names = "--web",
+        arity = "0..1",
+        negatable = true,
+        fallbackValue = "true",
+        defaultValue = "true",
+        description = "Page (${DEFAULT-VALUE}).")
+    boolean web;
+
     @Option(names = "--help", usageHelp = true)
     boolean help;
   }
@@ -119,6 +128,22 @@ final class SettingsLayersTest {
     assertEquals("default", origin("latency"));
     assertEquals("Steps.", settings.find("tick-rate").orElseThrow().doc());
     assertTrue(settings.find("config").isEmpty() && settings.find("help").isEmpty());
+  }
+
+  @Test
+  void switchesTakeTheWordsOfHocon() throws Exception {
+    for (String word : List.of("no", "off", "false", "OFF")) {
+      write("web = " + word + "\n");
+      read();
+      assertFalse(program.web, word);
+    }
+    for (String word : List.of("yes", "on", "true")) {
+      write("web = " + word + "\n");
+      read();
+      assertTrue(program.web, word);
+    }
+    layers(Map.of("CAROM_DATA", folder.resolve("none").toString(), "CAROM_WEB", "off"));
+    assertFalse(program.web);
   }
 
   @Test
