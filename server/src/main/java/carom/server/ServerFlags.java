@@ -76,7 +76,9 @@ final class ServerFlags {
   @Option(
       names = "--bind",
       paramLabel = "ADDRESS",
-      description = "Address of this machine on which the ports are open (all).")
+      description =
+          "Address of this machine on which the ports are open; 0.0.0.0 = all of IPv4 (all, also of"
+              + " IPv6).")
   private String bind;
 
   @Option(

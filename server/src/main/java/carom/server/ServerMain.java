@@ -51,6 +51,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jline.utils.Signals;
@@ -335,15 +337,17 @@ public final class ServerMain implements Callable<Integer> {
     CommandRegistry commands = commands(server);
     CommandInspector.show(commands);
     server.roomBegins(RoomInspector::show);
+    // Beside the first tick: the libraries load for as long as all the rest.
+    FutureTask<WebServer> ports = new FutureTask<>(() -> openPorts(server, commands));
+    new Thread(ports, "carom-ports").start();
     server.start();
     while (server.count(Counter.TICKS) == 0 && !server.hasFailed()) {
       Thread.sleep(1); // the first tick of a large level takes as long as many later ones
     }
+    web.set(opened(ports));
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
     kernels.begin(); // not before: it would take the processor from the start
-    // Players needn't wait for it: its libraries load for as long as all the rest.
-    web.set(openPorts(server, commands));
     String page = web.get() == null ? null : web.get().url();
     boolean onlyHere = flags.bindAddress() != null && flags.bindAddress().isLoopbackAddress();
     ReadyLine.printHints(System.out, server.tcpPort(), page, onlyHere);
@@ -382,6 +386,19 @@ public final class ServerMain implements Callable<Integer> {
         commands, server::status, settings(), live.keySet(), recordings(), ServerMain::replay);
     ReloadCommand.add(commands, settings(), this::settingsNow, live, access::reload);
     return commands;
+  }
+
+  /** Waits for the ports, without which the server isn't ready. */
+  private static WebServer opened(FutureTask<WebServer> ports)
+      throws InterruptedException, StartFailure {
+    try {
+      return ports.get();
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof StartFailure failure) {
+        throw failure;
+      }
+      throw new IllegalStateException("the ports can't be opened: " + e.getCause(), e);
+    }
   }
 
   /** Opens the ports of the standard protocols and that for HTTP; returns the latter, or null. */

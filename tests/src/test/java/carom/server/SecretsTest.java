@@ -39,7 +39,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Goal: no command gives a secret away or harms a file that is none of its own, whoever gives it.
+ * Goal: no command gives a secret away or harms a file that is none of its own, in any role.
  * Method: the program as a process; every command that {@code help} lists, with every secret as its
  * first and second word, by RCON, in the chat and at the console.
  */

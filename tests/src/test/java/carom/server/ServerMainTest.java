@@ -15,6 +15,9 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.Writer;
 import java.lang.module.ModuleFinder;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -99,6 +102,18 @@ class ServerMainTest {
     assertEquals("", rest(process.getInputStream()));
     assertFalse(err().contains("\tat "), err());
     return err();
+  }
+
+  @Test
+  void aServerIsReadyWhenAllItsPortsAreOpen() throws Exception {
+    try (ServerSocket tcp = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        DatagramSocket datagrams = new DatagramSocket(0)) {
+      String busy = Integer.toString(tcp.getLocalPort());
+      assertTrue(fails(1, "--rcon", "--rcon-port", busy).contains("rcon-port=" + busy), err());
+      assertTrue(fails(1, "--web-port", busy).contains("web-port=" + busy), err());
+      String udp = Integer.toString(datagrams.getLocalPort());
+      assertTrue(fails(1, "--query-port", udp).contains("query-port=" + udp), err());
+    }
   }
 
   @Test

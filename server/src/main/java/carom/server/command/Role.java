@@ -1,8 +1,10 @@
 package carom.server.command;
 
-/** How far somebody who gives commands is trusted; each role may do what those before it may. */
+/**
+ * A role says how far somebody who gives commands is trusted. It may do what those before it may.
+ */
 public enum Role {
-  /** A player whom an operator has listed as admin: people are removed, muted, banned, let in. */
+  /** A player that an operator has listed as admin: people are removed, muted, banned, let in. */
   MODERATOR,
 
   /** Knows the page's token or RCON's password: all but files outside the data folder. */

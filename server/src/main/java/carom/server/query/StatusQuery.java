@@ -1,14 +1,16 @@
 package carom.server.query;
 
+import carom.net.transport.AddressFamily;
 import carom.server.threads.LastingThread;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.SocketException;
+import java.net.ProtocolFamily;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.channels.DatagramChannel;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -71,9 +73,13 @@ public final class StatusQuery implements AutoCloseable {
     random.nextBytes(secret);
     budgets = new QueryBudgets(random.nextInt());
     try {
-      socket = new DatagramSocket(new InetSocketAddress(address, port));
+      ProtocolFamily family = AddressFamily.of(address);
+      DatagramChannel channel =
+          family == null ? DatagramChannel.open() : DatagramChannel.open(family);
+      socket = channel.socket();
       socket.setReceiveBufferSize(WAITING_BYTES);
-    } catch (SocketException e) {
+      socket.bind(new InetSocketAddress(address, port));
+    } catch (IOException e) {
       throw new IOException(
           String.format(
               Locale.ROOT,

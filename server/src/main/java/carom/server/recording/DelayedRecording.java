@@ -62,8 +62,8 @@ public final class DelayedRecording implements BlockSink, AutoCloseable {
   }
 
   /**
-   * Shows no further block, or goes on showing blocks. Whoever computes a match from a recording
-   * knows all of it, also what a team alone may know.
+   * Shows no further block, or goes on showing blocks. Somebody who computes a match from a
+   * recording knows all of it, also what a team alone may know.
    */
   public void hold(boolean newHeld) {
     held = newHeld;

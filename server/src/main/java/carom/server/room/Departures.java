@@ -188,7 +188,8 @@ final class Departures {
   /** Removes a player, who is told so, for an operator. */
   void kick(Session session, String text, long nowNs) {
     session.sayGoodbye(GoodbyeReason.KICKED, text);
-    remove(session, "kicked by the operator", " was removed", nowNs);
+    String why = text.isEmpty() ? "" : ": " + text;
+    remove(session, "kicked by the operator" + why, " was removed", nowNs);
   }
 
   /** Removes a player, whose client goes to another server. */

@@ -2,6 +2,7 @@ package carom.net.datagram;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.net.ProtocolFamily;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
@@ -68,13 +69,18 @@ public final class DatagramPort implements Runnable {
    *
    * @param address an address of this machine, or the wildcard address, and a port number; 0 takes
    *     a free port
+   * @param family of the addresses, or null for all
    * @param maxBytes bytes of the longest datagram; of a longer one the rest is cut off
    * @param listener takes the datagrams
    * @param errors learns of failures, which the port survives; any thread
    * @throws IOException when the port can't be opened; nothing stays open then
    */
   public DatagramPort(
-      InetSocketAddress address, int maxBytes, Listener listener, Consumer<Throwable> errors)
+      InetSocketAddress address,
+      ProtocolFamily family,
+      int maxBytes,
+      Listener listener,
+      Consumer<Throwable> errors)
       throws IOException {
     this.listener = listener;
     this.errors = errors;
@@ -84,7 +90,7 @@ public final class DatagramPort implements Runnable {
     selector = Selector.open();
     DatagramChannel opened = null;
     try {
-      opened = DatagramChannel.open();
+      opened = family == null ? DatagramChannel.open() : DatagramChannel.open(family);
       opened.setOption(StandardSocketOptions.SO_RCVBUF, SOCKET_BUFFER_BYTES);
       opened.setOption(StandardSocketOptions.SO_SNDBUF, SOCKET_BUFFER_BYTES);
       opened.bind(address);

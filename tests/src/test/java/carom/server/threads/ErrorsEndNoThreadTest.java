@@ -94,6 +94,7 @@ final class ErrorsEndNoThreadTest {
     DatagramPort port =
         new DatagramPort(
             new InetSocketAddress(loopback, 0),
+            null,
             100,
             (from, bytes, now) -> faulty.run(),
             reported::add);

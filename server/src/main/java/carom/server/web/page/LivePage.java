@@ -12,6 +12,7 @@ import carom.server.room.Room;
 import carom.server.threads.LastingThread;
 import io.undertow.server.HttpServerExchange;
 import io.undertow.util.AttachmentKey;
+import io.undertow.util.Headers;
 import io.undertow.util.StatusCodes;
 import io.undertow.websockets.WebSocketProtocolHandshakeHandler;
 import io.undertow.websockets.core.AbstractReceiveListener;
@@ -72,6 +73,9 @@ public final class LivePage implements AutoCloseable {
   private final ScheduledThreadPoolExecutor clock;
   private final ThreadPoolExecutor commands;
 
+  // The thread that reads and writes sockets only.
+  private boolean proxyTold;
+
   // The page's thread only.
   private ScheduledFuture<?> pictures; // null while nobody watches
   private long sampledNs = System.nanoTime();
@@ -123,7 +127,11 @@ public final class LivePage implements AutoCloseable {
     } else if (exchange.getRequestPath().equals(SOCKET)) {
       if (!guard.acceptsOrigin(exchange)) {
         refuse(exchange, "only the page itself may connect");
+      } else if (!exchange.getRequestHeaders().contains(Headers.UPGRADE)) {
+        exchange.setStatusCode(StatusCodes.BAD_REQUEST);
+        exchange.getResponseSender().send("this is for WebSockets\n");
       } else {
+        warnOfProxy(exchange);
         exchange.putAttachment(ORIGIN, origins.of(exchange));
         handshake.handleRequest(exchange);
       }
@@ -133,6 +141,18 @@ public final class LivePage implements AutoCloseable {
     } else if (!files.send(exchange)) {
       exchange.setStatusCode(StatusCodes.NOT_FOUND);
       exchange.getResponseSender().send("/ /healthz /readyz /metrics\n");
+    }
+  }
+
+  /** Tells the operator once that visitors share the address of a proxy. */
+  private void warnOfProxy(HttpServerExchange exchange) {
+    if (!proxyTold && origins.isByUnknownProxy(exchange)) {
+      proxyTold = true;
+      LOG.warn(
+          "page: a proxy at {} hands on requests, and its visitors share its address; if it is"
+              + " yours: --web-behind {}",
+          exchange.getSourceAddress().getAddress().getHostAddress(),
+          exchange.getSourceAddress().getAddress().getHostAddress());
     }
   }
 

@@ -8,9 +8,9 @@ import io.undertow.util.Headers;
 import io.undertow.util.HttpString;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Tells from where requests come: from the other end of their connection or, if that is one of the
@@ -52,18 +52,35 @@ final class Origins {
     return proxies.stream().anyMatch(range -> range.contains(address.getAddress()));
   }
 
-  /** Returns where a request comes from. */
-  Origin of(HttpServerExchange exchange) {
-    return of(exchange.getSourceAddress().getAddress(), exchange.getRequestHeaders());
+  /** Returns whether a proxy that nobody has named handed on a request. */
+  boolean isByUnknownProxy(HttpServerExchange exchange) {
+    return !isProxy(exchange.getSourceAddress().getAddress())
+        && TRACES.stream().anyMatch(exchange.getRequestHeaders()::contains);
   }
 
-  Origin of(InetAddress peer, HeaderMap headers) {
+  /** Returns where a request comes from. */
+  Origin of(HttpServerExchange exchange) {
+    HeaderMap headers = exchange.getRequestHeaders();
+    HeaderValues forwarded = headers.get(Headers.X_FORWARDED_FOR);
+    return from(
+        exchange.getSourceAddress().getAddress(),
+        forwarded == null ? List.of() : forwarded,
+        TRACES.stream().anyMatch(headers::contains));
+  }
+
+  /**
+   * Returns where a request comes from.
+   *
+   * @param peer the other end of its connection
+   * @param forwarded the lines of {@code X-Forwarded-For}
+   * @param traced whether any header is of a proxy
+   */
+  Origin from(InetAddress peer, List<String> forwarded, boolean traced) {
     if (!isProxy(peer)) {
-      boolean direct = TRACES.stream().noneMatch(headers::contains);
-      return new Origin(peer, direct && peer.isLoopbackAddress());
+      return new Origin(peer, !traced && peer.isLoopbackAddress());
     }
     InetAddress from = peer;
-    List<String> path = path(headers);
+    List<String> path = forwarded.stream().flatMap(line -> Stream.of(line.split(",", -1))).toList();
     for (int i = path.size() - 1; i >= 0 && isProxy(from); i--) {
       Optional<InetAddress> before = address(path.get(i));
       if (before.isEmpty()) {
@@ -74,20 +91,11 @@ final class Origins {
     return new Origin(from, false);
   }
 
-  private static List<String> path(HeaderMap headers) {
-    List<String> path = new ArrayList<>();
-    HeaderValues lines = headers.get(Headers.X_FORWARDED_FOR);
-    if (lines != null) {
-      lines.forEach(line -> path.addAll(List.of(line.split(",", -1))));
-    }
-    return path;
-  }
-
   private static Optional<InetAddress> address(String text) {
-    return AddressRange.addressIn(text.strip()).flatMap(Origins::of);
+    return AddressRange.addressIn(text.strip()).flatMap(Origins::ofBytes);
   }
 
-  private static Optional<InetAddress> of(byte[] address) {
+  private static Optional<InetAddress> ofBytes(byte[] address) {
     try {
       return Optional.of(InetAddress.getByAddress(address));
     } catch (UnknownHostException e) {

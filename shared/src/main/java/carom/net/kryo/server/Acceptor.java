@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 import java.net.InetSocketAddress;
+import java.net.ProtocolFamily;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
@@ -36,9 +37,11 @@ public final class Acceptor {
    * Opens a port. The server's {@code update} returns when a connection waits.
    *
    * @param server a server without a port of its own
+   * @param family of the addresses, or null for all
    * @throws IOException when the port can't be opened; nothing stays open then
    */
-  public Acceptor(Server server, InetSocketAddress address) throws IOException {
+  public Acceptor(Server server, InetSocketAddress address, ProtocolFamily family)
+      throws IOException {
     this.server = server;
     try {
       Field selectorOfServer = Server.class.getDeclaredField("selector");
@@ -49,7 +52,7 @@ public final class Acceptor {
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException("this needs KryoNet 2.22.0-RC1", e);
     }
-    channel = ServerSocketChannel.open();
+    channel = family == null ? ServerSocketChannel.open() : ServerSocketChannel.open(family);
     try {
       channel.bind(address, BACKLOG);
       channel.configureBlocking(false);

@@ -1,6 +1,7 @@
 package carom.net.kryo.server;
 
 import carom.net.seal.Encryption;
+import carom.net.transport.AddressFamily;
 import carom.net.transport.Link;
 import carom.net.transport.NetworkCounter;
 import carom.net.transport.PortUnavailableException;
@@ -44,7 +45,7 @@ public final class KryoServerTransport implements ServerTransport {
   /**
    * Opens the ports on one address of this machine and starts to listen.
    *
-   * @param address an address of this machine, or null for all of them
+   * @param address an address of this machine, {@code 0.0.0.0} for those of IPv4, or null for all
    * @param tcpPort 0..65,535; 0 takes a free one
    * @param udpPort 0..65,535; 0 takes a free one
    * @param identity the key by which clients know this server
@@ -58,7 +59,9 @@ public final class KryoServerTransport implements ServerTransport {
     network = new ServerNetwork(limits, identity);
     try {
       network.bind(
-          new InetSocketAddress(address, tcpPort), new InetSocketAddress(address, udpPort));
+          new InetSocketAddress(address, tcpPort),
+          new InetSocketAddress(address, udpPort),
+          AddressFamily.of(address));
     } catch (IOException x) {
       network.dispose();
       throw PortUnavailableException.of(x, address, tcpPort, udpPort);

@@ -20,6 +20,7 @@ import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
 import com.esotericsoftware.kryonet.Server;
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.net.ProtocolFamily;
 import java.nio.ByteBuffer;
 import java.security.SecureRandom;
 import java.util.ArrayList;
@@ -124,11 +125,17 @@ final class ServerNetwork implements Runnable {
         };
   }
 
-  /** Opens both ports or none. Call it before {@link #start}. */
-  void bind(InetSocketAddress tcp, InetSocketAddress udp) throws IOException {
-    acceptor = new Acceptor(server, tcp);
+  /**
+   * Opens both ports or none. Call it before {@link #start}.
+   *
+   * @param family of the addresses, or null for all
+   */
+  void bind(InetSocketAddress tcp, InetSocketAddress udp, ProtocolFamily family)
+      throws IOException {
+    acceptor = new Acceptor(server, tcp, family);
     try {
-      datagrams = new DatagramPort(udp, Frame.SERVER_BUFFER_BYTES, this::datagram, counters::error);
+      datagrams =
+          new DatagramPort(udp, family, Frame.SERVER_BUFFER_BYTES, this::datagram, counters::error);
     } catch (IOException x) {
       acceptor.close();
       throw x;

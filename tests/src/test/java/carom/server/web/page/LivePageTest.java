@@ -56,10 +56,13 @@ final class LivePageTest {
       this(rig, rig.web.url());
     }
 
-    Page(PageRig rig, String origin) {
+    Page(PageRig rig, String origin, String... headers) {
       WebSocket.Builder builder = client.newWebSocketBuilder();
       if (origin != null) {
         builder.header("Origin", origin);
+      }
+      for (int i = 0; i < headers.length; i += 2) {
+        builder.header(headers[i], headers[i + 1]);
       }
       URI address = URI.create(rig.web.url().replace("http:", "ws:") + "/live");
       socket = builder.buildAsync(address, this).join();
@@ -245,6 +248,44 @@ final class LivePageTest {
     }
   }
 
+  private Page from(PageRig rig, String address) {
+    return new Page(rig, rig.web.url(), "X-Forwarded-For", address);
+  }
+
+  @Test
+  void behindAProxyNobodyWatchesAndWrongTokensLockOutTheirSendersAlone() throws Exception {
+    try (PageRig rig = new PageRig(folder, "127.0.0.0/8")) {
+      for (int i = 0; i < 2 * LivePage.MAX_VIEWERS; i++) {
+        Page stranger = from(rig, "203.0.113." + i % 4);
+        assertFalse(stranger.next("hello").fields.get("watches").truth);
+        stranger.login("guess " + i);
+      }
+      Page guesser = from(rig, "203.0.113.1");
+      guesser.login(PageRig.TOKEN);
+      assertTrue(guesser.next("refused").fields.get("why").text.startsWith("too many wrong tries"));
+      Page spoofer = from(rig, "198.51.100.7, 203.0.113.1");
+      spoofer.login(PageRig.TOKEN);
+      assertTrue(spoofer.next("refused").fields.get("why").text.startsWith("too many wrong tries"));
+      Page operator = from(rig, "203.0.113.1, 198.51.100.7");
+      operator.login(PageRig.TOKEN);
+      operator.next("hello");
+      assertTrue(operator.next("hello").fields.get("admin").truth);
+      assertFalse(new Page(rig).next("hello").fields.get("watches").truth);
+    }
+  }
+
+  @Test
+  void whomAProxyThatNobodyNamedHandsOnDoesNotWatch() throws Exception {
+    try (PageRig rig = new PageRig(folder, true)) {
+      assertTrue(new Page(rig).next("hello").fields.get("watches").truth);
+      for (String header :
+          List.of("X-Forwarded-For", "Forwarded", "Via", "X-Real-IP", "X-Forwarded-Proto")) {
+        Page page = new Page(rig, rig.web.url(), header, "127.0.0.1");
+        assertFalse(page.next("hello").fields.get("watches").truth, header);
+      }
+    }
+  }
+
   @Test
   void guessingIsSlow() throws Exception {
     try (PageRig rig = new PageRig(folder, true)) {
@@ -256,6 +297,22 @@ final class LivePageTest {
       Page another = new Page(rig);
       another.login(PageRig.TOKEN); // even the right one has to wait now
       assertTrue(another.next("refused").fields.get("why").text.startsWith("too many wrong tries"));
+    }
+  }
+
+  @Test
+  void anUpgradeThatNamesNoProtocolIsABadRequest() throws Exception {
+    try (PageRig rig = new PageRig(folder, true)) {
+      URI url = URI.create(rig.web.url());
+      String request =
+          "GET /live HTTP/1.1\r\nHost: localhost\r\nOrigin: http://localhost\r\n"
+              + "Connection: Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+              + "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
+      try (Socket socket = new Socket(url.getHost(), url.getPort())) {
+        socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+        byte[] answer = socket.getInputStream().readNBytes(12);
+        assertEquals("HTTP/1.1 400", new String(answer, StandardCharsets.US_ASCII));
+      }
     }
   }
 

@@ -4,6 +4,7 @@ import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
+import carom.server.access.AddressRange;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
 import carom.server.config.DataFolder;
@@ -21,6 +22,7 @@ import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** An arena with two bots that goes on by itself, and its page. */
 final class PageRig implements AutoCloseable {
@@ -45,8 +47,22 @@ final class PageRig implements AutoCloseable {
     this(Stepper.of("arena"), folder, strangersWatch);
   }
 
+  /** Starts everything behind proxies whose addresses are in some networks. */
+  PageRig(Path folder, String... proxies) throws IOException {
+    this(
+        Stepper.of("arena"),
+        folder,
+        true,
+        Stream.of(proxies).map(network -> AddressRange.parse(network).orElseThrow()).toList());
+  }
+
   /** Starts everything with a game of its own; closes the stepper in the end. */
   PageRig(Stepper stepper, Path folder, boolean strangersWatch) throws IOException {
+    this(stepper, folder, strangersWatch, List.of());
+  }
+
+  private PageRig(Stepper stepper, Path folder, boolean strangersWatch, List<AddressRange> proxies)
+      throws IOException {
     this.stepper = stepper;
     DataFolder data = new DataFolder(folder);
     Files.writeString(data.adminToken(), TOKEN + "\n");
@@ -66,7 +82,7 @@ final class PageRig implements AutoCloseable {
             LogTail.begin(logging),
             List.of(data.recordings()),
             strangersWatch,
-            List.of(),
+            proxies,
             Set.of("carom.example"));
     web =
         new WebServer(
