@@ -344,7 +344,7 @@ public final class ServerMain implements Callable<Integer> {
     while (server.count(Counter.TICKS) == 0 && !server.hasFailed()) {
       Thread.sleep(1); // the first tick of a large level takes as long as many later ones
     }
-    web.set(opened(ports));
+    web.set(opened(ports, server));
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
     kernels.begin(); // not before: it would take the processor from the start
@@ -388,12 +388,13 @@ public final class ServerMain implements Callable<Integer> {
     return commands;
   }
 
-  /** Waits for the ports, without which the server isn't ready. */
-  private static WebServer opened(FutureTask<WebServer> ports)
+  /** Waits for the ports. A server that lacks one isn't ready, and is closed. */
+  private static WebServer opened(FutureTask<WebServer> ports, Server server)
       throws InterruptedException, StartFailure {
     try {
       return ports.get();
     } catch (ExecutionException e) {
+      server.close();
       if (e.getCause() instanceof StartFailure failure) {
         throw failure;
       }
@@ -414,7 +415,6 @@ public final class ServerMain implements Callable<Integer> {
           new WebSubject(name, version(), server.rooms(), server.networkCounters(), logins);
       return flags.web.open(subject, data, recordings(), settings(), commands, logTail);
     } catch (IOException e) {
-      server.close();
       throw new StartFailure(e.getMessage(), e);
     }
   }

@@ -275,7 +275,7 @@ final class LivePageTest {
   }
 
   @Test
-  void whomAProxyThatNobodyNamedHandsOnDoesNotWatch() throws Exception {
+  void aVisitorByAProxyThatNobodyNamedDoesNotWatch() throws Exception {
     try (PageRig rig = new PageRig(folder, true)) {
       assertTrue(new Page(rig).next("hello").fields.get("watches").truth);
       for (String header :
