@@ -38,6 +38,7 @@ public final class SimulatedClient {
   private InputSource script;
   private final OutageTransport line;
   private ImpairedLink link;
+  private boolean udpBlocked;
   private boolean frozen;
   private boolean dead;
   private long blackoutEndNs;
@@ -66,6 +67,7 @@ public final class SimulatedClient {
           @Override
           public Link connect(String host, int tcpPort, int udpPort) {
             link = impaired.connect(host, tcpPort, udpPort);
+            link.blockUdp(udpBlocked);
             return link;
           }
 
@@ -201,6 +203,14 @@ public final class SimulatedClient {
   /** Changes the two directions of the network separately. */
   public void impair(Impairment up, Impairment down) {
     link.impair(up, down);
+  }
+
+  /** Blocks UDP, so that TCP carries the datagrams of this link and later ones, or lets it pass. */
+  public void blockUdp(boolean blocked) {
+    udpBlocked = blocked;
+    if (link != null) {
+      link.blockUdp(blocked);
+    }
   }
 
   /** Lets nothing through in either direction until a moment of virtual time. */

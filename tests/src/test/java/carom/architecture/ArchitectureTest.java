@@ -358,6 +358,7 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.seal",
+        "carom.net.datagram",
         "carom.net.admission",
         "carom.text");
     allow("carom.net.kryo.message", "carom.net.protocol", "carom.text");

@@ -78,6 +78,11 @@ final class LinkTarget implements FuzzTarget {
     }
 
     @Override
+    protected boolean isWritable() {
+      return true;
+    }
+
+    @Override
     protected boolean transmitDatagram(byte tag, byte[] bytes, int offset, int length) {
       return true;
     }

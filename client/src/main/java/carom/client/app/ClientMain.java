@@ -393,7 +393,7 @@ public final class ClientMain implements Callable<Integer> {
         Locale.ROOT,
         "{\"joined\":%b,\"reconnects\":%d,\"snapshotsPerSecond\":%.2f,\"gapP99Ms\":%.2f,"
             + "\"rttP50Ms\":%.2f,\"kbitPerSecond\":%.2f,\"corrections\":%d,"
-            + "\"correctionMeanMetres\":%.4f,\"exactRate\":%.5f}",
+            + "\"correctionMeanMetres\":%.4f,\"exactRate\":%.5f,\"overTcp\":%b}",
         joined,
         s.reconnects(),
         played > 0 ? s.snapshots() / played : 0,
@@ -402,7 +402,8 @@ public final class ClientMain implements Callable<Integer> {
         played > 0 ? s.playingBytesIn() * 8 / 1_000.0 / played : 0,
         s.corrections(),
         s.correctionMeanMetres(),
-        s.exactRate());
+        s.exactRate(),
+        s.isOverTcp());
   }
 
   private static boolean sleepUntil(long deadlineNs) {

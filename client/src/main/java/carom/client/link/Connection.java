@@ -32,7 +32,9 @@ public final class Connection implements LinkHandler {
   }
 
   private static final long MS = 1_000_000L;
-  private static final long CONNECT_TIMEOUT_NS = 10_000 * MS;
+  /** Longest time in which a link opens; links have deadlines of their own for each step. */
+  private static final long CONNECT_TIMEOUT_NS = 120_000 * MS;
+
   private static final long JOIN_TIMEOUT_NS = 10_000 * MS;
   private static final long LOAD_SILENCE_NS = 15_000 * MS;
 
@@ -56,6 +58,10 @@ public final class Connection implements LinkHandler {
 
   private Stage stage = Stage.IDLE;
   private String message = "";
+
+  /** Why the latest attempt to come back failed; empty if there was none. */
+  private String latest = "";
+
   private Link link;
   private long nowNs;
   private long stageSinceNs;
@@ -109,7 +115,7 @@ public final class Connection implements LinkHandler {
       case IDLE -> open();
       case WAITING -> {
         if (comeback.isOver(nowNs)) {
-          end(message + " The server at " + address + " did not come back.");
+          end(comeback.isComingBack() ? explained() + " " + notBack() : message);
         } else if (comeback.isDue(nowNs)) {
           open();
         }
@@ -129,6 +135,7 @@ public final class Connection implements LinkHandler {
     comeback.attempt();
     enter(Stage.CONNECTING);
     if (!comeback.isRunning()) {
+      latest = "";
       message = "Connecting to " + address + " ...";
     }
     traffic.begin();
@@ -157,7 +164,7 @@ public final class Connection implements LinkHandler {
         } else if (link.state() == Link.State.CLOSED) {
           poll(); // delivers the reason
         } else if (waited > CONNECT_TIMEOUT_NS) {
-          fail("No answer from " + address + ". Check the address; is the server running?");
+          failPassing("No answer from " + address + ". Check the address; is the server running?");
         }
       }
       case JOINING -> {
@@ -236,9 +243,9 @@ public final class Connection implements LinkHandler {
       link = null;
       retryUseful = true;
       if (stage == Stage.PLAYING) {
-        lost(sentence("The connection to " + address + " was lost: " + reason));
+        lost(sentence("The connection to " + address + " was lost: " + reason), true);
       } else {
-        lost(sentence("Can't reach the server: " + reason));
+        lost(sentence("Can't reach the server: " + reason), from.mayPass());
       }
     }
   }
@@ -285,7 +292,7 @@ public final class Connection implements LinkHandler {
       case LOADING -> requestLevel();
       case DONE -> ready();
       case DAMAGED -> {
-        if (comeback.isRunning()) {
+        if (comeback.isComingBack()) {
           fail(download.problem());
         } else {
           end(download.problem()); // another download would hardly bring something better
@@ -301,7 +308,7 @@ public final class Connection implements LinkHandler {
       end(problem);
       return;
     }
-    if (comeback.isRunning()) {
+    if (comeback.isComingBack()) {
       stats.reconnected();
     }
     enter(Stage.PLAYING);
@@ -316,7 +323,7 @@ public final class Connection implements LinkHandler {
 
   private void refused(ServerMessage.Refused refused) {
     retryUseful = refused.reason().retryUseful();
-    if (comeback.isRunning() && retryUseful) {
+    if (comeback.isComingBack() && retryUseful) {
       message = refused.playerText();
       fail(message);
     } else {
@@ -357,7 +364,7 @@ public final class Connection implements LinkHandler {
     }
     comeback.stop();
     if (reconnects && wasPlaying) {
-      comeback.start(nowNs);
+      comeback.start(nowNs, true);
     }
     open();
   }
@@ -366,25 +373,37 @@ public final class Connection implements LinkHandler {
   private void fail(String why) {
     dropLink(why);
     retryUseful = true;
-    lost(why);
+    lost(why, false);
+  }
+
+  /** Drops the link as {@link #fail} does, for a reason that may be over in a moment. */
+  private void failPassing(String why) {
+    dropLink(why);
+    retryUseful = true;
+    lost(why, true);
   }
 
   /**
-   * Ends the stage. While the client tries to come back, the message stays: why playing ended says
-   * more to a player than why the latest attempt failed, unless the server itself said that.
+   * Ends the stage. While the client tries to come back, the message says why playing ended and, if
+   * a server was there, why the latest attempt failed. A first connection is tried again like any other, if the reason
+   * may be over in a moment.
    */
-  private void lost(String why) {
-    boolean wasIn = stage == Stage.PLAYING || (stage == Stage.LOADING && !comeback.isRunning());
+  private void lost(String why, boolean mayPass) {
+    boolean wasIn =
+        stage == Stage.PLAYING || (stage == Stage.LOADING && !comeback.isComingBack());
     stop();
-    if (!comeback.isRunning()) {
+    if (!comeback.isComingBack()) {
       message = why;
+    } else {
+      latest = mayPass ? why : ""; // a server that isn't back yet says nothing new
     }
-    if (!reconnects || !(wasIn || comeback.isRunning())) {
+    if (!reconnects || !(wasIn || mayPass || comeback.isComingBack())) {
       stage = Stage.ENDED;
       return;
     }
-    if (wasIn) {
-      comeback.start(nowNs);
+    if (wasIn || !comeback.isRunning()) {
+      comeback.start(nowNs, wasIn);
+      latest = "";
     }
     stage = Stage.WAITING;
     comeback.scheduleAttempt(nowNs);
@@ -453,13 +472,12 @@ public final class Connection implements LinkHandler {
 
   /** Returns where the client stands on its way into the game. */
   public ConnectionPhase phase() {
-    if (comeback.isRunning() && stage != Stage.ENDED) {
+    if (comeback.isComingBack() && stage != Stage.ENDED) {
       return ConnectionPhase.RECONNECTING;
     }
     return switch (stage) {
       case IDLE -> ConnectionPhase.IDLE;
-      case WAITING -> ConnectionPhase.RECONNECTING;
-      case CONNECTING -> ConnectionPhase.CONNECTING;
+      case WAITING, CONNECTING -> ConnectionPhase.CONNECTING;
       case JOINING -> ConnectionPhase.JOINING;
       case LOADING -> ConnectionPhase.LOADING;
       case PLAYING -> ConnectionPhase.PLAYING;
@@ -475,11 +493,20 @@ public final class Connection implements LinkHandler {
   /** Returns what is going on, in words for the player; empty while playing. */
   public String message() {
     return comeback.isRunning() && stage != Stage.ENDED
-        ? message
-            + " Reconnecting"
+        ? explained()
+            + (comeback.isComingBack() ? " Reconnecting" : " Trying again")
             + (comeback.attempts() > 1 ? " (attempt " + comeback.attempts() + ")" : "")
             + " ..."
         : message;
+  }
+
+  /** Returns why playing ended and, if it is another reason, why the latest attempt failed. */
+  private String explained() {
+    return latest.isEmpty() ? message : message + " " + latest;
+  }
+
+  private String notBack() {
+    return "The server at " + address + " did not come back.";
   }
 
   /** Returns the share of the level that has arrived, 0..1. */

@@ -3,7 +3,10 @@ package carom.client.link;
 import carom.client.stats.NetStatsRecorder;
 import carom.net.transport.Link;
 
-/** Adds what a link has carried since it was last counted to the figures of the net graph. */
+/**
+ * Adds what a link has carried since it was last counted to the figures of the net graph, and how
+ * its datagrams travel.
+ */
 final class LinkTraffic {
   private final NetStatsRecorder stats;
   private long countedIn;
@@ -27,5 +30,6 @@ final class LinkTraffic {
     stats.bytes((int) (in - countedIn), (int) (out - countedOut));
     countedIn = in;
     countedOut = out;
+    stats.overTcp(link.isOverTcp());
   }
 }

@@ -10,17 +10,26 @@ final class ReconnectTimer {
   private static final long LONGEST_WAIT_NS = 4_000 * MS;
   private static final long GIVE_UP_NS = 90_000 * MS;
 
+  /** Time for which a first connection is tried, where a player waits for it. */
+  private static final long GIVE_UP_FIRST_NS = 30_000 * MS;
+
   private boolean running;
+  private boolean wasIn;
   private long lostNs;
   private long nextAttemptNs;
   private long waitNs = FIRST_WAIT_NS;
   private int attempts;
 
-  /** Starts the time within which the client must come back. */
-  void start(long nowNs) {
+  /**
+   * Starts the time within which the client must come back, or come in.
+   *
+   * @param fromGame whether it was in the game
+   */
+  void start(long nowNs, boolean fromGame) {
     running = true;
+    wasIn = fromGame;
     lostNs = nowNs;
-    attempts = 0;
+    attempts = fromGame ? 0 : 1;
     waitNs = FIRST_WAIT_NS;
   }
 
@@ -31,9 +40,14 @@ final class ReconnectTimer {
     waitNs = FIRST_WAIT_NS;
   }
 
-  /** Returns whether the client was playing and tries to come back. */
+  /** Returns whether the client tries again to come back or to come in. */
   boolean isRunning() {
     return running;
+  }
+
+  /** Returns whether the client was playing and tries to come back. */
+  boolean isComingBack() {
+    return running && wasIn;
   }
 
   /** Sets the time of the next attempt, and doubles the wait for the one after it. */
@@ -54,7 +68,7 @@ final class ReconnectTimer {
 
   /** Returns whether the client has tried for long enough. */
   boolean isOver(long nowNs) {
-    return nowNs - lostNs > GIVE_UP_NS;
+    return nowNs - lostNs > (wasIn ? GIVE_UP_NS : GIVE_UP_FIRST_NS);
   }
 
   /** Returns how many attempts there were since the start. */

@@ -14,7 +14,10 @@ import java.util.List;
  * link. It never waits; call {@link #update} until {@link #isDone}. One thread.
  */
 public final class RoomBrowser implements LinkHandler, AutoCloseable {
-  private static final long TIMEOUT_NS = 5_000_000_000L;
+  /** Longest time in which a link opens; links have deadlines of their own for each step. */
+  private static final long TIMEOUT_NS = 120_000_000_000L;
+
+  private static final long ANSWER_NS = 10_000_000_000L;
 
   private final ServerAddress address;
   private final ClientTransport transport;
@@ -55,7 +58,7 @@ public final class RoomBrowser implements LinkHandler, AutoCloseable {
       link.send(new ClientMessage.ListRooms(Protocol.VERSION));
     }
     link.poll(this, 64);
-    if (!done && nowNs - startNs > TIMEOUT_NS) {
+    if (!done && nowNs - (asked ? askedNs : startNs) > (asked ? ANSWER_NS : TIMEOUT_NS)) {
       end("No answer from " + address + ". Check the address; is the server running?");
     }
   }

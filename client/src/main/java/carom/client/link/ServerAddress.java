@@ -30,6 +30,11 @@ public record ServerAddress(String host, int tcpPort, int udpPort) {
   public static ServerAddress parse(String text) {
     String address = text.strip();
     int close = address.startsWith("[") ? address.indexOf(']') : -1;
+    String bracketed = bracketed(address);
+    if (bracketed != null) {
+      throw new IllegalArgumentException(
+          "\"" + address + "\" is ambiguous: write " + bracketed + " to name its port.");
+    }
     boolean bare = close < 0 && address.indexOf(':') != address.lastIndexOf(':');
     int colon = bare ? -1 : address.indexOf(':', Math.max(0, close));
     String host = colon < 0 ? address : address.substring(0, colon);
@@ -49,6 +54,21 @@ public record ServerAddress(String host, int tcpPort, int udpPort) {
     }
     int udp = ports.length == 2 ? port(ports[1]) : TOLD_UDP_PORT;
     return new ServerAddress(host, port(ports[0]), udp);
+  }
+
+  /**
+   * Returns how to write a text that looks like an IPv6 address without brackets and a port, or null
+   * if it doesn't: its last part is no group of an address, or there are too many.
+   */
+  private static String bracketed(String text) {
+    int colon = text.lastIndexOf(':');
+    if (text.startsWith("[") || colon < 0 || text.indexOf(':') == colon) {
+      return null;
+    }
+    String host = text.substring(0, colon);
+    String port = text.substring(colon + 1);
+    boolean hasPort = port.matches("\\d{5}|\\d+/\\d+") || text.split(":", -1).length > 8;
+    return hasPort ? "[" + host + "]:" + port : null;
   }
 
   private static int port(String text) {

@@ -109,6 +109,11 @@ public final class NetStats {
     return traffic.reconnects;
   }
 
+  /** Returns whether datagrams go over TCP now, because UDP is blocked. */
+  public boolean isOverTcp() {
+    return traffic.overTcp;
+  }
+
   // ---- the clocks
 
   /** Returns the inputs that waited when the server consumed one, ticks; negative = too late. */

@@ -44,6 +44,11 @@ public final class NetStatsRecorder {
     traffic.reconnects++;
   }
 
+  /** Notes whether datagrams go over TCP now, because UDP is blocked. */
+  public void overTcp(boolean now) {
+    traffic.overTcp = now;
+  }
+
   /** Notes a snapshot datagram and the acknowledgement that it makes. */
   public void datagram(int bytes, int ackSequence, long ackBits) {
     traffic.snapshotBytes.add(bytes);

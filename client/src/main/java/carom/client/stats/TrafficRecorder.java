@@ -28,6 +28,7 @@ final class TrafficRecorder {
   long playingBytesOut;
   int malformed;
   int reconnects;
+  boolean overTcp;
 
   private long rateSinceNs;
   private long rateBytesIn;

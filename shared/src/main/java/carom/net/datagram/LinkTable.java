@@ -14,7 +14,7 @@ import java.util.function.ToIntFunction;
  * @param <T> a connection
  */
 public final class LinkTable<T> {
-  private static final int PLACE_BITS = 14;
+  private static final int PLACE_BITS = 15;
   private static final int PLACE_MASK = (1 << PLACE_BITS) - 1;
 
   private final AtomicReferenceArray<T> places;
@@ -25,7 +25,7 @@ public final class LinkTable<T> {
   /**
    * Creates an empty table.
    *
-   * @param size largest number of connections, 1..16,383
+   * @param size largest number of connections, 1..32,767
    * @param numberOf returns the number that a connection was added with, or 0 before
    */
   public LinkTable(int size, ToIntFunction<T> numberOf) {

@@ -56,7 +56,7 @@ public final class MoveLimit {
    * Takes one datagram. Returns false when it must not be opened.
    *
    * @param from where it comes from, resolved
-   * @param present the link's present address, resolved
+   * @param present the link's present address, resolved, or null if it has none
    * @param now a time of {@link System#nanoTime}
    */
   public boolean take(InetSocketAddress from, InetSocketAddress present, long now) {
@@ -65,7 +65,7 @@ public final class MoveLimit {
         return false;
       }
     }
-    if (from.getAddress().equals(present.getAddress())) {
+    if (present != null && from.getAddress().equals(present.getAddress())) {
       return sameHost.take(now);
     }
     return otherHosts.take(now) && total.take(now);

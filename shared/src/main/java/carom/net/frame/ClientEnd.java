@@ -26,6 +26,13 @@ public abstract class ClientEnd extends FramedLink {
   private static final int UNREAD_MESSAGES = 1_024;
   private static final int UNREAD_DATAGRAMS = 512;
   private static final long DATAGRAM_SILENCE_NANOS = 1_000_000_000L;
+  private static final long PROBE_NANOS = 500_000_000L;
+
+  /** Time that datagrams have to show that they pass, in addition to two round trips, ns. */
+  private static final long UDP_PATIENCE_NANOS = 2_000_000_000L;
+
+  /** Round trips that a step of connecting may take, in addition to its time limit. */
+  private static final int STEP_ROUND_TRIPS = 4;
   private static final long IDLE_NANOS = 10_000_000_000L;
   private static final long REGISTER_NANOS = 100_000_000L;
   private static final String USED_UP = "the keys of this connection are used up";
@@ -35,7 +42,8 @@ public abstract class ClientEnd extends FramedLink {
   private final int udpPort;
   private final MessageCodec codec;
   private final Trust trust;
-  private final long connectNanos;
+  private final long stepNanos;
+  private final Object streaming = new Object();
   private final long start = System.nanoTime();
 
   // used by the subclass's thread
@@ -44,7 +52,12 @@ public abstract class ClientEnd extends FramedLink {
   private long token;
   private int toldUdpPort;
   private byte[] serverKey;
+  private int workBits;
   private long solution;
+  private long roundTripNanos; // or a little more, known with the greeting
+  private long stepSince = start;
+  private boolean streams; // UDP is blocked, and TCP carries the datagrams
+  private long probedAt = start;
   private KeyExchange.Offer offer;
   private boolean tcpRegistered;
   private boolean udpRegistered;
@@ -58,6 +71,8 @@ public abstract class ClientEnd extends FramedLink {
   private long lastFrame = start;
   private volatile long lastDatagramOut = start;
   private volatile boolean disconnected;
+  private volatile boolean udpRefused;
+  private volatile boolean mayPass;
 
   /**
    * Creates a link in {@code CONNECTING}. The subclass opens the sockets.
@@ -67,18 +82,18 @@ public abstract class ClientEnd extends FramedLink {
    * @param host name or address of the server
    * @param tcpPort the server's TCP port, 1..65,535
    * @param udpPort the server's UDP port, 1..65,535, or 0 for the one that the server tells
-   * @param connectMillis time limit for connecting, ms
+   * @param stepMillis time limit for each step of connecting, ms, on a line without delay
    * @throws IllegalArgumentException when a port is outside its range
    */
   protected ClientEnd(
-      MessageCodec codec, Trust trust, String host, int tcpPort, int udpPort, int connectMillis) {
+      MessageCodec codec, Trust trust, String host, int tcpPort, int udpPort, int stepMillis) {
     super(codec, UNREAD_MESSAGES, UNREAD_DATAGRAMS);
     this.codec = codec;
     this.trust = trust;
     this.host = host;
     this.tcpPort = checkedPort("tcpPort", tcpPort, 1);
     this.udpPort = checkedPort("udpPort", udpPort, 0);
-    connectNanos = connectMillis * 1_000_000L;
+    stepNanos = stepMillis * 1_000_000L;
   }
 
   private static int checkedPort(String name, int port, int least) {
@@ -142,8 +157,20 @@ public abstract class ClientEnd extends FramedLink {
 
   @Override
   protected final boolean transmitDatagram(byte[] bytes, int offset, int length) {
-    return transmitSealed(Frame.DATAGRAM, bytes, offset, length);
+    long now = System.nanoTime();
+    return path.isOverTcp(now)
+        ? path.isFree(now) && stream(bytes, offset, length)
+        : transmitSealed(Frame.DATAGRAM, bytes, offset, length);
   }
+
+  private boolean stream(byte[] bytes, int offset, int length) {
+    synchronized (streaming) { // heads must leave in the order of their counts
+      return isWritable() && transmit(Frame.streamed(path, bytes, offset, length));
+    }
+  }
+
+  /** Returns whether nothing waits to be written by TCP. Any thread may call it. */
+  protected abstract boolean isWritable();
 
   private boolean transmitSealed(byte tag, byte[] fields, int offset, int length) {
     LinkKeys current = keys;
@@ -215,8 +242,10 @@ public abstract class ClientEnd extends FramedLink {
       case Frame.REGISTER_UDP, Frame.KEEP_ALIVE -> {}
       case Frame.KEY_ANSWER -> finishKeys(buffer);
       case Frame.MESSAGE -> readMessage(buffer, length);
+      case Frame.STREAMED -> readStreamed(buffer);
       case Frame.BYE -> {
         tcpRegistered = true; // it is a Carom server, whatever comes next
+        mayPass = state() == State.CONNECTING; // a server that plays says more than this
         String text = Frame.byeText(buffer);
         lose(text.isEmpty() ? "the server closed the connection" : text);
       }
@@ -238,10 +267,13 @@ public abstract class ClientEnd extends FramedLink {
     token = fields.getLong();
     toldUdpPort = Short.toUnsignedInt(fields.getShort());
     byte mode = fields.get();
-    int workBits = fields.get();
+    workBits = fields.get();
     serverKey = new byte[ExchangeKey.BYTES];
     fields.get(serverKey);
     tcpRegistered = true;
+    stepSince = System.nanoTime();
+    roundTripNanos = stepSince - start;
+    path.roundTrip(roundTripNanos);
     if (workBits < 0 || workBits > WorkProof.MAX_BITS) {
       lose(
           "the server demands too much work: workBits="
@@ -292,7 +324,35 @@ public abstract class ClientEnd extends FramedLink {
     if (trust.encryption() == Encryption.ON) {
       trust.servers().remember(remote(), ServerKey.fingerprint(serverKey));
     }
+    stepSince = System.nanoTime();
     transmit(new Frame.Payload().set(Frame.KEY_CONFIRM, Frame.NO_FIELDS, 0, 0));
+    if (streams) {
+      open();
+    }
+  }
+
+  /**
+   * Asks the server to carry datagrams over TCP, as none pass by UDP. UDP goes on being tried, and
+   * takes over when it works.
+   */
+  private void useStream(long now) {
+    streams = true;
+    stepSince = now;
+    long work = new WorkProof().solve(id, token, Frame.streamWorkBits(workBits));
+    byte[] fields = ByteBuffer.allocate(Frame.SOLUTION_BYTES).putLong(work).array();
+    transmit(new Frame.Payload().set(Frame.STREAM, fields, 0, fields.length));
+    if (keys != null) {
+      open();
+    }
+  }
+
+  private void readStreamed(ByteBuffer fields) {
+    long now = System.nanoTime();
+    if (keys == null || !Frame.readStreamed(path, fields, now)) {
+      lose("the server sent an invalid datagram over TCP");
+    } else if (fields.hasRemaining()) {
+      receiveDatagram(fields, now);
+    }
   }
 
   private void readMessage(ByteBuffer buffer, int length) {
@@ -319,6 +379,9 @@ public abstract class ClientEnd extends FramedLink {
       return; // networks duplicate datagrams
     }
     byte tag = received[0];
+    if (fields >= 0) {
+      path.heardByUdp(tag != Frame.CHALLENGE, System.nanoTime());
+    }
     opened.limit(DatagramSealer.HEAD_BYTES + Math.max(0, fields));
     opened.position(DatagramSealer.HEAD_BYTES);
     if (tag == Frame.DATAGRAM && fields >= 1) {
@@ -327,7 +390,7 @@ public abstract class ClientEnd extends FramedLink {
       byte[] nonce = Frame.nonce(opened.getLong());
       transmitSealed(Frame.ANSWER, nonce, 0, nonce.length);
       open();
-    } else {
+    } else if (tag != Frame.KEEP_ALIVE || fields != 0) {
       counters().malformed.incrementAndGet();
     }
   }
@@ -338,6 +401,7 @@ public abstract class ClientEnd extends FramedLink {
       lose(notCarom()); // a server greets first
     } else if (!udpRegistered && state() == State.CONNECTING) {
       udpRegistered = true;
+      stepSince = System.nanoTime();
       offerKey();
     }
   }
@@ -347,25 +411,61 @@ public abstract class ClientEnd extends FramedLink {
     return udpRegistered;
   }
 
+  /** Notes that the server's machine has no such UDP port. Any thread may call it. */
+  protected final void udpRefused() {
+    udpRefused = true;
+  }
+
   /**
-   * Closes a link that takes too long to connect or is silent too long. It also sends keep-alive
-   * datagrams, so that routers keep their address translation.
+   * Closes a link that takes too long to connect or is silent too long, and lets TCP carry the
+   * datagrams if UDP doesn't. It also sends keep-alive datagrams, so that routers keep their address
+   * translation and both ends know whether UDP works. Call it about 20 times a second.
    */
   protected final void checkDeadlines(long now) {
     if (state() == State.CONNECTING) {
-      if (now - start > connectNanos && tcpRegistered) {
-        lose(stuck());
-      }
+      checkStep(now);
     } else if (now - lastFrame > IDLE_NANOS) {
       lose("nothing heard from the server for " + IDLE_NANOS / 1_000_000_000L + " s");
-    } else if (now - lastDatagramOut > DATAGRAM_SILENCE_NANOS) {
-      transmitSealed(Frame.KEEP_ALIVE, Frame.NO_FIELDS, 0, 0);
+    } else {
+      boolean asks = path.isQuiet(now) && now - probedAt > PROBE_NANOS;
+      if (asks || now - lastDatagramOut > DATAGRAM_SILENCE_NANOS) {
+        probedAt = now;
+        transmitSealed(Frame.KEEP_ALIVE, Frame.NO_FIELDS, 0, 0);
+      }
+      if (path.mustSpeak(now)) {
+        stream(Frame.NO_FIELDS, 0, 0);
+      }
     }
   }
 
-  /** Returns whether connecting has taken longer than its limit. */
+  /** Returns whether a step without delay has taken longer than its limit since the beginning. */
   protected final boolean isLate(long now) {
-    return now - start > connectNanos;
+    return now - start > stepNanos;
+  }
+
+  private void checkStep(long now) {
+    if (!tcpRegistered) {
+      return; // the subclass has a limit for this
+    }
+    long waited = now - stepSince;
+    boolean waitsForUdp = !udpRegistered || keys != null;
+    long patience = Math.min(UDP_PATIENCE_NANOS, stepNanos / 2) + 2 * roundTripNanos;
+    if (waitsForUdp && !streams && (udpRefused || waited > patience)) {
+      useStream(now);
+    } else if (waited > stepNanos + STEP_ROUND_TRIPS * roundTripNanos) {
+      lose(stuck());
+      mayPass = true;
+    }
+  }
+
+  /** Notes that the reason for the end may be over in a moment. Any thread may call it. */
+  protected final void mayPass(boolean may) {
+    mayPass = may;
+  }
+
+  @Override
+  public final boolean mayPass() {
+    return mayPass;
   }
 
   /**
@@ -374,6 +474,7 @@ public abstract class ClientEnd extends FramedLink {
    */
   protected final String gone() {
     boolean waited = state() == State.CONNECTING && tcpRegistered;
+    mayPass |= waited;
     return waited ? stuck() : "the server closed the connection";
   }
 
@@ -381,13 +482,13 @@ public abstract class ClientEnd extends FramedLink {
     if (!udpRegistered) {
       return blocked();
     }
-    return keys == null
+    return keys == null || streams
         ? "the server didn't answer the exchange of keys"
         : "server reachable, but its answers from UDP port " + udpPort() + " are blocked";
   }
 
   /** Returns the reason for blocked datagrams. */
-  protected final String blocked() {
+  private String blocked() {
     String text = "server reachable by TCP, but UDP port " + udpPort() + " is blocked";
     boolean other = tcpRegistered && toldUdpPort != udpPort();
     return other ? text + "; the server itself uses UDP port " + toldUdpPort : text;
@@ -401,11 +502,6 @@ public abstract class ClientEnd extends FramedLink {
   /** Returns the reason for a missing answer. */
   protected final String noAnswer() {
     return "no server answers at " + remote() + "; check that it runs, and its address and port";
-  }
-
-  /** Returns the reason for a host name without an address. */
-  protected final String unknownHost() {
-    return "unknown host " + host + ": check the address";
   }
 
   /** Returns the reason for a missing route to the host. */

@@ -1,5 +1,6 @@
 package carom.net.frame;
 
+import carom.net.datagram.DatagramPath;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.seal.DatagramSealer;
 import carom.net.seal.Encryption;
@@ -27,6 +28,8 @@ import java.nio.charset.StandardCharsets;
  *  4 MESSAGE       TCP, both  codec's bytes
  *  5 BYE           TCP, both  UTF-8 text, at most 512 bytes; the receiver closes
  *  6 DATAGRAM      UDP, both  payload, 1..1,200 bytes
+ * 12 STREAM        TCP c-&gt;s   solution i64          instead of REGISTER_UDP or ANSWER: UDP is blocked
+ * 13 STREAMED      TCP, both  hears UDP u8, received u16, payload 0..1,200   a datagram over TCP
  * </pre>
  *
  * <p>All frames behind KEY_ANSWER from the server and behind KEY_OFFER from the client are sealed:
@@ -49,6 +52,17 @@ public final class Frame {
   public static final byte KEY_OFFER = 9;
   public static final byte KEY_ANSWER = 10;
   public static final byte KEY_CONFIRM = 11;
+  public static final byte STREAM = 12;
+  public static final byte STREAMED = 13;
+
+  /** Least bits of work that a client proves whose datagrams go over TCP. */
+  public static final int STREAM_WORK_BITS = 12;
+
+  /** Bytes of STREAM's fields. */
+  public static final int SOLUTION_BYTES = 8;
+
+  /** Bytes in front of STREAMED's payload. */
+  public static final int STREAMED_HEAD_BYTES = 3;
 
   /** Bytes of the length in front of a TCP frame. */
   public static final int LENGTH_BYTES = 4;
@@ -154,6 +168,33 @@ public final class Frame {
         .putLong(token)
         .putLong(solution)
         .array();
+  }
+
+  /** Returns the work that a client proves whose datagrams go over TCP, bits. */
+  public static int streamWorkBits(int greetingBits) {
+    return Math.max(greetingBits, STREAM_WORK_BITS);
+  }
+
+  /** Returns a STREAMED frame of a datagram, or of none if the length is 0. */
+  public static Payload streamed(DatagramPath path, byte[] bytes, int offset, int length) {
+    byte[] fields = new byte[STREAMED_HEAD_BYTES + length];
+    path.write(fields, length > 0, System.nanoTime());
+    System.arraycopy(bytes, offset, fields, STREAMED_HEAD_BYTES, length);
+    return new Payload().set(STREAMED, fields, 0, fields.length);
+  }
+
+  /**
+   * Reads the head of STREAMED's fields and leaves the buffer at the payload.
+   *
+   * @return false when the frame is invalid
+   */
+  public static boolean readStreamed(DatagramPath path, ByteBuffer fields, long now) {
+    int payload = fields.remaining() - STREAMED_HEAD_BYTES;
+    if (payload < 0 || payload > MAX_PAYLOAD_BYTES) {
+      return false;
+    }
+    boolean hears = fields.get() != 0;
+    return path.read(hears, Short.toUnsignedInt(fields.getShort()), payload > 0, now);
   }
 
   /** Returns the fields of CHALLENGE or ANSWER. */

@@ -1,5 +1,6 @@
 package carom.net.frame;
 
+import carom.net.datagram.DatagramPath;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
@@ -25,16 +26,18 @@ public abstract class FramedLink implements Link {
     private long arrivedNs;
   }
 
+  /** The way of this end's datagrams. */
+  protected final DatagramPath path = new DatagramPath();
+
   private final MessageCodec codec;
   private final LinkCounters counters = new LinkCounters();
-  private final MpscAtomicArrayQueue<Object>
-      inbox; // one thread adds messages, another may add datagrams
+  private final MpscAtomicArrayQueue<Object> inbox; // the threads of TCP and UDP add to it
   private final SpscAtomicArrayQueue<Datagram> spare;
   private final int maxDatagrams;
   private volatile State state = State.CONNECTING;
   private volatile String closeReason = "";
 
-  // used by the thread that reads datagrams
+  // guarded by this
   private int datagramsMade;
   private Datagram unused;
 
@@ -79,6 +82,11 @@ public abstract class FramedLink implements Link {
   @Override
   public final String closeReason() {
     return closeReason;
+  }
+
+  @Override
+  public final boolean isOverTcp() {
+    return state == State.OPEN && path.isOverTcp(System.nanoTime());
   }
 
   @Override
@@ -192,10 +200,10 @@ public abstract class FramedLink implements Link {
   }
 
   /**
-   * Adds a datagram's payload to the inbox, or drops it if the inbox is full. One thread may call
-   * it, which may differ from that of messages.
+   * Adds a datagram's payload to the inbox, or drops it if the inbox is full. Any thread may call
+   * it: datagrams come by UDP and over TCP.
    */
-  public final void receiveDatagram(ByteBuffer payload, long nowNs) {
+  public final synchronized void receiveDatagram(ByteBuffer payload, long nowNs) {
     int length = payload.remaining();
     Datagram datagram = unused != null ? unused : spare.poll();
     unused = null;

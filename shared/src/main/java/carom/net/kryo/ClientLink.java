@@ -11,13 +11,12 @@ import com.esotericsoftware.kryonet.FrameworkMessage.KeepAlive;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
 import com.esotericsoftware.kryonet.KryoNetException;
 import java.io.IOException;
+import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.NoRouteToHostException;
-import java.net.UnknownHostException;
 import java.nio.ByteBuffer;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.Consumer;
 
 /**
  * Client's end of a link: TCP over KryoNet, with the thread that drives KryoNet's client, and a UDP
@@ -31,14 +30,13 @@ import java.util.function.Consumer;
  */
 final class ClientLink extends ClientEnd {
   private static final int SELECT_MILLIS = 50;
-  private static final int MAX_ADDRESSES = 4;
 
   static {
     Setup.ensure();
   }
 
-  private final int connectMillis;
-  private final Consumer<ClientLink> finished;
+  private final int stepMillis;
+  private final InetAddress address;
   private final Thread driver;
   private final Thread connector;
   private final ClientDatagrams datagrams;
@@ -53,12 +51,12 @@ final class ClientLink extends ClientEnd {
       String host,
       int tcpPort,
       int udpPort,
-      int connectMillis,
-      Consumer<ClientLink> finished) {
-    super(codec, trust, host, tcpPort, udpPort, connectMillis);
+      int stepMillis,
+      InetAddress address) {
+    super(codec, trust, host, tcpPort, udpPort, stepMillis);
     this.datagrams = datagrams;
-    this.connectMillis = connectMillis;
-    this.finished = finished;
+    this.stepMillis = stepMillis;
+    this.address = address;
     driver = new Thread(this::drive, "carom-link-" + remote());
     driver.setDaemon(true);
     connector = new Thread(this::connectEndpoint, "carom-connect-" + remote());
@@ -67,6 +65,11 @@ final class ClientLink extends ClientEnd {
 
   void start() {
     driver.start();
+  }
+
+  /** Returns whether its thread has ended. */
+  boolean isOver() {
+    return !driver.isAlive();
   }
 
   /**
@@ -88,6 +91,11 @@ final class ClientLink extends ClientEnd {
   @Override
   protected boolean transmit(Frame.Payload frame) {
     return endpoint.sendTCP(frame) > 0;
+  }
+
+  @Override
+  protected boolean isWritable() {
+    return endpoint.getTcpWriteBufferSize() == 0;
   }
 
   @Override
@@ -134,7 +142,6 @@ final class ClientLink extends ClientEnd {
     } finally {
       lose("connection lost");
       release(client);
-      finished.accept(this);
     }
   }
 
@@ -178,38 +185,14 @@ final class ClientLink extends ClientEnd {
   /** Runs the connector. */
   private void connectEndpoint() {
     try {
-      String failure = tryAddresses();
-      if (failure != null) {
-        lose(failure);
-      }
+      endpoint.connect(stepMillis, address, tcpPort());
+    } catch (IOException x) {
+      lose(explain(x));
+    } catch (RuntimeException x) {
+      lose("can't connect to " + remote() + ": " + x.getMessage());
     } finally {
       disposeWhenLast();
     }
-  }
-
-  /** Returns what went wrong, or null when the connection is established. */
-  private String tryAddresses() {
-    String failure = "no server answers at " + remote();
-    try {
-      InetAddress[] addresses = InetAddress.getAllByName(host());
-      long start = System.nanoTime();
-      for (int i = 0; i < Math.min(MAX_ADDRESSES, addresses.length) && !isDisconnected(); i++) {
-        if (i > 0 && System.nanoTime() - start > connectMillis * 1_000_000L) {
-          break;
-        }
-        try {
-          endpoint.connect(connectMillis, addresses[i], tcpPort());
-          return null;
-        } catch (IOException x) {
-          failure = explain(x);
-        }
-      }
-    } catch (UnknownHostException x) {
-      failure = unknownHost();
-    } catch (RuntimeException x) {
-      failure = "can't connect to " + remote() + ": " + x.getMessage();
-    }
-    return failure;
   }
 
   private String explain(IOException failure) {
@@ -217,10 +200,14 @@ final class ClientLink extends ClientEnd {
     if (text.contains("during TCP registration")) {
       return notCarom();
     }
-    if (failure.getCause() instanceof NoRouteToHostException) {
-      return noRoute();
-    }
-    return noAnswer();
+    Throwable cause = failure.getCause();
+    mayPass(!(cause instanceof NoRouteToHostException || cause instanceof ConnectException));
+    return cause instanceof NoRouteToHostException ? noRoute() : noAnswer();
+  }
+
+  /** Returns whether a Carom server has answered by TCP. */
+  boolean isAnswered() {
+    return isTcpRegistered();
   }
 
   /** KryoNet's client, made safe to send and to close from any thread. */
@@ -280,9 +267,7 @@ final class ClientLink extends ClientEnd {
 
                 @Override
                 public void unreachable() {
-                  if (state() == State.CONNECTING) {
-                    lose(blocked());
-                  } // otherwise the server's UDP port has just closed, and TCP will report why
+                  udpRefused();
                 }
               });
       registerUdp(System.nanoTime());

@@ -5,6 +5,7 @@ import carom.net.frame.Frame;
 import carom.net.frame.Trust;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
+import java.net.InetAddress;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
@@ -14,13 +15,14 @@ import java.util.concurrent.ConcurrentHashMap;
  * connect; only the owner's thread may poll a link.
  */
 public final class KryoClientTransport implements ClientTransport {
-  private static final int CONNECT_MILLIS = 5_000;
+  private static final int STEP_MILLIS = 10_000;
 
   private final KryoMessageCodec codec = new KryoMessageCodec();
   private final ClientDatagrams datagrams = new ClientDatagrams(Frame.SERVER_BUFFER_BYTES);
-  private final Set<ClientLink> links = ConcurrentHashMap.newKeySet();
+  private final Set<AddressRace> links = ConcurrentHashMap.newKeySet();
   private final Trust trust;
-  private final int connectMillis;
+  private final AddressRace.Names names;
+  private final int stepMillis;
   private volatile boolean closed;
 
   /**
@@ -37,15 +39,22 @@ public final class KryoClientTransport implements ClientTransport {
    * @param trust what a server must be like
    */
   public KryoClientTransport(Trust trust) {
-    this(trust, CONNECT_MILLIS);
+    this(trust, STEP_MILLIS);
   }
 
   /**
-   * Creates a transport with another time limit for connecting. TCP's own part of it is always 5 s.
+   * Creates a transport with another time limit for each step of connecting, ms. TCP's own part is
+   * always 5 s.
    */
-  KryoClientTransport(Trust trust, int connectMillis) {
+  KryoClientTransport(Trust trust, int stepMillis) {
+    this(trust, stepMillis, InetAddress::getAllByName);
+  }
+
+  /** Creates a transport that finds addresses in another way than by the system. */
+  KryoClientTransport(Trust trust, int stepMillis, AddressRace.Names names) {
     this.trust = trust;
-    this.connectMillis = connectMillis;
+    this.names = names;
+    this.stepMillis = stepMillis;
   }
 
   /**
@@ -59,10 +68,26 @@ public final class KryoClientTransport implements ClientTransport {
     if (closed) {
       throw new IllegalStateException("the transport is closed; create another one to connect");
     }
+    checkPort("tcpPort", tcpPort, 1);
+    checkPort("udpPort", udpPort, 0);
+    links.removeIf(AddressRace::isOver);
+    AddressRace race =
+        new AddressRace(host, tcpPort, names, address -> open(host, tcpPort, udpPort, address));
+    links.add(race);
+    race.start();
+    return race;
+  }
+
+  private static void checkPort(String name, int port, int least) {
+    if (port < least || port > 65_535) {
+      throw new IllegalArgumentException(
+          name + "=" + port + " must be from " + least + " to 65535");
+    }
+  }
+
+  private ClientLink open(String host, int tcpPort, int udpPort, InetAddress address) {
     ClientLink link =
-        new ClientLink(
-            codec, datagrams, trust, host, tcpPort, udpPort, connectMillis, links::remove);
-    links.add(link);
+        new ClientLink(codec, datagrams, trust, host, tcpPort, udpPort, stepMillis, address);
     link.start();
     return link;
   }
@@ -75,12 +100,12 @@ public final class KryoClientTransport implements ClientTransport {
   @Override
   public void close() {
     closed = true;
-    for (ClientLink link : links) {
+    for (AddressRace link : links) {
       link.close("the game closed the connection");
     }
     boolean interrupted = false;
     long deadline = System.nanoTime() + 2_000_000_000L;
-    for (ClientLink link : links) {
+    for (AddressRace link : links) {
       interrupted |= link.await(deadline);
     }
     datagrams.close();

@@ -67,6 +67,19 @@ final class ImpairedDirection {
     inBurst = false;
   }
 
+  /**
+   * Takes a datagram that TCP carries: it arrives, behind all that was sent before. One that would
+   * wait in front of a slow line is lost before. Returns how many were lost.
+   */
+  int addReliably(byte[] bytes, int offset, int length, long nowNs) {
+    if (datagrams.size() >= MAX_DATAGRAMS || queueNs(nowNs) > MAX_QUEUE_NS) {
+      return 1;
+    }
+    long dueNs = messageDue(passLine(length + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES, nowNs));
+    put(bytes, offset, length, dueNs);
+    return 0;
+  }
+
   /** Takes a datagram. Returns how many were lost: 1 if this one never arrives, else 0. */
   int addDatagram(byte[] bytes, int offset, int length, long nowNs) {
     // Each datagram draws the same five numbers, so that a change of one condition leaves the

@@ -22,6 +22,7 @@ public final class ImpairedLink implements Link {
   private final LinkCounters counters = new LinkCounters();
   private final ImpairedDirection out;
   private final ImpairedDirection in;
+  private boolean overTcp;
   private boolean opened;
   private boolean closedHere;
   private boolean innerClosed;
@@ -38,8 +39,7 @@ public final class ImpairedLink implements Link {
 
         @Override
         public void datagram(Link from, byte[] bytes, int length) {
-          int dropped = in.addDatagram(bytes, 0, length, nowNs.getAsLong());
-          counters.datagramsDropped.addAndGet(dropped);
+          counters.datagramsDropped.addAndGet(pass(in, bytes, 0, length));
         }
 
         @Override
@@ -132,9 +132,35 @@ public final class ImpairedLink implements Link {
     long now = nowNs.getAsLong();
     counters.datagramsOut.incrementAndGet();
     counters.datagramBytesOut.addAndGet(length);
-    counters.datagramsDropped.addAndGet(out.addDatagram(bytes, offset, length, now));
+    counters.datagramsDropped.addAndGet(pass(out, bytes, offset, length));
     flush(now);
     return true;
+  }
+
+  /**
+   * Blocks UDP from now on, or lets it pass again. TCP carries the datagrams meanwhile: they arrive
+   * in order, and as late as messages do.
+   */
+  public void blockUdp(boolean blocked) {
+    overTcp = blocked;
+  }
+
+  private int pass(ImpairedDirection direction, byte[] bytes, int offset, int length) {
+    long now = nowNs.getAsLong();
+    if (isOverTcp()) {
+      return direction.addReliably(bytes, offset, length, now);
+    }
+    return direction.addDatagram(bytes, offset, length, now);
+  }
+
+  @Override
+  public boolean isOverTcp() {
+    return overTcp || link.isOverTcp();
+  }
+
+  @Override
+  public boolean mayPass() {
+    return link.mayPass();
   }
 
   @Override

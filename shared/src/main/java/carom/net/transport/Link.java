@@ -68,6 +68,22 @@ public interface Link {
    */
   void close(String reason);
 
+  /**
+   * Returns whether this end sends its datagrams over TCP now, because UDP is blocked. They then
+   * arrive in order, and one that would wait behind a stall is dropped here.
+   */
+  default boolean isOverTcp() {
+    return false;
+  }
+
+  /**
+   * Returns whether the reason for which this link never opened may be over in a moment: the server
+   * was busy, or the line slow. A name that nobody has, or a port where nobody listens, stays so.
+   */
+  default boolean mayPass() {
+    return false;
+  }
+
   /** Returns the peer's address and port, or its name, for logs. */
   String remote();
 

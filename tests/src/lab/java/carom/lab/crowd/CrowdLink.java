@@ -55,7 +55,7 @@ final class CrowdLink extends ClientEnd {
     try {
       InetSocketAddress address = new InetSocketAddress(host(), tcpPort());
       if (address.isUnresolved()) {
-        lose(unknownHost());
+        lose("unknown host " + host() + ": check the address");
         return;
       }
       tcp = SocketChannel.open();
@@ -98,9 +98,7 @@ final class CrowdLink extends ClientEnd {
         readFrames();
       }
     } catch (PortUnreachableException x) {
-      if (state() == State.CONNECTING) {
-        lose(blocked());
-      } // else the server's UDP port has just gone, and TCP will tell why
+      udpRefused();
     } catch (NoRouteToHostException x) {
       lose(noRoute());
     } catch (IOException x) {
@@ -231,6 +229,13 @@ final class CrowdLink extends ClientEnd {
         tcpKey.interestOps(ops);
         selector.wakeup();
       }
+    }
+  }
+
+  @Override
+  protected boolean isWritable() {
+    synchronized (unsent) {
+      return unsent.position() == 0;
     }
   }
 

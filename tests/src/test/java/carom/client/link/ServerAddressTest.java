@@ -37,6 +37,16 @@ class ServerAddressTest {
     }
   }
 
+  @Test
+  void anAddressWithColonsAndAPortGetsTheHintOfBrackets() {
+    for (String text : new String[] {"::1:22980", "fe80::1:54555", "1:2:3:4:5:6:7:8:99"}) {
+      int colon = text.lastIndexOf(':');
+      String hint = "[" + text.substring(0, colon) + "]" + text.substring(colon);
+      assertTrue(problem(text).contains(hint), text + problem(text));
+    }
+    assertEquals(new ServerAddress("fe80::1:5", 54_555, 0), ServerAddress.parse("fe80::1:5"));
+  }
+
   private static String problem(String text) {
     return assertThrows(IllegalArgumentException.class, () -> ServerAddress.parse(text), text)
         .getMessage();

@@ -38,7 +38,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(30)
 final class KryoHostilityTest {
   private static final KryoLimits LIMITS =
-      KryoLimits.DEFAULT.withTimes(500, 3_500).withConnections(60, 50);
+      KryoLimits.DEFAULT.withTimes(120, 3_500).withConnections(60, 50);
 
   private Network network;
   private Network.Pair canary;

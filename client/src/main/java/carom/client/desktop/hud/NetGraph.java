@@ -126,7 +126,7 @@ public final class NetGraph {
 
   private void write(NetStats s, long nowNs, float fps) {
     if (size == Size.SMALL) {
-      rows[0] = text("RTT %.0f ms    loss %.1f %%", s.rttMs(), s.lossPercent());
+      rows[0] = text("RTT %.0f ms    loss %.1f %%%s", s.rttMs(), s.lossPercent(), way(s));
       rows[1] = text("%.0f snapshots/s    %.0f fps", s.snapshotsPerSecond(), fps);
       rows[2] =
           text("in %.1f kbit/s    out %.1f kbit/s", s.kbitInPerSecond(), s.kbitOutPerSecond());
@@ -138,8 +138,8 @@ public final class NetGraph {
     }
     rows[0] =
         text(
-            "RTT %.0f ms   jitter %.0f ms   loss %.1f %%",
-            s.rttMs(), s.jitterMs(), s.lossPercent());
+            "RTT %.0f ms   jitter %.0f ms   loss %.1f %%%s",
+            s.rttMs(), s.jitterMs(), s.lossPercent(), way(s));
     rows[1] =
         text(
             "in %.1f kbit/s   out %.1f kbit/s   %.0f fps",
@@ -169,6 +169,10 @@ public final class NetGraph {
     captions[1] = "datagram size, bytes (full height 1,200)";
     captions[2] = "input buffer, ticks (red: too late)";
     captions[3] = "corrections, m";
+  }
+
+  private static String way(NetStats s) {
+    return s.isOverTcp() ? "   TCP: UDP is blocked" : "";
   }
 
   private void bars(NetStats stats, int graph, float left, float y) {

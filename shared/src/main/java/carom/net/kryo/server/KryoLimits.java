@@ -6,16 +6,18 @@ import carom.values.Records;
 /**
  * Limits on what a server lets unknown clients use. It is immutable; start from {@link #DEFAULT}.
  *
- * @param maxConnections largest number of open links at once, 1..10,000; for a moment it may be
+ * @param maxConnections largest number of open links at once, 1..20,000; for a moment it may be
  *     exceeded by links that opened together. Keep the sum of this and the next well below the
  *     process's limit of open files
  * @param maxPending largest number of connections at once that have proven nothing, 1..4,096; a
  *     quarter as many again may exchange keys. One more makes the oldest give way, see {@link
  *     carom.net.admission.Entrance}. Each takes about 70 kB
  * @param maxPerAddress largest number of connections at once from one IPv4 address or one IPv6 /64
- *     network, 1..10,000; it counts as soon as half of {@code maxConnections} are open
- * @param handshakeMillis time limit for each of the two steps to an open link, 50..60,000 ms:
- *     registering UDP, and answering a datagram
+ *     network, 1..20,000; it counts as soon as half of {@code maxConnections} are open
+ * @param handshakeMillis time limit for each of the three steps to an open link, 50..60,000 ms:
+ *     registering, the exchange of keys, and answering a datagram. It holds while newcomers have to
+ *     work; while most places are free, nobody pays for a slow line, and a client has eight times
+ *     as long
  * @param idleMillis time without a complete frame over TCP after which a link closes, 100..600,000
  *     ms; clients send one every 2,000 ms
  * @param messagesPerSecond largest number of TCP frames per second from one link, 1..1,000,000; a
@@ -41,6 +43,12 @@ public record KryoLimits(
     int unreadDatagrams,
     int unsentBytes) {
 
+  /** Largest number of links: what the largest rooms hold, those that wait and those that watch. */
+  public static final int MAX_CONNECTIONS = 20_000;
+
+  /** Multiple of {@code handshakeMillis} that a client has while most places are free. */
+  static final int CALM_FACTOR = 8;
+
   /** Default limits of a server. */
   public static final KryoLimits DEFAULT =
       new KryoLimits(
@@ -62,9 +70,9 @@ public record KryoLimits(
    *     range
    */
   public KryoLimits {
-    check("maxConnections", maxConnections, 1, 10_000);
+    check("maxConnections", maxConnections, 1, MAX_CONNECTIONS);
     check("maxPending", maxPending, 1, 4_096);
-    check("maxPerAddress", maxPerAddress, 1, 10_000);
+    check("maxPerAddress", maxPerAddress, 1, MAX_CONNECTIONS);
     check("handshakeMillis", handshakeMillis, 50, 60_000);
     check("idleMillis", idleMillis, 100, 600_000);
     check("messagesPerSecond", messagesPerSecond, 1, 1_000_000);

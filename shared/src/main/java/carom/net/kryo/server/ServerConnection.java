@@ -2,6 +2,7 @@ package carom.net.kryo.server;
 
 import carom.net.admission.AddressGroup;
 import carom.net.admission.Entrance;
+import carom.net.datagram.DatagramPath;
 import carom.net.datagram.DatagramPort;
 import carom.net.datagram.FloodMeter;
 import carom.net.datagram.MoveLimit;
@@ -71,9 +72,11 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   private final AtomicBoolean closeRequested = new AtomicBoolean();
   private final TokenBucket messageBudget; // used by the network thread
   private final TokenBucket datagramBudget; // used by the port's thread
+  private final TokenBucket streamedBudget; // used by the network thread
   private final FloodMeter floodMeter; // used by the port's thread
   private final MoveLimit moveLimit; // used by the port's thread
   private final Object sealing = new Object();
+  private final Object streaming = new Object();
   private volatile LinkKeys keys; // its sealer of datagrams is guarded by the lock above
   private StreamSeal streamSeal; // guarded by KryoNet's lock of the stream
   private volatile boolean broken;
@@ -85,6 +88,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   private long lastFrame = phaseSince;
   private long lastChallenge = phaseSince;
   private boolean offered;
+  private boolean streams; // the client can't use UDP
 
   // used by the port's thread
   private InetSocketAddress newAddress;
@@ -106,6 +110,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     int datagrams = limits.datagramsPerSecond();
     messageBudget = new TokenBucket(messages, messages);
     datagramBudget = new TokenBucket(datagrams, Math.max(1, datagrams / 2));
+    streamedBudget = new TokenBucket(datagrams, Math.max(1, datagrams / 2));
     floodMeter = new FloodMeter(datagrams);
     moveLimit = new MoveLimit(network.moves);
     link = new ServerLink(this);
@@ -136,7 +141,15 @@ final class ServerConnection extends Connection implements Entrance.Guest {
 
     @Override
     protected boolean transmitDatagram(byte[] bytes, int offset, int length) {
-      return connection.sendDatagram(connection.udpAddress, Frame.DATAGRAM, bytes, offset, length);
+      long now = System.nanoTime();
+      return path.isOverTcp(now)
+          ? path.isFree(now) && connection.stream(bytes, offset, length)
+          : connection.sendDatagram(
+              connection.udpAddress, Frame.DATAGRAM, bytes, offset, length);
+    }
+
+    DatagramPath path() {
+      return path;
     }
 
     @Override
@@ -186,6 +199,11 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   /** Returns what the client is told first. */
   byte[] greeting() {
     return greeting;
+  }
+
+  /** Returns the number that the client must know to register. */
+  long token() {
+    return token;
   }
 
   /** Returns whether a token is this connection's. */
@@ -252,6 +270,17 @@ final class ServerConnection extends Connection implements Entrance.Guest {
       }
       int sealed = sealer.seal(tag, bytes, offset, length);
       return network.send(to, sealer.bytes(), sealed);
+    }
+  }
+
+  /**
+   * Sends a datagram over TCP, or only what this end has to say of the datagrams if the length is
+   * 0. Returns false when it would wait behind others. Any thread may call it.
+   */
+  private boolean stream(byte[] bytes, int offset, int length) {
+    synchronized (streaming) { // heads must leave in the order of their counts
+      return getTcpWriteBufferSize() == 0
+          && sendTCP(Frame.streamed(link.path(), bytes, offset, length)) > 0;
     }
   }
 
@@ -380,10 +409,41 @@ final class ServerConnection extends Connection implements Entrance.Guest {
 
   /** Records the client's UDP address. A repetition has no effect. Called on the port's thread. */
   void addressKnown(InetSocketAddress address, long now) {
+    long waited = now - phaseSince;
     if (advance(Phase.PENDING, Phase.KEYING, now)) {
       udpAddress = address;
+      link.path().roundTrip(waited);
       sendTCP(new RegisterUDP());
     }
+  }
+
+  /**
+   * Takes the client's word that UDP is blocked, for a proof of work: TCP's own handshake has shown
+   * the client's address. The client may have registered a UDP address that it can't use, which
+   * nobody has proven. Returns false when the frame means nothing here.
+   */
+  private boolean readStream(byte[] fields, int offset, int length, long now) {
+    ByteBuffer solution = ByteBuffer.wrap(fields, offset, length);
+    if (length != Frame.SOLUTION_BYTES
+        || !network.hasWorked(this, Frame.streamWorkBits(workBits), solution.getLong())) {
+      return false;
+    }
+    streams = true;
+    if (advance(Phase.PENDING, Phase.KEYING, now) || phase == Phase.KEYING) {
+      udpAddress = null;
+      sendTCP(new RegisterUDP());
+      return true;
+    }
+    return openStream(Phase.CHALLENGED, now);
+  }
+
+  private boolean openStream(Phase from, long now) {
+    if (!advance(from, Phase.OPEN, now)) {
+      return phase == Phase.OPEN; // its answer came by UDP after all
+    }
+    udpAddress = null;
+    network.opened(this, null, link);
+    return true;
   }
 
   /** Starts the exchange of keys. Called on the network thread; another one computes them. */
@@ -423,7 +483,10 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   }
 
   private void confirm(long now) {
-    if (advance(Phase.KEYING, Phase.CHALLENGED, now)) {
+    if (streams) {
+      openStream(Phase.KEYING, now);
+    } else if (advance(Phase.KEYING, Phase.CHALLENGED, now)) {
+      lastChallenge = now;
       challenge(udpAddress, nonce);
     }
   }
@@ -432,7 +495,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   void sweep(long now) {
     KryoLimits limits = network.limits;
     long inPhase = now - phaseSince;
-    long handshakeNanos = limits.handshakeMillis() * 1_000_000L;
+    long handshakeNanos = network.handshakeNanos();
     switch (phase) {
       case PENDING -> {
         if (inPhase > handshakeNanos) {
@@ -446,7 +509,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
       case KEYING -> {
         if (inPhase > handshakeNanos) {
           network.counters.expired.incrementAndGet();
-          dismiss("the exchange of keys took longer than " + limits.handshakeMillis() + " ms");
+          dismiss("the exchange of keys took longer than " + handshakeNanos / 1_000_000L + " ms");
         }
       }
       case CHALLENGED -> {
@@ -456,7 +519,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
               "server reachable, but its answers from UDP port "
                   + network.udpPort()
                   + " are blocked (by a firewall or router)");
-        } else if (now - Math.max(phaseSince, lastChallenge) >= CHALLENGE_NANOS) {
+        } else if (now - lastChallenge >= Math.max(CHALLENGE_NANOS, inPhase / 2)) {
           lastChallenge = now;
           challenge(udpAddress, nonce);
         }
@@ -464,6 +527,8 @@ final class ServerConnection extends Connection implements Entrance.Guest {
       case OPEN -> {
         if (now - Math.max(phaseSince, lastFrame) > limits.idleMillis() * 1_000_000L) {
           expel("nothing heard for " + limits.idleMillis() + " ms");
+        } else if (link.path().mustSpeak(now)) {
+          stream(Frame.NO_FIELDS, 0, 0);
         }
       }
       case CLOSING -> {
@@ -480,11 +545,16 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     if (phase == Phase.CLOSED) {
       return FrameCodec.HANDLED;
     }
+    long now = System.nanoTime();
     if (phase == Phase.PENDING) {
-      closeNow("the client sent a frame before the handshake");
+      byte[] bytes = buffer.array();
+      int start = buffer.arrayOffset() + buffer.position();
+      if (bytes[start] != Frame.STREAM
+          || !readStream(bytes, start + 1, buffer.remaining() - 1, now)) {
+        closeNow("the client sent a frame before the handshake");
+      }
       return FrameCodec.HANDLED;
     }
-    long now = System.nanoTime();
     lastFrame = now;
     if (!messageBudget.take(now)) {
       expel("more than " + network.limits.messagesPerSecond() + " messages per second");
@@ -511,6 +581,9 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     if (length == 1 && bytes[start] == Frame.KEEP_ALIVE) {
       return true;
     }
+    if (bytes[start] == Frame.STREAM && !offered) {
+      return readStream(bytes, start + 1, length - 1, System.nanoTime());
+    }
     if (length == 1 + KeyExchange.OFFER_BYTES && bytes[start] == Frame.KEY_OFFER && keys == null) {
       readOffer(Arrays.copyOfRange(bytes, start + 1, start + length));
       return true;
@@ -528,9 +601,33 @@ final class ServerConnection extends Connection implements Entrance.Guest {
       }
     } else if (tag == Frame.BYE) {
       closeNow("the client left");
+    } else if (tag == Frame.STREAM || tag == Frame.STREAMED) {
+      boolean isValid =
+          tag == Frame.STREAM
+              ? readStream(bytes, offset, length, now)
+              : readStreamed(ByteBuffer.wrap(bytes, offset, length), now);
+      if (!isValid && phase != Phase.CLOSING) {
+        expel("the client sent an invalid frame (tag=" + tag + " length=" + length + ")");
+      }
     } else if (phase != Phase.CLOSING && (tag != Frame.KEEP_ALIVE || length > 0)) {
       readMessage(tag, bytes, offset, length);
     }
+  }
+
+  private boolean readStreamed(ByteBuffer fields, long now) {
+    if (phase != Phase.OPEN || !Frame.readStreamed(link.path(), fields, now)) {
+      return false;
+    }
+    if (!fields.hasRemaining()) {
+      return true;
+    }
+    if (streamedBudget.take(now)) {
+      link.receiveDatagram(fields, now);
+    } else {
+      network.counters.excessDatagrams.incrementAndGet();
+      link.counters().datagramsDropped.incrementAndGet();
+    }
+    return true;
   }
 
   private void readMessage(byte tag, byte[] bytes, int offset, int length) {
@@ -586,6 +683,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
       link.counters().datagramsDropped.incrementAndGet();
       return;
     }
+    link.path().heardByUdp(bytes[0] == Frame.DATAGRAM, now);
     opened.limit(DatagramSealer.HEAD_BYTES + fields).position(DatagramSealer.HEAD_BYTES);
     readOpened(bytes[0], from, opened, now);
   }
@@ -603,7 +701,11 @@ final class ServerConnection extends Connection implements Entrance.Guest {
       if (phase == Phase.OPEN) {
         link.receiveDatagram(fields, now);
       }
-    } else if (tag != Frame.KEEP_ALIVE || length != 0) {
+    } else if (tag == Frame.KEEP_ALIVE && length == 0) {
+      if (phase == Phase.OPEN && from.equals(udpAddress)) {
+        sendDatagram(from, Frame.KEEP_ALIVE, Frame.NO_FIELDS, 0, 0); // UDP works both ways
+      }
+    } else {
       network.counters.malformedDatagrams.incrementAndGet();
     }
   }

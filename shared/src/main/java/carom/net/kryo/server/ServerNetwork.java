@@ -90,6 +90,8 @@ final class ServerNetwork implements Runnable {
   private final ByteBuffer receivedView = ByteBuffer.wrap(received);
   private final WorkProof workProof = new WorkProof();
 
+  private final WorkProof streamWorkProof = new WorkProof(); // used by the network thread
+
   private final ThreadPoolExecutor keyMaker;
 
   ServerNetwork(KryoLimits limits, ServerIdentity identity) {
@@ -400,6 +402,21 @@ final class ServerNetwork implements Runnable {
     return true;
   }
 
+  /** Returns whether a client has worked. Called on the network thread. */
+  boolean hasWorked(ServerConnection connection, int bits, long solution) {
+    return streamWorkProof.isSolved(connection.number(), connection.token(), bits, solution);
+  }
+
+  /**
+   * Returns how long a client may take for a step of the handshake: as long as the slowest line
+   * needs while most places are free, so that nobody pays for it. When newcomers have to work for a
+   * place, nobody holds one for longer than a usual line needs.
+   */
+  long handshakeNanos() {
+    long factor = entrance.workBits() == 0 ? KryoLimits.CALM_FACTOR : 1;
+    return factor * limits.handshakeMillis() * 1_000_000L;
+  }
+
   /** Sends a datagram. Returns false when this end lost it. Any thread may call it. */
   boolean send(InetSocketAddress to, byte[] bytes, int length) {
     return datagrams.send(to, bytes, length);
@@ -408,13 +425,16 @@ final class ServerNetwork implements Runnable {
   /**
    * Opens a link whose client has proven its address. If an older connection has the address, its
    * client has crashed or left without a word, and the system gave its port to the new client. So
-   * the older link ends. Called on the port's thread.
+   * the older link ends. Called on the port's thread, or for a link without UDP, whose address is
+   * null, on the network thread.
    */
-  void opened(ServerConnection connection, InetSocketAddress address, Link link) {
+  synchronized void opened(ServerConnection connection, InetSocketAddress address, Link link) {
     if (!connection.openLink()) {
       return;
     }
-    claim(address, connection);
+    if (address != null) {
+      claim(address, connection);
+    }
     counters.opened.incrementAndGet();
     if (open.incrementAndGet() > limits.maxConnections()) {
       link.close(full());
@@ -428,7 +448,9 @@ final class ServerNetwork implements Runnable {
   /** Notes that a client has proven another address. Called on the port's thread. */
   void moved(ServerConnection connection, InetSocketAddress from, InetSocketAddress to) {
     counters.movedLinks.incrementAndGet();
-    byAddress.remove(from, connection);
+    if (from != null) {
+      byAddress.remove(from, connection);
+    }
     claim(to, connection);
   }
 
