@@ -3,10 +3,13 @@ package carom.lab.soak;
 import carom.client.link.ConnectionPhase;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
-import carom.net.snapshot.frame.FrameState;
-import carom.server.match.MatchInfo;
+import carom.server.room.Room;
+import carom.sim.Journal;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.level.Level;
 import carom.testkit.SimulatedClient;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.WeakHashMap;
@@ -14,9 +17,10 @@ import java.util.WeakHashMap;
 /**
  * Looks for ghosts and lost bodies in the clients of one room. An entity that has been there for
  * long must be known to a client whose network has been well for long, and one that has been gone
- * for long must not be. In a level that is larger than a view, a client needn't have heard of all.
+ * for long must not be. It sees every tick, as a journal of the room's simulation. In a level that
+ * is larger than a view, a client needn't have heard of all.
  */
-final class EntityWatch {
+final class EntityWatch implements Journal {
   /** Time that counts as long, ticks: the goal is 2 s after the last change. */
   private static final int LONG = 120;
 
@@ -28,32 +32,60 @@ final class EntityWatch {
   private int match = -1;
   private int begun;
   private boolean inView;
-  private FrameState newest;
+  private Simulation followed;
   private final Map<SimulatedClient, Integer> wellSince = new WeakHashMap<>();
 
-  /** Takes note of a tick. */
-  void tick(FrameState frame, MatchInfo playing) {
-    newest = frame;
-    if (playing.number() != match) {
-      match = playing.number();
-      Level.Bounds bounds = playing.level().level().bounds();
-      inView = bounds.maxX() - bounds.minX() <= VIEW && bounds.maxY() - bounds.minY() <= VIEW;
-      begun = frame.tick();
-      since = new int[0];
-      known = new int[0];
-      wellSince.clear();
+  /** Follows the match that a room plays now, from the present tick on. */
+  void follow(Room room) {
+    if (room.simulation() == followed) {
+      return;
     }
-    if (since.length < frame.slotLimit()) {
-      since = java.util.Arrays.copyOf(since, frame.slotLimit() * 2);
-      known = java.util.Arrays.copyOf(known, frame.slotLimit() * 2);
+    end();
+    followed = room.simulation();
+    match = room.match().number();
+    Level.Bounds bounds = room.match().level().level().bounds();
+    inView = bounds.maxX() - bounds.minX() <= VIEW && bounds.maxY() - bounds.minY() <= VIEW;
+    begun = followed.tick();
+    since = new int[0];
+    known = new int[0];
+    wellSince.clear();
+    stepped(followed);
+    followed.addJournal(this);
+  }
+
+  /** Follows nothing any more. */
+  void end() {
+    if (followed != null) {
+      followed.removeJournal(this);
+      followed = null;
     }
-    for (int slot = 0; slot < known.length; slot++) {
-      boolean alive = slot < frame.slotLimit() && frame.alive(slot);
-      int now = alive ? frame.generation(slot) + 1 : 0;
-      if (known[slot] != now) {
-        known[slot] = now;
-        since[slot] = frame.tick();
-      }
+  }
+
+  @Override
+  public void stepping(Simulation s) {}
+
+  /** Takes note of a tick, also of one that a room catches up with others in one turn. */
+  @Override
+  public void stepped(Simulation s) {
+    int id = 0;
+    for (int left = s.entityCount(); left > 0; id++) {
+      Entity entity = s.entity(id);
+      left -= entity == null ? 0 : 1;
+      note(id, entity == null ? 0 : entity.generation() + 1, s.tick());
+    }
+    for (; id < known.length; id++) {
+      note(id, 0, s.tick());
+    }
+  }
+
+  private void note(int slot, int now, int tick) {
+    if (slot >= known.length) {
+      since = Arrays.copyOf(since, 2 * slot + 1);
+      known = Arrays.copyOf(known, since.length);
+    }
+    if (known[slot] != now) {
+      known[slot] = now;
+      since[slot] = tick;
     }
   }
 
@@ -69,22 +101,23 @@ final class EntityWatch {
    */
   long check(SimulatedClient client) {
     SnapshotDecoder decoder = client.game().decoder();
+    int tick = followed.tick();
     if (client.view().phase() != ConnectionPhase.PLAYING
         || client.view().matchNumber() != match
         || decoder == null
         || !decoder.hasAck()
         || client.isCutOff()
-        || newest.tick() - decoder.newestTick() > LONG / 4) {
+        || tick - decoder.newestTick() > LONG / 4) {
       wellSince.remove(client);
       return 0;
     }
-    int well = wellSince.computeIfAbsent(client, c -> newest.tick());
-    if (newest.tick() - well < LONG || newest.tick() - begun < LONG) {
+    int well = wellSince.computeIfAbsent(client, c -> tick);
+    if (tick - well < LONG || tick - begun < LONG) {
       return 0;
     }
     long compared = 0;
     for (int slot = 0; slot < known.length; slot++) {
-      if (newest.tick() - since[slot] < LONG) {
+      if (tick - since[slot] < LONG) {
         continue;
       }
       EntityHistory history = decoder.history(slot);
@@ -102,7 +135,7 @@ final class EntityWatch {
                 slot,
                 known[slot] - 1,
                 since[slot],
-                newest.tick(),
+                tick,
                 heard ? shown - 1 + " of tick=" + history.tick(0) : "never",
                 client));
       }

@@ -283,7 +283,7 @@ final class Soak {
       return;
     }
     EntityWatch watch = watches.computeIfAbsent(room, r -> new EntityWatch());
-    watch.tick(room.frames().newest(), room.match());
+    watch.follow(room);
     for (Guest client : clients) {
       if (client instanceof FullGuest full && full.room().equals(room.name())) {
         entitiesSeen += watch.check(full.client());

@@ -66,7 +66,7 @@ final class SoakTest {
           continue;
         }
         tick = room.tick();
-        watch.tick(room.frames().newest(), room.match());
+        watch.follow(room);
         compared += watch.check(slow);
         if (tick % 150 == 0) {
           SimulatedClient guest = stepper.clients().get(guests % 9);
