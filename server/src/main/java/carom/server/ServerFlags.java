@@ -382,8 +382,8 @@ final class ServerFlags {
       paramLabel = "N",
       defaultValue = "10",
       description =
-          "Files of 10 MB that the log in the data folder keeps, 0..20; 0 = log to standard error"
-              + " only (${DEFAULT-VALUE}).")
+          "Older files of 10 MB that the log in the data folder keeps beside the present one,"
+              + " 0..20; 0 = log to standard error only (${DEFAULT-VALUE}).")
   int logKeep;
 
   @Option(

@@ -36,7 +36,7 @@ public final class LogFiles {
   /**
    * Begins to log to a folder, and creates it. Does nothing if no file shall be kept.
    *
-   * @param keep number of files, the present one included; at least two are, if any
+   * @param keep number of older files beside the present one; 0 = no file at all
    * @throws IOException if the folder can't be written to; the message says what to do
    */
   public static void begin(LoggerContext logging, Path folder, int keep) throws IOException {
@@ -78,7 +78,7 @@ public final class LogFiles {
     names.setParent(files);
     names.setFileNamePattern(folder.resolve("carom.%i.log").toString());
     names.setMinIndex(1);
-    names.setMaxIndex(Math.max(1, keep - 1));
+    names.setMaxIndex(keep);
     names.start();
     SizeBasedTriggeringPolicy<ILoggingEvent> limit = new SizeBasedTriggeringPolicy<>();
     limit.setContext(logging);
