@@ -85,17 +85,22 @@ final class ServerStart {
 
   private ServerTransport openTransport(List<RoomConfig> rooms) throws StartFailure {
     ServerTransport transport;
+    Impairment impairment = flags.impairment();
     try {
       KryoLimits limits = flags.limits(RoomConfig.places(rooms));
       transport =
           new KryoServerTransport(
-              flags.bindAddress(), flags.tcpPort, flags.udpPort, limits, identity());
+              flags.bindAddress(),
+              flags.tcpPort,
+              flags.udpPort,
+              limits,
+              identity(),
+              impairment == null ? Impairment.NONE : impairment);
     } catch (IllegalArgumentException e) {
       throw flags.bad("--room: " + e.getMessage());
     } catch (PortUnavailableException e) {
       throw new StartFailure(e.getMessage(), e);
     }
-    Impairment impairment = flags.impairment();
     if (impairment == null) {
       return transport;
     }

@@ -12,7 +12,6 @@ import carom.client.settings.SettingsFile;
 import carom.client.stats.NetStats;
 import carom.client.view.ClientView;
 import carom.net.frame.Trust;
-import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
@@ -189,7 +188,7 @@ public final class ClientMain implements Callable<Integer> {
     }
     if (headless) {
       try (StopSignal stop = new StopSignal();
-          ClientTransport transport = network.impair(new KryoClientTransport(trust()));
+          ClientTransport transport = network.sockets(trust());
           GameClient client = new GameClient(config, transport, InputSource.IDLE)) {
         return playHeadless(client, stop);
       }
@@ -236,7 +235,7 @@ public final class ClientMain implements Callable<Integer> {
 
   /** Prints the server's rooms; returns 1 if it doesn't tell them. */
   private int listRooms() {
-    try (ClientTransport transport = network.impair(new KryoClientTransport(trust()));
+    try (ClientTransport transport = network.sockets(trust());
         RoomBrowser browser = new RoomBrowser(network.address(), transport)) {
       while (!browser.isDone()) {
         browser.update(System.nanoTime());
@@ -255,7 +254,7 @@ public final class ClientMain implements Callable<Integer> {
 
   private int watch(ClientConfig config) {
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(new KryoClientTransport(trust()))) {
+        ClientTransport transport = network.sockets(trust())) {
       int exit = 1;
       SpectatorThread spectator = new SpectatorThread(config, watch, transport);
       while (spectator != null) {

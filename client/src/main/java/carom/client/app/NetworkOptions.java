@@ -5,6 +5,7 @@ import carom.client.link.ServerAddress;
 import carom.json.Json;
 import carom.json.JsonException;
 import carom.net.frame.Trust;
+import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
@@ -175,6 +176,16 @@ public final class NetworkOptions {
     } catch (IllegalArgumentException | JsonException e) {
       return null; // the server will say what is wrong with it
     }
+  }
+
+  /** Returns a transport of sockets, over the simulated bad network from the first byte on. */
+  public ClientTransport sockets(Trust trust) {
+    return impair(new KryoClientTransport(trust, impairment()));
+  }
+
+  /** Returns whether the network is made bad on purpose. */
+  public boolean isBad() {
+    return conditions.isBad();
   }
 
   /** Wraps a transport with the simulated bad network. */

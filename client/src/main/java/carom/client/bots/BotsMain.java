@@ -5,7 +5,6 @@ import carom.client.PredictionMode;
 import carom.client.app.NetworkOptions;
 import carom.client.app.ProgramVersion;
 import carom.client.app.StopSignal;
-import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
@@ -201,17 +200,20 @@ public final class BotsMain implements Callable<Integer> {
             .withPrediction(prediction)
             .withTicksPerInputDatagram(ticksPerInputDatagram);
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(sockets());
+        ClientTransport transport = sockets();
         WorkerThreads workers = new WorkerThreads(threadCount());
         BotFarm farm = new BotFarm(config, transport, count, seed, roam, churn, workers)) {
       return play(farm, stop);
     }
   }
 
-  /** Returns a transport whose links share one thread; other clients have one each. */
+  /**
+   * Returns a transport whose links share one thread, or the players' own, over a bad network or
+   * without encryption.
+   */
   private ClientTransport sockets() {
-    if (!network.isEncrypted()) {
-      return new KryoClientTransport(network.trust(KnownServers.inMemory()));
+    if (!network.isEncrypted() || network.isBad()) {
+      return network.sockets(network.trust(KnownServers.inMemory()));
     }
     try {
       return Lab.create(ClientTransport.class, "carom.lab.crowd.CrowdTransport");

@@ -41,7 +41,7 @@ public final class DesktopLauncher implements Window {
     window.disableAudio(!hasSound);
     try (ClientTransport transport =
         new ImpairedClientTransport(
-            new KryoClientTransport(options.trust()),
+            new KryoClientTransport(options.trust(), options.impairment()),
             options.impairment(),
             new KryoMessageCodec(),
             System::nanoTime)) {

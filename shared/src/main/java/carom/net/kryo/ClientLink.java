@@ -5,6 +5,7 @@ import carom.net.frame.ClientEnd;
 import carom.net.frame.Frame;
 import carom.net.frame.Trust;
 import carom.net.seal.StreamSeal;
+import carom.net.transport.HandshakeLine;
 import com.esotericsoftware.kryonet.Client;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.KeepAlive;
@@ -16,6 +17,8 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.NoRouteToHostException;
 import java.nio.ByteBuffer;
+import java.util.Arrays;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
@@ -31,12 +34,18 @@ import java.util.concurrent.atomic.AtomicInteger;
 final class ClientLink extends ClientEnd {
   private static final int SELECT_MILLIS = 50;
 
+  /** Distance of two frames on a simulated line, so that its clock keeps their order, ns. */
+  private static final long ORDER_NANOS = 1_000_000L;
+
   static {
     Setup.ensure();
   }
 
   private final int stepMillis;
+  private final HandshakeLine line; // null without a simulated network
   private final InetAddress address;
+  private final AtomicInteger delayed = new AtomicInteger(); // frames on the line
+  private long lastDue; // guarded by the line
   private final Thread driver;
   private final Thread connector;
   private final ClientDatagrams datagrams;
@@ -52,10 +61,12 @@ final class ClientLink extends ClientEnd {
       int tcpPort,
       int udpPort,
       int stepMillis,
+      HandshakeLine line,
       InetAddress address) {
     super(codec, trust, host, tcpPort, udpPort, stepMillis);
     this.datagrams = datagrams;
     this.stepMillis = stepMillis;
+    this.line = line;
     this.address = address;
     driver = new Thread(this::drive, "carom-link-" + remote());
     driver.setDaemon(true);
@@ -90,7 +101,27 @@ final class ClientLink extends ClientEnd {
 
   @Override
   protected boolean transmit(Frame.Payload frame) {
+    if (line != null && (state() == State.CONNECTING || delayed.get() > 0)) {
+      delay(() -> endpoint.sendTCP(frame));
+      return true;
+    }
     return endpoint.sendTCP(frame) > 0;
+  }
+
+  /** Sends a frame as late as a slow line would, behind those before it. */
+  private void delay(Runnable send) {
+    synchronized (line) {
+      long now = System.nanoTime();
+      long trip = state() == State.CONNECTING ? line.roundTripNanos() : 0;
+      boolean follows = delayed.getAndIncrement() > 0;
+      lastDue = follows ? Math.max(lastDue + ORDER_NANOS, now + trip) : now + trip;
+      line.after(
+          lastDue - now,
+          () -> {
+            send.run();
+            delayed.decrementAndGet();
+          });
+    }
   }
 
   @Override
@@ -105,6 +136,14 @@ final class ClientLink extends ClientEnd {
       return false;
     }
     datagramLeft();
+    if (line != null && tag != Frame.DATAGRAM) {
+      if (!line.loses()) {
+        byte[] copy = Arrays.copyOfRange(bytes, offset, offset + length);
+        long trip = state() == State.CONNECTING ? line.roundTripNanos() : 0;
+        line.after(trip, () -> socket.send(tag, copy, 0, copy.length));
+      }
+      return true;
+    }
     return socket.send(tag, bytes, offset, length);
   }
 
@@ -185,7 +224,12 @@ final class ClientLink extends ClientEnd {
   /** Runs the connector. */
   private void connectEndpoint() {
     try {
+      if (line != null) {
+        TimeUnit.NANOSECONDS.sleep(line.roundTripNanos()); // SYN and its answer
+      }
       endpoint.connect(stepMillis, address, tcpPort());
+    } catch (InterruptedException x) {
+      lose("closed while connecting");
     } catch (IOException x) {
       lose(explain(x));
     } catch (RuntimeException x) {
@@ -222,8 +266,8 @@ final class ClientLink extends ClientEnd {
 
     @Override
     public int sendTCP(Object frame) {
-      if (isDisconnected() || (frame instanceof KeepAlive && !isUdpRegistered())) {
-        return 0; // before that, a server accepts no frame
+      if (isDisconnected() || (frame instanceof KeepAlive && !mayKeepAlive())) {
+        return 0;
       }
       if (WRITE_BUFFER_BYTES - getTcpWriteBufferSize() < FrameCodec.tcpBytes(frame)) {
         lose("the server doesn't read what it is sent");
@@ -252,6 +296,12 @@ final class ClientLink extends ClientEnd {
     }
   }
 
+  /** Returns whether the server accepts a keep-alive, and none overtakes a frame of the handshake. */
+  private boolean mayKeepAlive() {
+    return isUdpRegistered()
+        && (line == null || state() == State.OPEN && delayed.get() == 0);
+  }
+
   /** Opens the UDP socket to the machine that answers by TCP, at the port that it told. */
   private void openDatagrams() {
     try {
@@ -262,7 +312,9 @@ final class ClientLink extends ClientEnd {
               new ClientDatagrams.Receiver() {
                 @Override
                 public void datagram(ByteBuffer datagram) {
-                  readDatagram(datagram);
+                  if (line == null || !line.isDeaf()) {
+                    readDatagram(datagram);
+                  }
                 }
 
                 @Override

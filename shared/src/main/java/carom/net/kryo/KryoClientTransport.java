@@ -4,6 +4,8 @@ import carom.net.datagram.ClientDatagrams;
 import carom.net.frame.Frame;
 import carom.net.frame.Trust;
 import carom.net.transport.ClientTransport;
+import carom.net.transport.HandshakeLine;
+import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import java.net.InetAddress;
 import java.util.Set;
@@ -22,6 +24,7 @@ public final class KryoClientTransport implements ClientTransport {
   private final Set<AddressRace> links = ConcurrentHashMap.newKeySet();
   private final Trust trust;
   private final AddressRace.Names names;
+  private HandshakeLine line; // null without a simulated network
   private final int stepMillis;
   private volatile boolean closed;
 
@@ -40,6 +43,15 @@ public final class KryoClientTransport implements ClientTransport {
    */
   public KryoClientTransport(Trust trust) {
     this(trust, STEP_MILLIS);
+  }
+
+  /**
+   * Creates a transport over a simulated network, in the handshake of its links. {@link
+   * carom.net.transport.ImpairedClientTransport} goes on where a link is open.
+   */
+  public KryoClientTransport(Trust trust, Impairment impairment) {
+    this(trust, STEP_MILLIS);
+    line = impairment.isNone() ? null : new HandshakeLine(impairment);
   }
 
   /**
@@ -87,7 +99,7 @@ public final class KryoClientTransport implements ClientTransport {
 
   private ClientLink open(String host, int tcpPort, int udpPort, InetAddress address) {
     ClientLink link =
-        new ClientLink(codec, datagrams, trust, host, tcpPort, udpPort, stepMillis, address);
+        new ClientLink(codec, datagrams, trust, host, tcpPort, udpPort, stepMillis, line, address);
     link.start();
     return link;
   }
@@ -109,6 +121,9 @@ public final class KryoClientTransport implements ClientTransport {
       interrupted |= link.await(deadline);
     }
     datagrams.close();
+    if (line != null) {
+      line.close();
+    }
     if (interrupted) {
       Thread.currentThread().interrupt();
     }

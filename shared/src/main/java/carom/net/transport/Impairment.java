@@ -64,6 +64,11 @@ public record Impairment(
           /* duplicatePercent= */ 0,
           /* bandwidthKbit= */ 0);
 
+  /** Returns whether it leaves a perfect network as it is, whatever its seed. */
+  public boolean isNone() {
+    return withSeed(NONE.seed).equals(NONE);
+  }
+
   /** Returns a copy with another seed. */
   public Impairment withSeed(long seed) {
     return Records.with(this, "seed", seed);

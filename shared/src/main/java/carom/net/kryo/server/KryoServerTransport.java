@@ -2,6 +2,7 @@ package carom.net.kryo.server;
 
 import carom.net.seal.Encryption;
 import carom.net.transport.AddressFamily;
+import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import carom.net.transport.NetworkCounter;
 import carom.net.transport.PortUnavailableException;
@@ -54,9 +55,23 @@ public final class KryoServerTransport implements ServerTransport {
    */
   public KryoServerTransport(
       InetAddress address, int tcpPort, int udpPort, KryoLimits limits, ServerIdentity identity) {
+    this(address, tcpPort, udpPort, limits, identity, Impairment.NONE);
+  }
+
+  /**
+   * Opens the ports as above, over a simulated network in the handshake of the links. {@link
+   * carom.net.transport.ImpairedServerTransport} goes on where a link is open.
+   */
+  public KryoServerTransport(
+      InetAddress address,
+      int tcpPort,
+      int udpPort,
+      KryoLimits limits,
+      ServerIdentity identity,
+      Impairment impairment) {
     checkPort("tcpPort", tcpPort);
     checkPort("udpPort", udpPort);
-    network = new ServerNetwork(limits, identity);
+    network = new ServerNetwork(limits, identity, impairment);
     try {
       network.bind(
           new InetSocketAddress(address, tcpPort),

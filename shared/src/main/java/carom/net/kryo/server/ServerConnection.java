@@ -18,6 +18,7 @@ import carom.net.seal.Encryption;
 import carom.net.seal.KeyExchange;
 import carom.net.seal.LinkKeys;
 import carom.net.seal.StreamSeal;
+import carom.net.transport.HandshakeLine;
 import carom.net.transport.Link;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
@@ -237,6 +238,16 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     if (frame instanceof RegisterTCP && !network.admit(this)) {
       return 0;
     }
+    HandshakeLine line = network.line;
+    boolean isBye = frame instanceof Frame.Payload payload && payload.tag() == Frame.BYE;
+    if (line != null && phase.compareTo(Phase.OPEN) < 0 && !isBye) {
+      line.after(line.roundTripNanos(), () -> write(frame));
+      return 1;
+    }
+    return write(frame);
+  }
+
+  private int write(Object frame) {
     if (broken) {
       return 0;
     }
@@ -286,7 +297,14 @@ final class ServerConnection extends Connection implements Entrance.Guest {
 
   private void challenge(InetSocketAddress address, long number) {
     byte[] fields = Frame.nonce(number);
-    sendDatagram(address, Frame.CHALLENGE, fields, 0, fields.length);
+    HandshakeLine line = network.line;
+    if (line == null) {
+      sendDatagram(address, Frame.CHALLENGE, fields, 0, fields.length);
+    } else if (!line.loses()) {
+      line.after(
+          line.roundTripNanos(),
+          () -> sendDatagram(address, Frame.CHALLENGE, fields, 0, fields.length));
+    }
   }
 
   /** Ends the connection. KryoNet calls this after any error, on any thread. */

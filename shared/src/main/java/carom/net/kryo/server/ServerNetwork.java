@@ -14,6 +14,8 @@ import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.Setup;
 import carom.net.seal.DatagramOpener;
 import carom.net.seal.StreamSeal;
+import carom.net.transport.HandshakeLine;
+import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
@@ -60,6 +62,10 @@ final class ServerNetwork implements Runnable {
 
   final KryoLimits limits;
   final ServerIdentity identity;
+
+  /** The simulated network below the handshake, or null. */
+  final HandshakeLine line;
+
   final KryoMessageCodec codec = new KryoMessageCodec();
   final KryoServerCounters counters = new KryoServerCounters();
   private final Server server;
@@ -94,8 +100,9 @@ final class ServerNetwork implements Runnable {
 
   private final ThreadPoolExecutor keyMaker;
 
-  ServerNetwork(KryoLimits limits, ServerIdentity identity) {
+  ServerNetwork(KryoLimits limits, ServerIdentity identity, Impairment impairment) {
     this.limits = limits;
+    line = impairment.isNone() ? null : new HandshakeLine(impairment);
     this.identity = identity;
     int unproven = limits.maxPending();
     int proven = Math.max(1, unproven / 4);
@@ -175,6 +182,9 @@ final class ServerNetwork implements Runnable {
   /** Releases what the constructor and {@link #bind} took. */
   void dispose() {
     keyMaker.shutdownNow();
+    if (line != null) {
+      line.close();
+    }
     if (datagrams != null) {
       datagrams.close();
     }
@@ -371,6 +381,9 @@ final class ServerNetwork implements Runnable {
   /** Takes a datagram that came in by UDP. Called on the port's thread. */
   private void datagram(InetSocketAddress from, ByteBuffer datagram, long nowNs) {
     int length = datagram.remaining();
+    if (line != null && line.isDeaf()) {
+      return;
+    }
     datagram.get(received, 0, length);
     ServerConnection connection = links.get(DatagramOpener.link(received, length));
     if (connection != null && received[0] != Frame.REGISTER_UDP) {
