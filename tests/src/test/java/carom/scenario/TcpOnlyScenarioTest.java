@@ -14,8 +14,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Goal: where UDP is dead, the same game is played over TCP, as exact and only later. Method: in
- * virtual time, a player over a network that loses every datagram and delays the rest by 150 ms with
- * jitter; the stepper compares each decoded state with the server's.
+ * virtual time, a player over a network that loses every datagram and delays the rest by 150 ms
+ * with jitter; the stepper compares each decoded state with the server's.
  */
 class TcpOnlyScenarioTest {
   @ParameterizedTest
@@ -25,8 +25,7 @@ class TcpOnlyScenarioTest {
       Impairment dead = Impairment.NONE.withLoss(100).withLatency(150, 30);
       SimulatedClient player = stepper.add("player", dead, InputSource.IDLE);
       player.blockUdp(true);
-      stepper.runUntil(
-          "it plays", () -> player.view().phase() == ConnectionPhase.PLAYING, 10);
+      stepper.runUntil("it plays", () -> player.view().phase() == ConnectionPhase.PLAYING, 10);
       stepper.run(3);
       player.play(Scripts.hold(1, 0));
       stepper.run(2);

@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Goal: a server starts with every combination of settings that are each inside its stated range.
- * Method: the ends of all ranges and random values between them; rooms, seats, the transport's limits
- * and its ports are made as the program makes them.
+ * Method: the ends of all ranges and random values between them; rooms, seats, the transport's
+ * limits and its ports are made as the program makes them.
  */
 class StatedRangesTest {
   private static final long SEED = Long.getLong("carom.seed", 37);

@@ -32,6 +32,7 @@ public final class Connection implements LinkHandler {
   }
 
   private static final long MS = 1_000_000L;
+
   /** Longest time in which a link opens; links have deadlines of their own for each step. */
   private static final long CONNECT_TIMEOUT_NS = 120_000 * MS;
 
@@ -385,12 +386,11 @@ public final class Connection implements LinkHandler {
 
   /**
    * Ends the stage. While the client tries to come back, the message says why playing ended and, if
-   * a server was there, why the latest attempt failed. A first connection is tried again like any other, if the reason
-   * may be over in a moment.
+   * a server was there, why the latest attempt failed. A first connection is tried again like any
+   * other, if the reason may be over in a moment.
    */
   private void lost(String why, boolean mayPass) {
-    boolean wasIn =
-        stage == Stage.PLAYING || (stage == Stage.LOADING && !comeback.isComingBack());
+    boolean wasIn = stage == Stage.PLAYING || (stage == Stage.LOADING && !comeback.isComingBack());
     stop();
     if (!comeback.isComingBack()) {
       message = why;

@@ -57,8 +57,8 @@ public record ServerAddress(String host, int tcpPort, int udpPort) {
   }
 
   /**
-   * Returns how to write a text that looks like an IPv6 address without brackets and a port, or null
-   * if it doesn't: its last part is no group of an address, or there are too many.
+   * Returns how to write a text that looks like an IPv6 address without brackets and a port, or
+   * null if it doesn't: its last part is no group of an address, or there are too many.
    */
   private static String bracketed(String text) {
     int colon = text.lastIndexOf(':');

@@ -33,6 +33,7 @@ public abstract class ClientEnd extends FramedLink {
 
   /** Round trips that a step of connecting may take, in addition to its time limit. */
   private static final int STEP_ROUND_TRIPS = 4;
+
   private static final long IDLE_NANOS = 10_000_000_000L;
   private static final long REGISTER_NANOS = 100_000_000L;
   private static final String USED_UP = "the keys of this connection are used up";
@@ -418,8 +419,8 @@ public abstract class ClientEnd extends FramedLink {
 
   /**
    * Closes a link that takes too long to connect or is silent too long, and lets TCP carry the
-   * datagrams if UDP doesn't. It also sends keep-alive datagrams, so that routers keep their address
-   * translation and both ends know whether UDP works. Call it about 20 times a second.
+   * datagrams if UDP doesn't. It also sends keep-alive datagrams, so that routers keep their
+   * address translation and both ends know whether UDP works. Call it about 20 times a second.
    */
   protected final void checkDeadlines(long now) {
     if (state() == State.CONNECTING) {

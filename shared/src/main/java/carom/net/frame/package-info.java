@@ -4,7 +4,8 @@
  * handshake with its exchange of keys.
  *
  * <p>Imports {@code carom.net.protocol}, {@code carom.net.transport}, {@code carom.net.seal},
- * {@code carom.net.datagram}, {@code carom.net.admission}, {@code carom.text}, JCTools and the JDK only.
+ * {@code carom.net.datagram}, {@code carom.net.admission}, {@code carom.text}, JCTools and the JDK
+ * only.
  *
  * <p>Read first: {@link carom.net.frame.Frame}, {@link carom.net.frame.FramedLink}, {@link
  * carom.net.frame.ClientEnd}.

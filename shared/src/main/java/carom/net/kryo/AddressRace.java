@@ -108,8 +108,7 @@ final class AddressRace implements Link {
     while (winner == null && failure == null) {
       long now = System.nanoTime();
       boolean allEnded = attempts.stream().allMatch(a -> a.state() == State.CLOSED);
-      if (attempts.size() < addresses.size()
-          && (allEnded || now - startedNs > HEAD_START_NANOS)) {
+      if (attempts.size() < addresses.size() && (allEnded || now - startedNs > HEAD_START_NANOS)) {
         attempts.add(open.apply(addresses.get(attempts.size())));
         startedNs = now;
         continue;

@@ -296,10 +296,11 @@ final class ClientLink extends ClientEnd {
     }
   }
 
-  /** Returns whether the server accepts a keep-alive, and none overtakes a frame of the handshake. */
+  /**
+   * Returns whether the server accepts a keep-alive, and none overtakes a frame of the handshake.
+   */
   private boolean mayKeepAlive() {
-    return isUdpRegistered()
-        && (line == null || state() == State.OPEN && delayed.get() == 0);
+    return isUdpRegistered() && (line == null || state() == State.OPEN && delayed.get() == 0);
   }
 
   /** Opens the UDP socket to the machine that answers by TCP, at the port that it told. */

@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Goal: both ends of a link agree within seconds how datagrams travel, and over TCP none waits
- * behind a stall. Method: two ends in virtual time, with a UDP that can be cut in each direction and
- * a TCP that keeps everything, in order, and can stand still.
+ * behind a stall. Method: two ends in virtual time, with a UDP that can be cut in each direction
+ * and a TCP that keeps everything, in order, and can stand still.
  */
 class DatagramPathTest {
   private static final long MS = 1_000_000L;

@@ -26,8 +26,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * Goal: a player gets in over a slow line, to a name of which some addresses are dead, and where UDP
- * is blocked. Method: real sockets, with relays in between that share no code with the product.
+ * Goal: a player gets in over a slow line, to a name of which some addresses are dead, and where
+ * UDP is blocked. Method: real sockets, with relays in between that share no code with the product.
  */
 @Timeout(120)
 final class WayInTest {

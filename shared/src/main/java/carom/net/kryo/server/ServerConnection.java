@@ -145,8 +145,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
       long now = System.nanoTime();
       return path.isOverTcp(now)
           ? path.isFree(now) && connection.stream(bytes, offset, length)
-          : connection.sendDatagram(
-              connection.udpAddress, Frame.DATAGRAM, bytes, offset, length);
+          : connection.sendDatagram(connection.udpAddress, Frame.DATAGRAM, bytes, offset, length);
     }
 
     DatagramPath path() {
