@@ -53,6 +53,7 @@ public final class HandshakeLine implements AutoCloseable {
   }
 
   /** Runs work after a delay. After {@link #close} it does nothing. */
+  @SuppressWarnings("FutureReturnValueIgnored") // what is sent may fail, as on any network
   public void after(long nanos, Runnable work) {
     if (!clock.isShutdown()) {
       clock.schedule(work, nanos, TimeUnit.NANOSECONDS);
