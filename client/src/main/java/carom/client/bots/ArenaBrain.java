@@ -8,8 +8,9 @@ import java.util.List;
 
 /**
  * Plays the arena: the nearest two of a side push a ball towards the other side's goal, one stands
- * in front of the own goal, and the others go after rivals. It pushes a ball only along ways that
- * are free, and from where it can stand, so that a ball in a corner is brought out along the wall.
+ * in front of the own goal, and the others go after a rival each, but not into corners. It pushes a
+ * ball only along ways that are free, and from where it can stand, so that a ball in a corner is
+ * brought out along the wall.
  */
 final class ArenaBrain implements BotBrain {
   /** Most bots of a side that go for the same ball. */
@@ -28,6 +29,12 @@ final class ArenaBrain implements BotBrain {
 
   /** Distance from the own goal at which the keeper stands, metres. */
   private static final float KEEP = 3.5f;
+
+  /** Distance from two walls within which a disc counts as in a corner, metres. */
+  private static final float CORNER = 4;
+
+  /** Distance at which a bot without a rival is near enough to where it waits, metres. */
+  private static final float OPEN = 3;
 
   private static final float JOLT_RANGE = 10;
   private static final float DASH_RANGE = 3;
@@ -79,7 +86,10 @@ final class ArenaBrain implements BotBrain {
     return (zone.minY() + zone.maxY()) / 2;
   }
 
-  /** Returns the nearest ball with fewer than {@link #CHASERS} closer bots of the side, or null. */
+  /**
+   * Returns the nearest ball with fewer than {@link #CHASERS} closer bots of the side, or null. In
+   * a corner one is enough: two would be in each other's way.
+   */
   private static Drawn ballToChase(Senses s) {
     Drawn best = null;
     float least = Float.MAX_VALUE;
@@ -88,7 +98,7 @@ final class ArenaBrain implements BotBrain {
       float distance = s.distance(ball);
       if (ball.archetype().appearance().look() == Look.BALL
           && distance < least
-          && closerMates(s, ball.x(), ball.y(), distance) < CHASERS) {
+          && closerMates(s, ball.x(), ball.y(), distance) < (isInCorner(s, ball) ? 1 : CHASERS)) {
         least = distance;
         best = ball;
       }
@@ -187,25 +197,38 @@ final class ArenaBrain implements BotBrain {
     }
   }
 
-  /** Goes after the nearest rival, and rams it. */
+  /**
+   * Goes after the nearest rival that no mate is closer to and that isn't in a corner, and rams it.
+   * Without one it waits in the open.
+   */
   private void hunt(Senses s, Input out) {
     Drawn rival = null;
     float least = Float.MAX_VALUE;
     for (int i = 0; i < s.view().entityCount(); i++) {
       Drawn other = s.view().entity(i);
       boolean isRival = isDisc(other) && other.archetype().tag() != s.own().archetype().tag();
-      if (isRival && s.distance(other) < least) {
-        least = s.distance(other);
+      float distance = s.distance(other);
+      if (isRival
+          && distance < least
+          && !isInCorner(s, other)
+          && closerMates(s, other.x(), other.y(), distance) == 0) {
+        least = distance;
         rival = other;
       }
     }
     if (rival == null) {
-      steering.go(s, 0, 0, 3, out);
+      float x = s.own().x() / 2; // towards the middle, each from its own side
+      steering.go(s, x, s.own().y() / 2, OPEN, out);
       return;
     }
     steering.go(s, rival.x(), rival.y(), 0, out);
     out.aim(s.direction(rival));
     out.hold(Input.ACTION, least < DASH_RANGE && !dashed);
+  }
+
+  private static boolean isInCorner(Senses s, Drawn other) {
+    boolean besideX = isWall(s, other, CORNER, 0) || isWall(s, other, -CORNER, 0);
+    return besideX && (isWall(s, other, 0, CORNER) || isWall(s, other, 0, -CORNER));
   }
 
   private static Drawn nearestTo(Senses s, float x, float y, Look look) {

@@ -347,12 +347,17 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
 
   @Override
   public String replay(Path file) {
-    return show(file, null, () -> later(() -> start("")));
+    return show(file, null, () -> later(() -> backTo(StartScreen.REPLAYS)));
   }
 
   @Override
   public void scene(Scene scene) {
-    later(() -> show(scene, () -> later(() -> start(""))));
+    later(() -> show(scene, () -> later(() -> backTo(StartScreen.SCENES))));
+  }
+
+  private void backTo(String page) {
+    start("");
+    ((StartScreen) screen).open(page);
   }
 
   @Override

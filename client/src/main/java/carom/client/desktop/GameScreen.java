@@ -9,7 +9,9 @@ import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.KeyHints;
 import carom.client.desktop.hud.KeyHints.Hint;
 import carom.client.desktop.hud.NetGraph;
+import carom.client.desktop.hud.Readiness;
 import carom.client.desktop.hud.RoomPanel;
+import carom.client.desktop.hud.TeamNews;
 import carom.client.desktop.input.Controls;
 import carom.client.desktop.input.KeyMap;
 import carom.client.desktop.menu.PauseMenu;
@@ -63,6 +65,8 @@ final class GameScreen extends ScreenAdapter {
   private final PauseMenu pause;
   private final KeyMap keys;
   private final Controls controls;
+  private final Readiness readiness = new Readiness();
+  private final TeamNews teamNews;
   private final Exit exit;
   private final Fonts fonts;
   private GameClient client;
@@ -95,6 +99,7 @@ final class GameScreen extends ScreenAdapter {
     controls = new Controls(keys);
     pause = new PauseMenu(widgets, host, new PauseActions());
     picture = new GamePicture(canvas, fonts, sounds);
+    teamNews = new TeamNews(picture.game());
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
     hints = new KeyHints(picture.hud(), fonts, picture.game());
     curtain = new Curtain(picture.hud(), canvas);
@@ -184,6 +189,7 @@ final class GameScreen extends ScreenAdapter {
     }
     Drawn own = view.own();
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
+    readiness.sampled(view, out);
   }
 
   private final class PauseActions implements PauseMenu.Actions {
@@ -288,6 +294,7 @@ final class GameScreen extends ScreenAdapter {
       return false;
     } else if (key == Keys.R) {
       client.ready(!own.ready());
+      readiness.asked(view, !own.ready());
     } else if (key == Keys.P) {
       client.role(own.spectator() ? PlayerRole.PLAYER : PlayerRole.SPECTATOR);
     } else if (team >= 1 && team <= Math.min(9, picture.game().teamCount())) {
@@ -322,7 +329,20 @@ final class GameScreen extends ScreenAdapter {
     }
     played |= view.phase() == ConnectionPhase.PLAYING;
     secondsPlayed = view.phase() == ConnectionPhase.PLAYING ? secondsPlayed + deltaSeconds : 0;
+    if (view.phase() == ConnectionPhase.PLAYING) {
+      tellNews(view);
+    }
     draw(view, nowNs, deltaSeconds);
+  }
+
+  private void tellNews(ClientView view) {
+    if (readiness.isFound(view, picture.game().clock())) {
+      client.ready(true);
+    }
+    String news = curtain.isOpen() ? teamNews.take(view) : "";
+    if (!news.isEmpty()) {
+      picture.hud().showAnswer(news);
+    }
   }
 
   private void draw(ClientView view, long nowNs, float deltaSeconds) {

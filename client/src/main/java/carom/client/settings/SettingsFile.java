@@ -65,8 +65,11 @@ public final class SettingsFile {
       return Path.of(home, "Library", "Application Support", "Carom", FILE);
     }
     String config = environment.apply("XDG_CONFIG_HOME");
-    boolean set = config != null && config.startsWith("/"); // others are to be ignored
-    return Path.of(set ? config : home + "/.config", "carom", FILE);
+    if (config == null || !config.startsWith("/")) { // others are to be ignored
+      String ofShell = environment.apply("HOME"); // Java's own comes from the list of accounts
+      config = (ofShell == null || ofShell.isEmpty() ? home : ofShell) + "/.config";
+    }
+    return Path.of(config, "carom", FILE);
   }
 
   /**

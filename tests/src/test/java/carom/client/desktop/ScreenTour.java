@@ -3,20 +3,33 @@ package carom.client.desktop;
 import carom.client.app.ClientMain;
 import carom.client.app.LocalGames;
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.PlayerColours;
+import carom.client.desktop.hud.Readiness;
+import carom.client.desktop.hud.ShownGame;
+import carom.client.desktop.menu.StartScreen;
 import carom.client.link.ConnectionPhase;
+import carom.client.link.ServerAddress;
 import carom.client.stats.NetStats;
+import carom.client.view.ClientView;
+import carom.game.rockets.RocketGame;
+import carom.sim.match.MatchClock;
+import carom.sim.match.MatchPhase;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
+import com.badlogic.gdx.Screen;
 import com.badlogic.gdx.graphics.Pixmap;
 import com.badlogic.gdx.scenes.scene2d.Actor;
 import com.badlogic.gdx.scenes.scene2d.Group;
 import com.badlogic.gdx.scenes.scene2d.Stage;
 import com.badlogic.gdx.scenes.scene2d.ui.ScrollPane;
 import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
+import com.badlogic.gdx.scenes.scene2d.ui.TextField;
 import java.awt.Robot;
 import java.awt.event.KeyEvent;
 import java.lang.reflect.Field;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 
@@ -40,8 +53,8 @@ final class ScreenTour {
   /**
    * Runs the program.
    *
-   * @param args {@code menus}, {@code game}, {@code others} or {@code replay}; folder for pictures;
-   *     the client's flags
+   * @param args {@code menus}, {@code game}, {@code others}, {@code ways} or {@code replay}; folder
+   *     for pictures; the client's flags
    */
   public static void main(String[] args) {
     Thread guide = new Thread(() -> guide(args[0], Path.of(args[1])), "guide");
@@ -62,6 +75,7 @@ final class ScreenTour {
         case "menus" -> guided.menus();
         case "game" -> guided.game();
         case "others" -> guided.others();
+        case "ways" -> guided.ways();
         default -> guided.replay();
       }
       System.out.println("pictures " + guided.pictures);
@@ -102,6 +116,48 @@ final class ScreenTour {
     look("alone in a large level");
     play("rockets", 3);
     look("rockets");
+  }
+
+  /** Esc asks, a failed join stays at its address, and nobody needs a key to begin with bots. */
+  private void ways() throws Exception {
+    typed(Keys.ESCAPE);
+    look("quit");
+    require(button("Stay") != null, "Esc on the start screen asks");
+    typed(Keys.ESCAPE);
+    require(button("Join") != null, "Esc again goes back");
+    Screen before = window().screen();
+    run(() -> window().play(ServerAddress.parse("127.0.0.1:1"), ""));
+    until(() -> window().screen() instanceof StartScreen && window().screen() != before);
+    look("failed join");
+    boolean atAddress =
+        ((Stage) input()).getKeyboardFocus() instanceof TextField field
+            && field.getText().equals("127.0.0.1:1");
+    require(atAddress, "a failed join leaves the player at the address");
+    require(button("Play here instead") != null, "it offers to play here");
+    play("rockets", 3);
+    Set<Integer> colours = new HashSet<>();
+    run(
+        () ->
+            screen()
+                .view()
+                .players()
+                .forEach(p -> colours.add(colours(screen().view()).rgb(p.playerId()))));
+    require(colours.size() == 4, "each has a colour of its own: " + colours);
+    until(() -> Readiness.waits(screen().view(), new RocketGame().clock()));
+    robot.keyPress(KeyEvent.VK_D);
+    until(() -> MatchClock.phase(screen().view().match()) != MatchPhase.WARM_UP);
+    robot.keyRelease(KeyEvent.VK_D);
+    look("rockets begins");
+  }
+
+  private static TextButton button(String text) {
+    return find(((Stage) input()).getRoot(), text);
+  }
+
+  private static void require(boolean so, String what) {
+    if (!so) {
+      System.out.println("problem: not so: " + what);
+    }
   }
 
   private void game() throws Exception {
@@ -184,7 +240,17 @@ final class ScreenTour {
     frames(3);
   }
 
-  private static TextButton find(Actor actor, String text) {
+  /** Returns the colours of the players of a view. */
+  static PlayerColours colours(ClientView view) {
+    ShownGame game = new ShownGame();
+    game.look(view);
+    PlayerColours colours = new PlayerColours(game);
+    colours.look(view);
+    return colours;
+  }
+
+  /** Returns the button with a text, which marks the present page by an arrow, or null. */
+  static TextButton find(Actor actor, String text) {
     if (actor instanceof TextButton button) {
       String shown = button.getText().toString();
       return shown.equals(text) || shown.equals("> " + text) ? button : null;

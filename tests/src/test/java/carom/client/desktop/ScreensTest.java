@@ -73,6 +73,11 @@ final class ScreensTest {
   }
 
   @Test
+  void waysInAndOut() throws Exception {
+    assertInOrder("ways", LOOKS.get(0), 3);
+  }
+
+  @Test
   void aReplayAndTheEndOfItsMatch() throws Exception {
     Path recorded = folder.resolve("match.carom");
     try (Stepper stepper = Stepper.of("arena")) {

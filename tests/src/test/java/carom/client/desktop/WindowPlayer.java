@@ -10,7 +10,6 @@ import carom.client.view.ClientView.Drawn;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.replay.RecordingReader;
-import carom.sim.message.PlayerColour;
 import carom.sim.scene.Scene;
 import carom.sim.scene.catalog.Scenes;
 import com.badlogic.gdx.Gdx;
@@ -347,8 +346,7 @@ final class WindowPlayer {
             return;
           }
           looks++;
-          RosterEntry entry = view.participant(view.playerId());
-          int chosen = entry == null ? -1 : PlayerColour.of(entry.colour()).rgb();
+          int chosen = ScreenTour.colours(view).rgb(view.playerId());
           int rgb = own.archetype().appearance().rgb();
           Vector3 at = game.camera().toScreen(own.x(), own.y());
           int w = Gdx.graphics.getWidth();
@@ -431,6 +429,16 @@ final class WindowPlayer {
       }
       until("the recording is shown", () -> screen() instanceof ReplayScreen);
       film("replay of " + file.getFileName());
+      boolean[] back = {false};
+      run(
+          () -> {
+            Stage menu = (Stage) Gdx.input.getInputProcessor();
+            window().screen().render(0);
+            back[0] = ScreenTour.find(menu.getRoot(), "> Replays") != null;
+          });
+      if (!back[0]) {
+        System.out.println("problem: leaving a replay doesn't lead to the replays");
+      }
     }
     System.out.println("replays " + games);
   }

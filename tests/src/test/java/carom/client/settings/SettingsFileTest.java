@@ -149,6 +149,9 @@ final class SettingsFileTest {
         Path.of("/home/ann/.config/carom/player.conf"),
         SettingsFile.usual("Linux", "/home/ann", Map.of("XDG_CONFIG_HOME", "relative")::get));
     assertEquals(
+        Path.of("/tmp/ann/.config/carom/player.conf"),
+        SettingsFile.usual("Linux", "/home/ann", Map.of("HOME", "/tmp/ann")::get));
+    assertEquals(
         Path.of("roaming", "Carom", "player.conf"),
         SettingsFile.usual("Windows 11", "home", Map.of("APPDATA", "roaming")::get));
     assertEquals(

@@ -3,6 +3,7 @@ package carom.client.desktop.game;
 import carom.client.desktop.hud.ClockPanel;
 import carom.client.desktop.hud.GaugePanel;
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.PlayerColours;
 import carom.client.desktop.hud.Pointers;
 import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.hud.ScoreList;
@@ -50,6 +51,7 @@ public final class GamePicture implements Disposable {
   private final Hud hud;
   private final ClockPanel clock;
   private final ShownGame game = new ShownGame();
+  private final PlayerColours colours;
   private final ScoreBoard scoreBoard;
   private final ScoreList scores;
   private final GaugePanel gauges;
@@ -65,11 +67,12 @@ public final class GamePicture implements Disposable {
     this.sounds = sounds;
     hud = new Hud(canvas, fonts);
     parts = new PictureParts(hud::abandon, hud::showAnswer);
-    world = new WorldPainter(canvas, parts);
+    colours = new PlayerColours(game);
+    world = new WorldPainter(canvas, parts, colours);
     debug = new DebugPainter(canvas);
     clock = new ClockPanel(hud, canvas, fonts, game);
     scoreBoard = new ScoreBoard(hud, canvas, fonts, game);
-    scores = new ScoreList(hud, canvas, fonts, game);
+    scores = new ScoreList(hud, canvas, fonts, game, colours);
     gauges = new GaugePanel(hud, canvas, fonts, game);
     pointers = new Pointers(hud, canvas, fonts, game);
   }
@@ -181,6 +184,8 @@ public final class GamePicture implements Disposable {
     float x = own == null ? camera.gdx().position.x : own.x();
     float y = own == null ? camera.gdx().position.y : own.y();
     parts.run("sounds", () -> sounds.listen(x, y, deltaSeconds));
+    parts.run("the game's own words", () -> game.look(view));
+    parts.run("players' colours", () -> colours.look(view));
     float pixelsPerMetre = camera.pixelsPerMetre(height);
     world.draw(view, flashes, camera.gdx(), pixelsPerMetre, (float) seconds, deltaSeconds);
     if (showDebug && view.predictedWorld() != null) {
@@ -188,7 +193,6 @@ public final class GamePicture implements Disposable {
           "debug layers",
           () -> debug.draw(view.predictedWorld().world(), camera.gdx(), pixelsPerMetre));
     }
-    parts.run("the game's own words", () -> game.look(view));
     if (own != null) {
       float radius = WorldPainter.extent(own.archetype());
       hud.keepFree(camera, own.x(), own.y(), radius, pixelsPerMetre);

@@ -1,5 +1,6 @@
 package carom.client.desktop.game;
 
+import carom.client.desktop.hud.PlayerColours;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.PictureParts;
@@ -9,7 +10,6 @@ import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.client.view.JointView;
 import carom.game.Games;
-import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.physics.Body;
 import carom.physics.JointType;
 import carom.physics.geometry.Box;
@@ -24,7 +24,6 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.Area;
 import carom.sim.level.Level;
-import carom.sim.message.PlayerColour;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.math.MathUtils;
@@ -62,6 +61,7 @@ final class WorldPainter {
 
   private final Canvas canvas;
   private final PictureParts parts;
+  private final PlayerColours colours;
   private final ShapePainter shapes;
   private final JointPainter joints;
   private final AreaPainter areas;
@@ -77,8 +77,9 @@ final class WorldPainter {
   private Level sceneryOf;
   private boolean hasTeams;
 
-  WorldPainter(Canvas canvas, PictureParts parts) {
+  WorldPainter(Canvas canvas, PictureParts parts, PlayerColours colours) {
     this.canvas = canvas;
+    this.colours = colours;
     this.parts = parts;
     shapes = new ShapePainter(canvas);
     joints = new JointPainter(canvas);
@@ -136,7 +137,7 @@ final class WorldPainter {
 
   private void streaks(ClientView view) {
     for (int i = 0; i < view.entityCount(); i++) {
-      streak(view.entity(i), view);
+      streak(view.entity(i));
     }
   }
 
@@ -146,7 +147,7 @@ final class WorldPainter {
       Drawn drawn = view.entity(i);
       pose(drawn, 0, 0);
       float glow = glow(drawn.archetype(), drawn.x(), drawn.y());
-      int chosen = chosenRgb(view, drawn);
+      int chosen = playerRgb(drawn);
       paint(drawn.archetype(), bodyRgb(chosen, drawn), drawn.alpha(), seconds, glow);
       if (drawn.archetype().appearance().look() == Appearance.Look.PLAYER) {
         if (chosen >= 0 && hasTeams) {
@@ -231,7 +232,7 @@ final class WorldPainter {
   }
 
   /** Draws a fading wedge behind a fast ball or a dashing player. */
-  private void streak(Drawn drawn, ClientView view) {
+  private void streak(Drawn drawn) {
     Appearance look = drawn.archetype().appearance();
     float vx = drawn.velocityX();
     float vy = drawn.velocityY();
@@ -240,7 +241,7 @@ final class WorldPainter {
     if (!shows || speed < STREAK_M_S) {
       return;
     }
-    int rgb = bodyRgb(chosenRgb(view, drawn), drawn);
+    int rgb = bodyRgb(playerRgb(drawn), drawn);
     float radius = 0.9f * extent(drawn.archetype());
     float nx = -vy / speed * radius;
     float ny = vx / speed * radius;
@@ -318,11 +319,10 @@ final class WorldPainter {
     }
   }
 
-  /** Returns the colour that a body's player has chosen for it; -1 if it has none. */
-  private static int chosenRgb(ClientView view, Drawn drawn) {
+  /** Returns the colour of a body's player; -1 if it has none, or is no player's. */
+  private int playerRgb(Drawn drawn) {
     boolean isPlayer = drawn.archetype().appearance().look() == Appearance.Look.PLAYER;
-    RosterEntry player = isPlayer ? view.participant(drawn.ownerId()) : null;
-    return player == null ? -1 : PlayerColour.of(player.colour()).rgb();
+    return isPlayer ? colours.rgb(drawn.ownerId()) : -1;
   }
 
   private int bodyRgb(int chosen, Drawn drawn) {

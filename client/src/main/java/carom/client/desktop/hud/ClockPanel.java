@@ -69,7 +69,11 @@ public final class ClockPanel {
     switch (phase) {
       case WARM_UP -> {
         boolean alone = view.players().size() == 1 && clock.playersToBegin() > 1;
-        line(view, warmUp(clock, view.players()), alone ? adviceAlone.apply(view.room()) : "");
+        String text =
+            Readiness.waits(view, clock)
+                ? "Warm-up: move, or Tab and R, to begin"
+                : warmUp(clock, view.players());
+        line(view, text, alone ? adviceAlone.apply(view.room()) : "");
       }
       case COUNTDOWN -> {
         at.set(hud.windowWidth() / 2f, hud.height() * 0.6f, 0);

@@ -30,11 +30,14 @@ public final class ScoreList {
   private final Canvas canvas;
   private final Fonts fonts;
   private final ShownGame game;
+  private final PlayerColours colours;
+  private final Color own = new Color();
   private final Panel panel = new Panel(Spot.TOP_RIGHT, Spot.TOP_LEFT, Spot.BOTTOM_RIGHT);
   private final List<RosterEntry> ranking = new ArrayList<>();
 
   /** Creates a list. The arguments stay the property of the caller. */
-  public ScoreList(Hud hud, Canvas canvas, Fonts fonts, ShownGame game) {
+  public ScoreList(Hud hud, Canvas canvas, Fonts fonts, ShownGame game, PlayerColours colours) {
+    this.colours = colours;
     this.hud = hud;
     this.canvas = canvas;
     this.fonts = fonts;
@@ -52,14 +55,12 @@ public final class ScoreList {
     float x = panel.x();
     float top = panel.y() + h;
     hud.panel(x, panel.y(), WIDTH, h);
-    if (game.teamCount() > 0) {
-      hud.beginFigures();
-      for (int i = 0; i < shown; i++) {
-        Color color = game.teamColor(entry(view, i, shown).team());
-        canvas.rect(x + PAD, top - PAD - (i + 1) * LINE - SWATCH - 1, SWATCH, SWATCH, color);
-      }
-      canvas.end();
+    hud.beginFigures();
+    for (int i = 0; i < shown; i++) {
+      Color color = color(entry(view, i, shown));
+      canvas.rect(x + PAD, top - PAD - (i + 1) * LINE - SWATCH - 1, SWATCH, SWATCH, color);
     }
+    canvas.end();
     hud.begin();
     String count = ranking.size() == 1 ? "1 player" : ranking.size() + " players";
     String more = ranking.size() > shown ? "    Tab: all" : "";
@@ -68,6 +69,15 @@ public final class ScoreList {
       line(view, entry(view, i, shown), x, top - PAD - (i + 1) * LINE);
     }
     hud.end();
+  }
+
+  /** Returns the colour of a player's team or, without teams, of its body. */
+  private Color color(RosterEntry entry) {
+    if (game.teamCount() > 0) {
+      return game.teamColor(entry.team());
+    }
+    int rgb = colours.rgb(entry.playerId());
+    return rgb < 0 ? own.set(Color.CLEAR) : UiColours.shade(rgb, 1, 1, own);
   }
 
   private void rank(ClientView view) {
@@ -95,8 +105,8 @@ public final class ScoreList {
     float nameX = x + PAD + SWATCH + 8;
     if (game.teamCount() == 0) {
       String rank = entry.score() > 0 ? Integer.toString(rankOf(ranking, entry)) : "";
-      hud.left(fonts.text(), rank, x + PAD, y, UiColours.MUTED);
-      nameX = x + PAD + 24;
+      hud.left(fonts.text(), rank, nameX, y, UiColours.MUTED);
+      nameX += 24;
     }
     hud.left(fonts.text(), hud.cut(fonts.text(), entry.name(), scoreX - 8 - nameX), nameX, y, tint);
   }

@@ -21,6 +21,7 @@ public final class ShownGame {
   private int[] teamRgb = {};
   private List<Gauge> gauges = List.of();
   private MatchClock clock;
+  private boolean playersColours;
   private Gauge teamScore;
   private Gauge gameClock;
   private final Color color = new Color();
@@ -41,6 +42,7 @@ public final class ShownGame {
     for (int team = 1; team <= teams.size(); team++) {
       teamRgb[team] = game.teamRgb(team);
     }
+    playersColours = game.ownColours();
     clock = game.clock();
     gauges = game.gauges();
     teamScore = first(Gauge.Kind.TEAM_SCORE);
@@ -72,8 +74,13 @@ public final class ShownGame {
     return known ? UiColours.shade(teamRgb[team], 1, 1, color) : color.set(UiColours.MUTED);
   }
 
+  /** Returns whether bodies may have the colours of their players. */
+  boolean hasPlayersColours() {
+    return playersColours;
+  }
+
   /** Returns the phases of its matches, or null. */
-  MatchClock clock() {
+  public MatchClock clock() {
     return clock;
   }
 

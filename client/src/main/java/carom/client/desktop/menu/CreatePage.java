@@ -8,6 +8,7 @@ import com.badlogic.gdx.scenes.scene2d.Actor;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
 import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
@@ -17,6 +18,9 @@ final class CreatePage implements Page {
   private static final int USUAL_BOTS = 5;
   private static final int CARDS_IN_A_ROW = 3;
 
+  /** Longest side of a level in which the players of one machine meet, m. */
+  private static final float MOST_METRES = 250;
+
   private final Widgets widgets;
   private final SettingsHost host;
   private final StartTarget target;
@@ -24,6 +28,7 @@ final class CreatePage implements Page {
   private final LevelPictures pictures;
   private final Runnable rebuild;
   private final Map<String, Level> known = new HashMap<>();
+  private final List<String> levels;
   private String level;
   private int bots = USUAL_BOTS;
   private boolean open;
@@ -47,12 +52,8 @@ final class CreatePage implements Page {
     this.games = games;
     this.pictures = pictures;
     this.rebuild = rebuild;
-    level = games.levels().get(0);
-  }
-
-  /** Shows why the player is here. */
-  void message(String text) {
-    problem = text;
+    levels = games.levels().stream().filter(name -> isSmall(level(name))).toList();
+    level = levels.get(0);
   }
 
   @Override
@@ -82,8 +83,8 @@ final class CreatePage implements Page {
     into.add(widgets.note(Games.create(level(level).gameName()).description())).growX().row();
     Table cards = new Table();
     cards.defaults().space(8).growX().uniformX();
-    for (int i = 0; i < games.levels().size(); i++) {
-      cards.add(card(games.levels().get(i)));
+    for (int i = 0; i < levels.size(); i++) {
+      cards.add(card(levels.get(i)));
       if (i % CARDS_IN_A_ROW == CARDS_IN_A_ROW - 1) {
         cards.row();
       }
@@ -104,7 +105,7 @@ final class CreatePage implements Page {
   /** Draws one level after the other, so that the page shows at once. */
   @Override
   public boolean update(long nowNs) {
-    for (String name : games.levels()) {
+    for (String name : levels) {
       if (!pictures.has(level(name))) {
         pictures.of(level(name));
         return true;
@@ -115,6 +116,15 @@ final class CreatePage implements Page {
 
   private Level level(String name) {
     return known.computeIfAbsent(name, games::level);
+  }
+
+  /**
+   * Returns whether few players don't lose each other in a level, as they do in a field for
+   * hundreds.
+   */
+  private static boolean isSmall(Level level) {
+    Level.Bounds b = level.bounds();
+    return Math.max(b.maxX() - b.minX(), b.maxY() - b.minY()) <= MOST_METRES;
   }
 
   /** Returns a level's name and how large it is. */

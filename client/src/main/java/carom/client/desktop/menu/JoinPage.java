@@ -6,6 +6,7 @@ import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.settings.PlayerSettings;
 import carom.net.protocol.ServerMessage.RoomEntry;
+import com.badlogic.gdx.scenes.scene2d.Actor;
 import com.badlogic.gdx.scenes.scene2d.ui.Label;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
 import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
@@ -37,6 +38,7 @@ final class JoinPage implements Page {
   private TextField address;
   private String entered;
   private String message = "";
+  private Runnable instead;
   private String progress = "";
 
   /**
@@ -58,6 +60,18 @@ final class JoinPage implements Page {
   void message(String text) {
     message = text;
     progress = "";
+    instead = null;
+  }
+
+  /** Offers to play on this machine, beside the message. */
+  void offer(Runnable playHere) {
+    instead = playHere;
+  }
+
+  /** Returns the address after a failure, as it may be what was wrong. */
+  @Override
+  public Actor entrance() {
+    return message.isEmpty() ? null : address;
   }
 
   @Override
@@ -93,6 +107,13 @@ final class JoinPage implements Page {
     }
     if (!message.isEmpty()) {
       into.add(widgets.problem(message)).colspan(2).growX().row();
+      if (instead != null) {
+        into.add(widgets.button("Play here instead", instead))
+            .colspan(2)
+            .height(Widgets.HEIGHT)
+            .growX()
+            .row();
+      }
     }
     rooms(into);
     lan(into, s);

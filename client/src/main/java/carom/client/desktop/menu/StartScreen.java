@@ -27,12 +27,18 @@ public final class StartScreen extends ScreenAdapter {
 
   private static final int BUTTONS_IN_A_ROW = 3;
 
+  /** Name of the page of recordings. */
+  public static final String REPLAYS = "Replays";
+
+  /** Name of the page of scenes. */
+  public static final String SCENES = "Scenes";
+
   private final Widgets widgets;
-  private final StartTarget target;
   private final MenuStage stage = new MenuStage(this::submit, this::back);
   private final Map<String, Page> pages = new LinkedHashMap<>();
   private final JoinPage join;
   private final CreatePage create;
+  private final Page quit;
   private Page page;
   private boolean stale = true;
   private boolean entering;
@@ -52,7 +58,6 @@ public final class StartScreen extends ScreenAdapter {
       LevelPictures pictures,
       String server) {
     this.widgets = widgets;
-    this.target = target;
     Runnable rebuild = () -> stale = true;
     join = new JoinPage(widgets, host, target, server, rebuild);
     create = games == null ? null : new CreatePage(widgets, host, target, games, pictures, rebuild);
@@ -60,11 +65,17 @@ public final class StartScreen extends ScreenAdapter {
       pages.put("Play here", create);
     }
     pages.put("Join a server", join);
-    pages.put("Replays", new ReplaysPage(widgets, target, Path.of(""), rebuild));
-    pages.put("Scenes", new ScenesPage(widgets, target));
+    pages.put(REPLAYS, new ReplaysPage(widgets, target, Path.of(""), rebuild));
+    pages.put(SCENES, new ScenesPage(widgets, target));
     pages.put("Settings", new SettingsPage(widgets, host, stage, rebuild));
+    quit = new QuitPage(widgets, this::back, target::quit);
     page = join;
     entering = true;
+  }
+
+  /** Shows the page of this name, {@link #REPLAYS} or {@link #SCENES}. */
+  public void open(String name) {
+    turn(pages.get(name));
   }
 
   /** Shows why the player is here again; an empty text shows nothing. */
@@ -75,9 +86,9 @@ public final class StartScreen extends ScreenAdapter {
 
   /** Shows that no server was there, and offers to play without one. */
   public void offer(String reason) {
+    message(reason);
     if (create != null) {
-      turn(create);
-      create.message(reason + " You can play here instead.");
+      join.offer(() -> turn(create));
     }
   }
 
@@ -94,13 +105,9 @@ public final class StartScreen extends ScreenAdapter {
     page.submit();
   }
 
-  /** Goes from a page to the menu, and from the menu out. */
+  /** Goes from a page to the first one, and from there to the question whether to quit. */
   private void back() {
-    if (page == join) {
-      target.quit();
-    } else {
-      turn(join);
-    }
+    turn(page == join ? quit : join);
   }
 
   private Table titledMenu() {
@@ -124,7 +131,7 @@ public final class StartScreen extends ScreenAdapter {
             menu.row();
           }
         });
-    menu.add(widgets.button("Quit", target::quit));
+    menu.add(widgets.button(page == quit ? "> Quit" : "Quit", () -> turn(quit)));
     return menu;
   }
 
@@ -149,6 +156,9 @@ public final class StartScreen extends ScreenAdapter {
       entering = false;
       stage.top();
       stage.focus(pages.size() + 1); // the first part of the page
+      if (page.entrance() != null) {
+        stage.focus(page.entrance());
+      }
     }
   }
 
