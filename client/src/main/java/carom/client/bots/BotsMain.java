@@ -212,7 +212,12 @@ public final class BotsMain implements Callable<Integer> {
    * without encryption.
    */
   private ClientTransport sockets() {
-    if (!network.isEncrypted() || network.isBad()) {
+    boolean asPlayers = !network.isEncrypted() || network.isBad();
+    System.err.println(
+        asPlayers
+            ? "sockets: KryoNet's client, as players have it"
+            : "sockets: the bots' own, one thread for all; players have KryoNet's client");
+    if (asPlayers) {
       return network.sockets(network.trust(KnownServers.inMemory()));
     }
     try {
