@@ -66,7 +66,11 @@ public final class GameDigest {
       if (!files.containsKey(name)) {
         byte[] file = read(loader, name);
         files.put(name, file);
-        named(file).stream().filter(other -> !isShared(other)).forEach(open::push);
+        for (String other : named(file)) {
+          if (!isShared(other)) {
+            open.push(other);
+          }
+        }
       }
     }
     if (files.get(type.getName().replace('.', '/')).length == 0) {
@@ -83,7 +87,12 @@ public final class GameDigest {
   }
 
   private static boolean isShared(String name) {
-    return SHARED.stream().anyMatch(name::startsWith);
+    for (String shared : SHARED) {
+      if (name.startsWith(shared)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns a class file; empty if there is none or it belongs to the JDK. */

@@ -2,10 +2,9 @@ package carom.game;
 
 import carom.sim.Game;
 import java.lang.reflect.Method;
-import java.util.Arrays;
+import java.util.TreeSet;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.Collectors;
 
 /** Words for people about what a game's code threw. Stateless; any thread. */
 public final class GameFault {
@@ -13,8 +12,13 @@ public final class GameFault {
   private static final List<String> LIBRARIES =
       List.of("java.", "javax.", "jdk.", "sun.", "carom.physics.", "carom.sim.");
 
-  private static final Set<String> CALLBACKS =
-      Arrays.stream(Game.class.getMethods()).map(Method::getName).collect(Collectors.toSet());
+  private static final Set<String> CALLBACKS = new TreeSet<>();
+
+  static {
+    for (Method method : Game.class.getMethods()) {
+      CALLBACKS.add(method.getName());
+    }
+  }
 
   private GameFault() {}
 
@@ -23,13 +27,22 @@ public final class GameFault {
    * innermost code that belongs neither to the JDK nor to the engine.
    */
   public static String describe(Throwable failure) {
-    List<StackTraceElement> stack = List.of(failure.getStackTrace());
-    StackTraceElement line =
-        stack.stream()
-            .filter(frame -> LIBRARIES.stream().noneMatch(frame.getClassName()::startsWith))
-            .findFirst()
-            .orElse(stack.isEmpty() ? null : stack.get(0));
-    return failure + (line == null ? "" : ", at " + place(line));
+    StackTraceElement[] stack = failure.getStackTrace();
+    for (StackTraceElement frame : stack) {
+      if (!isOfLibrary(frame.getClassName())) {
+        return failure + ", at " + place(frame);
+      }
+    }
+    return failure + (stack.length == 0 ? "" : ", at " + place(stack[0]));
+  }
+
+  private static boolean isOfLibrary(String name) {
+    for (String library : LIBRARIES) {
+      if (name.startsWith(library)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static String place(StackTraceElement frame) {
