@@ -2,9 +2,9 @@ package carom.game;
 
 import carom.sim.Game;
 import java.lang.reflect.Method;
-import java.util.TreeSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 
 /** Words for people about what a game's code threw. Stateless; any thread. */
 public final class GameFault {

@@ -26,9 +26,10 @@ final class FileErrorsTest {
         "the user " + System.getProperty("user.name") + " may not",
         FileErrors.reason(new AccessDeniedException("file")));
     assertEquals(
-        "Read-only file system",
+        "the system says: Read-only file system",
         FileErrors.reason(new FileSystemException("file", null, "Read-only file system")));
-    assertEquals("EOFException", FileErrors.reason(new java.io.EOFException()));
+    assertEquals("it is a folder", of(() -> Files.readString(folder)));
+    assertEquals("it failed as EOFException", FileErrors.reason(new java.io.EOFException()));
   }
 
   @Test

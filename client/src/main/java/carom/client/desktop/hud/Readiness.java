@@ -7,7 +7,7 @@ import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 
 /**
- * Finds out that the last player for whom a warm-up waits is there, without a key for it: all
+ * Finds out that the last player that a warm-up waits for is there, without a key for it: all
  * others, such as bots, are ready, and the player moves. Who has said by key not to be ready is
  * asked no more in that match. Render thread only.
  */
