@@ -24,7 +24,8 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(120)
 final class LaterJvmTest {
   private static final Pattern RELEASE = Pattern.compile("JAVA_VERSION=\"(\\d+)");
-  private static final Pattern COMPLAINT = Pattern.compile("(?i)warning|unrecognized|deprecated");
+  private static final Pattern COMPLAINT =
+      Pattern.compile("VM warning|WARNING:|(?i)unrecognized|deprecated");
 
   @TempDir Path folder;
 

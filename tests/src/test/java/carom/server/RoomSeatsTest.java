@@ -120,7 +120,7 @@ class RoomSeatsTest {
           new ClientMessage.Ready(client.welcome.epoch(), client.welcome.declarationsDigest() + 1));
       rig.seconds(1);
       assertEquals(GoodbyeReason.PROTOCOL_ERROR, client.goodbye.reason());
-      assertTrue(client.goodbye.text().contains("Ready with fields that differ"));
+      assertTrue(client.goodbye.text().contains("The fields of your game"));
       assertNull(rig.room.simulation().player(0));
     }
   }
