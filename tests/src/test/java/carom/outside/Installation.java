@@ -2,7 +2,6 @@ package carom.outside;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -118,12 +117,9 @@ final class Installation implements AutoCloseable {
     return start(environment, "carom-server", all.toArray(new String[0]));
   }
 
-  /** Returns a file name of ISO 8859-1 bytes, which is no UTF-8. */
+  /** Returns a text in ISO 8859-1, which is no UTF-8 if the text has other letters than ASCII. */
   static byte[] latin(String text) {
-    ByteBuffer bytes = StandardCharsets.ISO_8859_1.encode(text);
-    byte[] copy = new byte[bytes.remaining()];
-    bytes.get(copy);
-    return copy;
+    return text.getBytes(StandardCharsets.ISO_8859_1);
   }
 
   @Override

@@ -336,7 +336,7 @@ final class GameScreen extends ScreenAdapter {
   }
 
   private void tellNews(ClientView view) {
-    if (readiness.isFound(view, picture.game().clock())) {
+    if (readiness.find(view, picture.game().clock())) {
       client.ready(true);
     }
     String news = curtain.isOpen() ? teamNews.take(view) : "";

@@ -128,7 +128,7 @@ public final class DatagramPath {
 
   /**
    * Returns whether a frame without a datagram is due over TCP: to acknowledge, or to tell the peer
-   * that UDP doesn't work, or works again..
+   * that UDP doesn't work, or works again.
    */
   public synchronized boolean mustSpeak(long now) {
     long silence = spoken ? now - spokenAt : Long.MAX_VALUE;

@@ -1,7 +1,7 @@
 package carom.net.transport;
 
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
 /**
@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit;
 public final class HandshakeLine implements AutoCloseable {
   private final Impairment impairment;
   private final SplitMix random; // guarded by this
-  private final ScheduledExecutorService clock;
+  private final ScheduledThreadPoolExecutor clock;
 
   /**
    * Starts the line of a transport.
@@ -23,12 +23,14 @@ public final class HandshakeLine implements AutoCloseable {
     this.impairment = impairment;
     random = new SplitMix(impairment.seed());
     clock =
-        Executors.newSingleThreadScheduledExecutor(
+        new ScheduledThreadPoolExecutor(
+            1,
             work -> {
               Thread thread = new Thread(work, "carom-simulated-network");
               thread.setDaemon(true);
               return thread;
-            });
+            },
+            new ThreadPoolExecutor.DiscardPolicy());
   }
 
   /** Returns a round trip of this line, ns; each call draws its own. */
@@ -55,9 +57,7 @@ public final class HandshakeLine implements AutoCloseable {
   /** Runs work after a delay. After {@link #close} it does nothing. */
   @SuppressWarnings("FutureReturnValueIgnored") // what is sent may fail, as on any network
   public void after(long nanos, Runnable work) {
-    if (!clock.isShutdown()) {
-      clock.schedule(work, nanos, TimeUnit.NANOSECONDS);
-    }
+    clock.schedule(work, nanos, TimeUnit.NANOSECONDS);
   }
 
   /** Ends the thread; what waits is lost. A second call does nothing. */

@@ -8,8 +8,8 @@ import carom.sim.match.MatchPhase;
 
 /**
  * Finds out that the last player that a warm-up waits for is there, without a key for it: all
- * others, such as bots, are ready, and the player moves. Who has said by key not to be ready is
- * asked no more in that match. Render thread only.
+ * others, such as bots, are ready, and the player moves. A player that has said by key not to be
+ * ready is left alone for the rest of that match. Render thread only.
  */
 public final class Readiness {
   private String room = "";
@@ -34,11 +34,12 @@ public final class Readiness {
   }
 
   /**
-   * Returns whether to tell the server now that the player is ready; once in a match.
+   * Finds out whether to tell the server now that the player is ready, and notes that it was told.
+   * Returns true at most once in a match.
    *
    * @param clock of the game that is shown, or null
    */
-  public boolean isFound(ClientView view, MatchClock clock) {
+  public boolean find(ClientView view, MatchClock clock) {
     follow(view);
     boolean found = moved && !declined && !said && waits(view, clock);
     said |= found;
