@@ -25,6 +25,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.ServiceLoader;
 import java.util.function.Supplier;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
@@ -96,7 +97,10 @@ final class GameDigestTest {
 
   @Test
   void gamesThatShipHaveOneEachAndGamesMadeAtRunTimeHaveNone() {
-    List<Long> digests = Games.names().stream().map(Games::create).map(GameDigest::of).toList();
+    // Asked of the jar, since tests that ran before may have lent games with one class, many names.
+    List<Long> digests =
+        ServiceLoader.load(Game.class).stream().map(game -> GameDigest.of(game.get())).toList();
+    assertTrue(digests.size() >= 3, digests::toString);
     assertEquals(digests.size(), digests.stream().distinct().count());
     assertTrue(digests.stream().noneMatch(d -> d == GameDigest.UNKNOWN));
     Game made =
