@@ -3,11 +3,14 @@ package carom.physics;
 /**
  * Receives the collisions of a world during {@link World#step}.
  *
- * <p>"Touching" means that two shapes are closer than {@link WorldDef#speculativeDistance}. Within
- * a step, {@code end}, {@code begin} and {@code preSolve} are called before anything is solved.
- * {@code postSolve} is called when the bodies have moved, followed by {@code hit} of the same
- * contact if it was an impact. Calls of each kind come in the canonical order of contacts: by the
- * indices of the two bodies, then of their shapes.
+ * <p>Two shapes begin to touch when they overlap or will meet within the step, and touch until they
+ * are farther apart than {@link WorldDef#speculativeDistance} or pass each other. Within a step,
+ * {@code end}, {@code begin} and {@code preSolve} are called before anything is solved. {@code
+ * preSolve} is also asked about shapes that are close but don't touch, because a blow within the
+ * step may push them together; {@code begin} is then called after the solver. {@code postSolve} is
+ * called when the bodies have moved, followed by {@code hit} of the same contact if it was an
+ * impact. Calls of each kind come in the canonical order of contacts: by the indices of the two
+ * bodies, then of their shapes.
  *
  * <p>When a shape enters a sensor or leaves it, {@code begin} and {@code end} are called, with
  * {@link Collision#isSensor} true. Nothing else is called, as there is no response. Sensors notice
@@ -30,7 +33,8 @@ package carom.physics;
 public interface CollisionListener<T> {
   /**
    * Receives a contact whose shapes began to touch. Called before {@link #preSolve} of the same
-   * contact; for a sensor that was crossed within the step, at its end.
+   * contact; at the end of the step for a sensor that was crossed within it, and for shapes that a
+   * blow within it pushed together.
    *
    * @param collision valid during the call only; no impulses yet
    */

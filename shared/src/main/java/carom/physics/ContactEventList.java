@@ -115,10 +115,11 @@ public final class ContactEventList<T> {
     } else {
       numbers[at] = c.normalX();
       numbers[at + 1] = c.normalY();
-      numbers[at + 2] = c.hitX();
-      numbers[at + 3] = c.hitY();
+      boolean hit = c.hitSpeed() > 0;
+      numbers[at + 2] = hit ? c.hitX() : c.pointX(0);
+      numbers[at + 3] = hit ? c.hitY() : c.pointY(0);
       numbers[at + 4] = c.hitSpeed();
-      numbers[at + 5] = c.impulse();
+      numbers[at + 5] = hit ? c.impulse() : 0;
     }
     count++;
   }

@@ -1049,7 +1049,7 @@ public final class World<T> {
         continue;
       }
       int a = t.bodyA(row);
-      for (int i = 0; i < t.points(row); i++) {
+      for (int i = 0; t.touches(row) && i < t.points(row); i++) {
         visitor.contact(
             store.x[a] + t.pointX(row, i),
             store.y[a] + t.pointY(row, i),

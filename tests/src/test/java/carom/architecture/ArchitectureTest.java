@@ -101,7 +101,9 @@ final class ArchitectureTest {
         "simd",
         "dynamics.parallel",
         "dynamics.body",
-        "dynamics.contact");
+        "dynamics.contact",
+        "collision.distance",
+        "dynamics.store");
     stage("domain", "threads", "dynamics.body", "dynamics.contact", "dynamics.pairs");
     stage(
         "solver",

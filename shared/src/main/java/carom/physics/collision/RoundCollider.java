@@ -137,7 +137,7 @@ final class RoundCollider {
 
   /** Decides what to do with a normal (from the segment outwards) that isn't the front's. */
   private static NormalUse judge(
-      Segment shape, Core segment, Normals normals, double nx, double ny) {
+      Segment shape, Core segment, Normals normals, double nx, double ny, boolean apart) {
     double ex = segment.x[1] - segment.x[0];
     double ey = segment.y[1] - segment.y[0];
     double lean = nx * ex + ny * ey;
@@ -149,7 +149,8 @@ final class RoundCollider {
       return NormalUse.FRONT;
     }
     if (!shape.isLinked(end)) {
-      return across > 0 ? NormalUse.TAKE : NormalUse.FRONT;
+      // What is apart beyond a free end, and behind the front, passes.
+      return across > 0 ? NormalUse.TAKE : apart ? NormalUse.LEAVE : NormalUse.FRONT;
     }
     // The neighbour's direction in the segment's own frame is turned by the same rotation as the
     // front's normal; in that frame the cross product decides.
@@ -198,7 +199,8 @@ final class RoundCollider {
       if (atEnd && isStraight(segment, nx, ny)) {
         nx = sign * normals.x[0];
         ny = sign * normals.y[0];
-      } else if (atEnd && judge(front, segment, normals, sign * nx, sign * ny) != NormalUse.TAKE) {
+      } else if (atEnd
+          && judge(front, segment, normals, sign * nx, sign * ny, true) != NormalUse.TAKE) {
         // At a joint that isn't an outward corner, what is beyond the end is the neighbour's.
         return;
       }
@@ -246,7 +248,7 @@ final class RoundCollider {
     if (front != null && (corner || ofB == sign > 0)) {
       Core segment = sign > 0 ? a : b;
       Normals normals = sign > 0 ? normalsA : normalsB;
-      NormalUse use = judge(front, segment, normals, sign * nx, sign * ny);
+      NormalUse use = judge(front, segment, normals, sign * nx, sign * ny, apart);
       if (use == NormalUse.LEAVE) {
         return;
       }

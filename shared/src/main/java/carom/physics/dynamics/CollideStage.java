@@ -63,15 +63,16 @@ final class CollideStage {
    * Updates rows.
    *
    * @param all whether all, as first in every step, or only those that came since
+   * @param dt length of the step, s
    */
-  void run(boolean all) {
+  void run(boolean all, float dt) {
     if (all) {
       touching = 0;
       undecided = false;
       continuous.forgetOverlaps();
     }
     contacts.beginUpdate();
-    narrowPhase.begin();
+    narrowPhase.begin(all, dt);
     if (!all) {
       for (int row = 0; row < contacts.count(); row++) {
         if ((contacts.flags[row] & ContactTable.FRESH) == 0) {
@@ -85,6 +86,7 @@ final class CollideStage {
     }
     touching += narrowPhase.run();
     touching -= seams.run(narrowPhase);
+    touching -= narrowPhase.dropMisses();
     if (sleeping.anyAsleep()) {
       decide();
     }
@@ -100,7 +102,9 @@ final class CollideStage {
       if (sleeper >= 0 && dormant(row, sleeper)) {
         contacts.sleepOn(row);
         narrowPhase.leave(row);
-      } else if (sleeper >= 0 && (contacts.flags[row] & ContactTable.VETOED) != 0) {
+      } else if (sleeper >= 0
+          && contacts.touches(row)
+          && (contacts.flags[row] & ContactTable.VETOED) != 0) {
         if (vetoedCount == vetoedRows.length) {
           vetoedRows = Arrays.copyOf(vetoedRows, 2 * vetoedCount);
         }
@@ -137,7 +141,8 @@ final class CollideStage {
 
   /** Decides whether a contact wakes a sleeping body. */
   private void decide(int row, int sleeper, boolean vetoed) {
-    if (contacts.points[row] == 0) {
+    if (!contacts.touches(row)) {
+      contacts.end(row); // nothing is in reserve for what sleeps
       if (!vetoed && (contacts.flags[row] & ContactTable.WAS_TOUCHING) != 0) {
         sleeping.touch(sleeper);
       }
@@ -148,6 +153,11 @@ final class CollideStage {
     } else {
       sleeping.touch(sleeper);
     }
+  }
+
+  /** Makes the contacts touch in reserve that were pushed in the step. */
+  void settleReserve() {
+    narrowPhase.settleReserve();
   }
 
   /** Notes the dynamic bodies that overlap static or kinematic ones. */

@@ -279,7 +279,7 @@ public final class Dynamics {
     begins(StepStage.BOXES);
     parallel.stepBegins(active.count);
     try {
-      findContacts(events);
+      findContacts(events, dt);
       substeps.run(dt);
     } finally {
       parallel.stepEnds();
@@ -291,6 +291,7 @@ public final class Dynamics {
     if (events != null) {
       eventStage.afterSolving(events);
     }
+    collideStage.settleReserve();
     continuous.beginCrossings(events);
     if (breakable) {
       breakJoints(jointEvents);
@@ -307,14 +308,14 @@ public final class Dynamics {
   }
 
   /** Renews boxes, pairs and contacts, and wakes what is touched. */
-  private void findContacts(ContactEvents events) {
+  private void findContacts(ContactEvents events, float dt) {
     pairs.refresh();
     boolean all = true;
     do {
       begins(StepStage.PAIRS);
       pairs.find();
       begins(StepStage.COLLIDE);
-      collideStage.run(all);
+      collideStage.run(all, dt);
       all = false;
     } while (sleeping.wakeTouched());
     sleeping.forgetMoves();

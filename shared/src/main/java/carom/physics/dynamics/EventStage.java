@@ -39,6 +39,12 @@ final class EventStage {
     for (int row = 0; row < contacts.count(); row++) {
       if (contacts.points[row] > 0
           && (contacts.flags[row] & (ContactTable.VETOED | ContactTable.DORMANT)) == 0) {
+        if (!contacts.touches(row)) {
+          if (!contacts.pushed(row)) {
+            continue;
+          }
+          events.begin(row);
+        }
         events.postSolve(row);
         if (hitSpeeds[row] > 0 && contacts.pushed(row)) {
           events.hit(row, hitSpeeds[row]);
@@ -60,15 +66,13 @@ final class EventStage {
       boolean before = (flags & ContactTable.WAS_TOUCHING) != 0;
       if (before && !now) {
         events.end(row);
-      } else if (now) {
-        if (!before) {
-          events.begin(row);
-        }
-        if (contacts.points[row] > 0 && (flags & ContactTable.DORMANT) == 0) {
-          overrides.decide(row);
-          if (!events.preSolve(row)) {
-            contacts.flags[row] |= ContactTable.VETOED;
-          }
+      } else if (now && !before) {
+        events.begin(row);
+      }
+      if (contacts.points[row] > 0 && (flags & ContactTable.DORMANT) == 0) {
+        overrides.decide(row);
+        if (!events.preSolve(row)) {
+          contacts.flags[row] |= ContactTable.VETOED;
         }
       }
     }

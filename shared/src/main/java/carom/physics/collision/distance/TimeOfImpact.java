@@ -39,7 +39,7 @@ public final class TimeOfImpact {
   }
 
   /** Smallest target distance, metres. */
-  public static final float MIN_TARGET = 1e-4f;
+  public static final float MIN_TARGET = 7.5e-5f;
 
   private static final int MAX_ROUNDS = 256;
   private static final int MAX_PUSHES = 16;

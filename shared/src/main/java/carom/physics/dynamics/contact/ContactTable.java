@@ -75,7 +75,36 @@ public final class ContactTable extends ContactColumns {
 
   /** Returns whether {@link #update} does nothing with a row if its parts still don't touch. */
   public boolean isIdle(int row) {
-    return (flags[row] & ~(SENSOR | IGNORED)) == 0;
+    return (flags[row] & ~(SENSOR | IGNORED)) == 0 && points[row] == 0;
+  }
+
+  /**
+   * Holds the points of a row in reserve, unless its parts touched in the step before: they don't
+   * touch, but would if something pushed them together within the step. Returns whether it did.
+   */
+  public boolean hold(int row) {
+    boolean holds = (flags[row] & WAS_TOUCHING) == 0;
+    if (holds) {
+      flags[row] &= ~TOUCHING;
+    }
+    return holds;
+  }
+
+  /** Returns whether the step before pushed the parts of a row apart. */
+  public boolean wasPushed(int row) {
+    return (flags[row] & WAS_PUSHED) != 0;
+  }
+
+  /** Returns whether the points of a row are held in reserve. */
+  public boolean isHeld(int row) {
+    return points[row] > 0 && (flags[row] & TOUCHING) == 0;
+  }
+
+  /** Makes the parts of a row touch if the step pushed them apart. */
+  public void touchIfPushed(int row) {
+    if (pushed(row)) {
+      flags[row] |= TOUCHING;
+    }
   }
 
   /** Returns whether a row responds, with points of just these ids. */

@@ -5,6 +5,7 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.store.IntList;
 import java.util.Arrays;
 
 /**
@@ -19,10 +20,17 @@ final class BoxRows {
   private final float[] scratch;
   private final Manifold manifold = new Manifold();
   private final int[] rows = new int[BoxLanes.LANES];
+  private final IntList gaps;
   private int count;
   private int touching;
 
-  BoxRows(BodyStore bodies, ShapeTable parts, ContactTable contacts, BoxLanes lanes) {
+  /**
+   * Makes it without rows.
+   *
+   * @param gaps lists the rows whose points all have a gap
+   */
+  BoxRows(BodyStore bodies, ShapeTable parts, ContactTable contacts, BoxLanes lanes, IntList gaps) {
+    this.gaps = gaps;
     this.bodies = bodies;
     this.parts = parts;
     this.contacts = contacts;
@@ -131,6 +139,10 @@ final class BoxRows {
     m.count = points;
     if (points > 0) {
       touching++;
+      float gap = s[BoxLanes.GAP0 + lane];
+      if ((points == 1 ? gap : Math.min(gap, s[BoxLanes.GAP1 + lane])) > NarrowPhase.TOUCHING) {
+        gaps.add(row);
+      }
       int id0 = BoxLanes.integer(s, BoxLanes.ID0 + lane);
       int id1 = BoxLanes.integer(s, BoxLanes.ID1 + lane);
       if (t.continues(row, points, id0, id1)) {

@@ -2,11 +2,13 @@ package carom.physics.dynamics.narrow;
 
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
+import carom.physics.collision.distance.TimeOfImpact;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.KeptManifolds;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.IntList;
 import carom.physics.math.Transform;
 import carom.physics.settings.Settings;
 import java.util.Arrays;
@@ -33,6 +35,9 @@ public final class NarrowPhase {
   /** Number of rows of boxes below which the kernel would be idle in too many lanes. */
   private static final int FEW_BOXES = 4;
 
+  /** Most gap of shapes that touch whatever their motion, m. */
+  static final float TOUCHING = TimeOfImpact.MIN_TARGET;
+
   /** Number of rows in a piece of a worker's work. */
   private static final int GRAIN = 64;
 
@@ -46,6 +51,9 @@ public final class NarrowPhase {
 
   /** Per row: whether it stays as it is. */
   private boolean[] left = new boolean[0];
+
+  /** Per row: whether it covers others. */
+  private boolean[] covers = new boolean[0];
 
   /**
    * Per group of rows: whether many manifolds of its first block were made anew. Decides about
@@ -80,6 +88,17 @@ public final class NarrowPhase {
     private final byte[] kinds = new byte[BLOCK];
     private final int[] next = new int[ShapeTable.KINDS * ShapeTable.KINDS];
 
+    /** The updated rows whose points all have a gap that might be closed. */
+    private final IntList gaps = new IntList();
+
+    /** Number of them that have been looked at. */
+    private int looked;
+
+    /** The rows of the step that have points in reserve. */
+    private final IntList reserve = new IntList();
+
+    private MissFinder misses;
+
     /** Rows of boxes that wait until there are enough; null without a kernel for them. */
     private BoxRows boxes;
 
@@ -109,10 +128,14 @@ public final class NarrowPhase {
     }
 
     /** Counts what a row that responds became. */
-    void note(Manifold m, float slop) {
+    void note(int row, Manifold m, float slop) {
       if (m.count > 0) {
         touching++;
-        overlaps |= -m.minSeparation() > slop;
+        float least = m.minSeparation();
+        overlaps |= -least > slop;
+        if (least > TOUCHING) {
+          gaps.add(row);
+        }
       }
     }
   }
@@ -131,14 +154,31 @@ public final class NarrowPhase {
     this.parallel = parallel;
   }
 
-  /** Begins an update of all rows, from which {@link #leave} excepts some. */
-  public void begin() {
+  /**
+   * Begins an update of all rows, from which {@link #leave} excepts some.
+   *
+   * @param first whether it is the first one of the step
+   * @param dt length of the step, s
+   */
+  public void begin(boolean first, float dt) {
+    ensureCapacity();
+    for (Scratch scratch : scratches) {
+      scratch.misses.begin(dt);
+      scratch.reserve.count = 0;
+    }
+    for (int row = 0; !first && row < contacts.count(); row++) { // rows have moved since
+      if (contacts.isHeld(row)) {
+        scratches[0].reserve.add(row);
+      }
+    }
     int count = contacts.count();
     if (left.length < contacts.capacity()) {
       left = new boolean[contacts.capacity()];
+      covers = new boolean[left.length];
       restless = Arrays.copyOf(restless, left.length / GROUP + 1);
     }
     Arrays.fill(left, 0, count, false);
+    Arrays.fill(covers, 0, count, false);
     contacts.keepManifolds();
   }
 
@@ -154,7 +194,6 @@ public final class NarrowPhase {
 
   /** Updates the rows; returns how many of them have contact points. */
   public int run() {
-    ensureCapacity();
     int rows = contacts.count();
     int blocks = rows / BoxLanes.LANES;
     int granted = lanes == null || !isRestless() ? 0 : lanes.grant(blocks, rows);
@@ -189,7 +228,9 @@ public final class NarrowPhase {
       scratches = Arrays.copyOf(scratches, parallel.count());
       for (int i = old; i < scratches.length; i++) {
         scratches[i] = new Scratch();
-        scratches[i].boxes = lanes == null ? null : new BoxRows(bodies, parts, contacts, lanes);
+        scratches[i].misses = new MissFinder(settings, bodies, parts, contacts);
+        scratches[i].boxes =
+            lanes == null ? null : new BoxRows(bodies, parts, contacts, lanes, scratches[i].gaps);
       }
     }
   }
@@ -220,12 +261,79 @@ public final class NarrowPhase {
       for (int i = 0; i < n; i++) {
         update(scratch.rows[i], scratch);
       }
+      setSlowAside(scratch);
       if (sample) {
         restless[group] = (scratch.keeping.boxMakes() - before) * KEPT > end - start;
       }
     }
     if (scratch.boxes != null) {
       finishBoxes(scratch);
+      setSlowAside(scratch);
+    }
+  }
+
+  /**
+   * Holds in reserve the points of rows whose bodies are too slow to close their gaps, while their
+   * numbers are in the nearest cache.
+   */
+  private void setSlowAside(Scratch scratch) {
+    IntList gaps = scratch.gaps;
+    int left = scratch.looked;
+    for (int i = left; i < gaps.count; i++) {
+      int row = gaps.values[i];
+      if (contacts.wasPushed(row)) {
+        continue;
+      }
+      if (!scratch.misses.areSlow(row)) {
+        gaps.values[left++] = row;
+      } else if (contacts.hold(row)) {
+        scratch.reserve.add(row);
+        scratch.touching--;
+      }
+    }
+    scratch.looked = left;
+    gaps.count = left;
+  }
+
+  /** Marks a row as one that covers others, which were ended for its sake. */
+  void markCover(int row) {
+    covers[row] = true;
+  }
+
+  /**
+   * Decides about the updated rows whose gaps might be closed: they touch only if they meet in this
+   * step, or were pushed in the one before. What covers others isn't dropped, because it stands for
+   * all of the ground there.
+   *
+   * @return how many don't touch
+   */
+  public int dropMisses() {
+    int apart = 0;
+    for (Scratch scratch : scratches) {
+      IntList gaps = scratch.gaps;
+      for (int i = 0; i < gaps.count; i++) {
+        int row = gaps.values[i];
+        int verdict = contacts.points[row] == 0 ? MissFinder.MEET : scratch.misses.judge(row);
+        if (verdict == MissFinder.MISS && !covers[row]) {
+          contacts.end(row);
+          apart++;
+        } else if (verdict != MissFinder.MEET && contacts.hold(row)) {
+          scratch.reserve.add(row);
+          apart++;
+        }
+      }
+      gaps.count = 0;
+      scratch.looked = 0;
+    }
+    return apart;
+  }
+
+  /** Makes the rows with points in reserve touch that were pushed in the step. */
+  public void settleReserve() {
+    for (Scratch scratch : scratches) {
+      for (int i = 0; i < scratch.reserve.count; i++) {
+        contacts.touchIfPushed(scratch.reserve.values[i]);
+      }
     }
   }
 
@@ -337,6 +445,9 @@ public final class NarrowPhase {
       }
       t.touchOn(row);
       deepest = Math.min(deepest, gap);
+      if (gap > TOUCHING) {
+        scratch.gaps.add(row);
+      }
     }
     scratch.touching += scratch.respondingCount - rest;
     scratch.overlaps |= -deepest > settings.slop();
@@ -420,7 +531,7 @@ public final class NarrowPhase {
     }
     contacts.update(row, manifold);
     if (!sensor) {
-      scratch.note(manifold, settings.slop());
+      scratch.note(row, manifold, settings.slop());
     }
   }
 

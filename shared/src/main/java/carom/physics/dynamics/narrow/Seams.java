@@ -81,6 +81,9 @@ public final class Seams {
   /** True if all points of the last contact that was found covered are covered, too. */
   private boolean allCovered;
 
+  /** Is told which contacts cover others. */
+  private NarrowPhase narrow;
+
   /** Makes the stage of a world without bodies. */
   public Seams(Settings settings, BodyStore bodies, ShapeTable parts, ContactTable contacts) {
     this.settings = settings;
@@ -96,7 +99,8 @@ public final class Seams {
    * @return how many ended
    */
   public int run(NarrowPhase narrow) {
-    collect(narrow);
+    this.narrow = narrow;
+    collect();
     int count = 0;
     for (int i = 0; i < moverCount; i++) {
       int first = head[movers[i]];
@@ -108,7 +112,7 @@ public final class Seams {
     return count;
   }
 
-  private void collect(NarrowPhase narrow) {
+  private void collect() {
     if (head.length < parts.used()) {
       head = new int[parts.used() + parts.used() / 2];
       Arrays.fill(head, -1);
@@ -191,10 +195,9 @@ public final class Seams {
       for (int i = first; i >= 0; i = next[i]) {
         for (int j = first; j >= 0 && !settled[i]; j = next[j]) {
           if (settled[j] && covers(rows[j], rows[i]) && allCovered) {
-            contacts.end(rows[i]);
+            count += end(rows[i], rows[j]);
             settled[i] = true;
             more = true;
-            count++;
           }
         }
       }
@@ -207,8 +210,7 @@ public final class Seams {
    */
   private int finish(int rowOfS, int rowOfT) {
     if (allCovered) {
-      contacts.end(rowOfS);
-      return 1;
+      return end(rowOfS, rowOfT);
     }
     boolean same = isFixedFirst(rowOfS) == isFixedFirst(rowOfT);
     float x = contacts.normalX(rowOfT);
@@ -217,6 +219,14 @@ public final class Seams {
     contacts.contact[at + ContactTable.NX] = same ? x : -x;
     contacts.contact[at + ContactTable.NY] = same ? y : -y;
     return 0;
+  }
+
+  /** Ends a contact that another one covers; returns how many that touched ended. */
+  private int end(int row, int cover) {
+    int count = contacts.touches(row) ? 1 : 0;
+    contacts.end(row);
+    narrow.markCover(cover);
+    return count;
   }
 
   /** Returns whether the T of one row covers the edge of S that another row is about. */

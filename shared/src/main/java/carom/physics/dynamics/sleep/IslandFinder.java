@@ -48,7 +48,7 @@ final class IslandFinder {
     islands.reserve(active.list.length);
     islands.reset(active.count);
     for (int row = 0; row < contacts.count(); row++) {
-      if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
+      if (contacts.responds(row) && (contacts.flags[row] & ContactTable.VETOED) == 0) {
         tie(contacts.bodyA(row), contacts.bodyB(row), contacts.surface(row) != 0);
       }
     }
