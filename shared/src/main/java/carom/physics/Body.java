@@ -9,7 +9,6 @@ import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import carom.physics.math.Trig;
 import carom.physics.rows.BodyRow;
-import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
@@ -143,6 +142,7 @@ public final class Body<T> {
    */
   public void setType(BodyType newType) {
     check();
+    Limits.notNull("newType", newType);
     world.edits().changeType(this, newType);
   }
 
@@ -203,6 +203,7 @@ public final class Body<T> {
    */
   public void sleep() {
     check();
+    world.refuseDuringQuery("sleep");
     world.note(Call.SLEEP, index);
     world.sleep(index);
   }
@@ -255,8 +256,9 @@ public final class Body<T> {
   public void setSleepSpeed(float speed) {
     check();
     world.refuseIfSealed("setSleepSpeed", this);
+    Limits.range("sleepSpeed", speed, 0, Limits.MAX_SLEEP_SPEED);
     world.note(Call.SET_SLEEP_SPEED, index, speed);
-    store.sleepSpeed[index] = Limits.range("sleepSpeed", speed, 0, Limits.MAX_SLEEP_SPEED);
+    store.sleepSpeed[index] = speed;
     store.coldChanged();
   }
 
@@ -278,6 +280,11 @@ public final class Body<T> {
 
   ShapeSpec[] specs() {
     return World.specs(shapes());
+  }
+
+  private ShapeDef shapeDef(int i) {
+    ShapeDef[] all = shapes();
+    return all[Limits.index("shape", i, all.length)];
   }
 
   /** Returns the body's shapes; of a destroyed body, those it was created with. */
@@ -527,6 +534,8 @@ public final class Body<T> {
   public void setPose(float x, float y, float cos, float sin) {
     check();
     refuseIfStatic("setPose");
+    world.refuseDuringQuery("setPose");
+    BodyStore.checkPose(x, y, cos, sin);
     world.note(Call.SET_POSE, index, x, y, cos, sin);
     float oldX = store.x[index];
     float oldY = store.y[index];
@@ -565,6 +574,8 @@ public final class Body<T> {
   public void setCenterPose(float x, float y, float cos, float sin) {
     check();
     refuseIfStatic("setCenterPose");
+    world.refuseDuringQuery("setCenterPose");
+    BodyStore.checkPose(x, y, cos, sin);
     world.note(Call.SET_CENTER_POSE, index, x, y, cos, sin);
     float oldX = store.x[index];
     float oldY = store.y[index];
@@ -582,9 +593,9 @@ public final class Body<T> {
    */
   public void setVelocity(float vx, float vy) {
     check();
-    world.note(Call.SET_VELOCITY, index, vx, vy);
     Limits.velocity("velocityX", vx);
     Limits.velocity("velocityY", vy);
+    world.note(Call.SET_VELOCITY, index, vx, vy);
     if (store.type[index] != BodyStore.STATIC) {
       if (vx != 0 || vy != 0) {
         rouse();
@@ -601,8 +612,8 @@ public final class Body<T> {
    */
   public void setAngularVelocity(float radPerSecond) {
     check();
-    world.note(Call.SET_ANGULAR_VELOCITY, index, radPerSecond);
     Limits.velocity("angularVelocity", radPerSecond);
+    world.note(Call.SET_ANGULAR_VELOCITY, index, radPerSecond);
     if (store.type[index] != BodyStore.STATIC) {
       if (radPerSecond != 0) {
         rouse();
@@ -656,13 +667,17 @@ public final class Body<T> {
    */
   public void applyForce(float fx, float fy) {
     check();
+    checkForce(fx, fy);
     world.note(Call.APPLY_FORCE, index, fx, fy);
     addForce(fx, fy);
   }
 
-  private void addForce(float fx, float fy) {
+  private static void checkForce(float fx, float fy) {
     Limits.force("forceX", fx);
     Limits.force("forceY", fy);
+  }
+
+  private void addForce(float fx, float fy) {
     if (acts() && (fx != 0 || fy != 0)) {
       dynamics().wake(index);
       store.forceX[index] += fx;
@@ -683,6 +698,7 @@ public final class Body<T> {
     Limits.coordinate("px", px);
     Limits.coordinate("py", py);
     check();
+    checkForce(fx, fy);
     world.note(Call.APPLY_FORCE_AT, index, fx, fy, px, py);
     addForce(fx, fy);
     if (acts()) {
@@ -701,10 +717,9 @@ public final class Body<T> {
    */
   public void applyAmbientForce(float fx, float fy, float torque) {
     check();
-    world.note(Call.APPLY_AMBIENT_FORCE, index, fx, fy, torque);
-    Limits.force("forceX", fx);
-    Limits.force("forceY", fy);
+    checkForce(fx, fy);
     Limits.force("torque", torque);
+    world.note(Call.APPLY_AMBIENT_FORCE, index, fx, fy, torque);
     if (acts() && !store.asleep(index)) {
       store.forceX[index] += fx;
       store.forceY[index] += fy;
@@ -721,6 +736,7 @@ public final class Body<T> {
    */
   public void readRow(int[] row, int at) {
     check();
+    Limits.stretch("row", Limits.notNull("row", row).length, at, BodyRow.INTS);
     dynamics().readBody(index, row, at);
   }
 
@@ -733,6 +749,9 @@ public final class Body<T> {
   public void writeRow(int[] row, int at) {
     check();
     refuseIfStatic("writeRow");
+    world.refuseDuringQuery("writeRow");
+    Limits.stretch("row", Limits.notNull("row", row).length, at, BodyRow.INTS);
+    BodyRow.check(row, at);
     world.noteRow(index, row, at);
     dynamics().wake(index);
     float oldX = store.x[index];
@@ -776,13 +795,17 @@ public final class Body<T> {
    */
   public void applyImpulse(float jx, float jy) {
     check();
+    checkImpulse(jx, jy);
     world.note(Call.APPLY_IMPULSE, index, jx, jy);
     addImpulse(jx, jy);
   }
 
-  private void addImpulse(float jx, float jy) {
+  private static void checkImpulse(float jx, float jy) {
     Limits.force("impulseX", jx);
     Limits.force("impulseY", jy);
+  }
+
+  private void addImpulse(float jx, float jy) {
     if (acts() && (jx != 0 || jy != 0)) {
       dynamics().wake(index);
       store.impulseX[index] += jx;
@@ -803,6 +826,7 @@ public final class Body<T> {
     Limits.coordinate("px", px);
     Limits.coordinate("py", py);
     check();
+    checkImpulse(jx, jy);
     world.note(Call.APPLY_IMPULSE_AT, index, jx, jy, px, py);
     addImpulse(jx, jy);
     if (acts()) {
@@ -817,8 +841,8 @@ public final class Body<T> {
    */
   public void applyTorque(float torque) {
     check();
-    world.note(Call.APPLY_TORQUE, index, torque);
     Limits.force("torque", torque);
+    world.note(Call.APPLY_TORQUE, index, torque);
     if (acts() && torque != 0) {
       dynamics().wake(index);
       store.torque[index] += torque;
@@ -833,8 +857,8 @@ public final class Body<T> {
    */
   public void applyAngularImpulse(float j) {
     check();
-    world.note(Call.APPLY_ANGULAR_IMPULSE, index, j);
     Limits.force("angularImpulse", j);
+    world.note(Call.APPLY_ANGULAR_IMPULSE, index, j);
     if (acts() && j != 0) {
       dynamics().wake(index);
       store.impulseW[index] += j;
@@ -1022,7 +1046,7 @@ public final class Body<T> {
    */
   public void setMotionLocks(MotionLocks locks) {
     check();
-    Objects.requireNonNull(locks, "locks");
+    Limits.notNull("locks", locks);
     world.edits().lockMotion(this, locks);
   }
 
@@ -1052,7 +1076,7 @@ public final class Body<T> {
    */
   public void addShape(ShapeDef shape) {
     check();
-    Objects.requireNonNull(shape, "shape");
+    Limits.notNull("shape", shape);
     world.edits().addShape(this, shape);
   }
 
@@ -1081,7 +1105,7 @@ public final class Body<T> {
    */
   public void replaceShape(int i, ShapeDef shape) {
     check();
-    Objects.requireNonNull(shape, "shape");
+    Limits.notNull("shape", shape);
     world.edits().replaceShape(this, i, shape);
   }
 
@@ -1101,6 +1125,7 @@ public final class Body<T> {
    */
   public void become(BodyDef def) {
     check();
+    Limits.notNull("def", def);
     world.edits().become(this, def);
     float sleepsBelow =
         def.sleepSpeed == BodyStore.WORLDS ? world.def().sleepSpeed() : def.sleepSpeed;
@@ -1126,7 +1151,7 @@ public final class Body<T> {
    * @return the user of its {@link ShapeDef}, may be null
    */
   public Object shapeUser(int i) {
-    return shapes()[i].user();
+    return shapeDef(i).user();
   }
 
   /**
@@ -1149,7 +1174,7 @@ public final class Body<T> {
    * @return the shape as it was given, in the body frame
    */
   public Shape shape(int i) {
-    return shapes()[i].shape();
+    return shapeDef(i).shape();
   }
 
   /**
@@ -1159,7 +1184,7 @@ public final class Body<T> {
    * @return the material
    */
   public Material material(int i) {
-    return shapes()[i].material();
+    return shapeDef(i).material();
   }
 
   /**
@@ -1183,7 +1208,7 @@ public final class Body<T> {
    * @return the filter
    */
   public Filter filter(int i) {
-    return shapes()[i].filter();
+    return shapeDef(i).filter();
   }
 
   /**
@@ -1220,7 +1245,7 @@ public final class Body<T> {
    * @return true if the shape reports overlaps and pushes nothing
    */
   public boolean sensor(int i) {
-    return shapes()[i].sensor();
+    return shapeDef(i).sensor();
   }
 
   /**
@@ -1244,7 +1269,7 @@ public final class Body<T> {
    */
   public void aabb(Aabb out) {
     check();
-    world.aabb(index, out);
+    world.aabb(index, Limits.notNull("out", out));
   }
 
   /**
@@ -1265,8 +1290,8 @@ public final class Body<T> {
   public void setGravityScale(float factor) {
     check();
     world.refuseIfSealed("setGravityScale", this);
-    world.note(Call.SET_GRAVITY_SCALE, index, factor);
     Limits.range("gravityScale", factor, -Limits.MAX_GRAVITY_SCALE, Limits.MAX_GRAVITY_SCALE);
+    world.note(Call.SET_GRAVITY_SCALE, index, factor);
     if (store.gravityScale[index] != factor) {
       rouse();
       store.gravityScale[index] = factor;
@@ -1292,8 +1317,9 @@ public final class Body<T> {
   public void setLinearDamping(float perSecond) {
     check();
     world.refuseIfSealed("setLinearDamping", this);
+    Limits.range("linearDamping", perSecond, 0, Limits.MAX_DAMPING);
     world.note(Call.SET_LINEAR_DAMPING, index, perSecond);
-    store.linearDamping[index] = Limits.range("linearDamping", perSecond, 0, Limits.MAX_DAMPING);
+    store.linearDamping[index] = perSecond;
     store.coldChanged();
   }
 
@@ -1315,8 +1341,9 @@ public final class Body<T> {
   public void setAngularDamping(float perSecond) {
     check();
     world.refuseIfSealed("setAngularDamping", this);
+    Limits.range("angularDamping", perSecond, 0, Limits.MAX_DAMPING);
     world.note(Call.SET_ANGULAR_DAMPING, index, perSecond);
-    store.angularDamping[index] = Limits.range("angularDamping", perSecond, 0, Limits.MAX_DAMPING);
+    store.angularDamping[index] = perSecond;
     store.coldChanged();
   }
 
@@ -1328,7 +1355,7 @@ public final class Body<T> {
    */
   public void forEachContact(BodyContactVisitor<T> visitor) {
     check();
-    world.forEachContact(index, visitor);
+    world.forEachContact(index, Limits.notNull("visitor", visitor));
   }
 
   /**
@@ -1339,7 +1366,7 @@ public final class Body<T> {
    */
   public void forEachOverlap(BodyVisitor<T> visitor) {
     check();
-    world.forEachOverlap(index, visitor);
+    world.forEachOverlap(index, Limits.notNull("visitor", visitor));
   }
 
   /**
@@ -1349,7 +1376,7 @@ public final class Body<T> {
    */
   public void forEachJoint(Consumer<Joint<T>> visitor) {
     check();
-    world.forEachJoint(index, visitor);
+    world.forEachJoint(index, Limits.notNull("visitor", visitor));
   }
 
   /**

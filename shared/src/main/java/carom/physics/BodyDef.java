@@ -1,5 +1,6 @@
 package carom.physics;
 
+import carom.physics.dynamics.body.BodyMaker;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.geometry.MassData;
 import carom.physics.geometry.Shape;
@@ -7,7 +8,6 @@ import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Objects;
 
 /**
  * The definition of a body. It is mutable, fluent and reusable; {@link World#createBody} copies
@@ -47,7 +47,7 @@ public final class BodyDef {
    * @param type static, kinematic or dynamic
    */
   public BodyDef(BodyType type) {
-    this.type = type;
+    this.type = Limits.notNull("type", type);
   }
 
   /**
@@ -57,7 +57,7 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef type(BodyType newType) {
-    type = newType;
+    type = Limits.notNull("newType", newType);
     return this;
   }
 
@@ -87,8 +87,10 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef position(float newX, float newY) {
-    x = Limits.position("x", newX);
-    y = Limits.position("y", newY);
+    Limits.position("x", newX);
+    Limits.position("y", newY);
+    x = newX;
+    y = newY;
     return this;
   }
 
@@ -111,8 +113,10 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef velocity(float newVx, float newVy) {
-    vx = Limits.velocity("velocityX", newVx);
-    vy = Limits.velocity("velocityY", newVy);
+    Limits.velocity("velocityX", newVx);
+    Limits.velocity("velocityY", newVy);
+    vx = newVx;
+    vy = newVy;
     return this;
   }
 
@@ -148,8 +152,7 @@ public final class BodyDef {
     if (inertia != 0) {
       Limits.range("inertia", inertia, 1e-20f, 1e20f);
     }
-    Limits.coordinate("centerX", centerX);
-    Limits.coordinate("centerY", centerY);
+    BodyMaker.checkCenter(centerX, centerY);
     return new MassData(kilograms, centerX, centerY, inertia);
   }
 
@@ -172,7 +175,7 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef motionLocks(MotionLocks motionLocks) {
-    locks = Objects.requireNonNull(motionLocks, "motionLocks");
+    locks = Limits.notNull("motionLocks", motionLocks);
     return this;
   }
 
@@ -292,7 +295,7 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef shape(ShapeDef shapeDef) {
-    shapes.add(shapeDef);
+    shapes.add(Limits.notNull("shapeDef", shapeDef));
     return this;
   }
 

@@ -2,6 +2,7 @@ package carom.physics;
 
 import carom.physics.geometry.Chain;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -38,6 +39,7 @@ public final class ChainDef {
   private Filter filter = Filter.DEFAULT;
 
   private ChainDef(float[] xy, boolean loop) {
+    Limits.notNull("xy", xy);
     int segments = loop ? xy.length / 2 : xy.length / 2 - 1;
     int least = loop ? 3 : 1;
     if (xy.length % 2 != 0) {
@@ -142,7 +144,7 @@ public final class ChainDef {
 
   /** Returns the material of a segment. */
   public Material material(int segment) {
-    return materials[segment];
+    return materials[Limits.index("segment", segment, materials.length)];
   }
 
   /**

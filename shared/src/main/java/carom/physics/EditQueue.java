@@ -123,7 +123,11 @@ public final class EditQueue<T> {
   void become(Body<T> body, BodyDef def) {
     world.refuseShared("become", body);
     ShapeDef[] all = def.shapes.toArray(new ShapeDef[0]);
-    BodyEditor.checkShapes(World.code(def.type), World.specs(all), def.mass);
+    ShapeSpec[] specs = World.specs(all);
+    BodyEditor.checkShapes(World.code(def.type), specs, def.mass);
+    if (body.type() == BodyType.DYNAMIC && def.type == BodyType.DYNAMIC) {
+      BodyEditor.checkMass(specs, handles.ownMass(body.index())); // it has it for a moment
+    }
     int slot = body.index();
     int generation = body.generation();
     byte type = (byte) (CHANGE_TYPE + World.code(def.type));

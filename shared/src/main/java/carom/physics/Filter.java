@@ -1,6 +1,7 @@
 package carom.physics;
 
 import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.math.Limits;
 
 /**
  * A filter decides which shapes collide with each other. Two shapes in the same group collide if
@@ -45,6 +46,7 @@ public record Filter(int category, int mask, int group) {
    * @return false if they pass through each other
    */
   public boolean meets(Filter other) {
+    Limits.notNull("other", other);
     return ShapeTable.meet(category, mask, group, other.category, other.mask, other.group);
   }
 }

@@ -452,10 +452,10 @@ public final class Joint<T> {
    */
   public void setMotor(float speed, float max) {
     check();
-    world.note(Call.SET_MOTOR, index, speed, max);
     refuseUnless(JointDef.hasMotor(type), "setMotor");
     Limits.velocity("speed", speed);
     Limits.range("max", max, 0, Limits.MAX_FORCE);
+    world.note(Call.SET_MOTOR, index, speed, max);
     set(store.motorSpeed, speed);
     set(store.motorMax, max);
     raise(JointStore.DRIVEN);
@@ -497,10 +497,10 @@ public final class Joint<T> {
    */
   public void setLimits(float lower, float upper) {
     check();
-    world.note(Call.SET_LIMITS, index, lower, upper);
     refuseUnless(JointDef.hasLimits(type) && !store.isRatchet(index), "setLimits");
     Limits.range("lower", lower, JointDef.least(type), JointDef.most(type));
     Limits.range("upper", upper, lower, JointDef.most(type));
+    world.note(Call.SET_LIMITS, index, lower, upper);
     set(store.lower, lower);
     set(store.upper, upper);
     wind(lower);
@@ -526,10 +526,10 @@ public final class Joint<T> {
    */
   public void setSpring(float hertz, float dampingRatio) {
     check();
-    world.note(Call.SET_SPRING, index, hertz, dampingRatio);
     refuseUnless(JointDef.canSpring(type), "setSpring");
     Limits.range("hertz", hertz, 0, Limits.MAX_HERTZ);
     Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
+    world.note(Call.SET_SPRING, index, hertz, dampingRatio);
     if (hertz > 0 && store.isRigidWeld(index)) {
       world.dynamics().coolWelds(index);
     }
@@ -566,8 +566,8 @@ public final class Joint<T> {
    */
   public void removeSpring() {
     check();
-    world.note(Call.REMOVE_SPRING, index);
     refuseUnless(JointDef.hasCoordinateSpring(type), "removeSpring");
+    world.note(Call.REMOVE_SPRING, index);
     clear(JointStore.SPRUNG);
     store.springImpulse[index] = 0;
   }
@@ -580,9 +580,10 @@ public final class Joint<T> {
    */
   public void setRest(float coordinate) {
     check();
-    world.note(Call.SET_REST, index, coordinate);
     refuseUnless(JointDef.hasLimits(type), "setRest");
-    set(store.rest, Limits.range("rest", coordinate, JointDef.least(type), JointDef.most(type)));
+    Limits.range("rest", coordinate, JointDef.least(type), JointDef.most(type));
+    world.note(Call.SET_REST, index, coordinate);
+    set(store.rest, coordinate);
     wind(coordinate);
   }
 
@@ -605,10 +606,10 @@ public final class Joint<T> {
    */
   public void setTarget(float x, float y) {
     check();
-    world.note(Call.SET_TARGET, index, x, y);
     refuseUnless(type == JointType.MOTOR || type == JointType.MOUSE, "setTarget");
     Limits.coordinate("x", x);
     Limits.coordinate("y", y);
+    world.note(Call.SET_TARGET, index, x, y);
     set(store.anchorAx, x);
     set(store.anchorAy, y);
   }
@@ -640,9 +641,9 @@ public final class Joint<T> {
    */
   public void setTargetAngle(float angleRad) {
     check();
-    world.note(Call.SET_TARGET_ANGLE, index, angleRad);
     refuseUnless(type == JointType.MOTOR, "setTargetAngle");
     Limits.range("angle", angleRad, -1e5f, 1e5f);
+    world.note(Call.SET_TARGET_ANGLE, index, angleRad);
     set(store.refCos, Trig.cos(angleRad));
     set(store.refSin, Trig.sin(angleRad));
   }

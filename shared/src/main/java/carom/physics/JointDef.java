@@ -438,8 +438,10 @@ public final class JointDef<T> {
     if (type == JointType.REVOLUTE && ratio != 0) {
       throw new IllegalStateException("limits are not possible for a ratchet; use a revolute");
     }
-    lower = Limits.range("lower", newLower, least(type), most(type));
-    upper = Limits.range("upper", newUpper, lower, most(type));
+    Limits.range("lower", newLower, least(type), most(type));
+    Limits.range("upper", newUpper, newLower, most(type));
+    lower = newLower;
+    upper = newUpper;
     limited = true;
     return this;
   }
@@ -455,8 +457,10 @@ public final class JointDef<T> {
    */
   public JointDef<T> motor(float speed, float max) {
     refuseUnless(hasMotor(type), "motor");
-    motorSpeed = Limits.velocity("speed", speed);
-    motorMax = Limits.range("max", max, 0, Limits.MAX_FORCE);
+    Limits.velocity("speed", speed);
+    Limits.range("max", max, 0, Limits.MAX_FORCE);
+    motorSpeed = speed;
+    motorMax = max;
     driven = true;
     return this;
   }
@@ -473,8 +477,10 @@ public final class JointDef<T> {
    */
   public JointDef<T> spring(float newHertz, float dampingRatio) {
     refuseUnless(canSpring(type), "spring");
-    hertz = Limits.range("hertz", newHertz, 0, Limits.MAX_HERTZ);
-    damping = Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
+    Limits.range("hertz", newHertz, 0, Limits.MAX_HERTZ);
+    Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
+    hertz = newHertz;
+    damping = dampingRatio;
     sprung = hasCoordinateSpring(type);
     return this;
   }
@@ -488,8 +494,10 @@ public final class JointDef<T> {
    */
   public JointDef<T> angularSpring(float newHertz, float dampingRatio) {
     refuseUnless(type == JointType.WELD || type == JointType.MOTOR, "angularSpring");
-    angularHertz = Limits.range("hertz", newHertz, 0, Limits.MAX_HERTZ);
-    angularDamping = Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
+    Limits.range("hertz", newHertz, 0, Limits.MAX_HERTZ);
+    Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
+    angularHertz = newHertz;
+    angularDamping = dampingRatio;
     return this;
   }
 
@@ -516,8 +524,10 @@ public final class JointDef<T> {
    * @return this
    */
   public JointDef<T> breaksAt(float force, float torque) {
-    breakForce = Limits.range("force", force, 0, Float.POSITIVE_INFINITY);
-    breakTorque = Limits.range("torque", torque, 0, Float.POSITIVE_INFINITY);
+    Limits.range("force", force, 0, Float.POSITIVE_INFINITY);
+    Limits.range("torque", torque, 0, Float.POSITIVE_INFINITY);
+    breakForce = force;
+    breakTorque = torque;
     return this;
   }
 

@@ -128,6 +128,7 @@ public final class Queries<T> {
    */
   public boolean rayClosest(
       float x, float y, float wayX, float wayY, QueryFilter<T> filter, QueryHit<T> out) {
+    Limits.notNull("out", out);
     askRay(Mode.CLOSEST, x, y, wayX, wayY, filter);
     return takeClosest(out);
   }
@@ -151,11 +152,13 @@ public final class Queries<T> {
    */
   public void rayAll(
       float x, float y, float wayX, float wayY, QueryFilter<T> filter, QueryVisitor<T> visitor) {
+    Limits.notNull("visitor", visitor);
     askRay(Mode.ALL, x, y, wayX, wayY, filter);
     visitAll(visitor);
   }
 
   private void askRay(Mode how, float x, float y, float wayX, float wayY, QueryFilter<T> filter) {
+    world.refuseDuringQuery("query"); // the question that is asked may not change
     startBox.set(Limits.coordinate("x", x), Limits.coordinate("y", y), x, y);
     castBox(Kind.RAY, how, wayX, wayY, filter);
   }
@@ -180,6 +183,7 @@ public final class Queries<T> {
       float wayY,
       QueryFilter<T> filter,
       QueryHit<T> out) {
+    Limits.notNull("out", out);
     askShape(Mode.CLOSEST, moving, from, wayX, wayY, filter);
     return takeClosest(out);
   }
@@ -208,6 +212,7 @@ public final class Queries<T> {
       float wayY,
       QueryFilter<T> filter,
       QueryVisitor<T> visitor) {
+    Limits.notNull("visitor", visitor);
     askShape(Mode.ALL, moving, from, wayX, wayY, filter);
     visitAll(visitor);
   }
@@ -234,6 +239,7 @@ public final class Queries<T> {
    */
   public boolean boxClosest(
       Aabb area, float wayX, float wayY, QueryFilter<T> filter, QueryHit<T> out) {
+    Limits.notNull("out", out);
     askBox(Mode.CLOSEST, area, wayX, wayY, filter);
     return takeClosest(out);
   }
@@ -256,6 +262,7 @@ public final class Queries<T> {
    */
   public void boxAll(
       Aabb area, float wayX, float wayY, QueryFilter<T> filter, QueryVisitor<T> visitor) {
+    Limits.notNull("visitor", visitor);
     askBox(Mode.ALL, area, wayX, wayY, filter);
     visitAll(visitor);
   }
@@ -266,7 +273,8 @@ public final class Queries<T> {
   }
 
   private void place(Aabb area) {
-    if (area.isEmpty()) {
+    world.refuseDuringQuery("query");
+    if (Limits.notNull("area", area).isEmpty()) {
       throw new IllegalArgumentException("area=" + area + " is empty, needs min <= max");
     }
     startBox.set(
@@ -287,6 +295,7 @@ public final class Queries<T> {
    * @param visitor receives each body once, by ascending index
    */
   public void overlaps(Shape area, Transform at, QueryFilter<T> filter, QueryVisitor<T> visitor) {
+    Limits.notNull("visitor", visitor);
     place(area, at);
     begin(Kind.OVERLAP, Mode.ALL, filter);
     searchBox();
@@ -302,6 +311,7 @@ public final class Queries<T> {
    * @param visitor receives each body once, by ascending index
    */
   public void containing(float x, float y, QueryFilter<T> filter, QueryVisitor<T> visitor) {
+    Limits.notNull("visitor", visitor);
     askPoint(x, y, 0, Mode.ALL, filter);
     visitAll(visitor);
   }
@@ -318,6 +328,7 @@ public final class Queries<T> {
    * @return true if a shape is within the radius
    */
   public boolean nearest(float x, float y, float radius, QueryFilter<T> filter, QueryHit<T> out) {
+    Limits.notNull("out", out);
     askPoint(x, y, Limits.range("radius", radius, 0, Limits.MAX_COORDINATE), Mode.CLOSEST, filter);
     return takeClosest(out);
   }
@@ -331,6 +342,7 @@ public final class Queries<T> {
    * @param visitor receives each part once, by ascending index of the body, then of the part
    */
   public void parts(Aabb area, QueryFilter<T> filter, PartVisitor<T> visitor) {
+    Limits.notNull("visitor", visitor);
     place(area);
     begin(Kind.PARTS, Mode.ALL, filter);
     searchBox();
@@ -350,6 +362,7 @@ public final class Queries<T> {
   }
 
   private void askPoint(float x, float y, float radius, Mode how, QueryFilter<T> filter) {
+    world.refuseDuringQuery("query");
     Limits.coordinate("x", x);
     Limits.coordinate("y", y);
     start.set(x, y, 1, 0);
@@ -362,6 +375,9 @@ public final class Queries<T> {
   // ---------------------------------------------------------------- how it works
 
   private void place(Shape moving, Transform from) {
+    world.refuseDuringQuery("query");
+    Limits.notNull("shape", moving);
+    Limits.notNull("pose", from);
     Limits.coordinate("x", from.x);
     Limits.coordinate("y", from.y);
     float square = from.cos * from.cos + from.sin * from.sin;

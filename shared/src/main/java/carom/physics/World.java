@@ -4,6 +4,7 @@ import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.broadphase.index.CellVisitor;
 import carom.physics.broadphase.index.IntVisitor;
+import carom.physics.dynamics.BodyEditor;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.PartQueries;
 import carom.physics.dynamics.body.BodyStore;
@@ -21,6 +22,7 @@ import carom.physics.math.StateHash;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.profile.StageListener;
+import carom.physics.rows.BodyRow;
 import carom.physics.rows.ExactRows;
 import carom.physics.rows.JointDefRow;
 import carom.physics.settings.Settings;
@@ -28,7 +30,6 @@ import carom.physics.threads.Workers;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
@@ -109,7 +110,7 @@ public final class World<T> {
    * @param def constants of the world
    */
   public World(WorldDef def) {
-    this.def = def;
+    this.def = Limits.notNull("def", def);
     firstDef = def;
     settings = def.live();
     dynamics = new Dynamics(settings);
@@ -162,7 +163,7 @@ public final class World<T> {
     refuseDuringStep("redefine");
     refuseDuringQuery("redefine");
     refuseIfSealed("redefine", null);
-    newDef.checkFollows(def);
+    Limits.notNull("newDef", newDef).checkFollows(def);
     noteValue(Call.REDEFINE, newDef);
     boolean wakes =
         newDef.gravityX() != def.gravityX()
@@ -208,7 +209,7 @@ public final class World<T> {
     if (seal != null) {
       throw new IllegalStateException("seal is not possible in this world: it is sealed already");
     }
-    seal = Objects.requireNonNull(newSeal);
+    seal = Limits.notNull("newSeal", newSeal);
   }
 
   /**
@@ -223,12 +224,12 @@ public final class World<T> {
    */
   public Body<T> createBody(BodyDef bodyDef, T user) {
     refuseShared("createBody", null);
+    ShapeDef[] given = Limits.notNull("bodyDef", bodyDef).shapes.toArray(new ShapeDef[0]);
+    ShapeSpec[] specs = specs(given);
+    byte type = code(bodyDef.type);
+    BodyEditor.checkShapes(type, specs, bodyDef.mass);
     noteValue(Call.CREATE_BODY, bodyDef);
-    ShapeDef[] given = bodyDef.shapes.toArray(new ShapeDef[0]);
-    int slot =
-        dynamics
-            .editor()
-            .create(code(bodyDef.type), specs(given), bodyDef.mass, bodyDef.locks.angularZ());
+    int slot = dynamics.editor().create(type, specs, bodyDef.mass, bodyDef.locks.angularZ());
     store.setLinearLocks(slot, axes(bodyDef.locks));
     store.setOriginPose(
         slot, bodyDef.x, bodyDef.y, Trig.cos(bodyDef.angle), Trig.sin(bodyDef.angle));
@@ -264,6 +265,8 @@ public final class World<T> {
    * @throws IllegalStateException during a query
    */
   public List<Body<T>> createChain(ChainDef chain, BodyDef bodyDef, T user) {
+    Limits.notNull("chain", chain);
+    Limits.notNull("bodyDef", bodyDef);
     if (bodyDef.type == BodyType.DYNAMIC || !bodyDef.shapes.isEmpty()) {
       throw new IllegalArgumentException(
           "type="
@@ -330,8 +333,8 @@ public final class World<T> {
    * @throws IllegalArgumentException if the body belongs to another world
    */
   public void destroyBody(Body<T> body) {
+    own("body", body);
     refuseShared("destroyBody", body);
-    own(body);
     edits.destroy(body);
   }
 
@@ -367,11 +370,11 @@ public final class World<T> {
    */
   public Joint<T> createJoint(JointDef<T> d) {
     refuseDuringQuery("createJoint");
-    settleRecorder();
-    own(d.bodyB);
+    own("bodyB", Limits.notNull("d", d).bodyB);
     if (d.bodyA != null) {
-      own(d.bodyA);
+      own("bodyA", d.bodyA);
     }
+    settleRecorder();
     int a = d.bodyA == null ? -1 : d.bodyA.index();
     int b = d.bodyB.index();
     int j = dynamics.createJoint((byte) d.type.ordinal(), a, b);
@@ -393,11 +396,12 @@ public final class World<T> {
    */
   public Joint<T> createJoint(Body<T> bodyA, Body<T> bodyB, int[] definition, int at) {
     refuseDuringQuery("createJoint");
-    settleRecorder();
-    own(bodyB);
+    own("bodyB", bodyB);
     if (bodyA != null) {
-      own(bodyA);
+      own("bodyA", bodyA);
     }
+    int room = Limits.notNull("definition", definition).length;
+    Limits.stretch("definition", room, at, JointDefRow.INTS);
     int type = definition[at + JointDefRow.TYPE];
     if (!JointTransfer.isType(type)
         || bodyA == bodyB
@@ -405,13 +409,14 @@ public final class World<T> {
       throw new IllegalArgumentException(
           "type=" + type + " of a joint between bodyA=" + bodyA + " and bodyB=" + bodyB);
     }
-    int a = bodyA == null ? -1 : bodyA.index();
-    int j = dynamics.createJoint((byte) type, a, bodyB.index());
-    String problem = dynamics.jointTransfer().writeDefinition(j, definition, at);
+    String problem = dynamics.jointTransfer().problem(definition, at);
     if (problem != null) {
-      dynamics.destroyJoint(j);
       throw new IllegalArgumentException(problem);
     }
+    settleRecorder();
+    int a = bodyA == null ? -1 : bodyA.index();
+    int j = dynamics.createJoint((byte) type, a, bodyB.index());
+    dynamics.jointTransfer().writeDefinition(j, definition, at);
     return enter(j);
   }
 
@@ -442,11 +447,12 @@ public final class World<T> {
    */
   public void readJoint(Joint<T> joint, int[] to, int at) {
     own(joint);
+    Limits.stretch("to", Limits.notNull("to", to).length, at, JointDefRow.INTS);
     dynamics.jointTransfer().readDefinition(joint.index(), to, at);
   }
 
-  private void own(Body<T> body) {
-    body.check();
+  private void own(String name, Body<T> body) {
+    Limits.notNull(name, body).check();
     if (body.world() != this) {
       throw new IllegalArgumentException("body=" + body + " belongs to another world");
     }
@@ -503,7 +509,7 @@ public final class World<T> {
    * @param index below {@link #jointSlotCount()}
    */
   public int jointChanges(int index) {
-    return joints.changes(index);
+    return joints.changes(Limits.index("index", index, joints.slots()));
   }
 
   /** Returns a number above all indices of joints that were ever used. */
@@ -512,7 +518,7 @@ public final class World<T> {
   }
 
   private void own(Joint<T> joint) {
-    joint.check();
+    Limits.notNull("joint", joint).check();
     if (joint.world() != this) {
       throw new IllegalArgumentException("joint=" + joint + " belongs to another world");
     }
@@ -543,6 +549,7 @@ public final class World<T> {
    * @param visitor receives the joints
    */
   public void forEachJoint(Consumer<Joint<T>> visitor) {
+    Limits.notNull("visitor", visitor);
     for (int i = 0; i < joints.slots(); i++) {
       Joint<T> joint = joint(i);
       if (joint != null) {
@@ -766,7 +773,7 @@ public final class World<T> {
   public void restore(WorldState s) {
     refuseDuringStep("restore");
     refuseShared("restore", null);
-    checkOwner(s);
+    checkOwner(Limits.notNull("s", s));
     noteValue(Call.STATE, s);
     moves++;
     if (events.lists() != null) {
@@ -797,7 +804,8 @@ public final class World<T> {
    *     another definition
    */
   public WorldState read(ArchiveReader archive, IntFunction<T> users) {
-    WorldState s = WorldState.read(archive, this, users);
+    Limits.notNull("archive", archive);
+    WorldState s = WorldState.read(archive, this, Limits.notNull("users", users));
     s.dynamics.distinguish(dynamics);
     handles.distinguish(s.handles);
     return s;
@@ -812,7 +820,7 @@ public final class World<T> {
    */
   @SuppressWarnings("unchecked")
   public Body<T> bodyIn(WorldState s, int index) {
-    checkOwner(s);
+    checkOwner(Limits.notNull("s", s));
     return (Body<T>) s.handles.body(index);
   }
 
@@ -830,6 +838,7 @@ public final class World<T> {
    */
   public int readRows(ExactRows rows) {
     refuseDuringStep("readRows");
+    checkListed(rows);
     return dynamics.read(rows);
   }
 
@@ -848,10 +857,25 @@ public final class World<T> {
   public void writeRows(ExactRows rows) {
     refuseDuringStep("writeRows");
     refuseShared("writeRows", null);
+    checkListed(rows);
+    for (int i = 0; i < rows.bodies().count(); i++) {
+      BodyRow.check(rows.bodies().ints(), rows.bodies().at(i));
+    }
     settleRecorder();
     dynamics.write(rows);
     if (recorder != null) {
       recorder.noteValue(Call.STATE, save(null));
+    }
+  }
+
+  /** Refuses rows that list a body that this world doesn't have. */
+  private void checkListed(ExactRows rows) {
+    Limits.notNull("rows", rows);
+    for (int i = 0; i < rows.bodies().count(); i++) {
+      if (body(rows.slot(i)) == null) {
+        throw new IllegalArgumentException(
+            "slot=" + rows.slot(i) + " of row=" + i + " is no body of this world; see setSlot()");
+      }
     }
   }
 
@@ -876,7 +900,11 @@ public final class World<T> {
    *     #slotCount}
    */
   public void readMotions(int from, int n, float[][] to) {
-    Objects.checkFromIndexSize(from, n, store.slots());
+    Limits.stretch("slots", store.slots(), from, n);
+    Limits.stretch("to", Limits.notNull("to", to).length, 0, MOTION);
+    for (int i = 0; i < MOTION; i++) {
+      Limits.stretch("to[i]", Limits.notNull("to[i]", to[i]).length, 0, n);
+    }
     float[] x = to[0];
     float[] y = to[1];
     for (int i = 0; i < n; i++) {
@@ -924,6 +952,7 @@ public final class World<T> {
    * @param visitor receives the bodies
    */
   public void forEachBody(Consumer<Body<T>> visitor) {
+    Limits.notNull("visitor", visitor);
     for (int i = 0; i < store.slots(); i++) {
       Body<T> body = body(i);
       if (body != null) {
@@ -939,6 +968,7 @@ public final class World<T> {
    * @param visitor receives the bodies; must not create or destroy any
    */
   public void forEachAwake(Consumer<Body<T>> visitor) {
+    Limits.notNull("visitor", visitor);
     for (int i = 0; i < store.slots(); i++) {
       if (store.type[i] == BodyStore.DYNAMIC && store.active(i)) {
         visitor.accept(body(i));
@@ -956,6 +986,7 @@ public final class World<T> {
    * @param visitor receives each body once; must not create, destroy, or query again
    */
   public void queryAabb(float minX, float minY, float maxX, float maxY, BodyVisitor<T> visitor) {
+    Limits.notNull("visitor", visitor);
     int n = find(minX, minY, maxX, maxY);
     querying = true;
     try {
@@ -1039,6 +1070,7 @@ public final class World<T> {
    *     bodies in no particular order
    */
   public void forEachContact(ContactVisitor visitor) {
+    Limits.notNull("visitor", visitor);
     forEachPoint(dynamics.contacts(), visitor);
     forEachPoint(dynamics.sleepingContacts(), visitor);
   }
@@ -1067,6 +1099,7 @@ public final class World<T> {
    * @param visitor receives boxes and depths
    */
   public void forEachTreeCell(CellVisitor visitor) {
+    Limits.notNull("visitor", visitor);
     parts.cells(visitor);
   }
 
@@ -1077,6 +1110,7 @@ public final class World<T> {
    * @param visitor receives the boxes
    */
   public void forEachAabb(boolean fat, AabbVisitor visitor) {
+    Limits.notNull("visitor", visitor);
     for (int slot = 0; slot < store.slots(); slot++) {
       if (store.type[slot] == BodyStore.FREE) {
         continue;
@@ -1153,13 +1187,11 @@ public final class World<T> {
   }
 
   void moved(int slot) {
-    refuseDuringQuery("setPose");
     moves++;
     dynamics.editor().moved(slot);
   }
 
   void sleep(int slot) {
-    refuseDuringQuery("sleep");
     dynamics.sleep(slot);
   }
 
@@ -1394,7 +1426,14 @@ public final class World<T> {
     }
   }
 
-  void refuseDuringQuery(String what) {
+  /**
+   * Refuses a call during a query. What works on a world from outside calls it before its first
+   * change, as the world's own methods do.
+   *
+   * @param what the call's name
+   * @throws IllegalStateException while a query or a collision filter runs
+   */
+  public void refuseDuringQuery(String what) {
     if (querying) {
       throw new IllegalStateException(
           what + " is not possible while a query or a collision filter runs");

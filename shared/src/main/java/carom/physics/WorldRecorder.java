@@ -2,6 +2,7 @@ package carom.physics;
 
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.dynamics.contact.ContactKey;
+import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import java.util.Arrays;
 
@@ -82,7 +83,7 @@ public final class WorldRecorder {
       throw new IllegalArgumentException(
           "maxBytes=" + maxBytes + " stepsPerHash=" + stepsPerHash + "; at least 1024 and 0");
     }
-    this.world = world;
+    this.world = Limits.notNull("world", world);
     this.maxBytes = maxBytes;
     this.stepsPerHash = stepsPerHash;
     putLong(MAGIC);

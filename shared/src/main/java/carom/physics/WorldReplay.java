@@ -4,6 +4,7 @@ import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactKey;
+import carom.physics.math.Limits;
 import java.util.Arrays;
 import java.util.Locale;
 
@@ -62,7 +63,7 @@ public final class WorldReplay {
    * @throws ArchiveException if the bytes are no whole recording, or of another version
    */
   public WorldReplay(byte[] recording) {
-    bytes = recording.clone();
+    bytes = Limits.notNull("recording", recording).clone();
     end = bytes.length - 9;
     require(
         bytes.length >= 16 && readLong() == WorldRecorder.MAGIC,

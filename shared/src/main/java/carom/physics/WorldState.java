@@ -8,6 +8,7 @@ import carom.physics.dynamics.DynamicsState;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.geometry.MassData;
+import carom.physics.math.Limits;
 import java.util.function.IntFunction;
 
 /**
@@ -72,6 +73,7 @@ public final class WorldState {
    * @throws IllegalArgumentException if the world has values beyond 1e30, or not a number
    */
   public void write(ArchiveWriter archive) {
+    Limits.notNull("archive", archive);
     pass(archive);
   }
 

@@ -47,6 +47,7 @@ class WorldReplayTest {
           "World.stageListener",
           "World.eventLists", // only tells
           "World.queryScope",
+          "World.refuseDuringQuery",
           "World.seal",
           "World.readJoint",
           "World.readMotions",

@@ -166,6 +166,7 @@ public final class AreaEffect implements Effect {
 
   @Override
   public void act(World<?> world, Body<?> body, Transform frame, float strength, float dtSeconds) {
+    Areas.check(world, body, frame, strength, dtSeconds);
     float localX = frame.localX(body.centerX(), body.centerY());
     float localY = frame.localY(body.centerX(), body.centerY());
     if (Nearby.isActedOn(body) && area.contains(localX, localY) && Nearby.isOf(body, categories)) {
@@ -217,13 +218,14 @@ public final class AreaEffect implements Effect {
    */
   private void act(Body<?> body, float wx, float wy, float strength, float dt) {
     switch (kind) {
-      case FORCE -> body.applyAmbientForce(strength * wx, strength * wy, 0);
+      case FORCE -> Areas.push(body, strength * wx, strength * wy, 0);
       case ACCELERATION -> accelerate(body, strength * body.mass(), wx, wy);
       case GRAVITY -> accelerate(body, strength * body.gravityScale() * body.mass(), wx, wy);
       case FLOW -> {
         float pull = body.mass() * (strength * rate) / (1 + strength * rate * dt);
         float brake = body.inertia() * (strength * angularRate) / (1 + strength * angularRate * dt);
-        body.applyAmbientForce(
+        Areas.push(
+            body,
             pull * (wx - body.velocityX()),
             pull * (wy - body.velocityY()),
             -brake * body.angularVelocity());
@@ -232,6 +234,6 @@ public final class AreaEffect implements Effect {
   }
 
   private static void accelerate(Body<?> body, float factor, float ax, float ay) {
-    body.applyAmbientForce(factor * ax, factor * ay, 0);
+    Areas.push(body, factor * ax, factor * ay, 0);
   }
 }

@@ -97,8 +97,9 @@ public final class Attractor implements Effect {
    * @return this
    */
   public Attractor falloff(Falloff how, float minimumRadius) {
-    falloff = how;
+    Limits.notNull("how", how);
     minimum = Limits.range("minimumRadius", minimumRadius, 1e-4f, range);
+    falloff = how;
     return this;
   }
 
@@ -135,6 +136,7 @@ public final class Attractor implements Effect {
 
   @Override
   public void act(World<?> world, Body<?> body, Transform frame, float strength, float dtSeconds) {
+    Areas.check(world, body, frame, strength, dtSeconds);
     if (Nearby.isActedOn(body) && Nearby.isOf(body, categories)) {
       float ahead = Lookahead.seconds(world.def(), dtSeconds);
       pull(body, frame.worldX(x, y), frame.worldY(x, y), strength, ahead);
@@ -143,9 +145,9 @@ public final class Attractor implements Effect {
 
   @Override
   public void reach(Transform frame, Aabb out) {
-    float atX = frame.worldX(x, y);
+    float atX = Limits.notNull("frame", frame).worldX(x, y);
     float atY = frame.worldY(x, y);
-    out.set(atX - range, atY - range, atX + range, atY + range);
+    Limits.notNull("out", out).set(atX - range, atY - range, atX + range, atY + range);
   }
 
   /**
@@ -173,7 +175,6 @@ public final class Attractor implements Effect {
           case INVERSE_SQUARE -> minimum * (double) minimum / (at * at);
         };
     double k = factorOfAll * (body.mass() * factor / at);
-    body.applyAmbientForce(
-        (float) (k * (strength * dx + swirl * dy)), (float) (k * (strength * dy - swirl * dx)), 0);
+    Areas.push(body, k * (strength * dx + swirl * dy), k * (strength * dy - swirl * dx), 0);
   }
 }

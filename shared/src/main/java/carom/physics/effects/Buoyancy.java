@@ -123,8 +123,10 @@ public final class Buoyancy implements Effect {
    * @return this
    */
   public Buoyancy flow(float vx, float vy) {
-    flowX = Limits.velocity("flowX", vx);
-    flowY = Limits.velocity("flowY", vy);
+    Limits.velocity("flowX", vx);
+    Limits.velocity("flowY", vy);
+    flowX = vx;
+    flowY = vy;
     return this;
   }
 
@@ -157,6 +159,7 @@ public final class Buoyancy implements Effect {
    */
   @Override
   public void act(World<?> world, Body<?> body, Transform frame, float strength, float dtSeconds) {
+    Areas.check(world, body, frame, strength, dtSeconds);
     if (Nearby.isActedOn(body)) {
       reach(frame, box);
       float ahead = Lookahead.seconds(world.def(), dtSeconds);
@@ -166,6 +169,8 @@ public final class Buoyancy implements Effect {
 
   @Override
   public void reach(Transform frame, Aabb out) {
+    Limits.notNull("frame", frame);
+    Limits.notNull("out", out);
     out.set(area.minX + frame.x, area.minY + frame.y, area.maxX + frame.x, area.maxY + frame.y);
   }
 
@@ -181,7 +186,8 @@ public final class Buoyancy implements Effect {
    */
   public <T> void apply(World<T> world, Body<T> sensor, float dtSeconds) {
     Limits.timeStep(dtSeconds);
-    sensor.aabb(box);
+    Limits.notNull("world", world);
+    Limits.notNull("sensor", sensor).aabb(box);
     nearby.findInside(sensor);
     act(world, box, dtSeconds);
   }
@@ -238,7 +244,7 @@ public final class Buoyancy implements Effect {
     double fy = -mass * world.gravityY() + pull * (flowY - (body.velocityY() + w * rx));
     double turn = angularDrag * thickness * submerged.second;
     double brake = turn / (1 + dt * turn * inverseInertia);
-    body.applyAmbientForce((float) fx, (float) fy, (float) (rx * fy - ry * fx - brake * w));
+    Areas.push(body, fx, fy, rx * fy - ry * fx - brake * w);
   }
 
   private void measure(Body<?> body, Aabb bounds, float movedX, float movedY, float ahead) {

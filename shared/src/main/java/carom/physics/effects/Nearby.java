@@ -5,6 +5,7 @@ import carom.physics.BodyType;
 import carom.physics.BodyVisitor;
 import carom.physics.World;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import java.util.Arrays;
 
 /**
@@ -19,13 +20,14 @@ final class Nearby {
   /** Collects the bodies whose box overlaps an area. */
   <T> void find(World<T> world, Aabb area) {
     clear();
+    Limits.notNull("world", world);
     world.queryAabb(area.minX, area.minY, area.maxX, area.maxY, collector());
   }
 
   /** Collects the bodies that were in a body's sensors in the last step. */
   <T> void findInside(Body<T> sensor) {
     clear();
-    sensor.forEachOverlap(collector());
+    Limits.notNull("sensor", sensor).forEachOverlap(collector());
   }
 
   int count() {

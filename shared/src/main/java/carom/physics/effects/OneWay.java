@@ -3,6 +3,7 @@ package carom.physics.effects;
 import carom.physics.Body;
 import carom.physics.Collision;
 import carom.physics.CollisionListener;
+import carom.physics.math.Limits;
 
 /**
  * One-way platforms: they carry bodies that stand or land on them, and let everything else pass,
@@ -63,6 +64,7 @@ public final class OneWay<T> implements CollisionListener<T> {
   /** Returns whether a contact responds: false if one of the shapes is a platform to pass. */
   @Override
   public boolean preSolve(Collision<T> c) {
+    Limits.notNull("c", c);
     if (platforms.contains(c.other(), c.otherShapeIndex())) {
       return holds(c, false, 0, 1);
     }
@@ -78,6 +80,7 @@ public final class OneWay<T> implements CollisionListener<T> {
    * @param upY the way up
    */
   public static boolean holds(Collision<?> c, boolean selfIsPlatform, float upX, float upY) {
+    Limits.notNull("c", c);
     float along = c.normalX() * upX + c.normalY() * upY;
     if ((selfIsPlatform ? along : -along) < MIN_UP) {
       return false;

@@ -129,6 +129,7 @@ public final class Wind implements Effect {
 
   @Override
   public void act(World<?> world, Body<?> body, Transform frame, float strength, float dtSeconds) {
+    Areas.check(world, body, frame, strength, dtSeconds);
     if (!Nearby.isActedOn(body) || !Nearby.isOf(body, categories)) {
       return;
     }
@@ -151,7 +152,7 @@ public final class Wind implements Effect {
         }
       }
     }
-    body.applyAmbientForce(forceX, forceY, torque);
+    Areas.push(body, forceX, forceY, torque);
   }
 
   /** Returns how many forces may act on a shape: two on each edge that faces the wind. */

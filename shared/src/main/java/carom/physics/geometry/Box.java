@@ -1,6 +1,7 @@
 package carom.physics.geometry;
 
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
@@ -78,6 +79,8 @@ public final class Box extends Convex {
 
   @Override
   public void aabb(Transform t, Aabb out) {
+    Limits.notNull("t", t);
+    Limits.notNull("out", out);
     float x = t.worldX(centerX, centerY);
     float y = t.worldY(centerX, centerY);
     float cos = Math.abs(t.cos);

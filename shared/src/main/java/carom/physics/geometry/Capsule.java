@@ -32,8 +32,24 @@ public final class Capsule extends Convex {
 
   /**
    * Returns an upright capsule around the frame's origin, as tall as {@code height} with its caps.
+   *
+   * @param height more than {@code 2 radius} by {@link Shape#MIN_SIZE} or more; a circle has less
+   * @param radius {@link Shape#MIN_SIZE} to {@link Shape#MAX_SIZE}
    */
   public static Capsule upright(float height, float radius) {
+    checkSize("capsule radius", radius);
+    if (!(height - 2 * radius >= MIN_SIZE && height <= MAX_SIZE)) {
+      throw new IllegalArgumentException(
+          "capsule height="
+              + height
+              + " must be in 2 radius + "
+              + MIN_SIZE
+              + "="
+              + (2 * radius + MIN_SIZE)
+              + ".."
+              + MAX_SIZE
+              + " m; a Circle is as high as 2 radius");
+    }
     float half = 0.5f * height - radius;
     return new Capsule(0, -half, 0, half, radius);
   }

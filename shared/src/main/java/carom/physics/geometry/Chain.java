@@ -2,6 +2,7 @@ package carom.physics.geometry;
 
 import carom.physics.geometry.outline.ChainCrossings;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -71,6 +72,7 @@ public final class Chain extends Shape {
   }
 
   private static Chain make(float[] xy, boolean loop, int least) {
+    Limits.notNull("xy", xy);
     int points = xy.length / 2;
     int most = loop ? MAX_SEGMENTS : MAX_SEGMENTS + 1;
     if (xy.length % 2 != 0) {
@@ -98,6 +100,8 @@ public final class Chain extends Shape {
    *     piece is empty or too long
    */
   public static List<Chain> pieces(float[] xy, boolean loop, int... cuts) {
+    Limits.notNull("xy", xy);
+    Limits.notNull("cuts", cuts);
     int points = xy.length / 2;
     int segments = loop ? points : points - 1;
     if (xy.length % 2 != 0 || segments < (loop ? 3 : 1)) {
@@ -199,11 +203,13 @@ public final class Chain extends Shape {
 
   /** Returns the x of a point, metres. */
   public float pointX(int index) {
+    Limits.index("point", index, pointCount());
     return xy[2 * index];
   }
 
   /** Returns the y of a point, metres. */
   public float pointY(int index) {
+    Limits.index("point", index, pointCount());
     return xy[2 * index + 1];
   }
 
@@ -215,6 +221,8 @@ public final class Chain extends Shape {
 
   @Override
   public void aabb(Transform t, Aabb out) {
+    Limits.notNull("t", t);
+    Limits.notNull("out", out);
     out.setEmpty();
     for (int i = 0; i < xy.length; i += 2) {
       out.add(t.worldX(xy[i], xy[i + 1]), t.worldY(xy[i], xy[i + 1]));

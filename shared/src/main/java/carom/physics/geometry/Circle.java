@@ -1,6 +1,7 @@
 package carom.physics.geometry;
 
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /** A disc. */
@@ -47,6 +48,8 @@ public final class Circle extends Convex {
 
   @Override
   public void aabb(Transform t, Aabb out) {
+    Limits.notNull("t", t);
+    Limits.notNull("out", out);
     float x = t.worldX(vx[0], vy[0]);
     float y = t.worldY(vx[0], vy[0]);
     out.set(x - radius, y - radius, x + radius, y + radius);

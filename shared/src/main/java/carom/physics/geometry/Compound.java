@@ -3,8 +3,10 @@ package carom.physics.geometry;
 import carom.physics.geometry.outline.ConvexDecomposition;
 import carom.physics.geometry.outline.SimpleOutline;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -27,14 +29,14 @@ public final class Compound extends Shape {
 
   /** Creates a compound of 1 to {@value #MAX_PARTS} parts. */
   public static Compound of(Shape... shapes) {
-    return of(List.of(shapes));
+    return of(Arrays.asList(Limits.notNull("shapes", shapes)));
   }
 
   /** Creates a compound of 1 to {@value #MAX_PARTS} parts. The list is copied. */
   public static Compound of(List<? extends Shape> shapes) {
-    List<Convex> flat = new ArrayList<>(shapes.size());
+    List<Convex> flat = new ArrayList<>(Limits.notNull("shapes", shapes).size());
     for (Shape shape : shapes) {
-      flat.addAll(shape.parts());
+      flat.addAll(Limits.notNull("shape", shape).parts());
     }
     if (flat.isEmpty() || flat.size() > MAX_PARTS) {
       throw new IllegalArgumentException(
@@ -58,6 +60,7 @@ public final class Compound extends Shape {
    *     coordinate is not a number within {@link Shape#MAX_SIZE}
    */
   public static Compound ofOutline(float... xy) {
+    Limits.notNull("xy", xy);
     for (int i = 0; i < xy.length; i++) {
       checkCoordinate((i % 2 == 0 ? "outline x" : "outline y") + i / 2, xy[i]);
     }
@@ -76,6 +79,8 @@ public final class Compound extends Shape {
 
   @Override
   public void aabb(Transform t, Aabb out) {
+    Limits.notNull("t", t);
+    Limits.notNull("out", out);
     float minX = Float.POSITIVE_INFINITY;
     float minY = Float.POSITIVE_INFINITY;
     float maxX = Float.NEGATIVE_INFINITY;

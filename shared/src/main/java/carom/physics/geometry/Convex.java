@@ -1,6 +1,7 @@
 package carom.physics.geometry;
 
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import java.util.Arrays;
 import java.util.List;
@@ -49,7 +50,7 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
    * vertexCount() - 1 throws an IndexOutOfBoundsException.
    */
   public final float vertexX(int index) {
-    return vx[index];
+    return vx[check(index)];
   }
 
   /**
@@ -57,7 +58,7 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
    * vertexCount() - 1 throws an IndexOutOfBoundsException.
    */
   public final float vertexY(int index) {
-    return vy[index];
+    return vy[check(index)];
   }
 
   /**
@@ -65,7 +66,7 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
    * a circle.
    */
   public final float normalX(int index) {
-    return nx[index];
+    return nx[check(index)];
   }
 
   /**
@@ -73,7 +74,11 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
    * a circle.
    */
   public final float normalY(int index) {
-    return ny[index];
+    return ny[check(index)];
+  }
+
+  private int check(int index) {
+    return Limits.index("vertex", index, vx.length);
   }
 
   /** Returns the radius of the rounding around the vertices in metres, or 0 for sharp corners. */
@@ -105,6 +110,10 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
    */
   public final int copyTo(float[] xs, float[] ys, float[] normalXs, float[] normalYs) {
     int count = vx.length;
+    Limits.stretch("xs", Limits.notNull("xs", xs).length, 0, count);
+    Limits.stretch("ys", Limits.notNull("ys", ys).length, 0, count);
+    Limits.stretch("normalXs", Limits.notNull("normalXs", normalXs).length, 0, count);
+    Limits.stretch("normalYs", Limits.notNull("normalYs", normalYs).length, 0, count);
     System.arraycopy(vx, 0, xs, 0, count);
     System.arraycopy(vy, 0, ys, 0, count);
     System.arraycopy(nx, 0, normalXs, 0, count);
@@ -150,7 +159,7 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
    * @return true if one shape can replace the other
    */
   public boolean isSame(Convex other) {
-    return other.getClass() == getClass()
+    return Limits.notNull("other", other).getClass() == getClass()
         && other.radius() == radius()
         && Arrays.equals(vx, other.vx)
         && Arrays.equals(vy, other.vy)
@@ -267,6 +276,8 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
 
   @Override
   public void aabb(Transform t, Aabb out) {
+    Limits.notNull("t", t);
+    Limits.notNull("out", out);
     float minX = Float.POSITIVE_INFINITY;
     float minY = Float.POSITIVE_INFINITY;
     float maxX = Float.NEGATIVE_INFINITY;

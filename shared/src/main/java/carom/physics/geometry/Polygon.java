@@ -1,5 +1,6 @@
 package carom.physics.geometry;
 
+import carom.physics.math.Limits;
 import carom.physics.math.Trig;
 import carom.physics.math.Vec2;
 import java.util.Arrays;
@@ -52,9 +53,9 @@ public final class Polygon extends Convex {
 
   /** Creates a convex polygon from its outline, see {@link #of(float...)}. */
   public static Polygon of(Vec2... points) {
-    float[] xy = new float[2 * points.length];
+    float[] xy = new float[2 * Limits.notNull("points", points).length];
     for (int i = 0; i < points.length; i++) {
-      xy[2 * i] = points[i].x();
+      xy[2 * i] = Limits.notNull("point", points[i]).x();
       xy[2 * i + 1] = points[i].y();
     }
     return of(xy);
@@ -88,7 +89,7 @@ public final class Polygon extends Convex {
   }
 
   private static Vec2[] points(float[] xy) {
-    if (xy.length % 2 != 0) {
+    if (Limits.notNull("xy", xy).length % 2 != 0) {
       throw new IllegalArgumentException(
           "polygon coordinates=" + xy.length + " must be even: x and y of each vertex");
     }

@@ -1,5 +1,6 @@
 package carom.physics.geometry;
 
+import carom.physics.math.Limits;
 import java.util.Arrays;
 
 /**
@@ -61,7 +62,7 @@ public final class Segment extends Convex {
 
   /** Returns whether the chain continues at vertex {@code end}, 0 or 1. */
   public boolean isLinked(int end) {
-    return linked[end];
+    return linked[Limits.index("end", end, 2)];
   }
 
   /**
@@ -69,7 +70,7 @@ public final class Segment extends Convex {
    * where linked.
    */
   public float ghostX(int end) {
-    return ghostX[end];
+    return ghostX[Limits.index("end", end, 2)];
   }
 
   /**
@@ -77,7 +78,7 @@ public final class Segment extends Convex {
    * where linked.
    */
   public float ghostY(int end) {
-    return ghostY[end];
+    return ghostY[Limits.index("end", end, 2)];
   }
 
   @Override

@@ -1,6 +1,7 @@
 package carom.physics.geometry;
 
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import java.util.List;
 
@@ -84,6 +85,7 @@ public abstract sealed class Shape permits Convex, Compound, Chain {
    * t}.
    */
   public final boolean containsPoint(Transform t, float x, float y) {
+    Limits.notNull("t", t);
     return containsPoint(t.localX(x, y), t.localY(x, y));
   }
 

@@ -1,6 +1,7 @@
 package carom.physics.geometry;
 
 import carom.physics.archive.Archive;
+import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -30,6 +31,7 @@ public final class ShapeArchive {
    * @throws IllegalArgumentException if the data read is no valid shape
    */
   public static Shape pass(Archive a, Shape shape) {
+    Limits.notNull("a", a);
     int kind = a.integer("kind of shape", a.reads() ? 0 : kindOf(shape), 0, COMPOUND);
     switch (kind) {
       case CHAIN:

@@ -133,6 +133,54 @@ public final class Limits {
     return seconds;
   }
 
+  /**
+   * Refuses null.
+   *
+   * @param name name of the value, for messages
+   * @param value the value
+   * @param <V> its type
+   * @return the value
+   * @throws NullPointerException if it is null
+   */
+  public static <V> V notNull(String name, V value) {
+    if (value == null) {
+      throw new NullPointerException(name + "=null is not possible; give one");
+    }
+    return value;
+  }
+
+  /**
+   * Checks the number of an element.
+   *
+   * @param name name of the value, for messages
+   * @param value the value
+   * @param count how many elements there are
+   * @return the value
+   * @throws IndexOutOfBoundsException if it is outside 0..count - 1
+   */
+  public static int index(String name, int value, int count) {
+    if (value < 0 || value >= count) {
+      throw new IndexOutOfBoundsException(name + "=" + value + " is outside 0.." + (count - 1));
+    }
+    return value;
+  }
+
+  /**
+   * Checks that a stretch lies within an array.
+   *
+   * @param name name of the array, for messages
+   * @param length how long the array is
+   * @param from where the stretch begins
+   * @param count how long it is
+   * @throws IndexOutOfBoundsException if it begins before the array, or ends after it
+   */
+  public static void stretch(String name, int length, int from, int count) {
+    if (from < 0 || count < 0 || from > length - count) {
+      throw new IndexOutOfBoundsException(
+          name + ".length=" + length + " has no room for count=" + count + " from=" + from);
+    }
+  }
+
   private static float magnitude(String name, float value, float limit) {
     if (!(Math.abs(value) <= limit)) {
       throw refused(name, value, -limit + ".." + limit);

@@ -115,8 +115,8 @@ public final class Mover<T> {
    * @param def the settings
    */
   public Mover(World<T> world, MoverDef<T> def) {
-    this.world = world;
-    around = new Surroundings<>(def);
+    this.world = Limits.notNull("world", world);
+    around = new Surroundings<>(Limits.notNull("def", def));
     radius = def.radius;
     half = Math.max(0, 0.5 * def.height - def.radius);
     skin = def.skin;
@@ -205,8 +205,10 @@ public final class Mover<T> {
    * @param newY y of the capsule's middle, m
    */
   public void setPosition(float newX, float newY) {
-    x = Limits.coordinate("x", newX);
-    y = Limits.coordinate("y", newY);
+    Limits.position("x", newX);
+    Limits.position("y", newY);
+    x = newX;
+    y = newY;
     vx = 0;
     vy = 0;
     flags = 0;
@@ -220,6 +222,7 @@ public final class Mover<T> {
    * @return whether it stands on ground now
    */
   public boolean findGround() {
+    world.refuseDuringQuery("findGround");
     dt = 1e-3;
     begin(0, 0, 0, 0);
     groundPart = floor(true);
@@ -244,6 +247,7 @@ public final class Mover<T> {
     Limits.velocity("wantedX", wantedX);
     Limits.velocity("wantedY", wantedY);
     dt = Limits.timeStep(dtSeconds);
+    world.refuseDuringQuery("move");
     Body<T> ground = isOnGround() ? ground() : null;
     baseX = ground == null ? 0 : velocityAtX(ground, footY(y));
     baseY = ground == null ? 0 : velocityAtY(ground, footX(x));
@@ -328,8 +332,8 @@ public final class Mover<T> {
   private void end(boolean stood) {
     double newX = x + px;
     double newY = y + py;
-    x = (float) Math.max(-Limits.MAX_COORDINATE, Math.min(newX, Limits.MAX_COORDINATE));
-    y = (float) Math.max(-Limits.MAX_COORDINATE, Math.min(newY, Limits.MAX_COORDINATE));
+    x = (float) Math.max(-Limits.MAX_POSITION, Math.min(newX, Limits.MAX_POSITION));
+    y = (float) Math.max(-Limits.MAX_POSITION, Math.min(newY, Limits.MAX_POSITION));
     if (groundPart >= 0) {
       Body<T> body = around.body(groundPart);
       boolean same = body.index() == groundBody && body.generation() == groundGeneration;
@@ -692,6 +696,7 @@ public final class Mover<T> {
    * @param at where they begin
    */
   public void readRow(int[] row, int at) {
+    Limits.stretch("row", Limits.notNull("row", row).length, at, INTS);
     row[at] = Float.floatToRawIntBits(x);
     row[at + 1] = Float.floatToRawIntBits(y);
     row[at + 2] = Float.floatToRawIntBits(vx);
@@ -713,8 +718,9 @@ public final class Mover<T> {
    * @throws IllegalArgumentException if they are no state of a mover; nothing changes then
    */
   public void writeRow(int[] row, int at) {
-    float newX = Limits.coordinate("x", Float.intBitsToFloat(row[at]));
-    float newY = Limits.coordinate("y", Float.intBitsToFloat(row[at + 1]));
+    Limits.stretch("row", Limits.notNull("row", row).length, at, INTS);
+    float newX = Limits.position("x", Float.intBitsToFloat(row[at]));
+    float newY = Limits.position("y", Float.intBitsToFloat(row[at + 1]));
     float newVx = Limits.velocity("velocityX", Float.intBitsToFloat(row[at + 2]));
     float newVy = Limits.velocity("velocityY", Float.intBitsToFloat(row[at + 3]));
     float nx = Limits.range("groundNormalX", Float.intBitsToFloat(row[at + 5]), -1.001f, 1.001f);

@@ -68,11 +68,16 @@ public final class Emitter {
    */
   public int emit(Particles particles, long tick, float dtSeconds) {
     Limits.timeStep(dtSeconds);
+    Limits.notNull("particles", particles);
     double rows = (double) speed * dtSeconds / particles.spacing();
     long from = (long) Math.floor(tick * rows);
     long to = (long) Math.floor((tick + 1) * rows);
     int columns = 1 + (int) (width / particles.spacing());
     float across = columns == 1 ? 0 : width / (columns - 1);
+    float wide = 0.5f * (columns - 1) * across;
+    float far = speed * dtSeconds + particles.spacing();
+    Limits.position("x + width", Math.abs(x) + wide * Math.abs(dirY) + far * Math.abs(dirX));
+    Limits.position("y + width", Math.abs(y) + wide * Math.abs(dirX) + far * Math.abs(dirY));
     int added = 0;
     for (long row = from; row < to; row++) {
       // A row emitted earlier in the tick is further along its path.

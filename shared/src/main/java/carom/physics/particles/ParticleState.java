@@ -1,6 +1,7 @@
 package carom.physics.particles;
 
 import carom.physics.archive.ArchiveWriter;
+import carom.physics.math.Limits;
 
 /**
  * Saved state of particles. {@link Particles#save} makes it and {@link Particles#restore} takes it
@@ -22,6 +23,7 @@ public final class ParticleState {
    * @param archive receives the state
    */
   public void write(ArchiveWriter archive) {
+    Limits.notNull("archive", archive);
     store.pass(archive, owner.most());
   }
 }

@@ -58,7 +58,7 @@ public final class Particles {
    * @param def definition of the particles, copied
    */
   public Particles(ParticleDef def) {
-    this.def = def.copy();
+    this.def = Limits.notNull("def", def).copy();
     store = new ParticleStore(Math.min(def.maxCount, 256));
     pairs = def.kind == ParticleDef.Kind.WATER ? new Water(this.def) : new Sand(this.def);
   }
@@ -127,13 +127,19 @@ public final class Particles {
    */
   public int fill(Shape area, Transform at, float vx, float vy) {
     Aabb box = new Aabb();
-    area.aabb(at, box);
+    Limits.notNull("area", area).aabb(Limits.notNull("at", at), box);
+    Limits.position("minX", box.minX);
+    Limits.position("minY", box.minY);
+    Limits.position("maxX", box.maxX);
+    Limits.position("maxY", box.maxY);
+    Limits.velocity("vx", vx);
+    Limits.velocity("vy", vy);
     float pitch = pairs.pitch();
     float rise = pitch * HALF_ROOT_3;
     int rows = (int) (box.height() / rise);
     int columns = (int) (box.width() / pitch);
     int before = store.count;
-    for (int row = 0; row <= rows; row++) {
+    for (int row = 0; row <= rows && store.count < def.maxCount; row++) {
       float y = box.minY + 0.5f * (box.height() - rows * rise) + row * rise;
       float left = box.minX + 0.25f * pitch + (row % 2) * 0.5f * pitch;
       for (int column = 0; column <= columns; column++) {
@@ -174,6 +180,7 @@ public final class Particles {
    * @return the number of particles removed
    */
   public int removeInside(Aabb area) {
+    Limits.notNull("area", area);
     int kept = 0;
     for (int i = 0; i < store.count; i++) {
       if (area.contains(store.x[i], store.y[i])) {
@@ -192,6 +199,7 @@ public final class Particles {
    * @return the number of particles removed
    */
   public int removeOutside(Aabb area) {
+    Limits.notNull("area", area);
     int kept = 0;
     for (int i = 0; i < store.count; i++) {
       if (area.contains(store.x[i], store.y[i])) {
@@ -211,6 +219,8 @@ public final class Particles {
    * @return the number of particles removed
    */
   public int removeInside(Shape area, Transform at) {
+    Limits.notNull("area", area);
+    Limits.notNull("at", at);
     int kept = 0;
     for (int i = 0; i < store.count; i++) {
       if (area.containsPoint(at, store.x[i], store.y[i])) {
@@ -306,8 +316,10 @@ public final class Particles {
    */
   public void setVelocity(int i, float vx, float vy) {
     check(i);
-    store.vx[i] = Limits.velocity("vx", vx);
-    store.vy[i] = Limits.velocity("vy", vy);
+    Limits.velocity("vx", vx);
+    Limits.velocity("vy", vy);
+    store.vx[i] = vx;
+    store.vy[i] = vy;
   }
 
   /**
@@ -328,7 +340,7 @@ public final class Particles {
    * @throws IllegalArgumentException if the array is too short
    */
   public int copyPositions(float[] xy) {
-    if (xy.length < 2 * store.count) {
+    if (Limits.notNull("xy", xy).length < 2 * store.count) {
       throw new IllegalArgumentException(
           "xy.length=" + xy.length + " must be at least 2 count()=" + 2 * store.count);
     }
@@ -340,10 +352,7 @@ public final class Particles {
   }
 
   private int check(int i) {
-    if (i < 0 || i >= store.count) {
-      throw new IndexOutOfBoundsException("particle=" + i + " is outside 0.." + (store.count - 1));
-    }
-    return i;
+    return Limits.index("particle", i, store.count);
   }
 
   /**
@@ -356,6 +365,7 @@ public final class Particles {
    */
   public void step(World<?> world, float dtSeconds) {
     Limits.timeStep(dtSeconds);
+    Limits.notNull("world", world).refuseDuringQuery("step");
     retire(dtSeconds);
     if (store.count == 0) {
       return;
@@ -434,7 +444,7 @@ public final class Particles {
    * @param s a state that {@link #save} of these particles made; it stays as it is
    */
   public void restore(ParticleState s) {
-    checkOwner(s);
+    checkOwner(Limits.notNull("s", s));
     store.copy(s.store);
   }
 
@@ -447,6 +457,7 @@ public final class Particles {
    * @throws carom.physics.archive.ArchiveException if the bytes are damaged
    */
   public ParticleState read(ArchiveReader archive) {
+    Limits.notNull("archive", archive);
     ParticleState s = new ParticleState(this);
     s.store.pass(archive, most());
     return s;

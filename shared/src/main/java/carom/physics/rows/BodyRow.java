@@ -88,4 +88,29 @@ public final class BodyRow {
   public static final int INTS = ARCHETYPE + 1;
 
   private BodyRow() {}
+
+  /**
+   * Refuses a state that no world can have: numbers that are not finite, and a cosine and sine that
+   * are no rotation.
+   *
+   * @param row holds the row
+   * @param at where it begins
+   * @throws IllegalArgumentException if the state is refused
+   */
+  public static void check(int[] row, int at) {
+    for (int i = 0; i < STATE_INTS; i++) {
+      float value = Float.intBitsToFloat(row[at + MOTION + i]);
+      boolean sleeps = MOTION + i == SLEEP_TIME && row[at + SLEEP_TIME] == ASLEEP;
+      if (!(Math.abs(value) <= Float.MAX_VALUE) && !sleeps) {
+        throw new IllegalArgumentException("row[" + (MOTION + i) + "]=" + value + " isn't finite");
+      }
+    }
+    float cos = Float.intBitsToFloat(row[at + COS]);
+    float sin = Float.intBitsToFloat(row[at + SIN]);
+    float square = cos * cos + sin * sin;
+    if (!(Math.abs(square - 1) <= 0.01f)) {
+      throw new IllegalArgumentException(
+          "cos=" + cos + " sin=" + sin + " of a row is no rotation; their squares must add to 1");
+    }
+  }
 }

@@ -82,6 +82,8 @@ public final class BodyMaker {
       for (ShapeSpec spec : shapes) {
         refuseLines(spec.shape());
       }
+      checkCenter(own.centerX(), own.centerY());
+      checkAround(shapes, own.centerX(), own.centerY());
       return own;
     }
     if (shapes.length == 0) {
@@ -100,6 +102,8 @@ public final class BodyMaker {
     Limits.range("mass", (float) mass, 1e-9f, 1e15f);
     float x = (float) (mx / mass);
     float y = (float) (my / mass);
+    checkCenter(x, y);
+    checkAround(shapes, x, y);
     double inertia = 0;
     for (ShapeSpec spec : shapes) {
       MassData m = spec.shape().mass(spec.density());
@@ -108,6 +112,23 @@ public final class BodyMaker {
       inertia += m.inertia() + m.mass() * (dx * dx + dy * dy);
     }
     return new MassData((float) mass, x, y, (float) inertia);
+  }
+
+  /** Refuses a centre of mass too far from the body's origin for a pose to tell where it is. */
+  public static void checkCenter(float x, float y) {
+    Limits.range("centerX", x, -Limits.MAX_POSITION, Limits.MAX_POSITION);
+    Limits.range("centerY", y, -Limits.MAX_POSITION, Limits.MAX_POSITION);
+  }
+
+  /** Refuses shapes that can't be moved so that a centre of mass is their origin. */
+  private static void checkAround(ShapeSpec[] shapes, float x, float y) {
+    if (x != 0 || y != 0) {
+      for (ShapeSpec spec : shapes) {
+        for (Convex part : spec.shape().parts()) {
+          part.moved(-x, -y);
+        }
+      }
+    }
   }
 
   /** Refuses segments and chains, for bodies that move by forces. */

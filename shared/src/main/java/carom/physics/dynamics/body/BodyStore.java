@@ -420,8 +420,7 @@ public final class BodyStore {
    * @param s sine
    */
   public void setCenterPose(int slot, float newX, float newY, float c, float s) {
-    Limits.position("x", newX);
-    Limits.position("y", newY);
+    checkPose(newX, newY, c, s);
     setRotation(slot, c, s);
     x[slot] = newX;
     y[slot] = newY;
@@ -437,8 +436,7 @@ public final class BodyStore {
    * @param s sine
    */
   public void setOriginPose(int slot, float originX, float originY, float c, float s) {
-    Limits.position("x", originX);
-    Limits.position("y", originY);
+    checkPose(originX, originY, c, s);
     setRotation(slot, c, s);
     x[slot] = originX + (cos[slot] * localX[slot] - sin[slot] * localY[slot]);
     y[slot] = originY + (sin[slot] * localX[slot] + cos[slot] * localY[slot]);
@@ -472,12 +470,19 @@ public final class BodyStore {
         && sin[slot] == other.sin[slot];
   }
 
-  private void setRotation(int slot, float c, float s) {
+  /** Refuses a pose that no body may be given. */
+  public static void checkPose(float x, float y, float c, float s) {
+    Limits.position("x", x);
+    Limits.position("y", y);
     float lengthSquared = c * c + s * s;
     if (!(lengthSquared >= 1e-6f && lengthSquared <= 1e6f)) {
       throw new IllegalArgumentException(
           "cos=" + c + " sin=" + s + " is not a rotation; their squares should add up to 1");
     }
+  }
+
+  private void setRotation(int slot, float c, float s) {
+    float lengthSquared = c * c + s * s;
     if (Math.abs(lengthSquared - 1) > 1e-6f) {
       float length = (float) Math.sqrt(lengthSquared);
       c /= length;

@@ -23,10 +23,14 @@ public final class JointTransfer {
   private int foundCount;
   private int cut;
 
+  /** A joint of no world, into which definitions are written to find what is wrong with them. */
+  private final JointStore probe = new JointStore();
+
   /** Makes the transfer of a world. */
   public JointTransfer(BodyStore bodies, JointStore joints) {
     this.bodies = bodies;
     s = joints;
+    probe.allocate(JointStore.REVOLUTE, -1, -1);
   }
 
   /**
@@ -197,24 +201,40 @@ public final class JointTransfer {
   }
 
   /**
-   * Fills in a new joint from a definition, which may come from anywhere.
+   * Returns what is wrong with a definition, which may come from anywhere.
    *
-   * @param j a joint of the definition's type
    * @param from holds the definition
    * @param at where it begins
-   * @return what is wrong with the definition, or null; the joint must then be removed
+   * @return null if a joint may be made of it
    */
-  public String writeDefinition(int j, int[] from, int at) {
+  public String problem(int[] from, int at) {
     if ((from[at + JointDefRow.FLAGS] & ~JointRanges.FLAGS) != 0) {
-      return "flags=" + from[at + JointDefRow.FLAGS] + " of joint=" + j;
+      return "flags=" + from[at + JointDefRow.FLAGS] + " of a joint";
     }
     for (int i = JointDefRow.FLOATS; i < JointDefRow.INTS; i++) {
       float value = Float.intBitsToFloat(from[at + i]);
       boolean unbounded = i == JointDefRow.BREAK_FORCE || i == JointDefRow.BREAK_TORQUE;
       if (!(Math.abs(value) <= (unbounded ? Float.POSITIVE_INFINITY : BodyStore.MOST))) {
-        return "number=" + value + " in field=" + i + " of joint=" + j;
+        return "number=" + value + " in field=" + i + " of a joint";
       }
     }
+    write(probe, 0, from, at);
+    return JointRanges.problem(probe, 0);
+  }
+
+  /**
+   * Fills in a new joint from a definition.
+   *
+   * @param j a joint of the definition's type
+   * @param from holds the definition, which has no {@link #problem}
+   * @param at where it begins
+   */
+  public void writeDefinition(int j, int[] from, int at) {
+    write(s, j, from, at);
+    s.coldChanged();
+  }
+
+  private static void write(JointStore s, int j, int[] from, int at) {
     s.flags[j] = (byte) from[at + JointDefRow.FLAGS];
     for (int f = 0; f < JointStore.HOT; f++) {
       s.floats[f][j] = Float.intBitsToFloat(from[at + JointDefRow.FLOATS + f]);
@@ -224,8 +244,6 @@ public final class JointTransfer {
     s.baseAy[j] = Float.intBitsToFloat(from[at + JointDefRow.BASE_AY]);
     s.baseBx[j] = Float.intBitsToFloat(from[at + JointDefRow.BASE_BX]);
     s.baseBy[j] = Float.intBitsToFloat(from[at + JointDefRow.BASE_BY]);
-    s.coldChanged();
-    return JointRanges.problem(s, j);
   }
 
   /** Returns a hash of which joints a body has, and of what a game may change about them. */
