@@ -16,13 +16,15 @@ import carom.physics.math.Limits;
  */
 public final class Collision<T> {
   private final World<T> world;
-  private final ContactTable table;
+  private final ContactTable contacts;
+  private ContactTable table;
   private int row;
   private float hitSpeed;
+  private boolean swept;
 
   Collision(World<T> world, ContactTable table) {
     this.world = world;
-    this.table = table;
+    contacts = table;
   }
 
   Collision<T> at(int newRow) {
@@ -30,8 +32,17 @@ public final class Collision<T> {
   }
 
   Collision<T> at(int newRow, float newHitSpeed) {
+    table = contacts;
     row = newRow;
     hitSpeed = newHitSpeed;
+    swept = false;
+    return this;
+  }
+
+  Collision<T> atSwept(ContactTable only) {
+    at(0);
+    table = only;
+    swept = true;
     return this;
   }
 
@@ -61,6 +72,17 @@ public final class Collision<T> {
    */
   public boolean isSensor() {
     return table.sensor(row);
+  }
+
+  /**
+   * Returns whether this is a question of continuous collision: a fast body would be stopped here
+   * within the step. Bodies are at the place of the impact then, with the velocities of the end of
+   * the step, and points may have a gap.
+   *
+   * @return true in some calls of {@link CollisionListener#preSolve}
+   */
+  public boolean isSwept() {
+    return swept;
   }
 
   /**
@@ -344,7 +366,8 @@ public final class Collision<T> {
   /**
    * Sets the friction of this contact for this step. In the next step the contact has the friction
    * of its shapes again, so a listener that wants to keep it sets it in each {@code preSolve}. It
-   * is no part of the world's state, because it follows from the listener.
+   * is no part of the world's state, because it follows from the listener. If the collision {@link
+   * #isSwept}, there is nothing to set yet, and this does nothing.
    *
    * @param friction Coulomb coefficient, 0..100
    * @throws IllegalStateException anywhere but in {@link CollisionListener#preSolve}
@@ -377,6 +400,9 @@ public final class Collision<T> {
   }
 
   private void set(String what, int place, float value) {
+    if (swept) {
+      return; // the body stops or passes; the contact of the next step is asked about again
+    }
     ContactOverrides overrides = world.dynamics().contactOverrides();
     if (!overrides.decides(row)) {
       throw new IllegalStateException(what + " is possible in preSolve only");

@@ -53,6 +53,9 @@ public interface CollisionListener<T> {
    * restitution} and {@linkplain Collision#setTangentSpeed tangent speed}. Both the answer and the
    * settings hold for this step only; the next one asks again.
    *
+   * <p>It is also asked, after the solver, about shapes at which continuous collision would stop a
+   * fast body, if they had no contact when the step began: {@link Collision#isSwept} is true then.
+   *
    * @param collision valid during the call only; the impulses are those of the step before
    * @return false to let them pass through each other in this step
    */

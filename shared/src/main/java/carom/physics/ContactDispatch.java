@@ -1,6 +1,7 @@
 package carom.physics;
 
 import carom.physics.dynamics.contact.ContactEvents;
+import carom.physics.dynamics.contact.ContactTable;
 
 /** Passes the rows of a world's contact table on to its listener and its event lists. */
 final class ContactDispatch<T> implements ContactEvents {
@@ -67,11 +68,17 @@ final class ContactDispatch<T> implements ContactEvents {
 
   @Override
   public boolean preSolve(int row) {
-    if (listener == null) {
-      return true;
-    }
+    return listener == null || decide(collision.at(row));
+  }
+
+  @Override
+  public boolean preSolveSwept(ContactTable table) {
+    return listener == null || decide(collision.atSwept(table));
+  }
+
+  private boolean decide(Collision<T> question) {
     world.enterCallback();
-    boolean accepts = listener.preSolve(collision.at(row));
+    boolean accepts = listener.preSolve(question);
     if (!accepts) {
       world.note(Call.REFUSE_CONTACT);
     }

@@ -282,8 +282,9 @@ public interface Game {
   /**
    * Returns whether a touching pair collides in this tick; both roles, during the step. It may read
    * entities, their fields and those of their owners, and must change nothing but the friction,
-   * restitution and tangent speed of this contact for this tick ({@link Collision#setFriction}).
-   * The default lets bodies pass one-way platforms from below.
+   * restitution and tangent speed of this contact for this tick ({@link Collision#setFriction}). It
+   * is also asked about what a fast body would be stopped at within the tick ({@link
+   * Collision#isSwept}). The default lets bodies pass one-way platforms from below.
    */
   default boolean collision(Simulation s, Collision<Entity> c) {
     return ONE_WAY.preSolve(c);

@@ -37,6 +37,9 @@ final class CollideStage {
 
   private int touching;
 
+  /** True if a row overlaps by more than the slop. */
+  private boolean overlaps;
+
   CollideStage(
       Sleeping sleeping,
       Settings settings,
@@ -68,6 +71,7 @@ final class CollideStage {
   void run(boolean all, float dt) {
     if (all) {
       touching = 0;
+      overlaps = false;
       undecided = false;
       continuous.forgetOverlaps();
     }
@@ -90,9 +94,7 @@ final class CollideStage {
     if (sleeping.anyAsleep()) {
       decide();
     }
-    if (settings.continuous() && narrowPhase.overlaps()) {
-      noteOverlaps();
-    }
+    overlaps |= narrowPhase.overlaps();
   }
 
   /** Excepts the rows in which nothing can have changed; lists those that had a veto. */
@@ -160,14 +162,19 @@ final class CollideStage {
     narrowPhase.settleReserve();
   }
 
-  /** Notes the dynamic bodies that overlap static or kinematic ones. */
-  private void noteOverlaps() {
+  /** Notes the dynamic bodies that overlap static or kinematic ones which don't let them pass. */
+  void noteOverlaps() {
+    if (!overlaps || !settings.continuous()) {
+      return;
+    }
+    int passing = ContactTable.VETOED | ContactTable.DORMANT;
     for (int row = 0; row < contacts.count(); row++) {
       int a = contacts.bodyA(row);
       int b = contacts.bodyB(row);
       boolean dynamic = bodies.type[a] == BodyStore.DYNAMIC;
       // Types first: nearly all rows end here, and types are in the caches, unlike the contacts.
-      if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC) && !narrowPhase.isLeft(row)) {
+      if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC)
+          && (contacts.flags[row] & passing) == 0) {
         float overlap = -contacts.leastSeparation(row);
         if (overlap > settings.slop()) {
           continuous.noteOverlap(dynamic ? a : b, overlap);

@@ -286,7 +286,7 @@ public final class Dynamics {
     }
     pairs.posesChanged();
     begins(StepStage.CONTINUOUS);
-    continuous.run(substeps.solverBodies, dt);
+    continuous.run(substeps.solverBodies, dt, events);
     begins(StepStage.EVENTS);
     if (events != null) {
       eventStage.afterSolving(events);
@@ -325,6 +325,7 @@ public final class Dynamics {
       eventStage.beforeSolving(events);
     }
     collideStage.holdBack();
+    collideStage.noteOverlaps();
   }
 
   /**

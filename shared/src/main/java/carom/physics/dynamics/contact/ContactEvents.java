@@ -28,6 +28,14 @@ public interface ContactEvents {
   boolean preSolve(int row);
 
   /**
+   * Decides about two parts of which one would be stopped at the other by continuous collision.
+   *
+   * @param table whose only row is their contact at the place of the impact
+   * @return false to let them pass in this step
+   */
+  boolean preSolveSwept(ContactTable table);
+
+  /**
    * Receives two parts that were solved.
    *
    * @param row of the contact table

@@ -29,7 +29,8 @@ import carom.physics.settings.Settings;
  * where the whole shape came close, at half the speculative distance, or, if it was close from the
  * start, where the core arrives. If even the core is inside from the start, smaller ones are tried,
  * down to the middle of the shape, which must not pass. Contacts that a callback refused in this
- * step, sensors, filtered pairs and the back of chains don't count.
+ * step, sensors, filtered pairs and the back of chains don't count. Callbacks are asked about those
+ * that had no contact when the step began ({@link SweptQuestions}).
  *
  * <p><b>Targets that move.</b> Both motions are followed. The target stays where it ends, so the
  * body is put where it was relative to the target at the impact, but not through static parts.
@@ -86,6 +87,7 @@ public final class ContinuousCollision {
   private final ShapeTable parts;
   private final FastBodies fast;
   private final TargetMotion target;
+  private final SweptQuestions questions;
   private final ImpactSearch search;
   private final SweptBox swept;
   private final SensorCrossings crossings;
@@ -98,6 +100,8 @@ public final class ContinuousCollision {
   private final Transform targetPose = new Transform();
   private final Transform targetEnd = new Transform();
   private final Transform endPose = new Transform();
+  private final Transform askedPose = new Transform();
+  private final Transform askedTarget = new Transform();
 
   /** Makes the stage of a world without bodies. */
   public ContinuousCollision(
@@ -114,7 +118,8 @@ public final class ContinuousCollision {
     swept = new SweptBox(parts);
     fast = new FastBodies(settings, bodies, active, parts);
     target = new TargetMotion(bodies, active, fast);
-    search = new ImpactSearch(pairs, settings, bodies, parts, contacts, fast, target, swept);
+    questions = new SweptQuestions(bodies, parts, contacts);
+    search = new ImpactSearch(pairs, settings, bodies, parts, questions, fast, target, swept);
     crossings = new SensorCrossings(pairs, bodies, parts, contacts, fast, target);
   }
 
@@ -138,12 +143,14 @@ public final class ContinuousCollision {
    *
    * @param solved the step's bodies as the solver left them, written back already
    * @param dt length of the step, s
+   * @param events decide who is let pass; null for nobody
    */
-  public void run(SolverBodies solved, float dt) {
+  public void run(SolverBodies solved, float dt, ContactEvents events) {
     if (!settings.continuous() || !fast.collect(solved, dt)) {
       return;
     }
     stepS = dt;
+    questions.begin(events);
     fast.sort();
     if (fast.movingTargets()) {
       pairs.refresh();
@@ -179,8 +186,8 @@ public final class ContinuousCollision {
   }
 
   private void settle(Flight f, KdTree movingParts, KdTree fixedParts) {
-    search.find(f.body, f.whole, fast.movingTargets() ? movingParts : null, fixedParts);
-    if (!search.found()) {
+    find(f.body, f.whole, fast.movingTargets() ? movingParts : null, fixedParts);
+    if (!search.found() || questions.movedAway()) {
       return;
     }
     float split = search.time();
@@ -194,7 +201,10 @@ public final class ContinuousCollision {
       targetEnd.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
       carry();
       ride.between(hitPose, endPose);
-      search.find(f.body, ride, null, fixedParts);
+      find(f.body, ride, null, fixedParts);
+      if (questions.movedAway()) {
+        return;
+      }
       if (search.found()) {
         ride.at(search.time(), endPose);
       }
@@ -214,6 +224,20 @@ public final class ContinuousCollision {
     if (fast.movingTargets()) {
       strayed(f);
     }
+  }
+
+  /** Finds the earliest impact at which a body is stopped: callbacks may let it pass others. */
+  private void find(int body, Sweep along, KdTree movingParts, KdTree fixedParts) {
+    do {
+      search.find(body, along, movingParts, fixedParts);
+    } while (search.found() && !stops(along) && !questions.movedAway());
+  }
+
+  private boolean stops(Sweep along) {
+    along.at(search.time(), askedPose);
+    target.of(parts.body[search.part()]);
+    target.at(search.time(), askedTarget);
+    return questions.stops(search.ownPart(), askedPose, search.part(), askedTarget);
   }
 
   /** Returns whether a body may bounce off a part; what doesn't loses its energy there anyway. */

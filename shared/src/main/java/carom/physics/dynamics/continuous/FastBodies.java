@@ -87,7 +87,7 @@ final class FastBodies {
 
   /** Returns the flight of a body, null if it isn't fast. */
   Flight flightOf(int body) {
-    int flight = flightOf[body];
+    int flight = body < flightOf.length ? flightOf[body] : -1; // a callback may just have made it
     return flight < 0 ? null : flights[flight];
   }
 

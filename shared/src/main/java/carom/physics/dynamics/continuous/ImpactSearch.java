@@ -10,8 +10,6 @@ import carom.physics.collision.distance.TimeOfImpact;
 import carom.physics.collision.distance.TimeOfImpact.State;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.contact.ContactKey;
-import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Segment;
@@ -36,7 +34,7 @@ final class ImpactSearch {
   private final Settings settings;
   private final BodyStore bodies;
   private final ShapeTable parts;
-  private final ContactTable contacts;
+  private final SweptQuestions questions;
   private final FastBodies fast;
   private final TargetMotion target;
   private final SweptBox box;
@@ -62,6 +60,9 @@ final class ImpactSearch {
   /** The part that the earliest impact is with. */
   private int bestPart;
 
+  /** The mover's part that has it. */
+  private int bestOwn;
+
   /** The outcome of the last test of two parts. */
   private State state = State.SEPARATED;
 
@@ -80,7 +81,7 @@ final class ImpactSearch {
       Settings settings,
       BodyStore bodies,
       ShapeTable parts,
-      ContactTable contacts,
+      SweptQuestions questions,
       FastBodies fast,
       TargetMotion target,
       SweptBox box) {
@@ -88,7 +89,7 @@ final class ImpactSearch {
     this.settings = settings;
     this.bodies = bodies;
     this.parts = parts;
-    this.contacts = contacts;
+    this.questions = questions;
     this.fast = fast;
     this.target = target;
     this.box = box;
@@ -107,6 +108,11 @@ final class ImpactSearch {
   /** Returns the part that the earliest impact is with. */
   int part() {
     return bestPart;
+  }
+
+  /** Returns the part of the body that has the earliest impact. */
+  int ownPart() {
+    return bestOwn;
   }
 
   /** Finds the earliest impact of a body on a path; the tree of moving parts may be null. */
@@ -173,7 +179,7 @@ final class ImpactSearch {
       box.add(part, target.second);
     }
     double entry = way.enter(box.minX(), box.minY(), box.maxX(), box.maxY());
-    if (entry <= 1 && !vetoed(part) && !isBehind(part)) {
+    if (entry <= 1 && !questions.pass(moverPart, part) && !isBehind(part)) {
       if (candidateCount == candidates.length) {
         candidates = Arrays.copyOf(candidates, candidateCount * 2);
         entries = Arrays.copyOf(entries, candidateCount * 2);
@@ -207,17 +213,6 @@ final class ImpactSearch {
     int a = parts.body[p];
     int b = parts.body[q];
     return a != b ? a > b : p > q;
-  }
-
-  /** Returns whether a callback refused this contact in this step. */
-  private boolean vetoed(int part) {
-    int other = parts.body[part];
-    int a = Math.min(mover, other);
-    int b = Math.max(mover, other);
-    int p = mover < other ? moverPart : part;
-    int q = mover < other ? part : moverPart;
-    int row = contacts.find(ContactKey.of(a, p - bodies.firstPart[a], b, q - bodies.firstPart[b]));
-    return row >= 0 && (contacts.flags[row] & ContactTable.VETOED) != 0;
   }
 
   /** Returns whether the target is solid from the other side only. */
@@ -281,6 +276,7 @@ final class ImpactSearch {
     if (at > 0 && at < best) {
       best = at;
       bestPart = part;
+      bestOwn = moverPart;
     }
   }
 

@@ -55,6 +55,9 @@ public final class NarrowPhase {
   /** Per row: whether it covers others. */
   private boolean[] covers = new boolean[0];
 
+  /** Per row: whether a callback let its parts pass in the step before. */
+  private boolean[] passed = new boolean[0];
+
   /**
    * Per group of rows: whether many manifolds of its first block were made anew. Decides about
    * speed alone, so workers needn't agree on it.
@@ -175,10 +178,15 @@ public final class NarrowPhase {
     if (left.length < contacts.capacity()) {
       left = new boolean[contacts.capacity()];
       covers = new boolean[left.length];
+      passed = new boolean[left.length];
       restless = Arrays.copyOf(restless, left.length / GROUP + 1);
     }
     Arrays.fill(left, 0, count, false);
     Arrays.fill(covers, 0, count, false);
+    int passing = ContactTable.TOUCHING | ContactTable.VETOED;
+    for (int row = 0; row < count; row++) {
+      passed[row] = (contacts.flags[row] & passing) == passing;
+    }
     contacts.keepManifolds();
   }
 
@@ -293,6 +301,11 @@ public final class NarrowPhase {
     }
     scratch.looked = left;
     gaps.count = left;
+  }
+
+  /** Returns whether a callback let the parts of a row pass in the step before. */
+  boolean passed(int row) {
+    return passed[row];
   }
 
   /** Marks a row as one that covers others, which were ended for its sake. */

@@ -229,8 +229,14 @@ public final class Seams {
     return count;
   }
 
-  /** Returns whether the T of one row covers the edge of S that another row is about. */
+  /**
+   * Returns whether the T of one row covers the edge of S that another row is about. What was let
+   * pass covers nothing.
+   */
   private boolean covers(int rowOfT, int rowOfS) {
+    if (narrow.passed(rowOfT)) {
+      return false;
+    }
     boolean firstS = isFixedFirst(rowOfS);
     boolean firstT = isFixedFirst(rowOfT);
     int bodyS = firstS ? contacts.bodyA(rowOfS) : contacts.bodyB(rowOfS);

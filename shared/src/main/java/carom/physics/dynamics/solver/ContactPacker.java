@@ -66,6 +66,9 @@ public final class ContactPacker {
    */
   private static final float IMMOVABLE = 1e15f;
 
+  /** Most way by which a lever arm is moved, in radii. */
+  private static final float MOST_MOVE = 0.5f;
+
   /** Place of a point relative to A, x, until lever arms are made of it. */
   public static final int ARM_X = NORMAL_ARM_A;
 
@@ -214,6 +217,9 @@ public final class ContactPacker {
       blocks.addTrait(block, ROUNDED, RADIUS_A, ROLLING);
       blocks.extra[block * EXTRA + i + RADIUS_A] = m[mixed + ContactTable.ROUND_A];
       blocks.extra[block * EXTRA + i + RADIUS_B] = m[mixed + ContactTable.ROUND_B];
+      if ((blocks.traits[block] & TWO) == 0) {
+        moveArm(at, a, o, m[mixed + ContactTable.ROUND_A], m[mixed + ContactTable.ROUND_B]);
+      }
     }
     if (m[mixed + ContactTable.ROLLING] > 0) {
       blocks.addTrait(block, ROLLS, ROLLING, CLOSING_ACCELERATION);
@@ -222,6 +228,50 @@ public final class ContactPacker {
       blocks.extra[block * EXTRA + i + ROLL_MASS] = turning > 0 ? 1 / turning : 0;
       blocks.extra[block * EXTRA + i + ROLL] = t.roll[r];
       blocks.traits[block] &= ~WIDE;
+    }
+  }
+
+  /**
+   * Moves the lever arm on the flat one of a flat and a round shape to where the round one will
+   * touch it in the middle of the substeps' forces. Arms stay the same for a step; those of its
+   * start would be late, and a plank on two rollers that turn inwards would swing ever wider. The
+   * area of its oscillation in phase space is kept if a force that is frozen for n substeps is that
+   * of {@code (n - 1) / 2} substeps later.
+   *
+   * @param a body A
+   * @param b body B
+   * @param roundA radius of A's rounding, m
+   * @param roundB radius of B's rounding, m
+   */
+  private void moveArm(int at, int a, int b, float roundA, float roundB) {
+    if ((roundA == 0) == (roundB == 0)) {
+      return;
+    }
+    float[] d = blocks.data;
+    float nx = d[at + NX];
+    float ny = d[at + NY];
+    float x = d[at + FIRST + ARM_X];
+    float y = d[at + FIRST + ARM_Y];
+    boolean ofB = roundB != 0;
+    int round = ofB ? b : a;
+    int flat = ofB ? a : b;
+    // The middle of the rounding, seen from its body.
+    float coreX = ofB ? x - d[at + FIRST + OFFSET_X] + roundB * nx : x - roundA * nx;
+    float coreY = ofB ? y - d[at + FIRST + OFFSET_Y] + roundB * ny : y - roundA * ny;
+    float speedX = store.vx[round] - store.w[round] * coreY - store.vx[flat];
+    float speedY = store.vy[round] + store.w[round] * coreX - store.vy[flat];
+    float later = 0.5f * (settings.substeps() - 1) * h;
+    float most = MOST_MOVE * (roundA + roundB);
+    float way = later * (speedY * nx - speedX * ny);
+    way = Math.max(-most, Math.min(way, most));
+    if (ofB) {
+      d[at + FIRST + ARM_X] -= way * ny;
+      d[at + FIRST + ARM_Y] += way * nx;
+      d[at + FIRST + OFFSET_X] -= way * ny;
+      d[at + FIRST + OFFSET_Y] += way * nx;
+    } else {
+      d[at + FIRST + OFFSET_X] += way * ny;
+      d[at + FIRST + OFFSET_Y] -= way * nx;
     }
   }
 
