@@ -28,6 +28,7 @@ import carom.values.Records;
  * @param minInterpolationMs least time by which other players' bodies are drawn late, 0..300 ms; 0
  *     = as little as the connection allows
  * @param token join token, for servers whose operator demands one; empty for none
+ * @param password the server's password; empty for none
  * @param takesAnyCode whether to play also where the server's build of the game differs, with a
  *     warning; for developers
  */
@@ -46,6 +47,7 @@ public record ClientConfig(
     String game,
     int minInterpolationMs,
     String token,
+    String password,
     boolean takesAnyCode) {
   /**
    * Checks the ranges.
@@ -84,6 +86,7 @@ public record ClientConfig(
         /* game= */ "",
         /* minInterpolationMs= */ 0,
         /* token= */ "",
+        /* password= */ "",
         /* takesAnyCode= */ false);
   }
 
@@ -140,6 +143,17 @@ public record ClientConfig(
   /** Returns a copy with a join token; empty for none. */
   public ClientConfig withToken(String token) {
     return Records.with(this, "token", token);
+  }
+
+  /** Returns a copy that shows this password to the server; empty for none. */
+  public ClientConfig withPassword(String password) {
+    return Records.with(this, "password", password);
+  }
+
+  /** Leaves out what lets its bearer in. */
+  @Override
+  public String toString() {
+    return "ClientConfig[host=" + host + ", tcpPort=" + tcpPort + ", name=" + name + "]";
   }
 
   /** Returns a copy that plays also where the server's build of the game differs, or not. */

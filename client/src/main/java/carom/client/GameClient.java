@@ -141,6 +141,7 @@ public final class GameClient implements AutoCloseable {
             config.room(),
             config.game(),
             config.token(),
+            config.password(),
             config.reconnect(),
             transport,
             new ConnectionHandler(),

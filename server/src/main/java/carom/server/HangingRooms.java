@@ -6,8 +6,7 @@ import carom.server.threads.LoaderThread;
 import carom.server.threads.LoaderThread.Load;
 import carom.server.threads.ThreadStack;
 import carom.server.threads.Worker;
-import java.util.List;
-import java.util.function.IntConsumer;
+import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -26,8 +25,7 @@ final class HangingRooms {
 
   private static final Logger LOG = LoggerFactory.getLogger(HangingRooms.class);
 
-  private final List<Room> rooms;
-  private final IntConsumer replacement;
+  private final Consumer<Room> replacement;
   private final Runnable giveUp;
   private final LoaderThread loads;
   private int abandoned;
@@ -35,15 +33,11 @@ final class HangingRooms {
   /**
    * Creates an object that has abandoned nothing.
    *
-   * @param rooms the live list of the server's rooms
-   * @param replacement replaces the room in a place of the list by another one, which begins as the
-   *     last checkpoint has it
+   * @param replacement replaces a room by another one, which begins as the last checkpoint has it
    * @param giveUp ends the server
    * @param loads builds rooms again
    */
-  public HangingRooms(
-      List<Room> rooms, IntConsumer replacement, Runnable giveUp, LoaderThread loads) {
-    this.rooms = rooms;
+  public HangingRooms(Consumer<Room> replacement, Runnable giveUp, LoaderThread loads) {
     this.replacement = replacement;
     this.giveUp = giveUp;
     this.loads = loads;
@@ -84,7 +78,7 @@ final class HangingRooms {
 
   private void replace(Room room) {
     try {
-      replacement.accept(rooms.indexOf(room));
+      replacement.accept(room);
     } catch (RuntimeException | Error e) {
       LOG.error("room {} can't begin again", room.name(), e);
       room.fail("its game hung, and it can't begin again");

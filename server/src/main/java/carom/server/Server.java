@@ -9,10 +9,13 @@ import carom.physics.threads.WorkerThreads;
 import carom.server.access.EntryRule;
 import carom.server.checkpoint.CheckpointLock;
 import carom.server.checkpoint.SlotDisk;
+import carom.server.command.RoomKeeper;
 import carom.server.command.StatusLine;
+import carom.server.config.LiveConfig;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
+import carom.server.login.GamePassword;
 import carom.server.match.HandedInMatch;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
@@ -30,6 +33,8 @@ import carom.server.threads.Watchdog;
 import carom.server.threads.Worker;
 import carom.sim.Game;
 import carom.sim.level.Level;
+import carom.sim.level.LevelException;
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -38,12 +43,17 @@ import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -69,7 +79,7 @@ import org.slf4j.LoggerFactory;
  * <p><b>Length.</b> One idea: what a server is made of, and what may be asked of it. It stays
  * whole, because the parts begin and end in one order. Each job is a class of its own.
  */
-public final class Server implements AutoCloseable {
+public final class Server implements AutoCloseable, RoomKeeper {
   private static final Logger LOG = LoggerFactory.getLogger(Server.class);
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
@@ -86,14 +96,14 @@ public final class Server implements AutoCloseable {
   private static final long JOIN_MS = 1_000;
   private static final long TROUBLES_GAP_NS = TimeUnit.SECONDS.toNanos(10);
 
-  private final ServerConfig config;
+  private final LiveConfig config;
   private final ServerTransport transport;
   private final LongSupplier clock;
 
   /** Threads that help rooms to step their worlds, or null. */
   private final WorkerThreads helpers;
 
-  /** Changed only by {@link #hanging}. */
+  /** Guarded by itself where it changes. */
   private final List<Room> rooms = new CopyOnWriteArrayList<>();
 
   private final List<Room> roomsShown = Collections.unmodifiableList(rooms);
@@ -103,17 +113,28 @@ public final class Server implements AutoCloseable {
   private final Watchdog watchdog = new Watchdog(GuardedGame.class);
   private final Lobby lobby;
   private final StatusLine status;
-  private final List<ShownRecordings> recordings = new ArrayList<>();
-  private final List<RotatingRecording> rotations = new ArrayList<>();
+  private final Map<String, ShownRecordings> recordings = new ConcurrentHashMap<>();
+  private final List<RotatingRecording> rotations = new CopyOnWriteArrayList<>();
+
+  /** Rooms that are removed, and whose links still say goodbye. */
+  private final List<Room> leaving = new CopyOnWriteArrayList<>();
+
+  private final List<ShownRecordings> ended = new CopyOnWriteArrayList<>();
+  private final Object roomCommands = new Object(); // one at a time
+  private RoomRecorder recorder = room -> {};
+  private int spectatorDelayTicks;
+  private int numbers; // of the rooms so far
   private final LoaderThread loader = new LoaderThread();
   private final SlotDisk disk = new SlotDisk();
   private CheckpointLock checkpointLock;
   private Path checkpoints;
   private int checkpointS;
   private Consumer<Room> roomBegins = room -> {};
+  private Consumer<Room> roomEnds = room -> {};
   private volatile boolean gaveUp;
   private final List<Worker> workers = new CopyOnWriteArrayList<>();
-  private final CountDownLatch ended = new CountDownLatch(1);
+  private final Map<Room, Worker> roomWorkers = new ConcurrentHashMap<>();
+  private final CountDownLatch stopped = new CountDownLatch(1);
   private long nextStatusNs;
   private boolean statusScheduled;
   private String troublesLogged;
@@ -164,7 +185,7 @@ public final class Server implements AutoCloseable {
       ServerTransport transport,
       LongSupplier clock) {
     RoomConfig.places(roomConfigs);
-    this.config = config;
+    this.config = new LiveConfig(config);
     this.transport = transport;
     this.clock = clock;
     this.helpers =
@@ -172,22 +193,15 @@ public final class Server implements AutoCloseable {
     directory = new RoomDirectory();
     builder =
         new RoomBuilder(
-            config,
-            List.copyOf(roomConfigs),
-            library,
-            loader,
-            clock,
-            directory,
-            helpers,
-            new SecureRandom());
+            this.config, library, loader, clock, directory, helpers, new SecureRandom());
     List<Room> built = new ArrayList<>();
-    for (int i = 0; i < roomConfigs.size(); i++) {
-      built.add(builder.build(i, new Counters()));
+    for (RoomConfig own : roomConfigs) {
+      built.add(builder.build(own, ++numbers, new Counters()));
     }
     rooms.addAll(built);
     directory.open(roomsShown);
-    hanging = new HangingRooms(rooms, this::again, this::giveUp, loader);
-    this.lobby = new Lobby(config, transport, roomsShown, directory);
+    hanging = new HangingRooms(this::again, this::giveUp, loader);
+    this.lobby = new Lobby(this.config, transport, roomsShown, directory);
     this.status = new StatusLine(roomsShown, clock.getAsLong());
   }
 
@@ -231,7 +245,8 @@ public final class Server implements AutoCloseable {
     for (Room room : rooms) {
       record(room, target, false);
     }
-    return recordings.stream().flatMap(recording -> recording.paths().stream()).toList();
+    recorder = Files.isDirectory(target) ? room -> record(room, target, false) : null;
+    return rooms.stream().flatMap(room -> recordings.get(room.name()).paths().stream()).toList();
   }
 
   /**
@@ -246,17 +261,27 @@ public final class Server implements AutoCloseable {
    * @throws IllegalArgumentException when the game can be recorded from tick 0 on only
    */
   public void recordRotating(Path folder, RotationLimit limit, int keep) throws IOException {
+    recorder =
+        room -> {
+          RotatingRecording files = new RotatingRecording(() -> file(folder, room), limit, keep);
+          rotations.add(files);
+          room.record(files);
+        };
     for (Room room : rooms) {
-      RotatingRecording files = new RotatingRecording(() -> file(folder, room), limit, keep);
-      rotations.add(files);
-      room.record(files);
+      recorder.begin(room);
     }
   }
 
   private void record(Room room, Path target, boolean temporary) throws IOException {
     ShownRecordings shown =
         new ShownRecordings(number -> path(target, room, number), room::age, temporary);
-    recordings.add(shown);
+    if (spectatorDelayTicks > 0) {
+      shown.delay(spectatorDelayTicks);
+    }
+    ShownRecordings before = recordings.put(room.name(), shown);
+    if (before != null) {
+      ended.add(before); // of a removed room of this name
+    }
     room.record(shown);
   }
 
@@ -267,8 +292,7 @@ public final class Server implements AutoCloseable {
   }
 
   private Path file(Path target, Room room) {
-    int number = rooms.size() == 1 ? 0 : room.number();
-    return RecordingFile.fileFor(target, room.match().game(), number);
+    return RecordingFile.fileFor(target, room.match().game(), room.isNamed() ? room.name() : "");
   }
 
   /**
@@ -286,12 +310,14 @@ public final class Server implements AutoCloseable {
     if (recordings.isEmpty()) {
       Path folder = Files.createTempDirectory("carom");
       folder.toFile().deleteOnExit();
+      recorder = room -> record(room, folder, true);
       for (Room room : rooms) {
-        record(room, folder, true);
+        recorder.begin(room);
       }
     }
-    recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
-    lobby.allowSpectators(List.copyOf(recordings), delaySeconds);
+    spectatorDelayTicks = delaySeconds * config().tickRateHz();
+    recordings.values().forEach(recording -> recording.delay(spectatorDelayTicks));
+    lobby.allowSpectators(recordings::get, delaySeconds);
   }
 
   /**
@@ -316,6 +342,11 @@ public final class Server implements AutoCloseable {
     lobby.admit(rule);
   }
 
+  /** Sets the password that players and spectators must know from now on. Any thread. */
+  public void demand(GamePassword password) {
+    lobby.demand(password);
+  }
+
   /**
    * Does one turn of the lobby and then of each room, by hand.
    *
@@ -331,6 +362,10 @@ public final class Server implements AutoCloseable {
     for (int i = 0; i < rooms.size(); i++) {
       work += rooms.get(i).doWork(nowNs);
     }
+    for (Room room : leaving) {
+      work += room.doWork(nowNs);
+    }
+    leaving.removeIf(room -> room.isClosed() && room.isDeserted());
     return work;
   }
 
@@ -341,12 +376,12 @@ public final class Server implements AutoCloseable {
       LOG.error("the network thread survived an error; {}", transport.troubles(), error);
     }
     logTroubles(nowNs);
-    if (config.statusIntervalS() > 0 && (!statusScheduled || nowNs - nextStatusNs >= 0)) {
+    if (config().statusIntervalS() > 0 && (!statusScheduled || nowNs - nextStatusNs >= 0)) {
       if (statusScheduled) {
         status.next(nowNs).forEach(line -> LOG.info("status: {}", line));
       }
       statusScheduled = true;
-      nextStatusNs = nowNs + TimeUnit.SECONDS.toNanos(config.statusIntervalS());
+      nextStatusNs = nowNs + TimeUnit.SECONDS.toNanos(config().statusIntervalS());
     }
     return work;
   }
@@ -388,11 +423,13 @@ public final class Server implements AutoCloseable {
       return;
     }
     // The rooms' ticks are spread over a tick's time, so that they don't compete for the cores.
-    long beginNs = clock.getAsLong() + (room.number() - 1) * config.tickNs() / rooms.size();
+    long beginNs =
+        clock.getAsLong() + (room.number() - 1) % rooms.size() * config().tickNs() / rooms.size();
     String name = "carom-room-" + room.number();
     Worker worker = new Worker(name, new RoomDuty(room, beginNs), clock, this::workerEnded);
     room.onNeeded(worker::wake);
     workers.add(worker);
+    roomWorkers.put(room, worker);
     worker.start(Thread.MAX_PRIORITY);
     watchdog.watch(
         worker,
@@ -405,6 +442,7 @@ public final class Server implements AutoCloseable {
           @Override
           public void hangs(String callback, ThreadStack stack) {
             workers.remove(worker);
+            roomWorkers.remove(room);
             hanging.abandon(room, worker, callback, stack);
           }
         });
@@ -412,21 +450,199 @@ public final class Server implements AutoCloseable {
   }
 
   /** Puts another room in the place of one, from its last checkpoint if there is one. */
-  private void again(int index) {
-    Room room = builder.build(index, rooms.get(index).counters());
+  private void again(Room before) {
+    if (!rooms.contains(before)) {
+      return; // an operator has removed it
+    }
+    Room room = builder.build(before.settings(), before.number(), before.counters());
     if (checkpoints != null) {
       disk.flush();
       try {
-        room.checkpoint(disk, checkpoints.resolve(room.name()), checkpointS);
-        List<Room> others = new ArrayList<>(rooms);
-        others.set(index, room);
-        room.reconcile(others);
+        keep(room, before);
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }
     }
-    rooms.set(index, room);
+    synchronized (rooms) {
+      int index = rooms.indexOf(before);
+      if (index < 0) {
+        room.abandon("the room is removed");
+        return;
+      }
+      rooms.set(index, room);
+    }
     begin(room);
+  }
+
+  /** Keeps a room that comes while others run; of those, one may be what it replaces. */
+  private void keep(Room room, Room before) throws IOException {
+    room.checkpoint(disk, checkpoints.resolve(room.name()), checkpointS);
+    List<Room> all = new ArrayList<>(rooms);
+    all.remove(before);
+    all.add(room);
+    room.reconcile(all);
+  }
+
+  /** Begins to record a room. */
+  @FunctionalInterface
+  private interface RoomRecorder {
+    void begin(Room room) throws IOException;
+  }
+
+  /** A room that an operator adds, while its first match is built. */
+  private final class AddedRoom implements LoaderThread.Load {
+    private final RoomConfig own;
+    private final CompletableFuture<Room> outcome = new CompletableFuture<>();
+
+    AddedRoom(RoomConfig own) {
+      this.own = own;
+    }
+
+    @Override
+    public String title() {
+      return "room %s: level=\"%s\"".formatted(own.name(), String.join(",", own.levels()));
+    }
+
+    @Override
+    public void run() {
+      try {
+        outcome.complete(builder.build(own, numbers + 1, new Counters()));
+      } catch (RuntimeException | Error e) { // such as too little memory for the level
+        cancelled(e.getMessage() == null ? e.toString() : e.getMessage());
+      }
+    }
+
+    @Override
+    public void abandoned(String why) {
+      cancelled(why);
+    }
+
+    @Override
+    public void cancelled(String why) {
+      outcome.completeExceptionally(new IllegalArgumentException(why));
+    }
+
+    Room await() {
+      try {
+        return outcome.get();
+      } catch (ExecutionException e) {
+        throw new IllegalArgumentException(e.getCause().getMessage(), e);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        throw new IllegalArgumentException("interrupted while the room was built", e);
+      }
+    }
+  }
+
+  /** Adds a room, which is recorded, shown and kept as the others are. */
+  @Override
+  public Room addRoom(RoomConfig own) {
+    synchronized (roomCommands) {
+      if (rooms.size() >= ServerConfig.MAX_ROOMS) {
+        throw new IllegalArgumentException(
+            "rooms=" + ServerConfig.MAX_ROOMS + " is the limit; remove one before");
+      }
+      if (recorder == null) {
+        throw new IllegalArgumentException(
+            "this server records to one file, which has one room; give --record a folder");
+      }
+      RoomConfig seeded = own.withSeed(config().seed() + numbers);
+      int places = RoomConfig.places(settingsWith(null, seeded));
+      own.levels().forEach(this::requireLevel);
+      AddedRoom added = new AddedRoom(seeded);
+      loader.execute(added);
+      Room room = added.await();
+      try {
+        if (checkpoints != null) {
+          disk.flush();
+          keep(room, null);
+        }
+        recorder.begin(room);
+      } catch (IOException e) {
+        room.close(GoodbyeReason.SERVER_ERROR, "", clock.getAsLong());
+        throw new IllegalArgumentException(
+            "the room's files can't be written: " + FileErrors.reason(e), e);
+      }
+      numbers++;
+      limitLinks(places);
+      synchronized (rooms) {
+        rooms.add(room);
+      }
+      if (started) {
+        begin(room);
+      }
+      return room;
+    }
+  }
+
+  /** Returns the settings of all rooms but one, with another one's. */
+  private List<RoomConfig> settingsWith(Room except, RoomConfig more) {
+    List<RoomConfig> all = new ArrayList<>();
+    rooms.stream().filter(room -> room != except).forEach(room -> all.add(room.settings()));
+    all.add(more);
+    return all;
+  }
+
+  private void limitLinks(int places) {
+    transport.limitLinks(Lobby.mostLinks(places), Lobby.mostLinksOfAddress(places));
+  }
+
+  /** Removes a room. Its recording ends, and its checkpoints stay. */
+  @Override
+  public String removeRoom(Room room, String text) {
+    synchronized (roomCommands) {
+      if (rooms.stream().allMatch(other -> other == room || other.hasFailed())) {
+        throw new IllegalArgumentException(
+            "room=%s is the last one that runs; add another one before, or stop the server"
+                .formatted(room.name()));
+      }
+      synchronized (rooms) {
+        rooms.remove(room); // from now on nobody is sent there
+      }
+      Worker worker = roomWorkers.remove(room);
+      if (worker == null) {
+        leaving.add(room);
+      }
+      String answer = room.dissolve(text);
+      roomEnds.accept(room);
+      if (worker != null) {
+        worker.stop(); // when the links have said goodbye
+      }
+      return answer;
+    }
+  }
+
+  @Override
+  public void changeRoom(Room room, UnaryOperator<RoomConfig> change) {
+    synchronized (roomCommands) {
+      RoomConfig next = change.apply(room.settings());
+      int places = RoomConfig.places(settingsWith(room, next));
+      next.levels().forEach(this::requireLevel);
+      limitLinks(places);
+      String problem = room.reconfigure(next);
+      if (problem != null) {
+        throw new IllegalArgumentException(problem);
+      }
+    }
+  }
+
+  @Override
+  public int usualPlaces() {
+    return config().maxPlayers();
+  }
+
+  /** Throws an IllegalArgumentException if a level or its game isn't there. */
+  private void requireLevel(String name) {
+    try {
+      builder.library().game(builder.library().level(name).level().gameName());
+    } catch (LevelException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+
+  /** Puts those settings in force that may change while the server runs. Any thread. */
+  public void configure(ServerConfig next) {
+    config.change(present -> present.withLiveValuesOf(next));
   }
 
   private void giveUp() {
@@ -441,7 +657,7 @@ public final class Server implements AutoCloseable {
   private void workerEnded() {
     if (hasFailed()) {
       workers.forEach(Worker::stop);
-      ended.countDown();
+      stopped.countDown();
     }
   }
 
@@ -494,9 +710,14 @@ public final class Server implements AutoCloseable {
     roomBegins = listener;
   }
 
+  /** Sets who hears of each room that is removed. Before {@link #start}. */
+  public void roomEnds(Consumer<Room> listener) {
+    roomEnds = listener;
+  }
+
   /** Waits until the server has ended, because of {@link #close} or a failure. */
   public void awaitStop() throws InterruptedException {
-    ended.await();
+    stopped.await();
   }
 
   /**
@@ -531,10 +752,12 @@ public final class Server implements AutoCloseable {
       checkpointLock.close();
     }
     rooms.forEach(Room::awaitRecording);
-    recordings.forEach(ShownRecordings::close);
+    leaving.forEach(Room::closeLinks);
+    recordings.values().forEach(ShownRecordings::close);
+    ended.forEach(ShownRecordings::close);
     rotations.forEach(RotatingRecording::close);
     transport.close();
-    ended.countDown();
+    stopped.countDown();
   }
 
   /**
@@ -560,15 +783,16 @@ public final class Server implements AutoCloseable {
     return transport.networkCounters();
   }
 
-  /** Returns all settings. */
+  /** Returns all settings as they are now. */
   public ServerConfig config() {
-    return config;
+    return config.get();
   }
 
   /**
    * Returns the rooms in the order of their numbers. A room whose game hangs is replaced by another
-   * one of the same number and name; the list shows that. While threads drive the server, use only
-   * what the documentation of {@link Room} allows from any thread.
+   * one of the same number and name, and operators add and remove rooms; the list shows that. While
+   * threads drive the server, use only what the documentation of {@link Room} allows from any
+   * thread.
    */
   public List<Room> rooms() {
     return roomsShown;

@@ -7,6 +7,7 @@ import carom.net.transport.Impairment;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions;
 import carom.options.Sockets;
+import carom.server.access.AddressRange;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
 import carom.server.config.SettingUnits;
@@ -77,9 +78,9 @@ final class ServerFlags {
       names = "--bind",
       paramLabel = "ADDRESS",
       description =
-          "Address of this machine on which the ports are open; 0.0.0.0 = all of IPv4 (all, also of"
-              + " IPv6).")
-  private String bind;
+          "Address of this machine on which the ports are open; give it once for each; 0.0.0.0 ="
+              + " all of IPv4 (all, also of IPv6).")
+  private List<String> bind = List.of();
 
   @Option(
       names = "--tcp-port",
@@ -94,6 +95,15 @@ final class ServerFlags {
       defaultValue = "54777",
       description = "Port for datagrams, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
   int udpPort;
+
+  @Option(
+      names = "--proxy-from",
+      paramLabel = "NETWORK",
+      description =
+          "Address or network of a proxy (10.0.0.5, 10.0.0.0/8) before the TCP port: its"
+              + " connections begin with a PROXY protocol header, version 2, that says where the"
+              + " player is; give it once for each.")
+  private List<String> proxyFrom = List.of();
 
   @Option(
       names = "--encryption",
@@ -146,6 +156,14 @@ final class ServerFlags {
       paramLabel = "NAME",
       description = "Scene of the library to watch, instead of a game; players have no bodies.")
   String scene;
+
+  @Option(
+      names = "--welcome",
+      paramLabel = "TEXT",
+      defaultValue = "",
+      description =
+          "What the server says to each player who joins, up to 120 characters (nothing).")
+  private String welcome;
 
   @Option(
       names = "--tick-rate",
@@ -341,6 +359,14 @@ final class ServerFlags {
   boolean allowList;
 
   @Option(
+      names = "--password-file",
+      paramLabel = "FILE",
+      description =
+          "Demand a password from players and spectators: the first line of this file, at least 12"
+              + " characters; made with a random one if it isn't there (none).")
+  Path passwordFile;
+
+  @Option(
       names = "--join-key",
       paramLabel = "FILE",
       description =
@@ -444,6 +470,11 @@ final class ServerFlags {
    * @throws BadFlag for the first flag that can't be used
    */
   void check() {
+    for (String network : proxyFrom) {
+      if (AddressRange.parse(network).isEmpty()) {
+        throw bad("--proxy-from: " + AddressRange.problem(network));
+      }
+    }
     requireRange("--tcp-port", tcpPort, 0, Sockets.MAX_PORT);
     requireRange("--udp-port", udpPort, 0, Sockets.MAX_PORT);
     String problem = Sockets.first(web.problem(), protocols.problem());
@@ -567,7 +598,8 @@ final class ServerFlags {
           .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)
           .withStatusIntervalS(statusIntervalS)
           .withPausesIdleRooms(idle == Idle.PAUSE)
-          .withTakesAnyCode(dev);
+          .withTakesAnyCode(dev)
+          .withWelcome(welcome);
     } catch (IllegalArgumentException e) {
       throw bad(e.getMessage());
     }
@@ -581,7 +613,8 @@ final class ServerFlags {
    * @param places number of seats of all rooms
    */
   KryoLimits limits(int places) {
-    return KryoLimits.DEFAULT.withConnections(Lobby.mostLinks(places), places + 32);
+    return KryoLimits.DEFAULT.withConnections(
+        Lobby.mostLinks(places), Lobby.mostLinksOfAddress(places));
   }
 
   /** Returns the folder of the server's own files. */
@@ -589,9 +622,14 @@ final class ServerFlags {
     return new DataFolder(data);
   }
 
-  /** Returns the address to listen on, or null for all. */
-  InetAddress bindAddress() {
-    return bind == null ? null : address("--bind", bind);
+  /** Returns the networks of proxies before the TCP port. */
+  List<AddressRange> proxies() {
+    return proxyFrom.stream().map(network -> AddressRange.parse(network).orElseThrow()).toList();
+  }
+
+  /** Returns the addresses to listen on, empty for all. */
+  List<InetAddress> bindAddresses() {
+    return bind.stream().map(text -> address("--bind", text)).distinct().toList();
   }
 
   private InetAddress address(String flag, String text) {

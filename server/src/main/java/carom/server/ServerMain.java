@@ -9,12 +9,13 @@ import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
 import carom.server.command.Caller;
-import carom.server.command.CommandException;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RedirectCommands;
 import carom.server.command.ReloadCommand;
+import carom.server.command.RoomChangeCommands;
 import carom.server.command.RoomCommands;
 import carom.server.command.ServerCommands;
+import carom.server.command.ServerProbe;
 import carom.server.config.BadSettingException;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
@@ -42,6 +43,7 @@ import ch.qos.logback.classic.LoggerContext;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
@@ -55,6 +57,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jline.utils.Signals;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -337,6 +340,7 @@ public final class ServerMain implements Callable<Integer> {
     CommandRegistry commands = commands(server);
     CommandInspector.show(commands);
     server.roomBegins(RoomInspector::show);
+    server.roomEnds(RoomInspector::hide);
     // Beside the first tick: the libraries load for as long as all the rest.
     FutureTask<WebServer> ports = new FutureTask<>(() -> openPorts(server, commands));
     new Thread(ports, "carom-ports").start();
@@ -349,7 +353,8 @@ public final class ServerMain implements Callable<Integer> {
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
     kernels.begin(); // not before: it would take the processor from the start
     String page = web.get() == null ? null : web.get().url();
-    boolean onlyHere = flags.bindAddress() != null && flags.bindAddress().isLoopbackAddress();
+    List<InetAddress> bound = flags.bindAddresses();
+    boolean onlyHere = !bound.isEmpty() && bound.stream().allMatch(InetAddress::isLoopbackAddress);
     ReadyLine.printHints(System.out, server.tcpPort(), page, onlyHere);
     if (flags.console) {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
@@ -375,16 +380,20 @@ public final class ServerMain implements Callable<Integer> {
     RoomCommands.add(commands, server.rooms(), flags.dataFolder());
     AccessCommands.add(commands, access, server.rooms());
     server.chatCommands(new AdminChat(commands, access, server.rooms()));
-    RedirectCommands.add(commands, server.rooms(), server::redirectVisitors, ServerMain::stopSoon);
-    Map<String, Consumer<String>> live =
-        Map.of(
-            "allow-list",
-            text -> access.onlyAllowed(Boolean.parseBoolean(text)),
-            "log-level",
-            ServerMain::logLevel);
+    RedirectCommands.add(
+        commands,
+        server.rooms(),
+        server::redirectVisitors,
+        ServerProbe::problem,
+        ServerMain::stopSoon);
+    GameChoice choice = new GameChoice(flags);
+    LiveSettings settings = new LiveSettings(this::startNow, server, choice.rooms(server.config()));
+    Map<String, Consumer<String>> live = settings.consumers(access, ServerMain::logLevel);
+    Supplier<EffectiveSettings> present =
+        ReloadCommand.add(commands, settings(), settings, live, access::reload);
     ServerCommands.add(
-        commands, server::status, settings(), live.keySet(), recordings(), ServerMain::replay);
-    ReloadCommand.add(commands, settings(), this::settingsNow, live, access::reload);
+        commands, server::status, present, live.keySet(), recordings(), ServerMain::replay);
+    RoomChangeCommands.add(commands, server, server.rooms(), flags.dataFolder());
     return commands;
   }
 
@@ -404,15 +413,24 @@ public final class ServerMain implements Callable<Integer> {
 
   /** Opens the ports of the standard protocols and that for HTTP; returns the latter, or null. */
   private WebServer openPorts(Server server, CommandRegistry commands) throws StartFailure {
-    String name = server.config().serverName();
     DataFolder data = flags.dataFolder();
     StatusFacts facts =
-        new StatusFacts(name, version(), server.tcpPort(), server.udpPort(), server.rooms());
+        new StatusFacts(
+            () -> server.config().serverName(),
+            version(),
+            server.tcpPort(),
+            server.udpPort(),
+            server.rooms());
     try {
       Logins logins = Logins.begin(System::nanoTime);
-      flags.protocols.open(flags.bindAddress(), data, settings(), commands, facts, logins.rcon());
+      flags.protocols.open(flags.bindAddresses(), data, settings(), commands, facts, logins.rcon());
       WebSubject subject =
-          new WebSubject(name, version(), server.rooms(), server.networkCounters(), logins);
+          new WebSubject(
+              server.config().serverName(),
+              version(),
+              server.rooms(),
+              server.networkCounters(),
+              logins);
       return flags.web.open(subject, data, recordings(), settings(), commands, logTail);
     } catch (IOException e) {
       throw new StartFailure(e.getMessage(), e);
@@ -443,20 +461,17 @@ public final class ServerMain implements Callable<Integer> {
     logging.getLogger(Logger.ROOT_LOGGER_NAME).setLevel(ch.qos.logback.classic.Level.toLevel(name));
   }
 
-  /** Returns the settings as they would be after a restart. */
-  private EffectiveSettings settingsNow() throws CommandException {
+  /** Returns what the server would be if it started now. */
+  private LiveSettings.Next startNow(Map<String, String> set) throws BadSettingException {
     ServerMain next = new ServerMain(loggingSoon);
     CommandLine commandLine = commandLine(next);
-    try {
-      SettingsLayers all = new SettingsLayers(commandLine.getCommandSpec(), words, System.getenv());
-      EffectiveSettings settings = all.settings(commandLine.parseArgs(all.arguments()));
-      GameChoice choice = new GameChoice(next.flags);
-      next.flags.check();
-      choice.rooms(next.flags.config(choice.gameName()));
-      return settings;
-    } catch (BadSettingException | CommandLine.ParameterException e) {
-      throw new CommandException("nothing has changed: " + e.getMessage());
-    }
+    SettingsLayers all =
+        new SettingsLayers(commandLine.getCommandSpec(), words, System.getenv(), set);
+    EffectiveSettings settings = all.settings(commandLine.parseArgs(all.arguments()));
+    GameChoice choice = new GameChoice(next.flags);
+    next.flags.check();
+    ServerConfig config = next.flags.config(choice.gameName());
+    return new LiveSettings.Next(settings, config, choice.rooms(config));
   }
 
   private EffectiveSettings settings() {

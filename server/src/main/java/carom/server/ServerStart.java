@@ -3,6 +3,7 @@ package carom.server;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.server.KryoLimits;
 import carom.net.kryo.server.KryoServerTransport;
+import carom.net.kryo.server.ProxyRule;
 import carom.net.kryo.server.ServerIdentity;
 import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
@@ -10,8 +11,11 @@ import carom.net.transport.PortUnavailableException;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
 import carom.server.access.AccessLists;
+import carom.server.access.AddressRange;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.login.GamePassword;
+import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
@@ -73,6 +77,7 @@ final class ServerStart {
     server = openRooms(rooms, openTransport(rooms));
     SessionMemory.touch(RoomConfig.places(rooms));
     try {
+      demandPassword();
       keep();
       record();
       show();
@@ -90,12 +95,13 @@ final class ServerStart {
       KryoLimits limits = flags.limits(RoomConfig.places(rooms));
       transport =
           new KryoServerTransport(
-              flags.bindAddress(),
+              flags.bindAddresses(),
               flags.tcpPort,
               flags.udpPort,
               limits,
               identity(),
-              impairment == null ? Impairment.NONE : impairment);
+              impairment == null ? Impairment.NONE : impairment,
+              proxies());
     } catch (IllegalArgumentException e) {
       throw flags.bad("--room: " + e.getMessage());
     } catch (PortUnavailableException e) {
@@ -107,6 +113,15 @@ final class ServerStart {
     log.warn("network: made bad on purpose, each way: {}", impairment);
     return new ImpairedServerTransport(
         transport, impairment, new KryoMessageCodec(), System::nanoTime);
+  }
+
+  private ProxyRule proxies() {
+    List<AddressRange> networks = flags.proxies();
+    return networks.isEmpty()
+        ? ProxyRule.NONE
+        : new ProxyRule(
+            address -> networks.stream().anyMatch(n -> n.contains(address.getAddress())),
+            text -> log.warn("proxy: closed connections without a PROXY header: {}", text));
   }
 
   /** Returns the key in the data folder and whether links are encrypted, and logs both. */
@@ -138,6 +153,19 @@ final class ServerStart {
   int progress() {
     Server begun = server;
     return roomsBegun.get() + (begun == null ? 0 : (int) begun.count(Counter.TICKS_REPLAYED));
+  }
+
+  private void demandPassword() throws StartFailure {
+    if (flags.passwordFile == null) {
+      return;
+    }
+    try {
+      Secret secret = Secret.of(flags.passwordFile);
+      server.demand(new GamePassword(secret, new LoginThrottle(System::nanoTime)));
+      log.info("password: players must know what is in {}", flags.passwordFile);
+    } catch (IOException e) {
+      throw new StartFailure("--password-file: " + e.getMessage(), e);
+    }
   }
 
   private void keep() throws StartFailure {

@@ -21,6 +21,7 @@ class ClientConfigTest {
             .withGame("arena")
             .withMinInterpolationMs(6)
             .withToken("t")
+            .withPassword("p")
             .withTakesAnyCode(true);
     assertEquals(
         new ClientConfig(
@@ -38,6 +39,7 @@ class ClientConfigTest {
             "arena",
             6,
             "t",
+            "p",
             true),
         other);
   }

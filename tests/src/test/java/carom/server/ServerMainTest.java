@@ -279,6 +279,54 @@ class ServerMainTest {
   }
 
   @Test
+  void settingsAndRoomsChangeWithoutARestart() throws Exception {
+    Process process =
+        startWithInput(
+            "--tcp-port", "0", "--udp-port", "0", "--room", "cup=arena", "--max-load", "0.5");
+    BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
+    assertTrue(READY.matcher(String.valueOf(out.readLine())).matches(), err());
+    try (Writer in = process.outputWriter(StandardCharsets.UTF_8)) {
+      for (String line :
+          List.of(
+              "set max-load 0.7",
+              "set max-players 8",
+              "set name \"My house\"",
+              "set welcome \"Be kind\"",
+              "set budget 1Mbit",
+              "set snapshot-rate 30",
+              "set budget 1",
+              "set tick-rate 30",
+              "room add jump=platformer:3",
+              "room remove @cup",
+              "config max-load",
+              "rooms",
+              "stop")) {
+        in.write(line + "\n");
+      }
+    }
+    String answers = String.join("\n", out.lines().toList());
+    assertTrue(process.waitFor(10, TimeUnit.SECONDS));
+    for (String expected :
+        List.of(
+            "max-load = 0.7, was 0.5: holds now",
+            "max-players = 8, was 64: holds now",
+            "name = My house, was Carom: holds now",
+            "welcome = Be kind, was -: holds now",
+            "budget = 1Mbit, was 512: holds now",
+            "snapshot-rate = 30, was -: holds now",
+            "nothing has changed: --budget=1 is outside 16..80000 kbit",
+            "setting=tick-rate can't change while the server runs",
+            "added room=jump levels=platformer players=3",
+            "removed room=cup, moved players=0, dismissed players=0",
+            "from: the command set",
+            "@jump")) {
+      assertTrue(answers.contains(expected), expected + " isn't in: " + answers);
+    }
+    assertFalse(answers.contains("@cup"), answers);
+    assertTrue(err().contains("console: room @cup remove -> removed room=cup"), err());
+  }
+
+  @Test
   void printsItsSettingsAsAFile() throws Exception {
     Process process = start("--print-config", "--grace", "1 min");
     String printed = rest(process.getInputStream());

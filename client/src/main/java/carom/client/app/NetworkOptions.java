@@ -15,12 +15,17 @@ import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
 import carom.options.NetworkConditions;
+import carom.text.FileErrors;
+import carom.text.TextFile;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.ConsoleAppender;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.Base64;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine.Mixin;
@@ -28,6 +33,8 @@ import picocli.CommandLine.Option;
 
 /** Command line flags that all client programs share: the server, and a simulated bad network. */
 public final class NetworkOptions {
+  private static final int MAX_PASSWORD_FILE = 10_000;
+
   /** Amount of logging to standard error. */
   public enum LogLevel {
     /** The log has failures only. */
@@ -81,6 +88,14 @@ public final class NetworkOptions {
   String token = "";
 
   @Option(
+      names = "--password-file",
+      paramLabel = "FILE",
+      description =
+          "File whose first line is the password of the server, for servers that demand one (none;"
+              + " the window asks).")
+  private Path passwordFile;
+
+  @Option(
       names = "--encryption",
       paramLabel = "on|off",
       description =
@@ -108,6 +123,7 @@ public final class NetworkOptions {
         .withRoom(room)
         .withGame(game)
         .withToken(token)
+        .withPassword(password())
         .withTakesAnyCode(dev);
   }
 
@@ -130,7 +146,40 @@ public final class NetworkOptions {
           + " characters, at most "
           + ProtocolLimits.MAX_TOKEN_BYTES;
     }
+    try {
+      password();
+    } catch (IllegalArgumentException e) {
+      return e.getMessage();
+    }
     return conditions.problem();
+  }
+
+  /**
+   * Returns the password in the file, or empty without one.
+   *
+   * @throws IllegalArgumentException if there is none that can be shown; the message says why
+   */
+  private String password() {
+    if (passwordFile == null) {
+      return "";
+    }
+    String flag = "--password-file=" + passwordFile;
+    String text;
+    try {
+      text = TextFile.read(passwordFile, MAX_PASSWORD_FILE).lines().findFirst().orElse("").strip();
+    } catch (IOException e) {
+      throw new IllegalArgumentException(flag + " can't be read: " + FileErrors.reason(e), e);
+    }
+    int bytes = text.getBytes(StandardCharsets.UTF_8).length;
+    if (bytes < 1 || bytes > ProtocolLimits.MAX_PASSWORD_BYTES) {
+      throw new IllegalArgumentException(
+          flag
+              + ": the first line has bytes="
+              + bytes
+              + ", allowed are 1.."
+              + ProtocolLimits.MAX_PASSWORD_BYTES);
+    }
+    return text;
   }
 
   /**

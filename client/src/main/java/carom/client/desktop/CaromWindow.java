@@ -274,6 +274,14 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   }
 
   @Override
+  public void password(ServerAddress server, String text) {
+    ClientConfig given = options.config();
+    boolean named =
+        server.equals(new ServerAddress(given.host(), given.tcpPort(), given.udpPort()));
+    config = config.withPassword(text.isEmpty() && named ? given.password() : text);
+  }
+
+  @Override
   public void create(LocalGames.GameChoice choice) {
     endLocalGame();
     local = games.start(choice);

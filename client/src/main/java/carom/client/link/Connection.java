@@ -48,6 +48,7 @@ public final class Connection implements LinkHandler {
   private final String playerName;
   private final String game;
   private String token;
+  private final String password;
   private final boolean reconnects;
   private final ClientTransport transport;
   private final ConnectionListener listener;
@@ -85,6 +86,7 @@ public final class Connection implements LinkHandler {
    * @param room name of the requested room, empty for any
    * @param game name of the requested game, empty for any
    * @param token join token, empty for none
+   * @param password the server's, empty for none
    * @param reconnects whether to come back after a link was lost
    */
   public Connection(
@@ -93,6 +95,7 @@ public final class Connection implements LinkHandler {
       String room,
       String game,
       String token,
+      String password,
       boolean reconnects,
       ClientTransport transport,
       ConnectionListener listener,
@@ -102,6 +105,7 @@ public final class Connection implements LinkHandler {
     this.room = room;
     this.game = game;
     this.token = token;
+    this.password = password;
     this.reconnects = reconnects;
     this.transport = transport;
     this.listener = listener;
@@ -153,6 +157,9 @@ public final class Connection implements LinkHandler {
           enter(Stage.JOINING);
           askedNs = nowNs;
           lastHeardNs = nowNs;
+          if (!password.isEmpty()) {
+            link.send(new ClientMessage.Password(password));
+          }
           link.send(
               new ClientMessage.Hello(
                   Protocol.VERSION,

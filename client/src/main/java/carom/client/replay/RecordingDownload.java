@@ -88,6 +88,9 @@ public final class RecordingDownload implements LinkHandler, AutoCloseable {
     if (!greeted && link.state() == Link.State.OPEN) {
       greeted = true;
       heardNs = nowNs;
+      if (!config.password().isEmpty()) {
+        link.send(new ClientMessage.Password(config.password()));
+      }
       link.send(new ClientMessage.Watch(Protocol.VERSION, Protocol.physicsDigest(), room));
     }
     if (nowNs - heardNs > SILENCE_NS) {

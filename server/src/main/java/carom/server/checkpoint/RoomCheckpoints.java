@@ -18,6 +18,7 @@ import carom.sim.Simulation;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -52,7 +53,7 @@ public final class RoomCheckpoints {
    * The room that is kept.
    *
    * @param config settings of the server
-   * @param room its own
+   * @param settings returns its own, as they are now
    * @param number 1 for the server's first room
    * @param label begins each log line
    * @param counters of the room
@@ -62,12 +63,17 @@ public final class RoomCheckpoints {
   @SuppressWarnings("ArrayRecordComponent") // Never compared.
   public record KeptRoom(
       ServerConfig config,
-      RoomConfig room,
+      Supplier<RoomConfig> settings,
       int number,
       String label,
       Counters counters,
       Seats seats,
-      Session[] bySeat) {}
+      Session[] bySeat) {
+
+    RoomConfig room() {
+      return settings.get();
+    }
+  }
 
   private final KeptRoom room;
   private final SlotDisk disk;

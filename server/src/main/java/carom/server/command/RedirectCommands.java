@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -21,10 +22,15 @@ public final class RedirectCommands {
   private final List<Room> rooms;
   private final RoomFinder finder;
   private final Consumer<ServerMessage.Redirect> lobby;
+  private final Function<ServerMessage.Redirect, String> probe;
   private final Runnable stop;
 
   private RedirectCommands(
-      List<Room> rooms, Consumer<ServerMessage.Redirect> lobby, Runnable stop) {
+      List<Room> rooms,
+      Consumer<ServerMessage.Redirect> lobby,
+      Function<ServerMessage.Redirect, String> probe,
+      Runnable stop) {
+    this.probe = probe;
     this.rooms = rooms;
     this.lobby = lobby;
     finder = new RoomFinder(rooms);
@@ -36,14 +42,16 @@ public final class RedirectCommands {
    *
    * @param rooms all rooms of the server
    * @param lobby sends away all who wait for a place or watch
+   * @param probe returns why a server can't take players, or null if it answers
    * @param stop begins to stop the server, and returns at once
    */
   public static void add(
       CommandRegistry registry,
       List<Room> rooms,
       Consumer<ServerMessage.Redirect> lobby,
+      Function<ServerMessage.Redirect, String> probe,
       Runnable stop) {
-    RedirectCommands all = new RedirectCommands(rooms, lobby, stop);
+    RedirectCommands all = new RedirectCommands(rooms, lobby, probe, stop);
     registry.add(
         new Command(
                 "redirect",
@@ -72,7 +80,7 @@ public final class RedirectCommands {
               token.length(),
               ProtocolLimits.MAX_TOKEN_BYTES));
     }
-    ServerMessage.Redirect redirect = parse(words.word(0, SERVER), token);
+    ServerMessage.Redirect redirect = answering(parse(words.word(0, SERVER), token));
     if (!words.has(1) && words.room() == null) {
       return sentEverybody(redirect);
     }
@@ -106,9 +114,24 @@ public final class RedirectCommands {
       throw new CommandException("\"" + words.word(0, FLAG) + "\" isn't " + FLAG);
     }
     words.requireAtMost(2);
-    String sent = sentEverybody(parse(words.word(1, SERVER), ""));
+    String sent = sentEverybody(answering(parse(words.word(1, SERVER), "")));
     stop.run();
     return sent + ", stopping";
+  }
+
+  /**
+   * Returns a redirect whose server answers.
+   *
+   * @throws CommandException if it doesn't; the message says what was tried, and nobody is sent
+   *     away
+   */
+  private ServerMessage.Redirect answering(ServerMessage.Redirect redirect)
+      throws CommandException {
+    String problem = probe.apply(redirect);
+    if (problem != null) {
+      throw new CommandException("nobody is sent away: " + problem);
+    }
+    return redirect;
   }
 
   private static ServerMessage.Redirect parse(String text, String token) throws CommandException {

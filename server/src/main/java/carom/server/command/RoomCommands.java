@@ -2,13 +2,11 @@ package carom.server.command;
 
 import carom.game.Games;
 import carom.server.config.DataFolder;
-import carom.server.match.MatchLibrary;
 import carom.server.replication.LinkFigures;
 import carom.server.room.OperatorCommands;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
 import carom.sim.message.BuiltInKinds;
-import carom.text.Suggestion;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -26,11 +24,13 @@ public final class RoomCommands {
   private final RoomFinder finder;
   private final List<Room> rooms;
   private final DataFolder data;
+  private final LevelWords levelWords;
 
   private RoomCommands(List<Room> rooms, DataFolder data) {
     this.finder = new RoomFinder(rooms);
     this.rooms = rooms;
     this.data = data;
+    levelWords = new LevelWords(data);
   }
 
   /**
@@ -169,17 +169,11 @@ public final class RoomCommands {
   }
 
   private List<String> levels(int place) {
-    return place == 0 ? levelNames() : List.of();
+    return place == 0 ? levelWords.names() : List.of();
   }
 
   private List<String> games(int place) {
     return place == 0 ? Games.names() : levels(place - 1);
-  }
-
-  private List<String> levelNames() {
-    List<String> names = new ArrayList<>(data.levelNames());
-    names.addAll(MatchLibrary.builtInLevels());
-    return names;
   }
 
   private String list(CommandWords words) throws CommandException {
@@ -272,16 +266,8 @@ public final class RoomCommands {
     return finder.one(words).operator().change(game, level);
   }
 
-  /** Returns the level that a word names: a file only at the console. */
   private String levelName(CommandWords words, int place) throws CommandException {
-    String name = words.word(place, "LEVEL");
-    boolean known = data.levelNames().contains(name) || MatchLibrary.isBuiltInLevel(name);
-    if (!known && !words.mayNameAnyFile()) {
-      throw new CommandException(
-          "LEVEL=%s is none of %s and none that comes along%s; only the server's console names files"
-              .formatted(name, data.levels(), Suggestion.didYouMean(name, levelNames())));
-    }
-    return name;
+    return levelWords.allowed(words, words.word(place, "LEVEL"));
   }
 
   private String record(CommandWords words) throws CommandException {

@@ -13,14 +13,14 @@ import java.util.function.UnaryOperator;
 /** The commands that are about the whole server. */
 public final class ServerCommands {
   private final Supplier<List<String>> status;
-  private final EffectiveSettings settings;
+  private final Supplier<EffectiveSettings> settings;
   private final Set<String> live;
   private final List<Path> recordings;
   private final UnaryOperator<String> replay;
 
   private ServerCommands(
       Supplier<List<String>> status,
-      EffectiveSettings settings,
+      Supplier<EffectiveSettings> settings,
       Set<String> live,
       List<Path> recordings,
       UnaryOperator<String> replay) {
@@ -35,15 +35,15 @@ public final class ServerCommands {
    * Adds the commands to a registry.
    *
    * @param status returns lines about rooms and load
-   * @param settings the effective settings
-   * @param live names of the settings that {@code reload} brings into force
+   * @param settings returns the settings in force
+   * @param live names of the settings that {@code reload} and {@code set} bring into force
    * @param recordings folders with files that operators may have computed again
    * @param replay computes a recording again and returns the outcome
    */
   public static void add(
       CommandRegistry registry,
       Supplier<List<String>> status,
-      EffectiveSettings settings,
+      Supplier<EffectiveSettings> settings,
       Set<String> live,
       List<Path> recordings,
       UnaryOperator<String> replay) {
@@ -59,7 +59,7 @@ public final class ServerCommands {
                 "Shows all settings with value and origin, or one with its default and what it"
                     + " does.",
                 all::config,
-                place -> place == 0 ? settings.names() : List.of())
+                place -> place == 0 ? settings.get().names() : List.of())
             .thatShows());
     registry.add(
         new Command(
@@ -81,7 +81,7 @@ public final class ServerCommands {
       return describe(words.word(0, "SETTING"));
     }
     TextTable table = new TextTable("setting", "value", "origin");
-    for (Setting setting : settings.all()) {
+    for (Setting setting : settings.get().all()) {
       table.add(setting.name(), setting.shown(), setting.origin());
     }
     return table.toString();
@@ -90,11 +90,14 @@ public final class ServerCommands {
   private String describe(String name) throws CommandException {
     Setting setting =
         settings
+            .get()
             .find(name)
             .orElseThrow(
                 () ->
                     new CommandException(
-                        "unknown setting=" + name + Suggestion.didYouMean(name, settings.names())));
+                        "unknown setting="
+                            + name
+                            + Suggestion.didYouMean(name, settings.get().names())));
     return "%s = %s\n  from: %s\n  default: %s\n  %s\n  set it with --%s, %s or in the file; it holds from %s"
         .formatted(
             setting.name(),
@@ -104,7 +107,7 @@ public final class ServerCommands {
             setting.doc(),
             setting.name(),
             setting.variable(),
-            live.contains(setting.name()) ? "the command 'reload' on" : "the next start");
+            live.contains(setting.name()) ? "the command 'reload' or 'set' on" : "the next start");
   }
 
   private String replay(CommandWords words) throws CommandException {

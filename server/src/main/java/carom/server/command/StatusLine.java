@@ -5,9 +5,12 @@ import carom.server.metrics.Counters;
 import carom.server.room.Room;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.IntFunction;
+import java.util.Map;
+import java.util.function.Function;
 
 /**
  * Writes the rooms' counters for an operator: one line for each room, and one for all rooms
@@ -17,9 +20,9 @@ public final class StatusLine {
   private static final double NS_PER_S = 1e9;
 
   private final List<Room> rooms;
-  private final List<Reading> start = new ArrayList<>();
-  private final List<Counters.TickReader> tickTimes;
-  private List<Reading> last;
+  private final long startNs;
+  private final Map<Room, Counters.TickReader> tickTimes = new HashMap<>();
+  private Map<Room, Reading> last = Map.of();
 
   /** The values of all counters at one moment. */
   private static final class Reading {
@@ -91,47 +94,64 @@ public final class StatusLine {
    */
   public StatusLine(List<Room> rooms, long startNs) {
     this.rooms = rooms;
-    for (int i = 0; i < rooms.size(); i++) {
-      start.add(new Reading(startNs));
-    }
-    this.last = start;
-    this.tickTimes = rooms.stream().map(room -> room.counters().tickReader()).toList();
+    this.startNs = startNs;
+    last = read(startNs);
   }
 
-  /** Returns the lines for the time since the last call of this method. */
+  /**
+   * Returns the lines for the time since the last call of this method. Rooms that were paused all
+   * the time have none.
+   */
   public synchronized List<String> next(long nowNs) {
-    List<Reading> from = last;
+    Map<Room, Reading> from = last;
     last = read(nowNs);
-    return lines(from, last, i -> tickTimes.get(i).take());
+    tickTimes.keySet().retainAll(last.keySet());
+    return lines(from, last, room -> tickTimes.get(room).take(), true);
   }
 
   /** Returns the lines for the whole time since the start. Doesn't affect {@link #next}. */
   public synchronized List<String> sinceStart(long nowNs) {
-    return lines(start, read(nowNs), i -> rooms.get(i).counters().total());
+    return lines(Map.of(), read(nowNs), room -> room.counters().total(), false);
   }
 
-  private List<Reading> read(long nowNs) {
-    return rooms.stream().map(room -> Reading.of(room.counters(), nowNs)).toList();
+  /** Reads the counters of the present rooms, in their order. */
+  private Map<Room, Reading> read(long nowNs) {
+    Map<Room, Reading> readings = new LinkedHashMap<>();
+    for (Room room : rooms) {
+      tickTimes.computeIfAbsent(room, added -> added.counters().tickReader());
+      readings.put(room, Reading.of(room.counters(), nowNs));
+    }
+    return readings;
   }
 
   private List<String> lines(
-      List<Reading> from, List<Reading> to, IntFunction<Counters.TickTimes> times) {
+      Map<Room, Reading> known,
+      Map<Room, Reading> to,
+      Function<Room, Counters.TickTimes> times,
+      boolean quiet) {
     List<String> lines = new ArrayList<>();
-    for (int i = 0; i < rooms.size(); i++) {
-      Room room = rooms.get(i);
-      Counters.TickTimes took = times.apply(i);
-      String label = rooms.size() == 1 ? "" : "room " + room.name() + ": ";
+    List<Reading> from = new ArrayList<>();
+    for (Map.Entry<Room, Reading> now : to.entrySet()) {
+      Room room = now.getKey();
+      Reading before = known.getOrDefault(room, new Reading(startNs));
+      from.add(before);
+      Counters.TickTimes took = times.apply(room);
+      Span span = new Span(before, now.getValue());
+      if (quiet && room.isPaused() && span.grew(Counter.TICKS) == 0) {
+        continue;
+      }
+      String label = to.size() == 1 && !room.isNamed() ? "" : "room " + room.name() + ": ";
       lines.add(
           label.isEmpty() || !room.hasFailed()
-              ? label + line(room, new Span(from.get(i), to.get(i)), took)
+              ? label + line(room, span, took)
               : label + "failed at tick " + room.tick());
     }
-    if (rooms.size() > 1) {
-      Span all = new Span(Reading.sum(from), Reading.sum(to));
-      int places = rooms.stream().mapToInt(room -> room.seats().count()).sum();
+    if (to.size() > 1 && !lines.isEmpty()) {
+      Span all = new Span(Reading.sum(from), Reading.sum(List.copyOf(to.values())));
+      int places = to.keySet().stream().mapToInt(room -> room.seats().count()).sum();
       lines.add(
           String.format(
-              Locale.ROOT, "all %d rooms: %s, %s", rooms.size(), all.players(places), all.load()));
+              Locale.ROOT, "all %d rooms: %s, %s", to.size(), all.players(places), all.load()));
     }
     return lines;
   }

@@ -63,6 +63,21 @@ public record RoomConfig(
     return new RoomConfig(name, game, levels, places, seed, entries);
   }
 
+  /** Returns these settings with another seed. */
+  public RoomConfig withSeed(long value) {
+    return new RoomConfig(name, game, levels, places, value, metadata);
+  }
+
+  /** Returns these settings with other levels. */
+  public RoomConfig withLevels(List<String> names) {
+    return new RoomConfig(name, "", names, places, seed, metadata);
+  }
+
+  /** Returns these settings with another number of seats. */
+  public RoomConfig withPlaces(int value) {
+    return new RoomConfig(name, game, levels, value, seed, metadata);
+  }
+
   /**
    * Returns the number of seats of several rooms.
    *

@@ -32,14 +32,23 @@ public record RoomFlag(String name, List<String> levels, int places) {
    * @throws IllegalArgumentException when it has another form; the message says how to write it
    */
   public static RoomFlag parse(String text) {
+    return parse("--room=", text);
+  }
+
+  /**
+   * Reads a value as above.
+   *
+   * @param flag what stands before the value in messages
+   */
+  public static RoomFlag parse(String flag, String text) {
     int equals = text.indexOf('=');
     if (equals < 0) {
-      throw new IllegalArgumentException("--room=" + text + " has no \"=\"" + FORM);
+      throw new IllegalArgumentException(flag + text + " has no \"=\"" + FORM);
     }
     String name = text.substring(0, equals);
     String problem = RoomName.problem(name);
     if (problem != null) {
-      throw new IllegalArgumentException("--room=" + text + ": " + problem);
+      throw new IllegalArgumentException(flag + text + ": " + problem);
     }
     String levels = text.substring(equals + 1);
     int places = 0;
@@ -51,13 +60,14 @@ public record RoomFlag(String name, List<String> levels, int places) {
         throw new IllegalArgumentException(
             String.format(
                 Locale.ROOT,
-                "--room=%s: players=%s is outside 1..%d",
+                "%s%s: players=%s is outside 1..%d",
+                flag,
                 text,
                 withPlaces.group(2),
                 ProtocolLimits.MAX_PLAYERS));
       }
     }
-    return new RoomFlag(name, levels("--room=" + text, levels), places);
+    return new RoomFlag(name, levels(flag + text, levels), places);
   }
 
   /**

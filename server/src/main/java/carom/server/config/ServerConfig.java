@@ -2,6 +2,7 @@ package carom.server.config;
 
 import carom.net.protocol.ProtocolLimits;
 import carom.physics.threads.WorkerThreads;
+import carom.sim.message.BuiltInKinds;
 import carom.values.Records;
 import java.util.Locale;
 import java.util.Objects;
@@ -59,6 +60,8 @@ import java.util.Objects;
  *     recorded. It goes on where it stopped as soon as a player comes
  * @param takesAnyCode whether players whose build of a game differs may play, with a warning; for
  *     developers
+ * @param welcome what the server says to each player who joins, 0..120 characters; empty for
+ *     nothing
  */
 public record ServerConfig(
     String gameName,
@@ -85,7 +88,8 @@ public record ServerConfig(
     int rosterIntervalMs,
     int statusIntervalS,
     boolean pausesIdleRooms,
-    boolean takesAnyCode) {
+    boolean takesAnyCode,
+    String welcome) {
 
   private static final int MAX_SERVER_NAME = 40;
 
@@ -155,6 +159,7 @@ public record ServerConfig(
     check("viewMetres", viewMetres, 0, 4_096, "--view");
     check("rosterIntervalMs", rosterIntervalMs, 0, 10_000, "withRosterIntervalMs");
     check("statusIntervalS", statusIntervalS, 0, 86_400, "--status-interval");
+    check("welcome's length", welcome.length(), 0, BuiltInKinds.MAX_CHAT, "--welcome");
   }
 
   private static void check(String name, int value, int min, int max, String where) {
@@ -202,7 +207,8 @@ public record ServerConfig(
         /* rosterIntervalMs= */ 250,
         /* statusIntervalS= */ 60,
         /* pausesIdleRooms= */ false,
-        /* takesAnyCode= */ false);
+        /* takesAnyCode= */ false,
+        /* welcome= */ "");
   }
 
   /** Returns the length of one tick, ns, rounded down. Use a tick loop for exact deadlines. */
@@ -328,6 +334,23 @@ public record ServerConfig(
   /** Returns a copy whose rooms pause while they are idle, or don't. */
   public ServerConfig withPausesIdleRooms(boolean value) {
     return Records.with(this, "pausesIdleRooms", value);
+  }
+
+  /** Returns a copy in which the server says this to each player who joins. */
+  public ServerConfig withWelcome(String value) {
+    return Records.with(this, "welcome", value);
+  }
+
+  /**
+   * Returns a copy with the values that may change while a server runs taken from other settings.
+   */
+  public ServerConfig withLiveValuesOf(ServerConfig other) {
+    return withServerName(other.serverName)
+        .withMaxPlayers(other.maxPlayers)
+        .withMaxLoadPercent(other.maxLoadPercent)
+        .withSnapshotRateHz(other.snapshotRateHz)
+        .withSnapshotBitsPerSecond(other.snapshotBitsPerSecond)
+        .withWelcome(other.welcome);
   }
 
   /** Returns a copy in which players with another build of a game may play, or not. */

@@ -56,8 +56,23 @@ public final class SettingsLayers {
   public SettingsLayers(
       CommandSpec program, List<String> commandLine, Map<String, String> environment)
       throws BadSettingException {
+    this(program, commandLine, environment, Map.of());
+  }
+
+  /**
+   * Reads the environment and the file.
+   *
+   * @param set values that win over all layers, because an operator has set them by a command
+   * @throws BadSettingException if the file can't be used
+   */
+  public SettingsLayers(
+      CommandSpec program,
+      List<String> commandLine,
+      Map<String, String> environment,
+      Map<String, String> set)
+      throws BadSettingException {
     this.program = program;
-    this.commandLine = commandLine;
+    this.commandLine = without(set.keySet(), commandLine);
     SettingUnits.accept(program);
     Map<String, ConfigFile.Value> fromEnvironment = readEnvironment(environment);
     String named = commandLineValue(CONFIG);
@@ -81,6 +96,28 @@ public final class SettingsLayers {
     }
     below.putAll(fromEnvironment);
     below.keySet().removeIf(name -> commandLineValue(name) != null);
+    set.forEach(
+        (name, value) -> below.put(name, new ConfigFile.Value(List.of(value), "the command set")));
+  }
+
+  /** Returns a command line without some options and their values. */
+  private static List<String> without(Set<String> names, List<String> commandLine) {
+    List<String> left = new ArrayList<>();
+    for (int i = 0; i < commandLine.size(); i++) {
+      String word = commandLine.get(i);
+      String name = word.startsWith(FLAG) ? word.substring(FLAG.length()).split("=", 2)[0] : "";
+      String positive = name.startsWith("no-") ? name.substring(3) : name;
+      if (!names.contains(positive)) {
+        left.add(word);
+      } else if (!word.contains("=") && name.equals(positive) && takesNext(commandLine, i)) {
+        i++;
+      }
+    }
+    return left;
+  }
+
+  private static boolean takesNext(List<String> commandLine, int i) {
+    return i + 1 < commandLine.size() && !commandLine.get(i + 1).startsWith(FLAG);
   }
 
   /** Returns the file of settings, or null if there is none. */

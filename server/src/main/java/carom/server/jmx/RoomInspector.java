@@ -39,6 +39,16 @@ public final class RoomInspector implements RoomMXBean {
     }
   }
 
+  /** Takes a room out of JMX again. */
+  public static void hide(Room room) {
+    try {
+      ManagementFactory.getPlatformMBeanServer()
+          .unregisterMBean(new ObjectName("carom:type=Room,number=" + room.number()));
+    } catch (JMException e) {
+      LOG.debug("room {} wasn't shown to JMX tools: {}", room.number(), e.toString());
+    }
+  }
+
   @Override
   public int getTick() {
     return room.tick();

@@ -7,12 +7,15 @@ import carom.net.transport.Link;
 import carom.net.transport.ServerTransport;
 import carom.server.access.EntryRule;
 import carom.server.config.ServerConfig;
+import carom.server.login.GamePassword;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.PartingLinks;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -48,13 +51,16 @@ public final class Lobby {
   /**
    * Creates a lobby in front of rooms.
    *
-   * @param config settings of the server
+   * @param config returns the present settings of the server
    * @param transport accepts links
-   * @param rooms at least one
+   * @param rooms the live list, at least one
    * @param directory the same rooms, for visitors who look for one
    */
   public Lobby(
-      ServerConfig config, ServerTransport transport, List<Room> rooms, RoomDirectory directory) {
+      Supplier<ServerConfig> config,
+      ServerTransport transport,
+      List<Room> rooms,
+      RoomDirectory directory) {
     this.transport = transport;
     context = new LobbyContext(config, rooms, directory);
     visitors = context.visitors();
@@ -75,6 +81,11 @@ public final class Lobby {
    */
   public static int mostLinks(int places) {
     return 2 * (places + placesToWait(places) + Spectators.MAX) + LobbyContext.MAX_PARTINGS;
+  }
+
+  /** Returns the largest number of links of one address for a server with so many places. */
+  public static int mostLinksOfAddress(int places) {
+    return placesToWait(places); // a whole school may be behind one router
   }
 
   /**
@@ -172,6 +183,11 @@ public final class Lobby {
     spectators.closeLinks();
   }
 
+  /** Sets the password that players and spectators must know from now on; any thread. */
+  public void demand(GamePassword password) {
+    context.demand(password);
+  }
+
   /** Sets who may come in, for players and spectators; any thread. */
   public void admit(EntryRule rule) {
     context.admit(rule);
@@ -180,10 +196,10 @@ public final class Lobby {
   /**
    * Lets spectators in from now on.
    *
-   * @param recordings one for each room, in the order of the rooms
+   * @param recordings finds those of a room by its name
    * @param delaySeconds age at which spectators see what happens, s
    */
-  public void allowSpectators(List<ShownRecordings> recordings, int delaySeconds) {
+  public void allowSpectators(Function<String, ShownRecordings> recordings, int delaySeconds) {
     spectators.allow(recordings, delaySeconds);
   }
 

@@ -6,6 +6,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.server.access.EntryRule;
 import carom.server.config.ServerConfig;
+import carom.server.login.GamePassword;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.schedule.TickLoad;
@@ -13,6 +14,7 @@ import carom.server.session.PartingLinks;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -20,7 +22,7 @@ import org.slf4j.LoggerFactory;
  * The context that the visitors of a lobby share: the rooms they choose from, the rules at the
  * door, the time of the turn, and who else is there.
  *
- * <p>On the lobby's thread, except {@link #admit}.
+ * <p>On the lobby's thread, except {@link #admit} and {@link #demand}.
  */
 final class LobbyContext {
   private static final Logger LOG = LoggerFactory.getLogger(LobbyContext.class);
@@ -33,31 +35,34 @@ final class LobbyContext {
   /** Seats that one network may hold while it loads, even when seats are short. */
   private static final int LOADING_OF_NETWORK = 8;
 
-  private final ServerConfig config;
+  private final Supplier<ServerConfig> config;
+  private final List<Room> rooms;
   private final RoomChooser chooser;
   private final RoomDirectory directory;
-  private final int places;
   private final List<Visitor> visitors = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(MAX_PARTINGS);
   private final AdmissionRate rate;
   private final Spectators spectators;
   private volatile EntryRule entryRule = EntryRule.OPEN;
+  private volatile GamePassword password;
   private long nowNs;
 
-  LobbyContext(ServerConfig config, List<Room> rooms, RoomDirectory directory) {
+  LobbyContext(Supplier<ServerConfig> config, List<Room> rooms, RoomDirectory directory) {
+    this.rooms = rooms;
     this.config = config;
     this.directory = directory;
     chooser =
         new RoomChooser(
-            rooms, config.maxLoadPercent(), TickLoad.ticksUntilKnown(config.tickRateHz()));
+            rooms,
+            () -> config.get().maxLoadPercent(),
+            TickLoad.ticksUntilKnown(config.get().tickRateHz()));
     spectators = new Spectators(rooms);
-    places = rooms.stream().mapToInt(room -> room.seats().count()).sum();
-    rate = new AdmissionRate(places);
+    rate = new AdmissionRate(places());
   }
 
-  /** Returns the settings of the server. */
+  /** Returns the present settings of the server. */
   ServerConfig config() {
-    return config;
+    return config.get();
   }
 
   /** Returns what chooses a room for a visitor. */
@@ -72,7 +77,7 @@ final class LobbyContext {
 
   /** Returns the number of seats of all rooms. */
   int places() {
-    return places;
+    return rooms.stream().mapToInt(room -> room.seats().count()).sum();
   }
 
   /** Returns the visitors in order of arrival. */
@@ -113,6 +118,16 @@ final class LobbyContext {
   /** Sets who may come in; any thread. */
   void admit(EntryRule rule) {
     entryRule = rule;
+  }
+
+  /** Sets the password that newcomers must know; any thread. */
+  void demand(GamePassword newPassword) {
+    password = newPassword;
+  }
+
+  /** Returns the password that newcomers must know, or null for none. */
+  GamePassword password() {
+    return password;
   }
 
   /** Tells a client why it may not come in, and closes its link when that has arrived. */

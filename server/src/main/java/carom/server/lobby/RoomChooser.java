@@ -5,14 +5,15 @@ import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.IntSupplier;
 
 /** Finds the room for a newcomer. Rooms that have failed count as full. */
 final class RoomChooser {
   private final List<Room> rooms;
-  private final int maxLoadPercent;
+  private final IntSupplier maxLoadPercent;
   private final int ticksUntilLoadIsKnown;
 
-  RoomChooser(List<Room> rooms, int maxLoadPercent, int ticksUntilLoadIsKnown) {
+  RoomChooser(List<Room> rooms, IntSupplier maxLoadPercent, int ticksUntilLoadIsKnown) {
     this.rooms = rooms;
     this.maxLoadPercent = maxLoadPercent;
     this.ticksUntilLoadIsKnown = ticksUntilLoadIsKnown;
@@ -94,13 +95,14 @@ final class RoomChooser {
         Locale.ROOT,
         "Its ticks take %d %% of their time; newcomers may come below %d %%.",
         least,
-        maxLoadPercent);
+        maxLoadPercent.getAsInt());
   }
 
   private boolean isOverloaded(Room room) {
-    return maxLoadPercent > 0
+    int most = maxLoadPercent.getAsInt();
+    return most > 0
         && room.counters().get(Counter.TICKS) >= ticksUntilLoadIsKnown
-        && load(room) > maxLoadPercent;
+        && load(room) > most;
   }
 
   private static int load(Room room) {
@@ -122,13 +124,18 @@ final class RoomChooser {
    */
   int seatsLeft(Room requested) {
     if (requested != null) {
-      return requested.seats().count() - requested.seats().takenCount();
+      return left(requested);
     }
     int left = 0;
     for (Room room : rooms) {
-      left += room.hasFailed() ? 0 : room.seats().count() - room.seats().takenCount();
+      left += room.hasFailed() ? 0 : left(room);
     }
     return left;
+  }
+
+  /** Returns a room's free seats; a room whose seats were cut down may have more players. */
+  private static int left(Room room) {
+    return Math.max(0, room.seats().count() - room.seats().takenCount());
   }
 
   /**

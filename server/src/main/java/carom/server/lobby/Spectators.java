@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -75,7 +76,7 @@ final class Spectators implements LinkHandler {
   private final List<Room> rooms;
   private final List<Spectator> spectators = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(MAX);
-  private List<ShownRecordings> recordings = List.of();
+  private Function<String, ShownRecordings> recordings; // null while nobody may watch
   private int delaySeconds;
   private long nowNs;
   private Spectator speaking;
@@ -85,8 +86,8 @@ final class Spectators implements LinkHandler {
     this.rooms = rooms;
   }
 
-  /** Lets spectators in from now on; the recordings are in the order of the rooms. */
-  void allow(List<ShownRecordings> newRecordings, int newDelaySeconds) {
+  /** Lets spectators in from now on; the function finds the recordings of a room by its name. */
+  void allow(Function<String, ShownRecordings> newRecordings, int newDelaySeconds) {
     recordings = newRecordings;
     delaySeconds = newDelaySeconds;
   }
@@ -98,20 +99,20 @@ final class Spectators implements LinkHandler {
    * @return null, or why the link can't watch
    */
   ServerMessage.Refused add(Link link, int room, long timeNs) {
-    if (recordings.isEmpty()) {
+    if (recordings == null) {
       return new ServerMessage.Refused(
           RefusalReason.NOT_SHOWN, "Its operator can change that by --spectator-delay.");
     }
-    if (room > recordings.size()) {
+    if (room > rooms.size()) {
       return new ServerMessage.Refused(
           RefusalReason.ROOM_UNKNOWN,
-          "There is no room=" + room + ", they are 1.." + recordings.size() + ".");
+          "There is no room=" + room + ", they are 1.." + rooms.size() + ".");
     }
     if (spectators.size() >= MAX && !makeRoom(AddressGroup.ofRemote(link.remote()))) {
       return new ServerMessage.Refused(RefusalReason.SERVER_FULL, MAX + " people watch already.");
     }
     Room watched = rooms.get(room - 1);
-    DelayedRecording recording = recordings.get(room - 1).present(watched.age());
+    DelayedRecording recording = recordings.apply(watched.name()).present(watched.age());
     spectators.add(new Spectator(link, watched, recording, timeNs));
     count(watched);
     link.send(new ServerMessage.Watching(delaySeconds));
@@ -155,6 +156,11 @@ final class Spectators implements LinkHandler {
       speaking = spectators.get(i);
       end = null;
       work += speaking.link.poll(this, MAX_POLL);
+      if (end == null
+          && rooms.stream().noneMatch(room -> room.name().equals(speaking.room.name()))) {
+        end = "the room is closed";
+        speaking.link.send(new ServerMessage.Goodbye(GoodbyeReason.ROOM_CLOSED, ""));
+      }
       if (end == null && nowNs - speaking.heardNs > SILENCE_MS * NS_PER_MS) {
         end = "silent";
       }

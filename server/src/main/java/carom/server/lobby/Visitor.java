@@ -11,17 +11,21 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
+import carom.server.access.AddressRange;
 import carom.server.access.BadTokenException;
 import carom.server.access.EntryRule;
 import carom.server.access.JoinToken;
 import carom.server.access.JoinTokens;
 import carom.server.config.ServerConfig;
+import carom.server.login.GamePassword;
 import carom.server.match.LevelUpload;
 import carom.server.match.MatchInfo;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.Admission;
 import carom.server.session.Seats;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.util.Locale;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -74,6 +78,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private final AddressGroup origin;
   private JoinRequest waiting;
   private int lists;
+  private String password; // that the client has shown, or null
   private long waitsUntilNs;
   private long askAgainNs;
   private long askedNs; // when the client last asked for a part of the level
@@ -136,6 +141,10 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       hello(hello);
     } else if (state == SessionState.CONNECTED && message instanceof ClientMessage.Watch watch) {
       watch(watch);
+    } else if (state == SessionState.CONNECTED
+        && password == null
+        && message instanceof ClientMessage.Password shown) {
+      password = shown.text();
     } else if (message instanceof ClientMessage.ListRooms list) {
       list(list);
     } else if (state == SessionState.LOADING
@@ -179,6 +188,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   private void watch(ClientMessage.Watch watch) {
     if (!requireThisBuild(watch.protocolVersion(), watch.physicsDigest())
+        || !requirePassword()
         || !requireEntry(null, "")) {
       return;
     }
@@ -239,8 +249,32 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     return refusal == null;
   }
 
+  /** Refuses a client that doesn't know the password, and returns whether it may go on. */
+  private boolean requirePassword() {
+    GamePassword demanded = context.password();
+    String problem = demanded == null ? null : demanded.problem(password, address());
+    if (problem != null) {
+      refuse(RefusalReason.PASSWORD_WRONG, problem);
+    }
+    return problem == null;
+  }
+
+  /** Returns the client's address; a client in this process is at the loopback address. */
+  private InetAddress address() {
+    try {
+      byte[] bytes = AddressRange.addressIn(link.remote()).orElse(null);
+      return bytes == null ? InetAddress.getLoopbackAddress() : InetAddress.getByAddress(bytes);
+    } catch (UnknownHostException e) {
+      throw new IllegalStateException(e); // can't happen with 4 or 16 bytes
+    }
+  }
+
   private void hello(ClientMessage.Hello hello) {
     if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
+      return;
+    }
+    // A player with a session has shown the password.
+    if (chooser.expecting(hello.resumeSecret()) == null && !requirePassword()) {
       return;
     }
     JoinRequest request = requestOf(hello);

@@ -8,6 +8,8 @@ import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
 import java.io.IOException;
 import java.net.InetAddress;
+import java.util.Collections;
+import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine.Option;
@@ -72,7 +74,7 @@ public final class ProtocolFlags {
    * Opens the ports that the flags ask for. They close with the process. Status queries are done
    * without if their usual port is busy.
    *
-   * @param address address of this machine for status queries, or null for all
+   * @param addresses of this machine for status queries, empty for all
    * @param data has the password of RCON
    * @param settings tell whether a port was named
    * @param facts told by status queries
@@ -81,7 +83,7 @@ public final class ProtocolFlags {
    *     message says what to do
    */
   public void open(
-      InetAddress address,
+      List<InetAddress> addresses,
       DataFolder data,
       EffectiveSettings settings,
       CommandRegistry commands,
@@ -98,7 +100,10 @@ public final class ProtocolFlags {
     }
     if (query) {
       try {
-        log.info("status queries: udp {}", new StatusQuery(address, queryPort, facts).port());
+        List<InetAddress> all = addresses.isEmpty() ? Collections.singletonList(null) : addresses;
+        for (InetAddress address : all) {
+          log.info("status queries: udp {}", new StatusQuery(address, queryPort, facts).port());
+        }
       } catch (IOException e) {
         if (settings.find("query-port").orElseThrow().isSet()) {
           throw e;

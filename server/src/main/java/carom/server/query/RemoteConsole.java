@@ -1,5 +1,6 @@
 package carom.server.query;
 
+import carom.net.transport.AddressFamily;
 import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
 import carom.server.command.Role;
@@ -11,11 +12,14 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ProtocolFamily;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.channels.ServerSocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Queue;
@@ -83,7 +87,10 @@ public final class RemoteConsole implements AutoCloseable {
     this.password = password;
     this.throttle = throttle;
     try {
-      server = new ServerSocket(port, BACKLOG, address);
+      ProtocolFamily family = AddressFamily.of(address);
+      server =
+          (family == null ? ServerSocketChannel.open() : ServerSocketChannel.open(family)).socket();
+      server.bind(new InetSocketAddress(address, port), BACKLOG);
     } catch (IOException e) {
       throw new IOException(
           String.format(

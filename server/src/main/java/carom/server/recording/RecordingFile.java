@@ -136,16 +136,21 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
    *
    * @param target a file, or a folder; in a folder the file is named after the game and the time
    * @param game name of the game
-   * @param room the room's number; 0 when there is only one
+   * @param room the room's name; empty for the only one that nobody has named
    */
-  public static Path fileFor(Path target, String game, int room) {
+  public static Path fileFor(Path target, String game, String room) {
     if (!Files.isDirectory(target)) {
       return target;
     }
-    String number = room == 0 ? "" : "-room" + room;
-    String name = game.replaceAll("[^A-Za-z0-9_-]", "-");
+    boolean isNumber = !room.isEmpty() && room.chars().allMatch(Character::isDigit);
+    String which = room.isEmpty() ? "" : isNumber ? "-room" + room : "-" + safe(room);
+    String name = safe(game);
     return target.resolve(
-        name + "-" + LocalDateTime.now(ZoneId.systemDefault()).format(STAMP) + number + SUFFIX);
+        name + "-" + LocalDateTime.now(ZoneId.systemDefault()).format(STAMP) + which + SUFFIX);
+  }
+
+  private static String safe(String name) {
+    return name.replaceAll("[^A-Za-z0-9_-]", "-");
   }
 
   /**

@@ -61,7 +61,7 @@ final class LinkPace {
   private static final int NEVER = Integer.MAX_VALUE;
 
   private final int tickRate;
-  private final int most;
+  private int most;
   private final int intervalTicks;
   private final int queueTicks;
   private float rate; // bytes per second
@@ -92,6 +92,13 @@ final class LinkPace {
     queueTicks = Math.max(2, QUEUE_MS * tickRate / 1_000);
     rate = most;
     tokens = most * BURST_SECONDS;
+  }
+
+  /** Sets the pace of a line that is fast enough, bytes per second. */
+  void limit(int mostBytesPerSecond) {
+    boolean full = rate >= most;
+    most = Math.max(LEAST_BYTES_PER_SECOND, mostBytesPerSecond);
+    rate = full ? most : Math.min(rate, most);
   }
 
   /** Notes that a datagram was acknowledged, and how many ticks after it was sent. */

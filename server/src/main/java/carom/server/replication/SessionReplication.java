@@ -22,6 +22,7 @@ import carom.sim.entity.Player;
 import java.util.Arrays;
 import java.util.function.LongConsumer;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 
 /**
  * Replicates the world to the client of one session: its snapshots, its predicted set while it asks
@@ -37,7 +38,7 @@ public final class SessionReplication {
   private static final int NEVER_TICKS = 1 << 20;
 
   private final Player player;
-  private final ServerConfig config;
+  private final Supplier<ServerConfig> config;
   private final FrameCapture frames;
   private final OwnCapture capture;
   private final Counters counters;
@@ -88,7 +89,7 @@ public final class SessionReplication {
    */
   public SessionReplication(
       Player player,
-      ServerConfig config,
+      Supplier<ServerConfig> config,
       FrameCapture frames,
       OwnCapture capture,
       Counters counters) {
@@ -134,7 +135,7 @@ public final class SessionReplication {
   public boolean answer(ClientMessage.PoolRequest request, Link link) {
     int offset = request.offset();
     int tick = frames.index().simulation().tick();
-    if (offset == 0 && tick - poolStateTick >= config.tickRateHz()) {
+    if (offset == 0 && tick - poolStateTick >= config.get().tickRateHz()) {
       poolState = frames.pools().state();
       poolStateTick = tick;
       poolSent = 0;

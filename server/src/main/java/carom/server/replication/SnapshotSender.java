@@ -15,6 +15,7 @@ import carom.server.metrics.Counters;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import java.util.function.LongConsumer;
+import java.util.function.Supplier;
 
 /**
  * Sends one session's snapshots over one link, and decides when and how much.
@@ -55,6 +56,8 @@ public final class SnapshotSender {
 
   private static final float MS_PER_S = 1_000;
 
+  private final Supplier<ServerConfig> settings;
+  private ServerConfig config;
   private final FrameRing frames;
   private final SessionView view;
   private final FieldAudience audience;
@@ -62,11 +65,11 @@ public final class SnapshotSender {
   private final Counters counters;
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
   private final int tickRateHz;
-  private final int snapshotRateHz;
+  private int snapshotRateHz;
   private final int keepAliveTicks;
   private final int newsTicks;
   private final int lateTicks;
-  private final int bytesPerSecond;
+  private int bytesPerSecond;
   private final long bucketDepth; // in byte-ticks: bytes times tickRateHz, so that no rest is lost
   private final LinkPace pace;
   private long bucket;
@@ -94,9 +97,16 @@ public final class SnapshotSender {
    * @param capture the room's frames
    * @param player the player that the client belongs to
    * @param epoch that of the session's Welcome
+   * @param settings returns the present settings of the server
    */
   public SnapshotSender(
-      FrameCapture capture, Player player, int epoch, ServerConfig config, Counters counters) {
+      FrameCapture capture,
+      Player player,
+      int epoch,
+      Supplier<ServerConfig> settings,
+      Counters counters) {
+    this.settings = settings;
+    config = settings.get();
     this.frames = capture.frames();
     this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
     this.audience = new FieldAudience(capture, new JointAudience(capture, view), player);
@@ -192,6 +202,12 @@ public final class SnapshotSender {
 
   /** Earns budget for a tick; call once per tick, before anything else. */
   public void tick() {
+    if (!settings.get().equals(config)) {
+      config = settings.get();
+      snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);
+      bytesPerSecond = config.snapshotBitsPerSecond() / Byte.SIZE;
+      pace.limit(2 * bytesPerSecond);
+    }
     bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
     pace.tick(
         encoder.ackedBytes() + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES * encoder.ackedDatagrams());

@@ -1,6 +1,7 @@
 package carom.server.room;
 
 import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.server.metrics.Counter;
@@ -9,6 +10,8 @@ import carom.server.session.Admission;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;
 import carom.sim.entity.Player;
+import carom.sim.message.BuiltInKinds;
+import carom.sim.message.Message;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
@@ -58,7 +61,7 @@ final class Arrivals {
     this.roster = roster;
     this.announcer = announcer;
     this.changes = changes;
-    queue = new ArrayBlockingQueue<>(2 * room.seats().count());
+    queue = new ArrayBlockingQueue<>(2 * ProtocolLimits.MAX_PLAYERS);
   }
 
   /** Queues a player, from any thread. Returns false when too many wait. */
@@ -156,6 +159,10 @@ final class Arrivals {
     String what = resumed ? " is back" : " joined";
     announcer.comingOrGoing(session, a.seat().name() + what, room.age());
     sessions.updateGauges();
+    if (!resumed && !room.config().welcome().isEmpty()) {
+      Message welcome = BuiltInKinds.SAID.of(BuiltInKinds.SERVER, false, room.config().welcome());
+      room.simulation().send(welcome).to(session.player());
+    }
   }
 
   /** Closes the links of the players that still wait; from any thread. */

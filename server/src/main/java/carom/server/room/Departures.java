@@ -198,6 +198,19 @@ final class Departures {
     remove(session, "sent to " + redirect.server(), " went to another server", nowNs);
   }
 
+  /** Notes in the log which players the room sends away as it closes for good. */
+  void logDismissed(String text) {
+    for (int i = 0; i < sessions.count(); i++) {
+      Session session = sessions.get(i);
+      LOG.info(
+          "{}leave: {}, player {}, the room is closed{}",
+          room.label(),
+          session.seat().name(),
+          session.seat().id(),
+          text.isEmpty() ? "" : ": " + text);
+    }
+  }
+
   /** Ends all sessions because the room closes. */
   void endAll(GoodbyeReason reason, String text, long nowNs) {
     for (int i = 0; i < sessions.count(); i++) {

@@ -53,7 +53,7 @@ final class MatchChange implements RoomCourse {
   private final RoomContext room;
   private final MatchLoader loader;
   private final LoaderThread loads;
-  private final RoomConfig settings;
+  private RoomConfig settings;
   private final RoomSessions sessions;
   private final RoomRecording recording;
   private final RosterNews roster;
@@ -175,6 +175,23 @@ final class MatchChange implements RoomCourse {
     this.sessions = sessions;
     this.recording = recording;
     this.roster = roster;
+  }
+
+  /**
+   * Changes the levels that follow each other. The present match goes on. The next level is the one
+   * behind it in the new list, or the first if the list doesn't have it.
+   */
+  void settings(RoomConfig next) {
+    if (!next.levels().equals(settings.levels()) && !next.levels().isEmpty()) {
+      int last = next.levels().size() - 1;
+      int present =
+          settings.levels().isEmpty()
+              ? last
+              : next.levels().indexOf(settings.levels().get(presentInRotation));
+      inRotation = present < 0 ? last : present;
+      presentInRotation = inRotation;
+    }
+    settings = next;
   }
 
   /**

@@ -49,7 +49,6 @@ public final class OperatorCommands {
   private static final String ENTITY = "entity ";
 
   private final RoomContext room;
-  private final int number;
   private final String name;
   private final RoomSessions sessions;
   private final Departures departures;
@@ -63,15 +62,12 @@ public final class OperatorCommands {
   /**
    * Creates an empty queue of commands.
    *
-   * @param number number of the room
    * @param name name of the room
    * @param closed returns whether the room is closed
    * @param wake ends the nap of the room's thread, because a command waits
    */
-  OperatorCommands(
-      RoomParts parts, int number, String name, BooleanSupplier closed, Runnable wake) {
+  OperatorCommands(RoomParts parts, String name, BooleanSupplier closed, Runnable wake) {
     room = parts.context;
-    this.number = number;
     this.name = name;
     sessions = parts.sessions;
     departures = parts.departures;
@@ -80,6 +76,15 @@ public final class OperatorCommands {
     clock = parts.clock;
     this.closed = closed;
     this.wake = wake;
+  }
+
+  /**
+   * Carries something out on the room's thread.
+   *
+   * @return its answer, or why there is none
+   */
+  String run(Callable<String> what) {
+    return ask(what);
   }
 
   /** Carries out the commands that wait; on the room's thread. */
@@ -173,9 +178,9 @@ public final class OperatorCommands {
    * @return the file, or why there is none
    */
   public String record(Path target) {
-    int numberInName = room.label().isEmpty() ? 0 : number;
+    String own = room.label().isEmpty() ? "" : name;
     String game = room.match().info().game();
-    Path file = RecordingFile.fileFor(target, game, numberInName).toAbsolutePath();
+    Path file = RecordingFile.fileFor(target, game, own).toAbsolutePath();
     return ask(() -> closed.getAsBoolean() ? "room=" + name + " is closed" : recording.begin(file));
   }
 

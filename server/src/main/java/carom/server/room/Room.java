@@ -32,6 +32,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 
 /**
  * A room: one match after the other at a fixed rate, and the sessions that steer and see them. All
@@ -62,7 +63,7 @@ public final class Room {
   private final RoomParts parts;
   private final RoomContext context;
   private final int number;
-  private final RoomConfig settings;
+  private volatile RoomConfig settings;
   private final RoomPictures pictures;
   private final RoomEnd end;
   private final RoomTick ticks;
@@ -73,9 +74,9 @@ public final class Room {
   /**
    * Builds the level and sets up the game of the first match.
    *
-   * @param config settings of the server
+   * @param config returns the present settings of the server
    * @param number 1 for the server's first room
-   * @param alone whether the server has no other room, so that log lines needn't name this one
+   * @param label begins each log line; empty for a room that nobody has named
    * @param settings the room's own
    * @param library finds games and levels
    * @param loads runs what builds further matches, on a thread that no tick waits for
@@ -86,9 +87,9 @@ public final class Room {
    * @throws IllegalArgumentException when the first match can't be played; the message says why
    */
   public Room(
-      ServerConfig config,
+      Supplier<ServerConfig> config,
       int number,
-      boolean alone,
+      String label,
       RoomConfig settings,
       MatchLibrary library,
       LoaderThread loads,
@@ -98,15 +99,13 @@ public final class Room {
       Counters counters) {
     this.number = number;
     this.settings = settings;
-    String label = alone ? "" : "room " + settings.name() + ": ";
     parts =
         new RoomParts(
             config, label, settings, library, loads, clock, seats, directory, counters, this);
     context = parts.context;
     end = new RoomEnd(parts);
     ticks = new RoomTick(parts, end);
-    operator =
-        new OperatorCommands(parts, number, settings.name(), end::isClosed, () -> wake.run());
+    operator = new OperatorCommands(parts, settings.name(), end::isClosed, () -> wake.run());
     pictures = new RoomPictures(this::wakeIfPaused);
     context.match().capture().capture();
   }
@@ -188,7 +187,7 @@ public final class Room {
     RoomCheckpoints.KeptRoom kept =
         new RoomCheckpoints.KeptRoom(
             context.config(),
-            settings,
+            this::settings,
             number,
             context.label(),
             counters(),
@@ -320,6 +319,47 @@ public final class Room {
     end.abandon(why);
   }
 
+  /**
+   * Puts other settings in force: seats, levels and metadata. Waits for the room; any thread but
+   * its own.
+   *
+   * @param next with the room's name
+   * @return null, or why nothing has changed
+   */
+  public String reconfigure(RoomConfig next) {
+    return operator.run(
+        () -> {
+          parts.changes.settings(next);
+          seats().resize(next.places());
+          settings = next;
+          return null;
+        });
+  }
+
+  /**
+   * Closes the room for good: its players go to other rooms that have a seat, and the others are
+   * told goodbye. Waits for the room; any thread but its own.
+   *
+   * @param text for the players that find no room, may be empty
+   * @return what became of the players, or why the room doesn't answer
+   */
+  public String dissolve(String text) {
+    return operator.run(
+        () -> {
+          long nowNs = parts.clock.getAsLong();
+          int moved = parts.moves.moveAway(nowNs);
+          int dismissed = parts.sessions.count();
+          parts.departures.logDismissed(text);
+          end.close(GoodbyeReason.ROOM_CLOSED, text, nowNs);
+          return "moved players=" + moved + ", dismissed players=" + dismissed;
+        });
+  }
+
+  /** Returns whether the room has ended; from any thread. */
+  public boolean isClosed() {
+    return end.isClosed();
+  }
+
   /** Returns whether all links have said goodbye. */
   public boolean isDeserted() {
     return parts.sessions.count() == 0 && parts.partings.isEmpty();
@@ -350,6 +390,11 @@ public final class Room {
   /** Returns the name by which players find the room; from any thread. */
   public String name() {
     return settings.name();
+  }
+
+  /** Returns whether somebody has named the room, so that logs and files have its name. */
+  public boolean isNamed() {
+    return !context.label().isEmpty();
   }
 
   /** Returns the room's settings; from any thread. */

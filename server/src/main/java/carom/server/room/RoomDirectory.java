@@ -53,6 +53,24 @@ public final class RoomDirectory {
     return null;
   }
 
+  /**
+   * Returns the room to which a player of a room that closes goes, or null: the fullest that still
+   * has a seat, of the same game if there is one.
+   */
+  Room refuge(String game, Room closing) {
+    Room best = null;
+    for (Room room : rooms) {
+      boolean open = room != closing && !room.hasFailed();
+      if (open && room.seats().takenCount() < room.seats().count()) {
+        boolean same = room.match().game().equals(game);
+        boolean bestIsSame = best != null && best.match().game().equals(game);
+        boolean fuller = best == null || room.seats().takenCount() > best.seats().takenCount();
+        best = same == bestIsSame ? (fuller ? room : best) : same ? room : best;
+      }
+    }
+    return best;
+  }
+
   /** Returns the messages that list all open rooms. */
   public synchronized List<Broadcast> list(long nowNs) {
     if (list.isEmpty() || nowNs - listedNs > LIST_AGE_NS) {

@@ -67,6 +67,25 @@ final class RoomMoves {
     }
   }
 
+  /**
+   * Moves the players that have a link to other rooms, as far as these have seats; when this room
+   * closes for good, and the directory doesn't list it any longer.
+   *
+   * @return the number of players that have gone
+   */
+  int moveAway(long nowNs) {
+    int moved = 0;
+    for (int i = sessions.count() - 1; i >= 0; i--) {
+      Session session = sessions.get(i);
+      Room to = directory.refuge(room.match().info().game(), self);
+      if (to != null && session.state() != SessionState.GRACE) {
+        move(session, to.name(), nowNs);
+        moved += sessions.onSeat(session.seat().id()) == session ? 0 : 1;
+      }
+    }
+    return moved;
+  }
+
   private void move(Session session, String name, long nowNs) {
     Room to = directory.find(name);
     if (to == null) {

@@ -18,6 +18,7 @@ import carom.server.session.RosterNews;
 import carom.server.session.Seats;
 import carom.server.threads.LoaderThread;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 
 /**
  * The parts that a room consists of. Each part does one thing.
@@ -61,7 +62,7 @@ final class RoomParts {
    * @throws IllegalArgumentException when the first match can't be played; the message says why
    */
   RoomParts(
-      ServerConfig config,
+      Supplier<ServerConfig> settingsNow,
       String label,
       RoomConfig settings,
       MatchLibrary library,
@@ -72,13 +73,14 @@ final class RoomParts {
       Counters counters,
       Room self) {
     this.clock = clock;
+    ServerConfig config = settingsNow.get();
     stages = new StageTimes(clock);
-    MatchLoader loader = new MatchLoader(config, settings, library, label, counters);
-    context = new RoomContext(config, label, counters, seats, firstMatch(loader));
+    MatchLoader loader = new MatchLoader(settingsNow, settings, library, label, counters);
+    context = new RoomContext(settingsNow, label, counters, seats, firstMatch(loader));
     recording = new RoomRecording(context);
-    sessions = new RoomSessions(seats.count(), label, counters);
+    sessions = new RoomSessions(ProtocolLimits.MAX_PLAYERS, label, counters);
     announcer = new Announcer(sessions, config.tickRateHz());
-    roster = new RosterNews(seats.count(), config.rosterIntervalMs());
+    roster = new RosterNews(ProtocolLimits.MAX_PLAYERS, config.rosterIntervalMs());
     departures = new Departures(context, sessions, roster, announcer, partings);
     changes =
         new MatchChange(context, loader, loads, settings, sessions, recording, roster, announcer);

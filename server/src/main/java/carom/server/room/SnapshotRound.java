@@ -48,6 +48,7 @@ final class SnapshotRound {
    */
   boolean run(long beginNs, long nowNs) {
     int count = sessions.count();
+    turns.rate(room.config().snapshotRateHz());
     turns.begin(count, beginNs);
     showWaitingInputs();
     for (int i = 0; i < count; i++) {

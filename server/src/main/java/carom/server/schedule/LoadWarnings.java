@@ -32,6 +32,8 @@ public final class LoadWarnings {
   private final long[] postponedAt;
 
   private int oldest;
+  private int pacePercent = 100;
+  private boolean narrow;
 
   /** Dropped ticks that no line has told of. */
   private long untold;
@@ -86,35 +88,45 @@ public final class LoadWarnings {
   /**
    * Notes that time has slowed down, or goes faster again.
    *
-   * @param pacePercent the present pace, percent of the tick rate
+   * @param newPacePercent the present pace, percent of the tick rate
    */
-  public void paceChanged(int pacePercent, long nowNs) {
-    counters.set(Counter.PACE_PERCENT, pacePercent);
+  public void paceChanged(int newPacePercent, long nowNs) {
+    counters.set(Counter.PACE_PERCENT, newPacePercent);
+    pacePercent = newPacePercent;
+    lasts(nowNs);
+  }
+
+  /** Repeats the warnings about what lasts, now and then; call once per tick. */
+  public void lasts(long nowNs) {
     if (pacePercent < 100 && slowed.tryBegin(nowNs)) {
       LOG.warn(
           "{}ticks take longer than their time: time passes at {} percent for all players; {}",
           label,
           pacePercent,
-          "if this lasts, lower --max-players, --max-load or --tick-rate, or find a faster"
-              + " machine");
+          "if this lasts, lower max-players or max-load (the command set does that at once) or"
+              + " --tick-rate, or find a faster machine");
+    }
+    if (narrow && narrowed.tryBegin(nowNs)) {
+      LOG.warn(
+          "{}ticks take too long: players are told only of what they show; {}",
+          label,
+          "if this lasts, lower snapshot-rate, budget or max-players (the command set does that at"
+              + " once), or find a faster machine");
     }
   }
 
   /**
    * Notes that views have become narrow, or wide again.
    *
-   * @param narrow whether players are told only of what they show
+   * @param nowNarrow whether players are told only of what they show
+   * @param played whether there are players who notice
    */
-  public void viewsChanged(boolean narrow, long nowNs) {
-    if (!narrow) {
+  public void viewsChanged(boolean nowNarrow, boolean played, long nowNs) {
+    narrow = nowNarrow;
+    if (!narrow && played) {
       LOG.info("{}players are told again of what they don't show", label);
-    } else if (narrowed.tryBegin(nowNs)) {
-      LOG.warn(
-          "{}ticks take too long: players are told only of what they show; {}",
-          label,
-          "if this lasts, lower --snapshot-rate, --budget or --max-players, or find a faster"
-              + " machine");
     }
+    lasts(nowNs);
   }
 
   /**

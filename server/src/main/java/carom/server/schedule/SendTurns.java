@@ -17,7 +17,7 @@ public final class SendTurns {
   private static final int LEAST_PARTS = 4;
 
   private final int tickRateHz;
-  private final int snapshotRateHz;
+  private int snapshotRateHz;
   private final long timeNs;
   private int count;
   private int first;
@@ -35,8 +35,13 @@ public final class SendTurns {
    */
   public SendTurns(int tickRateHz, int snapshotRateHz) {
     this.tickRateHz = tickRateHz;
-    this.snapshotRateHz = Math.min(snapshotRateHz, tickRateHz);
+    rate(snapshotRateHz);
     timeNs = 1_000_000_000L / tickRateHz * TIME_PARTS_TO_SEND_IN / TIME_PARTS;
+  }
+
+  /** Sets the number of snapshots per second and session, for the ticks that follow. */
+  public void rate(int newSnapshotRateHz) {
+    snapshotRateHz = Math.min(newSnapshotRateHz, tickRateHz);
   }
 
   /**

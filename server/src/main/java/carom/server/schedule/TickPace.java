@@ -44,11 +44,13 @@ public final class TickPace {
     if (paused) {
       loop.pause();
       load.rest(); // or a load that nothing measures any more keeps newcomers out
-      tellViews(nowNs);
+      tellViews(false, nowNs);
     }
     int due = paused ? 0 : loop.due(nowNs);
     counters.set(Counter.LOAD_PERCENT, load.percent());
-    warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
+    if (!paused) {
+      warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
+    }
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
     return due;
   }
@@ -69,13 +71,14 @@ public final class TickPace {
     if (tookNs > loop.periodNs()) {
       counters.add(Counter.TICKS_OVERRUN, 1);
     }
-    tellViews(nowNs);
+    tellViews(true, nowNs);
+    warnings.lasts(nowNs);
   }
 
-  private void tellViews(long nowNs) {
+  private void tellViews(boolean played, long nowNs) {
     if (toldNarrow != load.viewsAreNarrow()) {
       toldNarrow = load.viewsAreNarrow();
-      warnings.viewsChanged(toldNarrow, nowNs);
+      warnings.viewsChanged(toldNarrow, played, nowNs);
     }
   }
 

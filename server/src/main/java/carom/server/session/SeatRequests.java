@@ -24,7 +24,7 @@ public final class SeatRequests {
   private final Seats seats;
   private final long idleTicks;
   private final long shortestLeftNs; // of its grace period, when a lost player gives way
-  private final SeatShares shares;
+  private final int networkSharePercent;
   private final AtomicInteger open = new AtomicInteger();
 
   /**
@@ -46,7 +46,7 @@ public final class SeatRequests {
     shortestLeftNs =
         (config.graceMs() - Math.min(LONGEST_WAIT_MS, config.graceMs() / 3)) * NS_PER_MS;
     idleTicks = (long) config.idleKickS() * config.tickRateHz();
-    shares = new SeatShares(seats.count(), config.networkSharePercent());
+    networkSharePercent = config.networkSharePercent();
   }
 
   /**
@@ -64,6 +64,7 @@ public final class SeatRequests {
   }
 
   private boolean askCrowd(String account, AddressGroup origin) {
+    SeatShares shares = new SeatShares(seats.count(), networkSharePercent);
     Seats.Seat seat = seats.givesWay(shares, account, origin);
     return seat != null && (crowding.compareAndSet(null, seat) || crowding.get() != null);
   }

@@ -31,7 +31,8 @@ public final class Seats {
   /** Origin of players that were restored and haven't come back, or sit down in tests. */
   private static final AddressGroup UNKNOWN = new AddressGroup("", "");
 
-  private final Seat[] taken;
+  private final Seat[] taken = new Seat[ProtocolLimits.MAX_PLAYERS];
+  private volatile int count;
   private final Set<String> foldedNames = new HashSet<>();
   private final Set<String> skeletons = new HashSet<>();
   private int takenCount;
@@ -48,7 +49,7 @@ public final class Seats {
    * @param secrets unpredictable numbers, for session secrets
    */
   public Seats(int count, LongSupplier secrets) {
-    this.taken = new Seat[count];
+    this.count = count;
     this.secrets = secrets;
     incarnation = (int) secrets.getAsLong();
   }
@@ -82,7 +83,7 @@ public final class Seats {
       long secret,
       int courseTick,
       int moves) {
-    if (id >= taken.length || taken[id] != null || secret == 0) {
+    if (id >= count || taken[id] != null || secret == 0) {
       return null;
     }
     Seat seat = new Seat(id, wantedName, name, account, secret, moves);
@@ -141,7 +142,7 @@ public final class Seats {
 
   private synchronized Seat take(
       String wantedName, String account, AddressGroup origin, long secret, int moves) {
-    for (int id = 0; id < taken.length; id++) {
+    for (int id = 0; id < count && takenCount < count; id++) {
       if (taken[id] == null) {
         Seat seat = new Seat(id, wantedName, freeName(wantedName), account, secret, moves);
         seat.seatedAt(seatings++, origin);
@@ -325,9 +326,17 @@ public final class Seats {
     }
   }
 
+  /**
+   * Sets the number of seats, 1..1,024. If more are taken, their players stay until they leave by
+   * themselves, and nobody else gets a seat until then.
+   */
+  public void resize(int newCount) {
+    count = newCount;
+  }
+
   /** Returns the number of seats, free ones included. */
   public int count() {
-    return taken.length;
+    return count;
   }
 
   /** Returns the number of seats that are taken. */

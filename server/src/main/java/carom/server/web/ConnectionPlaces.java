@@ -26,6 +26,7 @@ final class ConnectionPlaces implements ChannelListener<StreamConnection> {
   private final int most;
   private final Predicate<InetAddress> isProxy;
   private final ChannelListener<StreamConnection> next;
+  private final Predicate<InetAddress> hears;
   private final Map<SocketAddress, Place> places = new LinkedHashMap<>();
 
   /** A connection. The lock of its places guards it. */
@@ -50,10 +51,15 @@ final class ConnectionPlaces implements ChannelListener<StreamConnection> {
    *
    * @param most how many, at least 2; one address may have half of them
    * @param isProxy whether an address stands for many visitors, and may have all places
+   * @param hears whether the server is for visitors of an address; others are hung up on
    * @param next takes each connection that has a place
    */
   ConnectionPlaces(
-      int most, Predicate<InetAddress> isProxy, ChannelListener<StreamConnection> next) {
+      int most,
+      Predicate<InetAddress> isProxy,
+      Predicate<InetAddress> hears,
+      ChannelListener<StreamConnection> next) {
+    this.hears = hears;
     this.most = most;
     this.isProxy = isProxy;
     this.next = next;
@@ -61,11 +67,12 @@ final class ConnectionPlaces implements ChannelListener<StreamConnection> {
 
   @Override
   public void handleEvent(StreamConnection connection) {
-    if (connection.getPeerAddress() instanceof InetSocketAddress peer) {
+    if (connection.getPeerAddress() instanceof InetSocketAddress peer
+        && hears.test(peer.getAddress())) {
       takePlace(peer, connection).forEach(ConnectionPlaces::end);
       next.handleEvent(connection);
     } else {
-      end(connection); // it is gone already
+      end(connection); // it is gone already, or not for us
     }
   }
 

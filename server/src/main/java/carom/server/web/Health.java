@@ -2,8 +2,9 @@ package carom.server.web;
 
 import carom.server.room.Room;
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.LongSupplier;
 
 /**
@@ -16,33 +17,35 @@ final class Health {
 
   private final List<Room> rooms;
   private final LongSupplier clock;
-  private final int[] ages;
-  private final long[] changedNs;
+
+  /** The age of each room when it was last seen to change, and when that was. */
+  private final Map<Room, Seen> seen = new HashMap<>();
+
+  private record Seen(int age, long ns) {}
 
   Health(List<Room> rooms, LongSupplier clock) {
     this.rooms = rooms;
     this.clock = clock;
-    ages = new int[rooms.size()];
-    changedNs = new long[rooms.size()];
-    Arrays.fill(ages, -1);
   }
 
   /** Returns what is wrong, or an empty text. */
   synchronized String problem() {
     List<String> problems = new ArrayList<>();
-    int failed = 0;
-    for (int i = 0; i < ages.length; i++) {
-      Room room = rooms.get(i);
+    boolean allFailed = true;
+    seen.keySet().retainAll(rooms);
+    for (Room room : rooms) {
+      Seen last = seen.get(room);
+      allFailed &= room.hasFailed();
       if (room.hasFailed()) {
-        failed++;
-      } else if (room.age() != ages[i] || room.isPaused()) {
-        ages[i] = room.age();
-        changedNs[i] = clock.getAsLong();
-      } else if (clock.getAsLong() - changedNs[i] >= STUCK_NS) {
+        continue;
+      }
+      if (last == null || room.age() != last.age || room.isPaused()) {
+        seen.put(room, new Seen(room.age(), clock.getAsLong()));
+      } else if (clock.getAsLong() - last.ns >= STUCK_NS) {
         problems.add("room " + room.name() + " is stuck at tick " + room.tick());
       }
     }
-    if (failed == ages.length) {
+    if (allFailed) {
       problems.add("all rooms have failed");
     }
     return String.join("; ", problems);

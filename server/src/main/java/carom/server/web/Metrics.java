@@ -10,6 +10,7 @@ import carom.server.metrics.TurnStage;
 import carom.server.room.Room;
 import io.micrometer.core.instrument.FunctionCounter;
 import io.micrometer.core.instrument.Gauge;
+import io.micrometer.core.instrument.Meter;
 import io.micrometer.core.instrument.Tag;
 import io.micrometer.core.instrument.Tags;
 import io.micrometer.core.instrument.binder.jvm.JvmGcMetrics;
@@ -24,8 +25,12 @@ import io.prometheus.metrics.model.snapshots.ClassicHistogramBuckets;
 import io.prometheus.metrics.model.snapshots.HistogramSnapshot;
 import io.prometheus.metrics.model.snapshots.InfoSnapshot;
 import io.prometheus.metrics.model.snapshots.Labels;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 
 /**
  * All counters as metrics for Prometheus: each room's with the label {@code room}, the transport's,
@@ -52,6 +57,9 @@ final class Metrics implements AutoCloseable {
   /** Kept here, because the registry doesn't keep what it reads. */
   private final WebSubject subject;
 
+  /** The meters of each room. */
+  private final Map<Room, List<Meter>> meters = new HashMap<>();
+
   private final JvmGcMetrics collections = new JvmGcMetrics();
 
   private final PrometheusMeterRegistry registry =
@@ -60,9 +68,6 @@ final class Metrics implements AutoCloseable {
   /** Creates the metrics of a server. */
   Metrics(WebSubject subject) {
     this.subject = subject;
-    for (Room room : subject.rooms()) {
-      add(room);
-    }
     for (NetworkCounter counter : this.subject.network()) {
       FunctionCounter.builder(
               PREFIX + "network." + counter.name(), counter, c -> c.value().getAsLong())
@@ -84,37 +89,59 @@ final class Metrics implements AutoCloseable {
     new UptimeMetrics().bindTo(registry);
   }
 
-  private void add(Room room) {
+  /** Adds the meters of rooms that have come, and removes those of rooms that have gone. */
+  private synchronized void followRooms() {
+    List<Room> now = List.copyOf(subject.rooms());
+    for (Iterator<Map.Entry<Room, List<Meter>>> i = meters.entrySet().iterator(); i.hasNext(); ) {
+      Map.Entry<Room, List<Meter>> known = i.next();
+      if (!now.contains(known.getKey())) {
+        known.getValue().forEach(registry::remove);
+        i.remove();
+      }
+    }
+    for (Room room : now) {
+      meters.computeIfAbsent(room, this::add);
+    }
+  }
+
+  private List<Meter> add(Room room) {
+    List<Meter> added = new ArrayList<>();
     Tags tags = Tags.of(Tag.of("room", room.name()));
     for (Counter counter : Counter.values()) {
       String name = PREFIX + counter.name().toLowerCase(Locale.ROOT).replace('_', '.');
       if (counter.isGauge()) {
-        Gauge.builder(name, room.counters(), counters -> counters.get(counter))
-            .tags(tags)
-            .description(counter.help())
-            .register(registry);
+        added.add(
+            Gauge.builder(name, room.counters(), counters -> counters.get(counter))
+                .tags(tags)
+                .description(counter.help())
+                .register(registry));
       } else {
-        FunctionCounter.builder(name, room.counters(), counters -> counters.get(counter))
-            .tags(tags)
-            .description(counter.help())
-            .register(registry);
+        added.add(
+            FunctionCounter.builder(name, room.counters(), counters -> counters.get(counter))
+                .tags(tags)
+                .description(counter.help())
+                .register(registry));
       }
     }
     for (TurnStage stage : TurnStage.values()) {
-      FunctionCounter.builder(
-              PREFIX + "stage.seconds", room.stages(), times -> times.totalNs(stage) / NS_PER_S)
-          .tags(tags.and("stage", stage.name().toLowerCase(Locale.ROOT)))
-          .description("Time that the stages of the room's turns have taken.")
-          .register(registry);
+      added.add(
+          FunctionCounter.builder(
+                  PREFIX + "stage.seconds", room.stages(), times -> times.totalNs(stage) / NS_PER_S)
+              .tags(tags.and("stage", stage.name().toLowerCase(Locale.ROOT)))
+              .description("Time that the stages of the room's turns have taken.")
+              .register(registry));
     }
-    Gauge.builder(PREFIX + "places", room, r -> r.seats().count())
-        .tags(tags)
-        .description("Seats of the room.")
-        .register(registry);
-    Gauge.builder(PREFIX + "room.failed", room, r -> r.hasFailed() ? 1 : 0)
-        .tags(tags)
-        .description("1 if the room has closed itself because of an error.")
-        .register(registry);
+    added.add(
+        Gauge.builder(PREFIX + "places", room, r -> r.seats().count())
+            .tags(tags)
+            .description("Seats of the room.")
+            .register(registry));
+    added.add(
+        Gauge.builder(PREFIX + "room.failed", room, r -> r.hasFailed() ? 1 : 0)
+            .tags(tags)
+            .description("1 if the room has closed itself because of an error.")
+            .register(registry));
+    return added;
   }
 
   private void addLogins(String door, LoginThrottle throttle) {
@@ -166,6 +193,7 @@ final class Metrics implements AutoCloseable {
 
   /** Returns all metrics in Prometheus' text format. */
   String scrape() {
+    followRooms();
     return registry.scrape();
   }
 

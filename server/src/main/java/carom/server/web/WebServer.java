@@ -1,5 +1,6 @@
 package carom.server.web;
 
+import carom.net.transport.AddressFamily;
 import carom.server.web.page.LivePage;
 import com.sun.management.UnixOperatingSystemMXBean;
 import io.undertow.UndertowOptions;
@@ -14,6 +15,7 @@ import io.undertow.util.StatusCodes;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.net.BindException;
+import java.net.Inet4Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Locale;
@@ -107,7 +109,10 @@ public final class WebServer implements AutoCloseable {
     http.setRootHandler(this::route);
     places =
         new ConnectionPlaces(
-            affordableConnections(), visitor -> page != null && page.isProxy(visitor), http);
+            affordableConnections(),
+            visitor -> page != null && page.isProxy(visitor),
+            visitor -> AddressFamily.of(address) == null || visitor instanceof Inet4Address,
+            http);
     worker =
         Xnio.getInstance(WebServer.class.getClassLoader())
             .createWorker(

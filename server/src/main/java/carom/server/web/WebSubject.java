@@ -18,7 +18,6 @@ public record WebSubject(
     String name, String version, List<Room> rooms, List<NetworkCounter> network, Logins logins) {
   /** Copies the lists. */
   public WebSubject {
-    rooms = List.copyOf(rooms);
     network = List.copyOf(network);
   }
 }

@@ -1,20 +1,25 @@
 package carom.net.datagram;
 
 import java.io.IOException;
+import java.net.Inet4Address;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ProtocolFamily;
+import java.net.StandardProtocolFamily;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 
 /**
- * The server's UDP socket with the daemon thread that reads it. KryoNet reads one datagram per
- * {@code select} and searches all connections for the sender, which is too slow for hundreds of
- * clients. This class reads all waiting datagrams at each wake-up, into one buffer.
+ * The server's UDP socket, or one for each of several addresses, with the daemon thread that reads
+ * them. KryoNet reads one datagram per {@code select} and searches all connections for the sender,
+ * which is too slow for hundreds of clients. This class reads all waiting datagrams at each
+ * wake-up, into one buffer.
  *
  * <p>Any thread may send. Sending waits for nothing and allocates nothing.
  */
@@ -55,7 +60,7 @@ public final class DatagramPort implements Runnable {
    */
   private static final int FLOOD = 128;
 
-  private final DatagramChannel channel;
+  private final List<DatagramChannel> channels = new ArrayList<>();
   private final Selector selector;
   private final Listener listener;
   private final Consumer<Throwable> errors;
@@ -67,17 +72,16 @@ public final class DatagramPort implements Runnable {
   /**
    * Opens the port. {@link #start} begins to read.
    *
-   * @param address an address of this machine, or the wildcard address, and a port number; 0 takes
-   *     a free port
-   * @param family of the addresses, or null for all
+   * @param addresses of this machine; null stands for all
+   * @param port 0..65,535; 0 takes a free one, which is the same at all addresses
    * @param maxBytes bytes of the longest datagram; of a longer one the rest is cut off
    * @param listener takes the datagrams
    * @param errors learns of failures, which the port survives; any thread
    * @throws IOException when the port can't be opened; nothing stays open then
    */
   public DatagramPort(
-      InetSocketAddress address,
-      ProtocolFamily family,
+      List<InetAddress> addresses,
+      int port,
       int maxBytes,
       Listener listener,
       Consumer<Throwable> errors)
@@ -88,22 +92,45 @@ public final class DatagramPort implements Runnable {
     out = ByteBuffer.allocateDirect(maxBytes);
     thread.setDaemon(true);
     selector = Selector.open();
-    DatagramChannel opened = null;
     try {
-      opened = family == null ? DatagramChannel.open() : DatagramChannel.open(family);
-      opened.setOption(StandardSocketOptions.SO_RCVBUF, SOCKET_BUFFER_BYTES);
-      opened.setOption(StandardSocketOptions.SO_SNDBUF, SOCKET_BUFFER_BYTES);
-      opened.bind(address);
-      opened.configureBlocking(false);
-      opened.register(selector, SelectionKey.OP_READ);
-    } catch (IOException x) {
-      if (opened != null) {
-        opened.close();
+      for (InetAddress address : addresses) {
+        DatagramChannel opened =
+            address instanceof Inet4Address // Java takes 0.0.0.0 for all addresses, also of IPv6
+                ? DatagramChannel.open(StandardProtocolFamily.INET)
+                : DatagramChannel.open();
+        channels.add(opened);
+        opened.setOption(StandardSocketOptions.SO_RCVBUF, SOCKET_BUFFER_BYTES);
+        opened.setOption(StandardSocketOptions.SO_SNDBUF, SOCKET_BUFFER_BYTES);
+        opened.bind(new InetSocketAddress(address, channels.size() == 1 ? port : number()));
+        opened.configureBlocking(false);
+        opened.register(selector, SelectionKey.OP_READ);
       }
-      selector.close();
+    } catch (IOException x) {
+      closeAll();
       throw x;
     }
-    channel = opened;
+  }
+
+  private void closeAll() throws IOException {
+    for (DatagramChannel channel : channels) {
+      channel.close();
+    }
+    selector.close(); // wakes the thread
+  }
+
+  /**
+   * A client's address, and the socket that it sends to: answers must come from there. Equal to the
+   * same address without it.
+   */
+  private static final class Via extends InetSocketAddress {
+    private static final long serialVersionUID = 1;
+
+    private final transient DatagramChannel channel;
+
+    Via(InetSocketAddress address, DatagramChannel channel) {
+      super(address.getAddress(), address.getPort());
+      this.channel = channel;
+    }
   }
 
   /** Begins to read. */
@@ -113,7 +140,7 @@ public final class DatagramPort implements Runnable {
 
   /** Returns the port's number. */
   public int number() {
-    return channel.socket().getLocalPort();
+    return channels.get(0).socket().getLocalPort();
   }
 
   /**
@@ -124,6 +151,7 @@ public final class DatagramPort implements Runnable {
     synchronized (out) {
       out.clear().put(bytes, 0, length).flip();
       try {
+        DatagramChannel channel = to instanceof Via via ? via.channel : channels.get(0);
         return channel.send(out, to) > 0;
       } catch (IOException | RuntimeException x) {
         return false; // a datagram that can't be sent is lost, and nothing more happens
@@ -138,7 +166,10 @@ public final class DatagramPort implements Runnable {
         selector.select(key -> {});
         int received;
         do {
-          received = drain();
+          received = 0;
+          for (int i = 0; i < channels.size(); i++) {
+            received += drain(channels.get(i));
+          }
         } while (received > FLOOD);
         if (received >= CROWD) {
           LockSupport.parkNanos(GATHER_NANOS);
@@ -154,8 +185,8 @@ public final class DatagramPort implements Runnable {
     }
   }
 
-  /** Reads waiting datagrams, at most FLOOD + 1, and returns how many. */
-  private int drain() throws IOException {
+  /** Reads waiting datagrams of a socket, at most FLOOD + 1, and returns how many. */
+  private int drain(DatagramChannel channel) throws IOException {
     int received = 0;
     while (received <= FLOOD) {
       InetSocketAddress from = (InetSocketAddress) channel.receive(in.clear());
@@ -164,7 +195,8 @@ public final class DatagramPort implements Runnable {
       }
       received++;
       try {
-        listener.datagram(from, in.flip(), System.nanoTime());
+        InetSocketAddress sender = channels.size() == 1 ? from : new Via(from, channel);
+        listener.datagram(sender, in.flip(), System.nanoTime());
       } catch (RuntimeException | Error x) {
         errors.accept(x);
       }
@@ -176,8 +208,7 @@ public final class DatagramPort implements Runnable {
   public void close() {
     closing = true;
     try {
-      channel.close();
-      selector.close(); // wakes the thread
+      closeAll();
     } catch (IOException x) {
       errors.accept(x);
     }

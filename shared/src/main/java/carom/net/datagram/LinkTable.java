@@ -20,6 +20,7 @@ public final class LinkTable<T> {
   private final AtomicReferenceArray<T> places;
   private final ToIntFunction<T> numberOf;
   private final ArrayDeque<Integer> free = new ArrayDeque<>();
+  private int used; // places that were ever taken
   private int generation = ThreadLocalRandom.current().nextInt(1 << 31 - PLACE_BITS);
 
   /**
@@ -31,14 +32,11 @@ public final class LinkTable<T> {
   public LinkTable(int size, ToIntFunction<T> numberOf) {
     this.numberOf = numberOf;
     places = new AtomicReferenceArray<>(size + 1);
-    for (int i = 1; i <= size; i++) {
-      free.add(i);
-    }
   }
 
   /** Adds a connection and returns its number, which is never 0. */
   public int add(T connection) {
-    int place = free.remove();
+    int place = used < places.length() - 1 ? ++used : free.remove();
     places.set(place, connection);
     return ++generation << PLACE_BITS | place;
   }

@@ -57,6 +57,10 @@ public abstract class ClientEnd extends FramedLink {
   private long solution;
   private long roundTripNanos; // or a little more, known with the greeting
   private long stepSince = start;
+
+  /** Fields that make a datagram as long as the challenge that may answer it. */
+  private static final byte[] PADDING = new byte[Frame.NONCE_BYTES];
+
   private boolean streams; // UDP is blocked, and TCP carries the datagrams
   private long probedAt = start;
   private KeyExchange.Offer offer;
@@ -132,11 +136,18 @@ public abstract class ClientEnd extends FramedLink {
   }
 
   /**
-   * Tells the server this link's UDP address, each 100 ms until the server confirms it. Call it
-   * once {@link #isTcpRegistered} is true and the UDP socket is open, about 20 times a second.
+   * Tells the server this link's UDP address, again and again until the server confirms it, and
+   * from the keys on until its challenge has come. Call it once {@link #isTcpRegistered} is true
+   * and the UDP socket is open, about 20 times a second.
    */
   protected final void registerUdp(long now) {
-    if (udpRegistered || (registrations > 0 && now - registeredAt < REGISTER_NANOS)) {
+    boolean challenged = keys != null;
+    if (state() != State.CONNECTING || (udpRegistered && !challenged)) {
+      return;
+    }
+    long pause = challenged ? Math.max(REGISTER_NANOS, (now - stepSince) / 2) : REGISTER_NANOS;
+    long last = challenged ? Math.max(registeredAt, stepSince) : registeredAt;
+    if (registrations > 0 && now - last < pause) {
       return;
     }
     registrations++;
@@ -431,7 +442,7 @@ public abstract class ClientEnd extends FramedLink {
       boolean asks = path.isQuiet(now) && now - probedAt > PROBE_NANOS;
       if (asks || now - lastDatagramOut > DATAGRAM_SILENCE_NANOS) {
         probedAt = now;
-        transmitSealed(Frame.KEEP_ALIVE, Frame.NO_FIELDS, 0, 0);
+        transmitSealed(Frame.KEEP_ALIVE, PADDING, 0, PADDING.length);
       }
       if (path.mustSpeak(now)) {
         stream(Frame.NO_FIELDS, 0, 0);

@@ -17,14 +17,14 @@ import java.nio.charset.StandardCharsets;
  * tag              over       fields
  *  1 REGISTER_TCP  TCP s-&gt;c   link i32, token i64, UDP port u16, encryption u8, bits of work u8,
  *                             server's key 32       first frame
- *  2 REGISTER_UDP  UDP c-&gt;s   link i32, token i64, solution i64   repeated each 100 ms until answered
+ *  2 REGISTER_UDP  UDP c-&gt;s   link i32, token i64, solution i64, 14 zeros   repeated until answered
  *                  TCP s-&gt;c   none                  the UDP address is known now
  *  9 KEY_OFFER     TCP c-&gt;s   encryption u8, new key 32
  * 10 KEY_ANSWER    TCP s-&gt;c   new key 32, proof 32  the server's last frame in the clear
  * 11 KEY_CONFIRM   TCP c-&gt;s   none                  the client's first sealed frame
- *  7 CHALLENGE     UDP s-&gt;c   nonce i64             repeated each 100 ms until answered
+ *  7 CHALLENGE     UDP s-&gt;c   nonce i64             one for each datagram that is no shorter
  *  8 ANSWER        UDP c-&gt;s   nonce i64             the link is open: datagrams pass in both directions
- *  3 KEEP_ALIVE    both, both none                  TCP each 2 s of silence, UDP c-&gt;s each 1 s of silence
+ *  3 KEEP_ALIVE    both, both none, UDP c-&gt;s 8 zeros   TCP each 2 s of silence, UDP c-&gt;s each 1 s of silence
  *  4 MESSAGE       TCP, both  codec's bytes
  *  5 BYE           TCP, both  UTF-8 text, at most 512 bytes; the receiver closes
  *  6 DATAGRAM      UDP, both  payload, 1..1,200 bytes
@@ -38,7 +38,8 @@ import java.nio.charset.StandardCharsets;
  *
  * <p>The challenge proves that an address receives what the server sends. So an attacker can't aim
  * a stream of snapshots at another machine, a client behind a one-way firewall learns why it can't
- * connect, and a client whose address changes goes on.
+ * connect, and a client whose address changes goes on. An address that hasn't proven itself gets no
+ * more bytes than it sent: each challenge answers one datagram that is at least as long.
  */
 public final class Frame {
   public static final byte REGISTER_TCP = 1;
@@ -70,11 +71,14 @@ public final class Frame {
   /** Bytes of REGISTER_TCP's fields. */
   public static final int GREETING_BYTES = 4 + 8 + 2 + 1 + 1 + ExchangeKey.BYTES;
 
-  /** Bytes of REGISTER_UDP from a client. */
-  public static final int REGISTRATION_BYTES = 1 + 4 + 8 + 8;
-
-  /** Bytes of the fields of CHALLENGE and ANSWER. */
+  /** Bytes of the fields of CHALLENGE and ANSWER, and of a client's KEEP_ALIVE by UDP. */
   public static final int NONCE_BYTES = 8;
+
+  /** Bytes of CHALLENGE on the wire. A shorter datagram isn't answered by one. */
+  public static final int CHALLENGE_BYTES = 1 + NONCE_BYTES + DatagramSealer.EXTRA_BYTES;
+
+  /** Bytes of REGISTER_UDP from a client: as many as those of the answer. */
+  public static final int REGISTRATION_BYTES = CHALLENGE_BYTES;
 
   /** Largest number of payload bytes in a DATAGRAM. */
   public static final int MAX_PAYLOAD_BYTES = ProtocolLimits.MAX_DATAGRAM_BYTES;

@@ -45,6 +45,20 @@ public sealed interface ClientMessage {
   }
 
   /**
+   * Shows the server's password, once, before {@link Hello} or {@link Watch}. A server without one
+   * ignores it.
+   *
+   * @param text 1..{@link ProtocolLimits#MAX_PASSWORD_BYTES} bytes of UTF-8
+   */
+  record Password(String text) implements ClientMessage {
+    /** Leaves the text out, which lets its bearer in. */
+    @Override
+    public String toString() {
+      return "Password[]";
+    }
+  }
+
+  /**
    * Asks which rooms there are, before {@link Hello} or while playing. {@link
    * ServerMessage.RoomList} answers.
    *

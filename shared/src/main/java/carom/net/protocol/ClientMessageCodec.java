@@ -33,6 +33,7 @@ public final class ClientMessageCodec {
   private static final byte LIST_ROOMS = 12;
   private static final byte CHANGE_ROOM = 13;
   private static final byte POOL_REQUEST = 14;
+  private static final byte PASSWORD = 15;
   private static final int HELLO_FIXED_BYTES = 4 + 8 + 8;
 
   private ClientMessageCodec() {}
@@ -78,6 +79,9 @@ public final class ClientMessageCodec {
                   ProtocolLimits.MAX_PLAYERS - 1));
     } else if (message instanceof ClientMessage.Diverged diverged) {
       encodeDiverged(diverged, buffer);
+    } else if (message instanceof ClientMessage.Password password) {
+      buffer.put(PASSWORD);
+      putText("Password.text", password.text(), ProtocolLimits.MAX_PASSWORD_BYTES, buffer);
     } else if (message instanceof ClientMessage.Watch watch) {
       buffer.put(WATCH).putInt(watch.protocolVersion()).putLong(watch.physicsDigest());
       buffer.put((byte) inRange("Watch.room", watch.room(), 1, 255));
@@ -218,6 +222,7 @@ public final class ClientMessageCodec {
       case POOL_REQUEST -> decodePoolRequest(buffer);
       case LIST_ROOMS -> decodeListRooms(buffer);
       case CHANGE_ROOM -> decodeChangeRoom(buffer);
+      case PASSWORD -> decodePassword(buffer);
       default -> null;
     };
   }
@@ -404,6 +409,13 @@ public final class ClientMessageCodec {
     return room == null || room.isEmpty() || buffer.hasRemaining()
         ? null
         : new ClientMessage.ChangeRoom(room);
+  }
+
+  private static ClientMessage decodePassword(ByteBuffer buffer) {
+    String text = text(buffer, ProtocolLimits.MAX_PASSWORD_BYTES);
+    return text == null || text.isEmpty() || buffer.hasRemaining()
+        ? null
+        : new ClientMessage.Password(text);
   }
 
   private static ClientMessage decodeHello(ByteBuffer buffer) {

@@ -25,7 +25,9 @@ public enum GoodbyeReason {
   CROWDED(
       "The room is full, and your network held more than its share of the places. A newcomer from"
           + " elsewhere took yours.",
-      false);
+      false),
+  /** The operator closed the room, and no other one has a seat. */
+  ROOM_CLOSED("The operator closed this room, and the others are full.", true);
 
   private final String playerText;
   private final boolean retryUseful;

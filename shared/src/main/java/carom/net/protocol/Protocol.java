@@ -8,7 +8,7 @@ public final class Protocol {
    * also between two releases, because builds that don't understand each other must refuse each
    * other.
    */
-  public static final int VERSION = 10;
+  public static final int VERSION = 11;
 
   /**
    * Version of the simulation's arithmetic. Two builds with the same version step any world to the

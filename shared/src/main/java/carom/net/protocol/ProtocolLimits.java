@@ -44,6 +44,9 @@ public final class ProtocolLimits {
   /** Longest join token in bytes of ASCII. */
   public static final int MAX_TOKEN_BYTES = 768;
 
+  /** Largest size of a server's password in UTF-8. */
+  public static final int MAX_PASSWORD_BYTES = 128;
+
   /** Longest address of a server in UTF-8 bytes: a host name of 253 and a port. */
   public static final int MAX_ADDRESS_BYTES = 261;
 

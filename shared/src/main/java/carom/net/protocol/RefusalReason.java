@@ -38,7 +38,9 @@ public enum RefusalReason {
   /** The operator's backend decides who may join, and the join token doesn't let this player in. */
   TOKEN_INVALID("This server lets in only players that its site sends.", false),
   /** The server is too busy for more players. */
-  OVERLOADED("This server is too busy for more players.", true);
+  OVERLOADED("This server is too busy for more players.", true),
+  /** The operator demands a password, and the client showed none or a wrong one. */
+  PASSWORD_WRONG("This server asks for a password.", false);
 
   private final String playerText;
   private final boolean retryUseful;

@@ -37,6 +37,11 @@ public final class ImpairedServerTransport implements ServerTransport {
   }
 
   @Override
+  public void limitLinks(int most, int mostPerAddress) {
+    inner.limitLinks(most, mostPerAddress);
+  }
+
+  @Override
   public int tcpPort() {
     return inner.tcpPort();
   }

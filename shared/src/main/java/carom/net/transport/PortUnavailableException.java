@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.util.List;
 
 /**
  * Failure to open a server's port. The message tells the operator which port, why, and which flag
@@ -26,19 +27,27 @@ public final class PortUnavailableException extends UncheckedIOException {
    * attempt on TCP finds out which.
    *
    * @param failure what the system said, which needn't name the port
-   * @param address an address of this machine, or null for all of them
+   * @param addresses of this machine, or empty for all of them
    * @param tcp the TCP port, 0..65,535
    * @param udp the UDP port, 0..65,535
    */
   public static PortUnavailableException of(
-      IOException failure, InetAddress address, int tcp, int udp) {
-    if (address != null && !isOurs(address)) {
+      IOException failure, List<InetAddress> addresses, int tcp, int udp) {
+    for (InetAddress address : addresses) {
+      if (isOurs(address)) {
+        continue;
+      }
       String name = address.getHostAddress();
       String text = name + " is no address of this machine; choose one with --bind";
       return new PortUnavailableException("TCP", tcp, text, failure);
     }
     try {
-      new ServerSocket(tcp, 1, address).close();
+      if (addresses.isEmpty()) {
+        new ServerSocket(tcp).close();
+      }
+      for (InetAddress address : addresses) {
+        new ServerSocket(tcp, 1, address).close();
+      }
     } catch (IOException x) {
       return explain("TCP", tcp, "--tcp-port", failure);
     }

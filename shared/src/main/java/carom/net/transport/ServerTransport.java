@@ -19,6 +19,14 @@ public interface ServerTransport extends AutoCloseable {
     return false;
   }
 
+  /**
+   * Sets how many links may be open from now on. Any thread; a transport without limits ignores it.
+   *
+   * @param most links in all
+   * @param mostPerAddress links from one address
+   */
+  default void limitLinks(int most, int mostPerAddress) {}
+
   /** Returns the TCP port that the transport listens on, or 0 if there is none. */
   int tcpPort();
 

@@ -182,7 +182,7 @@ final class Connectors implements Runnable {
     registration.put(Frame.REGISTER_UDP).putInt(fields.getInt()).putLong(fields.getLong());
     registration.putLong(solution);
     int port = Short.toUnsignedInt(fields.getShort());
-    udp.send(registration.flip(), new InetSocketAddress(server.getAddress(), port));
+    udp.send(registration.clear(), new InetSocketAddress(server.getAddress(), port));
   }
 
   /** Does the work of the newest connection and registers it, again and again. */

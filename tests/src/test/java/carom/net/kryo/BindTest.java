@@ -5,12 +5,16 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.net.kryo.server.KryoLimits;
 import carom.net.kryo.server.KryoServerTransport;
+import carom.net.kryo.server.ProxyRule;
 import carom.net.kryo.server.ServerIdentity;
 import carom.net.seal.Encryption;
+import carom.net.transport.Impairment;
+import carom.net.transport.Link;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Goal: ports are open where the operator said, and nowhere else. */
@@ -30,6 +34,27 @@ final class BindTest {
         0,
         KryoLimits.DEFAULT,
         ServerIdentity.temporary(Encryption.ON));
+  }
+
+  @Test
+  void severalAddressesHaveTheSamePortsAndEachAnswersFromItself() throws Exception {
+    List<InetAddress> two =
+        List.of(InetAddress.getByName("127.0.0.2"), InetAddress.getByName("127.0.0.3"));
+    ServerIdentity identity = ServerIdentity.temporary(Encryption.ON);
+    try (KryoServerTransport server =
+            new KryoServerTransport(
+                two, 0, 0, KryoLimits.DEFAULT, identity, Impairment.NONE, ProxyRule.NONE);
+        KryoClientTransport clients = new KryoClientTransport()) {
+      for (InetAddress address : two) {
+        Link link = clients.connect(address.getHostAddress(), server.tcpPort(), server.udpPort());
+        Network.eventually(
+            () -> link.poll(new Network.Inbox(), 1) >= 0 && link.state() == Link.State.OPEN,
+            () -> address + " is " + link.state());
+      }
+      assertEquals(
+          "false false",
+          isOpen("127.0.0.1", server.tcpPort()) + " " + isOpen("127.0.0.4", server.tcpPort()));
+    }
   }
 
   @Test

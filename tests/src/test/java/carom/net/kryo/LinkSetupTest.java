@@ -126,7 +126,7 @@ final class LinkSetupTest {
       assertEquals(1, greeting[14], "encryption");
       assertEquals(0, greeting[15], "bits of work");
       byte[] lasting = Arrays.copyOfRange(greeting, 16, 48);
-      udp.write(ByteBuffer.allocate(21).put((byte) 2).put(greeting, 0, 12).putLong(0).flip());
+      udp.write(ByteBuffer.allocate(35).put((byte) 2).put(greeting, 0, 12).putLong(0).clear());
       assertArrayEquals(new byte[] {0, 0, 0, 1, 2}, tcp.getInputStream().readNBytes(5));
 
       KeyPair fresh = KeyPairGenerator.getInstance("X25519").generateKeyPair();

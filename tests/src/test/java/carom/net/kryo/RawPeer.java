@@ -97,7 +97,7 @@ final class RawPeer implements AutoCloseable {
   /** Registers with the solution of the work that the greeting demands. */
   void register(int asId, long withToken, long solution) throws IOException {
     ByteBuffer bytes = ByteBuffer.allocate(Frame.REGISTRATION_BYTES);
-    bytes.put(Frame.REGISTER_UDP).putInt(asId).putLong(withToken).putLong(solution).flip();
+    bytes.put(Frame.REGISTER_UDP).putInt(asId).putLong(withToken).putLong(solution).clear();
     udp.write(bytes);
   }
 

@@ -58,7 +58,7 @@ final class OperatorCommandsTest {
     ServerCommands.add(
         registry,
         stepper.server()::status,
-        new EffectiveSettings(List.of(grace, level, seed)),
+        () -> new EffectiveSettings(List.of(grace, level, seed)),
         Set.of("log-level"),
         List.of(data.recordings()),
         file -> "replayed " + file);
@@ -66,12 +66,23 @@ final class OperatorCommandsTest {
         registry,
         stepper.server().rooms(),
         stepper.server()::redirectVisitors,
+        to -> to.server().startsWith("dead") ? "server=" + to.server() + " doesn't answer" : null,
         () -> stopped.set(true));
   }
 
   @AfterEach
   void end() {
     stepper.close();
+  }
+
+  @Test
+  void nobodyIsSentToAServerThatDoesNotAnswer() {
+    CommandRegistry.Answer answer = run("redirect dead.example.org:1");
+    assertFalse(answer.ok());
+    assertEquals("nobody is sent away: server=dead.example.org:1 doesn't answer", answer.text());
+    assertFalse(run("stop --redirect dead.example.org:1").ok());
+    assertFalse(stopped.get(), "the server goes on");
+    assertEquals(2, stepper.server().rooms().get(0).seats().takenCount());
   }
 
   /** Runs a line beside the room, which goes on meanwhile. */
@@ -227,7 +238,7 @@ final class OperatorCommandsTest {
     assertTrue(ok("config").matches("(?s).*grace +30 s +default.*"), ok("config"));
     assertTrue(ok("config grace").startsWith("grace = 30 s\n  from: default\n  default: 30 s\n"));
     assertTrue(ok("config grace").endsWith("it holds from the next start"));
-    assertTrue(ok("config log-level").endsWith("it holds from the command 'reload' on"));
+    assertTrue(ok("config log-level").endsWith("it holds from the command 'reload' or 'set' on"));
     assertTrue(fails("config sead").contains("did you mean \"seed\"?"));
   }
 

@@ -27,13 +27,22 @@ final class ReloadCommandTest {
     ReloadCommand.add(
         registry,
         next,
-        () -> {
+        set -> {
           if (next == null) {
             throw new CommandException("nothing has changed: carom.conf: 1 is wrong");
           }
-          return next;
+          String players = next.find("max-players").orElseThrow().value();
+          String level = next.find("log-level").orElseThrow().value();
+          return set.isEmpty() ? next : settings(set.getOrDefault("log-level", level), players);
         },
-        Map.of("log-level", levels::add),
+        Map.of(
+            "log-level",
+            level -> {
+              if (level.equals("loud")) {
+                throw new IllegalArgumentException("level=loud is none");
+              }
+              levels.add(level);
+            }),
         () -> "in force: bans 1");
   }
 
@@ -53,6 +62,25 @@ final class ReloadCommandTest {
     assertEquals(List.of("debug"), levels);
     assertEquals("max-players = 32, was 64: needs a restart\nin force: bans 1", reload());
     assertEquals(List.of("debug"), levels, "applied once");
+  }
+
+  @Test
+  void whatIsSetHoldsOverReloadsUntilItIsTakenBack() {
+    assertEquals("log-level = debug, was info: holds now", run("set log-level debug"));
+    next = settings("warn", "64");
+    assertEquals("no setting has changed\nin force: bans 1", reload());
+    assertEquals("log-level = warn, was debug: holds now", run("set log-level"));
+    assertEquals("log-level = warn as before", run("set log-level warn"));
+    assertEquals(
+        "setting=max-players can't change while the server runs; log-level can",
+        run("set max-players 5"));
+    assertEquals(
+        "log-level = loud, was warn: not changed: level=loud is none", run("set log-level loud"));
+    assertEquals(List.of("debug", "warn"), levels);
+  }
+
+  private String run(String line) {
+    return registry.run(line, Caller.CONSOLE).text();
   }
 
   @Test

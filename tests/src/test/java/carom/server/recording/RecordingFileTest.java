@@ -216,9 +216,9 @@ final class RecordingFileTest {
   @Test
   void aFolderGetsFilesWithNamesOfTheirOwn() {
     Path file = folder.resolve("one.carom");
-    assertEquals(file, RecordingFile.fileFor(file, "arena", 2));
+    assertEquals(file, RecordingFile.fileFor(file, "arena", "2"));
     assertTrue(
-        RecordingFile.fileFor(folder, "scene:pyramid", 2)
+        RecordingFile.fileFor(folder, "scene:pyramid", "2")
             .getFileName()
             .toString()
             .matches("scene-pyramid-\\d{8}-\\d{6}-room2\\.carom"));

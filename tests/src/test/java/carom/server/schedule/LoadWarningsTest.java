@@ -60,6 +60,23 @@ final class LoadWarningsTest {
     assertEquals(1, texts().size(), "what was told isn't told again");
   }
 
+  @Test
+  void whatLastsIsRepeatedOnceAMinuteWithWhatHelps() {
+    warnings.viewsChanged(true, true, 0);
+    warnings.paceChanged(40, 0);
+    for (int tick = 0; tick < 60 * 600; tick++) {
+      warnings.lasts(tick * SECOND / 60);
+    }
+    long narrow = texts().stream().filter(line -> line.contains("only of what they show")).count();
+    long slow = texts().stream().filter(line -> line.contains("passes at 40 percent")).count();
+    assertEquals("12 12", narrow + " " + slow, "at 0, 10, 30 and 70 s, and then each minute");
+    assertTrue(texts().get(0).contains("lower"), () -> texts().toString());
+    warnings.viewsChanged(false, false, 601 * SECOND);
+    warnings.paceChanged(100, 601 * SECOND);
+    warnings.lasts(900 * SECOND);
+    assertEquals(24, texts().size(), "it is over");
+  }
+
   /** Lets snapshots wait in every n-th tick for some seconds, from a second on. */
   private void postpone(int everyTicks, int second, int seconds) {
     for (int tick = 60 * second; tick < 60 * (second + seconds); tick += everyTicks) {

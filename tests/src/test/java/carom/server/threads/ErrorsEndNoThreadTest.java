@@ -11,7 +11,6 @@ import carom.server.command.CommandRegistry;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -93,11 +92,7 @@ final class ErrorsEndNoThreadTest {
     InetAddress loopback = InetAddress.getLoopbackAddress();
     DatagramPort port =
         new DatagramPort(
-            new InetSocketAddress(loopback, 0),
-            null,
-            100,
-            (from, bytes, now) -> faulty.run(),
-            reported::add);
+            List.of(loopback), 0, 100, (from, bytes, now) -> faulty.run(), reported::add);
     port.start();
     try (DatagramSocket socket = new DatagramSocket()) {
       for (int i = 0; i < 1_000 && faulty.works.getCount() > 0; i++) {

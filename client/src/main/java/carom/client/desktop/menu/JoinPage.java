@@ -5,6 +5,8 @@ import carom.client.discovery.LanServer;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.settings.PlayerSettings;
+import carom.net.protocol.ProtocolLimits;
+import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import com.badlogic.gdx.scenes.scene2d.Actor;
 import com.badlogic.gdx.scenes.scene2d.ui.Label;
@@ -37,7 +39,10 @@ final class JoinPage implements Page {
   private TextField name;
   private TextField address;
   private String entered;
+  private TextField password; // null until a server has asked for one
   private String message = "";
+  private boolean asksPassword;
+  private ServerAddress asking; // the server that was joined last
   private Runnable instead;
   private String progress = "";
 
@@ -59,6 +64,7 @@ final class JoinPage implements Page {
   /** Shows why the player is here again; an empty text shows nothing. */
   void message(String text) {
     message = text;
+    asksPassword |= text.startsWith(RefusalReason.PASSWORD_WRONG.playerText());
     progress = "";
     instead = null;
   }
@@ -71,7 +77,7 @@ final class JoinPage implements Page {
   /** Returns the address after a failure, as it may be what was wrong. */
   @Override
   public Actor entrance() {
-    return message.isEmpty() ? null : address;
+    return message.isEmpty() ? null : asksPassword ? password : address;
   }
 
   @Override
@@ -96,6 +102,14 @@ final class JoinPage implements Page {
     into.add(address).height(Widgets.HEIGHT).growX().row();
     into.add();
     into.add(widgets.small("host or host:port")).row();
+    if (asksPassword) {
+      String typed = password == null ? "" : password.getText();
+      password = widgets.field(typed, ProtocolLimits.MAX_PASSWORD_BYTES / 4);
+      password.setPasswordMode(true);
+      password.setPasswordCharacter('*');
+      into.add(widgets.label("Password")).padRight(14);
+      into.add(password).height(Widgets.HEIGHT).growX().row();
+    }
     Table buttons = new Table();
     buttons.defaults().height(Widgets.HEIGHT + 4).space(8);
     buttons.add(widgets.primary("Join", () -> join(""))).growX();
@@ -206,6 +220,7 @@ final class JoinPage implements Page {
   private void join(String room) {
     ServerAddress server = server();
     if (server != null) {
+      target.password(server, typedPassword(server));
       target.play(server, room);
     }
   }
@@ -215,8 +230,20 @@ final class JoinPage implements Page {
     if (server != null) {
       progress = "Asking " + server + " for its game ...";
       rebuild.run();
+      target.password(server, typedPassword(server));
       target.watch(server, 1);
     }
+  }
+
+  /** Returns what the player typed for this server; a password is shown to no other one. */
+  private String typedPassword(ServerAddress server) {
+    if (password == null || !server.equals(asking)) {
+      asking = server;
+      asksPassword = false;
+      password = null;
+      return "";
+    }
+    return password.getText().strip();
   }
 
   /** Asks the server for its rooms; they show when they arrive. */

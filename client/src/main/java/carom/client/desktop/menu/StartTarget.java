@@ -10,6 +10,13 @@ import java.nio.file.Path;
 /** Receives what the player chooses on the start screen. Render thread only. */
 public interface StartTarget {
   /**
+   * Sets the password that is shown to a server; before {@link #play} and {@link #watch}.
+   *
+   * @param text what the player has typed; empty for none, or what the flags say of that server
+   */
+  void password(ServerAddress server, String text);
+
+  /**
    * Plays on a server.
    *
    * @param room name of the room; empty for any

@@ -19,6 +19,7 @@ import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Message;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
@@ -34,7 +35,7 @@ public final class Match {
   private final Simulation simulation;
   private final FrameCapture capture;
   private final OwnCapture ownCapture;
-  private final ServerConfig config;
+  private final Supplier<ServerConfig> config;
   private final Counters counters;
   private final boolean hearsChat;
   private long droppedEvents;
@@ -54,14 +55,15 @@ public final class Match {
       Game rules,
       LoadedLevel level,
       long seed,
-      ServerConfig config,
+      Supplier<ServerConfig> config,
       String label,
       Counters counters) {
     this.config = config;
     this.counters = counters;
     failures = new GameFailures(rules.name(), counters, label);
     GuardedGame game = new GuardedGame(rules, failures);
-    simulation = new Simulation(game, level.level(), seed, config.tickRateHz(), Role.AUTHORITY);
+    simulation =
+        new Simulation(game, level.level(), seed, config.get().tickRateHz(), Role.AUTHORITY);
     info =
         new MatchInfo(
             room,
@@ -71,7 +73,7 @@ public final class Match {
             seed,
             Declarations.of(simulation.schema(), simulation.messageKinds()),
             GameDigest.of(rules),
-            config.takesAnyCode());
+            config.get().takesAnyCode());
     capture = new FrameCapture(simulation);
     ownCapture = new OwnCapture(simulation);
     hearsChat = overridesChat(rules);

@@ -13,6 +13,7 @@ import carom.sim.level.LevelException;
 import carom.sim.match.NextMatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
  * Builds the matches of a room: finds game and level, builds the world and sets the game up. That
@@ -22,7 +23,7 @@ public final class MatchLoader {
   /** Step of the seed from match to match: the most rooms, so that no two matches share a seed. */
   private static final int SEED_STEP = 64;
 
-  private final ServerConfig config;
+  private final Supplier<ServerConfig> config;
   private final RoomConfig room;
   private final MatchLibrary library;
   private final String label;
@@ -51,7 +52,11 @@ public final class MatchLoader {
    * @param label begins each log line
    */
   public MatchLoader(
-      ServerConfig config, RoomConfig room, MatchLibrary library, String label, Counters counters) {
+      Supplier<ServerConfig> config,
+      RoomConfig room,
+      MatchLibrary library,
+      String label,
+      Counters counters) {
     this.config = config;
     this.room = room;
     this.library = library;

@@ -6,13 +6,14 @@ import carom.server.metrics.Counters;
 import carom.server.session.Seats;
 import carom.sim.Simulation;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Supplier;
 
 /**
  * The context that the parts of a room share. The room's thread, but for {@link #match} and what
  * never changes.
  */
 public final class RoomContext {
-  private final ServerConfig config;
+  private final Supplier<ServerConfig> config;
   private final String label;
   private final Counters counters;
   private final Seats seats;
@@ -23,10 +24,11 @@ public final class RoomContext {
   /**
    * Creates the context of a room that begins with a match.
    *
+   * @param config returns the present settings of the server
    * @param label begins each log line: the room's name, or empty if there is only one room
    */
   public RoomContext(
-      ServerConfig config, String label, Counters counters, Seats seats, Match match) {
+      Supplier<ServerConfig> config, String label, Counters counters, Seats seats, Match match) {
     this.config = config;
     this.label = label;
     this.counters = counters;
@@ -34,9 +36,9 @@ public final class RoomContext {
     this.match = match;
   }
 
-  /** Returns the settings of the server; from any thread. */
+  /** Returns the present settings of the server; from any thread. */
   public ServerConfig config() {
-    return config;
+    return config.get();
   }
 
   /** Returns how each log line begins; from any thread. */

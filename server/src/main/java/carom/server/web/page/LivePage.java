@@ -22,6 +22,8 @@ import io.undertow.websockets.spi.WebSocketHttpExchange;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -64,9 +66,8 @@ public final class LivePage implements AutoCloseable {
   private final Origins origins;
   private final PageFiles files = new PageFiles();
   private final Downloads downloads;
-  private final List<RoomHistory> histories;
+  private final ProcessFigures begin = ProcessFigures.now();
   private final List<Room> rooms;
-  private final List<RoomFeed> feeds;
   private final List<Viewer> viewers = new CopyOnWriteArrayList<>();
   private final WebSocketProtocolHandshakeHandler handshake =
       new WebSocketProtocolHandshakeHandler(this::connected);
@@ -76,7 +77,9 @@ public final class LivePage implements AutoCloseable {
   // The thread that reads and writes sockets only.
   private boolean proxyTold;
 
-  // The page's thread only.
+  // The page's thread only. Both are in the order of the rooms.
+  private final Map<Room, RoomHistory> histories = new LinkedHashMap<>();
+  private final Map<Room, RoomFeed> feeds = new LinkedHashMap<>();
   private ScheduledFuture<?> pictures; // null while nobody watches
   private long sampledNs = System.nanoTime();
 
@@ -85,13 +88,11 @@ public final class LivePage implements AutoCloseable {
       "FutureReturnValueIgnored") // The guarded tasks throw nothing, and end with the clock.
   public LivePage(PageConfig config, List<Room> rooms) {
     this.config = config;
-    this.rooms = List.copyOf(rooms);
+    this.rooms = rooms;
     guard = new RequestGuard(config.hosts());
     origins = new Origins(config.proxies());
     downloads = new Downloads(config.recordings(), System::nanoTime);
-    ProcessFigures begin = ProcessFigures.now();
-    histories = rooms.stream().map(room -> new RoomHistory(room, begin)).toList();
-    feeds = rooms.stream().map(RoomFeed::new).toList();
+    followRooms();
     clock = new ScheduledThreadPoolExecutor(1, daemon("carom-page"));
     clock.setRemoveOnCancelPolicy(true);
     commands =
@@ -223,7 +224,8 @@ public final class LivePage implements AutoCloseable {
   }
 
   private void greet(Viewer viewer) {
-    viewer.send(PageJson.hello(config, histories, viewer.isAdmin(), watches(viewer)));
+    viewer.send(
+        PageJson.hello(config, List.copyOf(histories.values()), viewer.isAdmin(), watches(viewer)));
   }
 
   /** Takes a message of a viewer; one that breaks a rule ends its connection. */
@@ -358,22 +360,42 @@ public final class LivePage implements AutoCloseable {
       return;
     }
     long nowNs = System.nanoTime();
-    for (int i = 0; i < feeds.size(); i++) {
-      String name = rooms.get(i).name();
-      feeds.get(i).turn(viewers.stream().filter(v -> name.equals(v.gaze().room())).toList(), nowNs);
+    feeds.forEach(
+        (room, feed) ->
+            feed.turn(
+                viewers.stream().filter(v -> room.name().equals(v.gaze().room())).toList(), nowNs));
+  }
+
+  /**
+   * Begins with the rooms that have come, ends with those that have gone, and tells the viewers.
+   */
+  private void followRooms() {
+    List<Room> now = List.copyOf(rooms);
+    if (List.copyOf(histories.keySet()).equals(now)) {
+      return;
     }
+    Map<Room, RoomHistory> known = new HashMap<>(histories);
+    histories.clear();
+    now.forEach(
+        room ->
+            histories.put(
+                room, known.containsKey(room) ? known.get(room) : new RoomHistory(room, begin)));
+    feeds.keySet().retainAll(now);
+    now.forEach(room -> feeds.computeIfAbsent(room, RoomFeed::new));
+    viewers.forEach(this::greet);
   }
 
   private void second() {
+    followRooms();
     long nowNs = System.nanoTime();
     double seconds = Math.max(1e-3, (nowNs - sampledNs) / NS_PER_S);
     sampledNs = nowNs;
     ProcessFigures process = ProcessFigures.now();
-    histories.forEach(history -> history.sample(seconds, process));
+    histories.values().forEach(history -> history.sample(seconds, process));
     if (viewers.isEmpty()) {
       return;
     }
-    String figures = PageJson.second(histories);
+    String figures = PageJson.second(List.copyOf(histories.values()));
     for (Viewer viewer : viewers) {
       if (nowNs - viewer.heardNs() > SILENCE_NS) {
         viewer.refuse("no sign of life");

@@ -1,7 +1,6 @@
 package carom.net.kryo.server;
 
 import carom.net.seal.Encryption;
-import carom.net.transport.AddressFamily;
 import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import carom.net.transport.NetworkCounter;
@@ -9,7 +8,7 @@ import carom.net.transport.PortUnavailableException;
 import carom.net.transport.ServerTransport;
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -55,31 +54,40 @@ public final class KryoServerTransport implements ServerTransport {
    */
   public KryoServerTransport(
       InetAddress address, int tcpPort, int udpPort, KryoLimits limits, ServerIdentity identity) {
-    this(address, tcpPort, udpPort, limits, identity, Impairment.NONE);
+    this(
+        address == null ? List.of() : List.of(address),
+        tcpPort,
+        udpPort,
+        limits,
+        identity,
+        Impairment.NONE,
+        ProxyRule.NONE);
   }
 
   /**
-   * Opens the ports as above, over a simulated network in the handshake of the links. {@link
-   * carom.net.transport.ImpairedServerTransport} goes on where a link is open.
+   * Opens the ports as above, at one or more addresses, over a simulated network in the handshake
+   * of the links. {@link carom.net.transport.ImpairedServerTransport} goes on where a link is open.
+   *
+   * @param addresses of this machine; empty for all
+   * @param proxies which TCP connections come by proxies
    */
   public KryoServerTransport(
-      InetAddress address,
+      List<InetAddress> addresses,
       int tcpPort,
       int udpPort,
       KryoLimits limits,
       ServerIdentity identity,
-      Impairment impairment) {
+      Impairment impairment,
+      ProxyRule proxies) {
     checkPort("tcpPort", tcpPort);
     checkPort("udpPort", udpPort);
     network = new ServerNetwork(limits, identity, impairment);
     try {
-      network.bind(
-          new InetSocketAddress(address, tcpPort),
-          new InetSocketAddress(address, udpPort),
-          AddressFamily.of(address));
+      List<InetAddress> all = addresses.isEmpty() ? Collections.singletonList(null) : addresses;
+      network.bind(all, tcpPort, udpPort, proxies);
     } catch (IOException x) {
       network.dispose();
-      throw PortUnavailableException.of(x, address, tcpPort, udpPort);
+      throw PortUnavailableException.of(x, addresses, tcpPort, udpPort);
     }
     this.tcpPort = network.tcpPort();
     this.udpPort = network.udpPort();
@@ -121,6 +129,11 @@ public final class KryoServerTransport implements ServerTransport {
   public boolean onOpened(Runnable wake) {
     network.onOpened(wake);
     return true;
+  }
+
+  @Override
+  public void limitLinks(int most, int mostPerAddress) {
+    network.limits = network.limits.withConnections(most, mostPerAddress);
   }
 
   @Override

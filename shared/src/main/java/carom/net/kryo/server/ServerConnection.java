@@ -69,6 +69,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   private final ServerLink link;
   private final long token;
   private final long nonce;
+  private final InetSocketAddress behindProxy; // null for a client that comes by itself
   private final Object phaseLock = new Object();
   private final AtomicBoolean closeRequested = new AtomicBoolean();
   private final TokenBucket messageBudget; // used by the network thread
@@ -87,7 +88,6 @@ final class ServerConnection extends Connection implements Entrance.Guest {
 
   // used by the network thread
   private long lastFrame = phaseSince;
-  private long lastChallenge = phaseSince;
   private boolean offered;
   private boolean streams; // the client can't use UDP
 
@@ -102,7 +102,8 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   private int workBits;
   private AddressGroup origin;
 
-  ServerConnection(ServerNetwork network, long token, long nonce) {
+  ServerConnection(ServerNetwork network, long token, long nonce, InetSocketAddress behindProxy) {
+    this.behindProxy = behindProxy;
     this.network = network;
     this.token = token;
     this.nonce = nonce;
@@ -179,6 +180,11 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   @Override
   public AddressGroup origin() {
     return origin;
+  }
+
+  /** Returns where the client connects from, perhaps by a proxy's word; null if it has gone. */
+  InetSocketAddress clientAddress() {
+    return behindProxy == null ? getRemoteAddressTCP() : behindProxy;
   }
 
   /** Notes where the client is, before it hears of this connection. */
@@ -424,13 +430,18 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     }
   }
 
-  /** Records the client's UDP address. A repetition has no effect. Called on the port's thread. */
+  /**
+   * Records the client's UDP address. A repetition asks for another challenge, if one is due.
+   * Called on the port's thread.
+   */
   void addressKnown(InetSocketAddress address, long now) {
     long waited = now - phaseSince;
     if (advance(Phase.PENDING, Phase.KEYING, now)) {
       udpAddress = address;
       link.path().roundTrip(waited);
       sendTCP(new RegisterUDP());
+    } else if (phase == Phase.CHALLENGED && address.equals(udpAddress)) {
+      challenge(address, nonce); // the address gets no more bytes than came from it
     }
   }
 
@@ -503,8 +514,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     if (streams) {
       openStream(Phase.KEYING, now);
     } else if (advance(Phase.KEYING, Phase.CHALLENGED, now)) {
-      lastChallenge = now;
-      challenge(udpAddress, nonce);
+      challenge(udpAddress, nonce); // answers the registration
     }
   }
 
@@ -536,9 +546,6 @@ final class ServerConnection extends Connection implements Entrance.Guest {
               "server reachable, but its answers from UDP port "
                   + network.udpPort()
                   + " are blocked (by a firewall or router)");
-        } else if (now - lastChallenge >= Math.max(CHALLENGE_NANOS, inPhase / 2)) {
-          lastChallenge = now;
-          challenge(udpAddress, nonce);
         }
       }
       case OPEN -> {
@@ -711,14 +718,17 @@ final class ServerConnection extends Connection implements Entrance.Guest {
       readAnswer(from, fields.getLong(), now);
       return;
     }
-    if (phase == Phase.OPEN && !from.equals(udpAddress)) {
+    boolean payable = DatagramSealer.EXTRA_BYTES + 1 + length >= Frame.CHALLENGE_BYTES;
+    if (payable && phase == Phase.OPEN && !from.equals(udpAddress)) {
       challengeNewAddress(from, now);
+    } else if (payable && phase == Phase.CHALLENGED && from.equals(udpAddress)) {
+      challenge(from, nonce); // the client's answer was lost
     }
     if (tag == Frame.DATAGRAM && length > 0 && length <= Frame.MAX_PAYLOAD_BYTES) {
       if (phase == Phase.OPEN) {
         link.receiveDatagram(fields, now);
       }
-    } else if (tag == Frame.KEEP_ALIVE && length == 0) {
+    } else if (tag == Frame.KEEP_ALIVE && length == Frame.NONCE_BYTES) {
       if (phase == Phase.OPEN && from.equals(udpAddress)) {
         sendDatagram(from, Frame.KEEP_ALIVE, Frame.NO_FIELDS, 0, 0); // UDP works both ways
       }

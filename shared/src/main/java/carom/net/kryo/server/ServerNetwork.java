@@ -21,8 +21,8 @@ import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
 import com.esotericsoftware.kryonet.Server;
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ProtocolFamily;
 import java.nio.ByteBuffer;
 import java.security.SecureRandom;
 import java.util.ArrayList;
@@ -60,7 +60,7 @@ final class ServerNetwork implements Runnable {
     Setup.ensure();
   }
 
-  final KryoLimits limits;
+  volatile KryoLimits limits;
   final ServerIdentity identity;
 
   /** The simulated network below the handshake, or null. */
@@ -108,7 +108,8 @@ final class ServerNetwork implements Runnable {
     int proven = Math.max(1, unproven / 4);
     entrance = new Entrance<>(unproven, proven, this::evict);
     links =
-        new LinkTable<>(limits.maxConnections() + unproven + 2 * proven, ServerConnection::number);
+        new LinkTable<>(
+            KryoLimits.MAX_CONNECTIONS + unproven + 2 * proven, ServerConnection::number);
     keyMaker =
         new ThreadPoolExecutor(
             1,
@@ -129,7 +130,8 @@ final class ServerNetwork implements Runnable {
         new Server(limits.unsentBytes(), Frame.SERVER_BUFFER_BYTES, new ServerFrames()) {
           @Override
           protected Connection newConnection() {
-            return new ServerConnection(ServerNetwork.this, random.nextLong(), random.nextLong());
+            return new ServerConnection(
+                ServerNetwork.this, random.nextLong(), random.nextLong(), acceptor.client());
           }
         };
   }
@@ -137,14 +139,15 @@ final class ServerNetwork implements Runnable {
   /**
    * Opens both ports or none. Call it before {@link #start}.
    *
-   * @param family of the addresses, or null for all
+   * @param addresses of this machine; null stands for all
+   * @param proxies which connections come by proxies
    */
-  void bind(InetSocketAddress tcp, InetSocketAddress udp, ProtocolFamily family)
-      throws IOException {
-    acceptor = new Acceptor(server, tcp, family);
+  void bind(List<InetAddress> addresses, int tcp, int udp, ProxyRule proxies) throws IOException {
+    acceptor = new Acceptor(server, addresses, tcp, proxies);
     try {
       datagrams =
-          new DatagramPort(udp, family, Frame.SERVER_BUFFER_BYTES, this::datagram, counters::error);
+          new DatagramPort(
+              addresses, udp, Frame.SERVER_BUFFER_BYTES, this::datagram, counters::error);
     } catch (IOException x) {
       acceptor.close();
       throw x;
@@ -325,7 +328,7 @@ final class ServerNetwork implements Runnable {
     connection.setTimeout(0); // sweep() does this, by frames and not by bytes
     connection.setKeepAliveTCP(Frame.KEEP_ALIVE_MILLIS);
     connection.setIdleThreshold(0); // no listener uses idle()
-    InetSocketAddress remote = connection.getRemoteAddressTCP();
+    InetSocketAddress remote = connection.clientAddress();
     if (remote == null || remote.getAddress() == null) {
       connection.closeNow("connection lost");
       return false;

@@ -40,7 +40,7 @@ class AcceptorTest {
   @Test
   void manyConnectionsWaitForABusyServerAndAreTakenInFewTurns() throws IOException {
     Server server = server();
-    Acceptor acceptor = new Acceptor(server, new InetSocketAddress(HOST, 0), null);
+    Acceptor acceptor = new Acceptor(server, List.of(InetAddress.getByName(HOST)), 0);
     List<Socket> sockets = new ArrayList<>();
     try {
       for (int i = 0; i < CONNECTIONS; i++) {
@@ -69,12 +69,10 @@ class AcceptorTest {
   @Test
   void aPortIsFreeOnceItIsClosed() throws IOException {
     Server server = server();
-    Acceptor acceptor = new Acceptor(server, new InetSocketAddress(HOST, 0), null);
+    Acceptor acceptor = new Acceptor(server, List.of(InetAddress.getByName(HOST)), 0);
     int port = acceptor.port();
     InetAddress host = InetAddress.getByName(HOST);
-    assertThrows(
-        IOException.class,
-        () -> new Acceptor(server, new InetSocketAddress(host, port), null).close());
+    assertThrows(IOException.class, () -> new Acceptor(server, List.of(host), port).close());
     acceptor.close();
     new ServerSocket(port, 1, host).close(); // throws if the port is still taken
     server.dispose();
