@@ -244,10 +244,11 @@ public final class ContactPacker {
    * @param roundB radius of B's rounding, m
    */
   private void moveArm(int at, int a, int b, float roundA, float roundB) {
-    if ((roundA == 0) == (roundB == 0)) {
+    float[] d = blocks.data;
+    // What carries no load yet may be about to pass: its gap belongs to the arms of now.
+    if ((roundA == 0) == (roundB == 0) || d[at + FIRST + NORMAL_IMPULSE] == 0) {
       return;
     }
-    float[] d = blocks.data;
     float nx = d[at + NX];
     float ny = d[at + NY];
     float x = d[at + FIRST + ARM_X];
