@@ -468,10 +468,11 @@ public final class JointDef<T> {
   /**
    * Puts a spring on the coordinate, or on the point of a weld, motor or mouse joint. Its stiffness
    * is {@code m (2 pi hertz)^2} with the effective mass m of the joint, so it swings with that
-   * frequency whatever the masses of the bodies.
+   * frequency whatever the masses of the bodies. Where that mass depends on the direction (a point,
+   * a length, a wheel beside its centre), m is the mean of all directions.
    *
    * @param newHertz frequency, 1/s, 0..1000; beyond a twelfth of the substep rate the spring is
-   *     damped additionally
+   *     damped additionally, and beyond a quarter it is as stiff as there
    * @param dampingRatio 0..100; 0 swings for ever, 1 just doesn't overshoot
    * @return this
    */

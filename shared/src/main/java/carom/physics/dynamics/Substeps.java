@@ -111,19 +111,19 @@ final class Substeps {
       }
       begins(StepStage.INTEGRATE);
       solverBodies.integrateVelocities(phases, warm);
-      if (jointsToo) {
-        beforeJoints();
-        treeContacts.warmStart();
-        jointSolver.warmStart();
-        afterJoints();
-      }
       if (!warm) {
         begins(StepStage.WARM);
         contactSolver.warmStart(phases);
       }
       if (jointsToo) {
         beforeJoints();
-        jointSolver.applyBiasedImpulses();
+        treeContacts.warmStart();
+        jointSolver.warmStart(solverBodies);
+        afterJoints();
+      }
+      if (jointsToo) {
+        beforeJoints();
+        jointSolver.applyBiasedImpulses(solverBodies);
         afterJoints();
       }
       begins(StepStage.SOLVE);
@@ -131,14 +131,14 @@ final class Substeps {
       if (jointsToo && jointSolver.settles()) {
         beforeJoints();
         treeContacts.applyBiasedImpulses();
-        jointSolver.settle();
+        jointSolver.settle(solverBodies);
         afterJoints();
       }
       begins(StepStage.INTEGRATE);
       solverBodies.integratePositions(phases);
       if (jointsToo) {
         beforeJoints();
-        jointSolver.relax();
+        jointSolver.relax(solverBodies);
         afterJoints();
       }
       begins(StepStage.RELAX);
@@ -163,7 +163,7 @@ final class Substeps {
   private void beforeJoints() {
     phases.run();
     begins(StepStage.JOINTS);
-    solverBodies.beforeJoints();
+    solverBodies.rememberVelocities();
   }
 
   private void afterJoints() {

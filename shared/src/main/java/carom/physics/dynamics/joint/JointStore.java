@@ -534,6 +534,44 @@ public final class JointStore {
     torque[slot] = 0;
   }
 
+  /** Returns whether a joint is a hinge without limits, motor and spring. */
+  public boolean isPlainHinge(int slot) {
+    return type[slot] == REVOLUTE
+        && (flags[slot] & (LIMITED | DRIVEN | SPRUNG)) == 0
+        && !isRatchet(slot);
+  }
+
+  /** Returns whether a joint couples two coordinates: a gear, rack or pulley. */
+  public boolean isCoupled(int slot) {
+    return type[slot] == GEAR || type[slot] == RACK || type[slot] == PULLEY;
+  }
+
+  /** Returns whether a joint holds bodies rigidly and does no more: a hinge, weld or rod. */
+  public boolean isRigid(int slot) {
+    return isPlainHinge(slot) || isRigidWeld(slot) || isRod(slot);
+  }
+
+  /** Returns whether a joint acts by itself, by a motor, a brake or a spring. */
+  public boolean isActive(int slot) {
+    return (flags[slot] & DRIVEN) != 0 || hasSpring(slot);
+  }
+
+  /** Returns whether a joint has a spring. */
+  public boolean hasSpring(int slot) {
+    return (flags[slot] & SPRUNG) != 0 || hertz[slot] > 0 || angularHertz[slot] > 0;
+  }
+
+  /** Scales the impulses with which a joint starts its next substep. */
+  public void scaleImpulses(int slot, float share) {
+    impulseX[slot] *= share;
+    impulseY[slot] *= share;
+    impulseW[slot] *= share;
+    springImpulse[slot] *= share;
+    motorImpulse[slot] *= share;
+    lowerImpulse[slot] *= share;
+    upperImpulse[slot] *= share;
+  }
+
   /** Mixes all that influences the future into a hash; nothing if there never was a joint. */
   public long hash(long h) {
     if (slots() == 0) {

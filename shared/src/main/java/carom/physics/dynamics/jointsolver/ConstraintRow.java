@@ -47,9 +47,9 @@ import carom.physics.math.Trig;
  *
  * <p><b>Motors</b> drive q' to a speed, {@code |P| <= h max}.
  *
- * <p><b>Springs</b> are forces, so they act once per substep and are left alone by relaxing. With k
- * = m o^2, c = 2 m z o (o = 2 pi hertz, z the damping ratio) and the velocity v' at the end of the
- * substep, the impulse of the substep is
+ * <p><b>Springs</b> are forces: their stretch counts once per substep, and later visits only follow
+ * the velocities. With k = m o^2, c = 2 m z o (o = 2 pi hertz, z the damping ratio) and the
+ * velocity v' at the end of the substep, the impulse of the substep is
  *
  * <pre>
  *   P = -h (k (q + t h v') + c v')
@@ -61,10 +61,14 @@ import carom.physics.math.Trig;
  *   p = -(m (h o^2 q + a v) + P) / (1 + a)     a = h o (t h o + 2 z)
  * </pre>
  *
- * With t = 0 the spring is symplectic: an undamped one keeps its amplitude for ever, its frequency
- * is exact up to (o h)^2 / 24. That is stable while o h is well below 2; springs with o h beyond
- * {@value #SYMPLECTIC_LIMIT} (19 hertz at 60 ticks and 4 substeps) use t = 1, implicit Euler, which
- * is stable always and damps by itself.
+ * <p>Where the stiffness is that of another mass n, {@code p = -(n (h o^2 q + a v) + P) / (1 + a n
+ * / m)}.
+ *
+ * <p>With t = 0 the spring is symplectic: an undamped one keeps its amplitude for ever, its
+ * frequency is exact up to (o h)^2 / 24. That is stable while o h is well below 2; springs with o h
+ * beyond {@value #SYMPLECTIC_LIMIT} (19 hertz at 60 ticks and 4 substeps) use t = 1, implicit
+ * Euler, which is stable always and damps by itself. The stretch q is that from before bodies moved
+ * in all visits of a substep.
  *
  * <p>The row for the spring follows Erin Catto's GDC 2011 talk; written from the algebra above.
  */
@@ -81,6 +85,12 @@ abstract class ConstraintRow {
 
   /** Most angle per substep of a spring, o h. Beyond it a spring is integrated implicitly. */
   static final float SYMPLECTIC_LIMIT = 0.5f;
+
+  /**
+   * Most frequency of a spring, as a fraction of the substeps per second: 60 hertz at 60 ticks and
+   * 4 substeps. Visits of the joints around it can't follow stiffer ones.
+   */
+  static final float MAX_HERTZ_PER_RATE = 0.25f;
 
   /** Joints to visit. */
   final JointRecords joints;
@@ -318,11 +328,22 @@ abstract class ConstraintRow {
     return p;
   }
 
-  /** Visits a spring on the row, and returns the impulse of this visit. */
-  final float solveSpring(float stretch, float hertz, float zeta, float sum, float maxForce) {
-    float oh = TWO_PI * hertz * h;
+  /** Returns the angle by which a spring of a frequency swings in a substep, o h, rad. */
+  final float swing(float hertz) {
+    return TWO_PI * Math.min(hertz * h, MAX_HERTZ_PER_RATE);
+  }
+
+  /**
+   * Visits a spring on the row, and returns the impulse of this visit.
+   *
+   * @param m the mass by which it has its stiffness
+   */
+  final float solveSpring(
+      float m, float stretch, float hertz, float zeta, float sum, float maxForce) {
+    float oh = swing(hertz);
     float soft = oh * ((oh > SYMPLECTIC_LIMIT ? oh : 0) + 2 * zeta);
-    float p = -(mass * (oh * oh * inverseH * stretch + soft * rowSpeed()) + sum) / (1 + soft);
+    float share = mass > 0 ? 1 + soft * m / mass : 1;
+    float p = -(m * (oh * oh * inverseH * stretch + soft * rowSpeed()) + sum) / share;
     float most = h * maxForce;
     p = Math.max(-most, Math.min(sum + p, most)) - sum;
     applyRowImpulse(p);

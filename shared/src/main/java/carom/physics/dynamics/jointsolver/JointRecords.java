@@ -61,6 +61,20 @@ final class JointRecords {
   /** Records of all joints. */
   float[] data = new float[0];
 
+  /** Per joint: whether its group isn't watched, see {@link JointGroups}. */
+  boolean[] plain = new boolean[0];
+
+  /** Per joint: whether its anchors were far apart in this step, so that all else has to wait. */
+  boolean[] torn = new boolean[0];
+
+  /** Per joint: how far its spring is stretched as the substep begins, m or rad; y of points. */
+  float[] stretchX = new float[0];
+
+  float[] stretchY = new float[0];
+
+  /** Per joint: how far its angular spring is turned as the substep begins, rad. */
+  float[] stretchW = new float[0];
+
   /** Makes room; what was there is gone. */
   void ensure(int least) {
     if (joint.length < least) {
@@ -69,12 +83,17 @@ final class JointRecords {
       bodyA = new int[n];
       bodyB = new int[n];
       inTree = new boolean[n];
+      plain = new boolean[n];
+      torn = new boolean[n];
+      stretchX = new float[n];
+      stretchY = new float[n];
+      stretchW = new float[n];
       data = new float[n * RECORD];
     }
   }
 
   /** Fills in joint k, as the step begins. */
-  void pack(int k, JointFrame f, JointStore j, boolean tree) {
+  void pack(int k, JointFrame f, JointStore j, boolean tree, boolean isPlain) {
     float[] d = data;
     int at = k * RECORD;
     int slot = f.slot;
@@ -82,6 +101,8 @@ final class JointRecords {
     bodyA[k] = f.offsetA;
     bodyB[k] = f.offsetB;
     inTree[k] = tree;
+    plain[k] = isPlain;
+    torn[k] = false;
     d[at + MASS_A] = f.massA;
     d[at + MASS_B] = f.massB;
     d[at + INERTIA_A] = f.inertiaA;

@@ -10,6 +10,7 @@ import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.settings.Settings;
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * Solves joints by sequential impulses in the same substeps as contacts, before them. {@link
@@ -23,14 +24,14 @@ import java.util.Arrays;
  * #LAST_COLOUR} joints spills into a last colour without plain revolutes, which isn't shared. The
  * colouring depends on the awake joints alone, and is kept while these stay the same.
  *
+ * <p><b>Groups.</b> {@link JointGroups} sees to it that joints make no energy. It decides how much
+ * of the old impulses counts, and which joints are visited more often.
+ *
  * <p><b>Trees.</b> Chains that carry far more than their links weigh are solved as a whole, after
  * all colours: see {@link JointTrees}.
  */
 public final class JointSolver {
   private static final float TWO_PI = 6.2831855f;
-
-  /** Most frequency of rigid coordinates, as a fraction of the substeps per second. */
-  private static final float MAX_HERTZ_PER_RATE = 0.25f;
 
   /** The last colour; it takes what found no other. */
   private static final int LAST_COLOUR = 63;
@@ -40,6 +41,9 @@ public final class JointSolver {
 
   /** Group of joints that have no colour, because a tree solves all of them. */
   private static final int NO_GROUP = -1;
+
+  /** Most pairs of visits, there and back, that follow where one visit of each joint finds much. */
+  private static final int MORE = 8;
 
   /** Joints that make a piece of work for a worker. */
   private static final int GRAIN = 16;
@@ -51,6 +55,11 @@ public final class JointSolver {
 
   private final JointTrees trees = new JointTrees();
   private final TreeSolver treeSolver;
+  private final JointGroups groups = new JointGroups();
+
+  /** Joints that are visited one by one, as indices, in the order of visits. */
+  private int[] order = new int[0];
+
   private final ParallelFor parallel;
 
   /** Visits, one per worker. */
@@ -99,13 +108,14 @@ public final class JointSolver {
   private boolean anew;
 
   // The stages, made once so that a step allocates nothing.
+  private final IntPredicate torn = this::isTorn;
   private final ParallelFor.Range packing = this::packJoints;
   private final ParallelFor.Range warming =
       (from, to, worker) -> visits[worker].warmStart(from, to);
-  private final ParallelFor.Range biasing =
-      (from, to, worker) -> visits[worker].solve(from, to, true);
-  private final ParallelFor.Range relaxing =
-      (from, to, worker) -> visits[worker].solve(from, to, false);
+  private final ParallelFor.Range biasing = (from, to, worker) -> visits[worker].push(from, to);
+  private final ParallelFor.Range relaxingPlain =
+      (from, to, worker) -> visits[worker].relaxPlain(from, to);
+  private final ParallelFor.Range relaxing = (from, to, worker) -> visits[worker].relax(from, to);
   private final ParallelFor.Range storing = (from, to, worker) -> visits[worker].store(from, to);
 
   /**
@@ -141,6 +151,7 @@ public final class JointSolver {
       colouredVersion = j.version();
       findJoints();
       trees.find(j, bodyStore, found, count);
+      groups.find(j, bodyStore, trees, found, count);
     }
     return trees;
   }
@@ -153,7 +164,7 @@ public final class JointSolver {
     if (anew) {
       assignColours(solverBodies.count());
     }
-    float omega = TWO_PI * Math.min(s.jointHertz(), MAX_HERTZ_PER_RATE / h);
+    float omega = TWO_PI * Math.min(s.jointHertz(), ConstraintRow.MAX_HERTZ_PER_RATE / h);
     float twiceZeta = 2 * s.jointDampingRatio();
     float soft = h * omega * (twiceZeta + h * omega);
     float biasRate = omega / (twiceZeta + h * omega);
@@ -169,10 +180,30 @@ public final class JointSolver {
       for (int i = 0; i < count; i++) {
         place[i] = group[i] == NO_GROUP ? 0 : next[group[i]]++;
       }
+      listGroups();
     }
+    groups.beginStep(slotOf);
     parallel.run(0, count, GRAIN, packing);
     revolutes.ready();
     treeSolver.begin(j, bodyStore, slotOf, solverBodies.state, h, biasRate);
+  }
+
+  /** Lists the joints of groups, now that their order is known. */
+  private void listGroups() {
+    if (order.length < count) {
+      order = new int[found.length];
+    }
+    int visits = 0;
+    for (int g = 0; g < 2 * colours; g++) {
+      next[g] = visits;
+      visits += size[g];
+    }
+    for (int i = 0; i < count; i++) {
+      if (group[i] != NO_GROUP) {
+        order[next[group[i]]++] = i;
+      }
+    }
+    groups.listJoints(order, visits);
   }
 
   /** Makes what each worker needs. */
@@ -219,9 +250,8 @@ public final class JointSolver {
     }
     for (int i = 0; i < count; i++) {
       int slot = found[i];
-      boolean plain = isPlainRevolute(slot);
-      boolean rigid = plain || store.isRod(slot) || store.isRigidWeld(slot);
-      if (rigid && trees.has(slot)) {
+      boolean plain = store.isPlainHinge(slot) && groups.isPlain(slot);
+      if (store.isRigid(slot) && trees.has(slot)) {
         group[i] = NO_GROUP;
         continue;
       }
@@ -244,13 +274,6 @@ public final class JointSolver {
       taken = new long[Math.max(slots, taken.length * 2)];
     }
     Arrays.fill(taken, 0, slots, 0);
-  }
-
-  private boolean isPlainRevolute(int slot) {
-    int more = JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG;
-    return store.type[slot] == JointStore.REVOLUTE
-        && (store.flags[slot] & more) == 0
-        && !store.isRatchet(slot);
   }
 
   /** Gives each group its places. */
@@ -278,27 +301,73 @@ public final class JointSolver {
       if ((group[i] & 1) == 0) {
         revolutes.pack(place[i], frame, store);
       } else {
-        others.pack(place[i], frame, store, trees.has(found[i]));
+        others.pack(place[i], frame, store, trees.has(found[i]), groups.isPlain(found[i]));
       }
     }
   }
 
-  /** Applies the impulses remembered from the last substep, or the last step. */
-  public void warmStart() {
+  /** Applies the impulses of the last substep, or the last step, as far as they add no energy. */
+  public void warmStart(SolverBodies b) {
     for (int c = 0; c < colours; c++) {
       revolutes.warmStart(revoluteStart[c], revoluteStart[c + 1]);
       run(c, warming);
     }
+    if (groups.weigh(b.state, b.beforeJoints())) {
+      for (int g = 0; g < groups.count(); g++) {
+        for (int at = groups.start(g); groups.share(g) < 1 && at < groups.start(g + 1); at++) {
+          int i = groups.joint(at);
+          if ((group[i] & 1) == 0) {
+            revolutes.scale(place[i], groups.share(g));
+          } else {
+            store.scaleImpulses(found[i], groups.share(g));
+          }
+        }
+      }
+    }
     treeSolver.warmStart();
+    groups.begin(b.state, b.beforeJoints());
   }
 
-  /** Visits each joint once before bodies move: errors are corrected and springs act. */
-  public void applyBiasedImpulses() {
+  /**
+   * Visits each joint before bodies move: errors are corrected and springs act. Groups in which one
+   * visit of each changes much get more.
+   */
+  public void applyBiasedImpulses(SolverBodies b) {
     for (int c = 0; c < colours; c++) {
       revolutes.applyBiasedImpulses(revoluteStart[c], revoluteStart[c + 1]);
       run(c, biasing);
     }
     treeSolver.applyBiasedImpulses();
+    boolean more = groups.needMore(b.state, b.beforeJoints());
+    for (int n = 0; more && n < MORE; n++) {
+      visitMore(n, false, true);
+      visitMore(n, true, true);
+      more = n + 1 < MORE && groups.stillNeedMore(b.state);
+    }
+    groups.note(b.state, b.beforeJoints());
+  }
+
+  /** Visits the joints of groups that need more visits, one by one, and solves their trees. */
+  private void visitMore(int pair, boolean forwards, boolean bias) {
+    for (int g = 0; g < groups.count(); g++) {
+      if (groups.gets(g, pair)) {
+        int from = groups.start(g);
+        int to = groups.start(g + 1);
+        for (int n = 0; n < to - from; n++) {
+          int i = groups.joint(forwards ? from + n : to - 1 - n);
+          if ((group[i] & 1) == 0) {
+            revolutes.visit(place[i], bias);
+          } else {
+            visits[0].visit(place[i], forwards, bias);
+          }
+        }
+      }
+    }
+    for (int t = 0; t < trees.count(); t++) {
+      if (groups.gets(groups.groupOfBody(trees.bodyOf(t)), pair)) {
+        treeSolver.visit(t, bias);
+      }
+    }
   }
 
   /** Returns whether {@link #settle} does anything. */
@@ -307,8 +376,9 @@ public final class JointSolver {
   }
 
   /** Solves trees with contacts or welds once more before bodies move. */
-  public void settle() {
+  public void settle(SolverBodies b) {
     treeSolver.settle();
+    groups.note(b.state, b.beforeJoints());
   }
 
   /** Returns how the bodies of trees answer contacts. */
@@ -326,13 +396,26 @@ public final class JointSolver {
     treeSolver.absorb();
   }
 
-  /** Visits each joint once after bodies moved, rigid. */
-  public void relax() {
+  /** Visits each joint after bodies moved, rigid, in the opposite order, and holds energy. */
+  public void relax(SolverBodies b) {
     for (int c = 0; c < colours; c++) {
       revolutes.relax(revoluteStart[c], revoluteStart[c + 1]);
+      run(c, relaxingPlain);
+    }
+    for (int c = colours - 1; c >= 0; c--) {
       run(c, relaxing);
     }
     treeSolver.relax();
+    for (int n = 0; n < MORE; n++) {
+      visitMore(n, true, false);
+      visitMore(n, false, false);
+    }
+    groups.hold(b.state, b.beforeJoints(), treeSolver.response(), torn);
+  }
+
+  /** Returns whether the anchors of a joint, given by its index, are far apart. */
+  private boolean isTorn(int i) {
+    return (group[i] & 1) != 0 && others.torn[place[i]];
   }
 
   /** Does a stage for the joints of a colour that aren't plain revolutes. */

@@ -261,6 +261,23 @@ public final class RevoluteSolver {
     }
   }
 
+  /** Scales the impulse that a lane's joint starts with. */
+  void scale(int lane, float share) {
+    int at = lane / LANES * RECORD + lane % LANES;
+    data[at + PX] *= share;
+    data[at + PY] *= share;
+  }
+
+  /** Visits the joint of a lane once more. */
+  void visit(int lane, boolean bias) {
+    int at = lane / LANES * RECORD + lane % LANES;
+    if (bias) {
+      solve(lane, at, massScale, impulseScale, data[at + BIAS_X], data[at + BIAS_Y]);
+    } else {
+      solve(lane, at, 1, 0, 0, 0);
+    }
+  }
+
   /** Applies the impulses of the last substep, or the last step. */
   void warmStart(int from, int to) {
     parallel.run(from, to, GRAIN, warming);

@@ -21,10 +21,11 @@ import java.util.Arrays;
  * </pre>
  *
  * <p>A tree without a cycle is listed here, its joints from the root to the leaves, for {@link
- * TreeSolver}, if a load is {@value #LEAST_LOAD} or more; or if it is held and has a weld, since
- * each piece of a beam bends all welds up to where it is held. Its root is a joint with what can't
- * be moved, if there is one. All others are solved joint by joint, as if this class didn't exist.
- * So are light welded bodies that move freely.
+ * TreeSolver}, if a load is {@value #LEAST_LOAD} or more (with motors or springs beside it: {@value
+ * #LEAST_MIXED_LOAD}); or if it is held and has a weld, since each piece of a beam bends all welds
+ * up to where it is held. Its root is a joint with what can't be moved, if there is one. All others
+ * are solved joint by joint, as if this class didn't exist. So are light welded bodies that move
+ * freely.
  *
  * <p>The lists follow from the awake joints and the masses of their bodies alone, so they are no
  * state: not from the slots of bodies, and from those of joints only in the order of sums.
@@ -32,6 +33,13 @@ import java.util.Arrays;
 public final class JointTrees {
   /** Least load of a tree that is solved as a whole. */
   private static final float LEAST_LOAD = 50;
+
+  /**
+   * Least load of a tree with rows beside it: motors and springs of its bodies. These know the mass
+   * of a body alone, the tree that of all, and what one does the other undoes. Below this load such
+   * bodies are better off joint by joint.
+   */
+  private static final float LEAST_MIXED_LOAD = 500;
 
   /** Number of trees. */
   int count;
@@ -80,6 +88,9 @@ public final class JointTrees {
 
   /** Per slot of a body that stands for a component: whether it has a cycle. */
   private boolean[] cyclic = new boolean[0];
+
+  /** Per slot of a body that stands for a component: whether there are rows beside its tree. */
+  private boolean[] mixed = new boolean[0];
 
   /**
    * Per slot of a body: whether its tree has a body of {@link #LEAST_LOAD} times another's mass.
@@ -145,6 +156,16 @@ public final class JointTrees {
                 && b.invMass[bodySlot] >= LEAST_LOAD * b.invMass[otherSlot]));
   }
 
+  /** Returns the number of trees. */
+  public int count() {
+    return count;
+  }
+
+  /** Returns the slot of a body of a tree. */
+  public int bodyOf(int t) {
+    return body[bodyStart[t]];
+  }
+
   /** Returns a number that is another one when there are other trees; 0 for none. */
   public int edition() {
     return count == 0 ? 0 : search;
@@ -204,6 +225,7 @@ public final class JointTrees {
       seen = Arrays.copyOf(seen, capacity);
       held = new int[capacity];
       cyclic = new boolean[capacity];
+      mixed = new boolean[capacity];
       uneven = new boolean[capacity];
       number = new int[capacity];
     }
@@ -228,6 +250,19 @@ public final class JointTrees {
       if (joints.isRod(list[i]) && keepsTrees(list[i])) {
         connect(list[i]);
       }
+    }
+    for (int i = 0; i < n; i++) {
+      if (joints.isActive(list[i])) {
+        noteRow(joints.bodyA[list[i]]);
+        noteRow(joints.bodyB[list[i]]);
+      }
+    }
+  }
+
+  private void noteRow(int bodySlot) {
+    int at = movable(bodySlot);
+    if (at >= 0) {
+      mixed[leader(at)] = true;
     }
   }
 
@@ -262,6 +297,7 @@ public final class JointTrees {
       leader[bodySlot] = bodySlot;
       held[bodySlot] = 0;
       cyclic[bodySlot] = false;
+      mixed[bodySlot] = false;
       number[bodySlot] = -1;
     }
     return bodySlot;
@@ -323,7 +359,9 @@ public final class JointTrees {
     }
     noteMasses(from, size);
     boolean heavy =
-        size - from > 1 && largestLoad(from, size, total, held[component]) >= LEAST_LOAD;
+        size - from > 1
+            && largestLoad(from, size, total, held[component])
+                >= (mixed[component] ? LEAST_MIXED_LOAD : LEAST_LOAD);
     if (!heavy && !(held[component] > 0 && hasWeld(from, size))) {
       for (int i = from; i < size; i++) {
         found[slot[i]] = 0;

@@ -120,6 +120,12 @@ public final class TreeResponse {
     return any && touched[t];
   }
 
+  /** Returns whether contacts act on the tree of a body. */
+  public boolean isTouchedAt(int bodySlot) {
+    int body = any ? trees.numberOf(bodySlot) : -1;
+    return body >= 0 && touched[treeOf[body]];
+  }
+
   /** Returns the number of a body in the trees, -1 if it is in none. */
   public int number(int bodySlot) {
     return trees.numberOf(bodySlot);

@@ -152,6 +152,11 @@ public final class TreeSolver {
     parallel.run(0, trees.count, 1, absorbing);
   }
 
+  /** Solves a tree once more, after rows of its bodies were visited. */
+  public void visit(int t, boolean bias) {
+    solve(t, bias);
+  }
+
   private void measureTrees(int from, int to) {
     for (int t = from; t < to; t++) {
       measureTree(t);

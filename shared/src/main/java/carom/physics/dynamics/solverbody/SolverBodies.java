@@ -73,7 +73,7 @@ public final class SolverBodies {
   private float[] withoutContacts = new float[0];
 
   /** Floats per slot of arrays of velocities. */
-  private static final int VELOCITY = 4;
+  public static final int VELOCITY = 4;
 
   /** Velocities before joints were solved, in the same places. */
   private float[] beforeJoints = new float[0];
@@ -328,11 +328,20 @@ public final class SolverBodies {
   }
 
   /** Remembers velocities, because joints are going to change them. */
-  public void beforeJoints() {
+  public void rememberVelocities() {
     if (beforeJoints.length < withoutContacts.length) {
       beforeJoints = new float[withoutContacts.length];
     }
     parallel.run(1, count, GRAIN, remembering);
+  }
+
+  /**
+   * Returns the velocities that were remembered.
+   *
+   * @return the live array, {@link #VELOCITY} floats per slot
+   */
+  public float[] beforeJoints() {
+    return beforeJoints;
   }
 
   private void rememberVelocities(int from, int to) {
@@ -350,7 +359,7 @@ public final class SolverBodies {
     withoutContacts[slot * VELOCITY + W] += w;
   }
 
-  /** Counts the changes since {@link #beforeJoints} as not made by contacts. */
+  /** Counts the changes since {@link #rememberVelocities} as not made by contacts. */
   public void afterJoints() {
     parallel.run(1, count, GRAIN, addingJointChanges);
   }

@@ -1,0 +1,592 @@
+package carom.physics.dynamics.jointsolver;
+
+import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
+import static carom.physics.dynamics.solverbody.SolverBodies.VELOCITY;
+import static carom.physics.dynamics.solverbody.SolverBodies.VX;
+import static carom.physics.dynamics.solverbody.SolverBodies.VY;
+import static carom.physics.dynamics.solverbody.SolverBodies.W;
+
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.jointtree.JointTrees;
+import carom.physics.dynamics.jointtree.TreeResponse;
+import carom.physics.dynamics.solverbody.SolverBodies;
+import java.util.Arrays;
+import java.util.function.IntPredicate;
+
+/**
+ * Keeps joints from making energy. A <i>group</i> is what joints hold together: bodies that can be
+ * moved.
+ *
+ * <p>Of all impulses that joints can exert, those that hold them leave the least kinetic energy
+ * (Gauss's principle), and each visit of a row comes nearer to that. So where joints without
+ * springs and motors add energy, something went wrong. It can in three places:
+ *
+ * <ul>
+ *   <li><b>Warm start.</b> The impulses of the last substep are a guess. They also contain what
+ *       errors of position asked for, and where one visit of each joint finds little of an error,
+ *       they wind themselves up: a disc with four welded blades got 500,000 times its energy. So
+ *       the guess is weighed before it counts ({@link #weigh}).
+ *   <li><b>Motion.</b> Bodies move with velocities in which one visit of each joint has found only
+ *       a part of the errors. Where it found much, more visits follow ({@link #needMore}).
+ *   <li><b>Bias.</b> What draws anchors together is taken out again by the visits after bodies
+ *       moved. What they miss is held back ({@link #hold}).
+ * </ul>
+ *
+ * <p>With the velocities v before, their change u and the masses M, a share s of u changes the
+ * energy by {@code s (u M v) + s^2 (u M u) / 2}. Each share keeps the momenta, as u does.
+ *
+ * <p><b>Plain</b> groups aren't watched: chains and nets of hinges and rods, without trees. They
+ * keep more of what turns when their guess isn't weighed, and a net of 10,000 has no time to lose.
+ *
+ * <p>The groups follow from the awake joints, and are no state. Sums are in the order of joints.
+ */
+final class JointGroups {
+  /** Energy that biased visits change, in parts of the group's, from which more visits follow. */
+  private static final double MUCH = 5e-4;
+
+  /** The same for groups with springs, turning motors, gears, racks or pulleys. */
+  private static final double LITTLE = 5e-5;
+
+  /** Joints per body from which hinges are a net. */
+  private static final float NET = 1.5f;
+
+  /** Number of groups. */
+  private int count;
+
+  /** Number of bodies in groups. */
+  private int bodyCount;
+
+  /** Number of bodies in groups that are watched. They come first. */
+  private int watched;
+
+  /** Per body: its slot. */
+  private int[] body = new int[0];
+
+  /** Per body: its group. */
+  private int[] groupOf = new int[0];
+
+  /** Per body: its slot in {@link SolverBodies}. */
+  private int[] place = new int[0];
+
+  private double[] mass = new double[0];
+  private double[] inertia = new double[0];
+
+  /** Per body: x, y and turn of the change of its velocity by joints in this substep. */
+  private double[] change = new double[0];
+
+  /** Per body: its velocity when it was last asked for more visits. */
+  private double[] last = new double[0];
+
+  /** Per slot of a body: a body of its group; in the end the one that stands for it. */
+  private int[] leader = new int[0];
+
+  /** Per slot of a body that stands for a group: which. */
+  private int[] number = new int[0];
+
+  /** Per slot of a body: the search that it was last seen in. */
+  private int[] seen = new int[0];
+
+  private int search;
+
+  /** Joints that are visited one by one, group after group, each in the order of visits. */
+  private int[] joint = new int[0];
+
+  /** Per group: its first joint; behind the last group, the end. */
+  private int[] start = new int[1];
+
+  /** Per group: whether it is a chain or net of hinges and rods that no tree solves. */
+  private boolean[] isPlain = new boolean[0];
+
+  /** Per group: whether a body has more than two joints. */
+  private boolean[] crowded = new boolean[0];
+
+  /** Per group: its joints, less those that its bodies would have in a net. */
+  private float[] jointsOf = new float[0];
+
+  /** Per group: whether a tree solves joints of it. */
+  private boolean[] hasTree = new boolean[0];
+
+  /** Per group: whether it isn't held by what can't be moved. */
+  private boolean[] isFree = new boolean[0];
+
+  /** Per group: whether springs or motors may give it energy. */
+  private boolean[] isFed = new boolean[0];
+
+  /** Per group: whether it gets more visits already where these change little. */
+  private boolean[] isFine = new boolean[0];
+
+  /** Per group: whether it is held by what moves and can't be moved. */
+  private boolean[] isCarried = new boolean[0];
+
+  /** Per group: whether biased visits still change much. */
+  private boolean[] more = new boolean[0];
+
+  /** Per group: how many pairs of visits, there and back, it gets in addition in this substep. */
+  private int[] pairs = new int[0];
+
+  // Sums of a group: u M v, u M u, energy, mass and momentum; and the share that counts.
+
+  private double[] product = new double[0];
+  private double[] square = new double[0];
+  private double[] energy = new double[0];
+  private double[] weight = new double[0];
+  private double[] momentumX = new double[0];
+  private double[] momentumY = new double[0];
+  private double[] share = new double[0];
+
+  /** Slots of the motors that turn. */
+  private int[] motor = new int[0];
+
+  private int motors;
+
+  /** Per slot of a body: how many joints it has. */
+  private int[] degree = new int[0];
+
+  private BodyStore bodies;
+  private JointStore joints;
+
+  /** Slots of the joints to solve. */
+  private int[] slots;
+
+  /** Makes empty lists. */
+  JointGroups() {}
+
+  /**
+   * Finds the groups.
+   *
+   * @param found slots of the joints to solve
+   * @param n how many
+   */
+  void find(JointStore j, BodyStore b, JointTrees trees, int[] found, int n) {
+    joints = j;
+    bodies = b;
+    slots = found;
+    ensure(n, b.slots());
+    search++;
+    bodyCount = 0;
+    for (int i = 0; i < n; i++) {
+      int one = leader(j.bodyA[found[i]]);
+      int two = leader(j.bodyB[found[i]]);
+      if (one >= 0) {
+        degree[j.bodyA[found[i]]]++;
+      }
+      if (two >= 0) {
+        degree[j.bodyB[found[i]]]++;
+      }
+      if (one >= 0 && two >= 0) {
+        leader[two] = one;
+      }
+    }
+    count = 0;
+    for (int i = 0; i < bodyCount; i++) {
+      if (leader[body[i]] == body[i]) {
+        isPlain[count] = true;
+        crowded[count] = false;
+        jointsOf[count] = 0;
+        hasTree[count] = false;
+        isFree[count] = true;
+        number[body[i]] = count++;
+      }
+    }
+    for (int i = 0; i < n; i++) {
+      int g = groupOfJoint(found[i]);
+      boolean tree = trees.has(found[i]);
+      isPlain[g] &= !tree && (joints.isPlainHinge(found[i]) || joints.isRod(found[i]));
+      crowded[g] |= isCrowded(found[i]);
+      jointsOf[g]++;
+      hasTree[g] |= tree;
+      isFree[g] &= isMovable(joints.bodyA[found[i]]) && isMovable(joints.bodyB[found[i]]);
+    }
+    for (int i = 0; i < bodyCount; i++) {
+      jointsOf[groupOfBody(body[i])] -= NET;
+    }
+    for (int g = 0; g < count; g++) {
+      isPlain[g] &= !crowded[g] || jointsOf[g] >= 0;
+    }
+    sortBodies();
+  }
+
+  private void ensure(int n, int slotCount) {
+    if (leader.length < slotCount) {
+      int capacity = Math.max(slotCount, 2 * leader.length);
+      leader = new int[capacity];
+      number = new int[capacity];
+      seen = new int[capacity];
+      degree = new int[capacity];
+    }
+    if (joint.length < n) {
+      int capacity = Math.max(n, 2 * joint.length);
+      joint = new int[capacity];
+      motor = new int[capacity];
+      ensureBodies(2 * capacity);
+      ensureGroups(2 * capacity);
+    }
+  }
+
+  private void ensureBodies(int capacity) {
+    body = new int[capacity];
+    groupOf = new int[capacity];
+    place = new int[capacity];
+    mass = new double[capacity];
+    inertia = new double[capacity];
+    change = new double[3 * capacity];
+    last = new double[3 * capacity];
+  }
+
+  private void ensureGroups(int capacity) {
+    start = new int[capacity + 1];
+    isPlain = new boolean[capacity];
+    crowded = new boolean[capacity];
+    jointsOf = new float[capacity];
+    hasTree = new boolean[capacity];
+    isFree = new boolean[capacity];
+    isFed = new boolean[capacity];
+    isFine = new boolean[capacity];
+    isCarried = new boolean[capacity];
+    more = new boolean[capacity];
+    pairs = new int[capacity];
+    product = new double[capacity];
+    square = new double[capacity];
+    energy = new double[capacity];
+    weight = new double[capacity];
+    momentumX = new double[capacity];
+    momentumY = new double[capacity];
+    share = new double[capacity];
+  }
+
+  /** Puts the bodies of plain groups behind the others. */
+  private void sortBodies() {
+    watched = 0;
+    int last = bodyCount;
+    for (int i = 0; i < bodyCount; i++) {
+      if (!isPlain[number[leader(body[i])]]) {
+        place[watched++] = body[i];
+      }
+    }
+    int at = watched;
+    for (int i = 0; i < last; i++) {
+      if (isPlain[number[leader(body[i])]]) {
+        place[at++] = body[i];
+      }
+    }
+    System.arraycopy(place, 0, body, 0, bodyCount);
+    for (int i = 0; i < bodyCount; i++) {
+      groupOf[i] = number[leader(body[i])];
+    }
+  }
+
+  /**
+   * Lists the joints of each group.
+   *
+   * @param order those that are visited one by one, as indices, in the order of visits
+   * @param visits how many these are
+   */
+  void listJoints(int[] order, int visits) {
+    Arrays.fill(start, 0, count + 1, 0);
+    for (int at = 0; at < visits; at++) {
+      start[groupOfJoint(slots[order[at]])]++;
+    }
+    for (int g = 1; g <= count; g++) {
+      start[g] += start[g - 1];
+    }
+    for (int at = visits - 1; at >= 0; at--) {
+      joint[--start[groupOfJoint(slots[order[at]])]] = order[at];
+    }
+  }
+
+  /** Returns whether a body of a joint has more joints than one of a chain. */
+  private boolean isCrowded(int joint) {
+    int one = joints.bodyA[joint];
+    int two = joints.bodyB[joint];
+    return (isMovable(one) && degree[one] > 2) || (isMovable(two) && degree[two] > 2);
+  }
+
+  private boolean isMovable(int slot) {
+    return slot >= 0 && bodies.invMass[slot] > 0;
+  }
+
+  /** Returns the body that stands for the group of a body, -1 if that can't be moved. */
+  private int leader(int slot) {
+    if (!isMovable(slot)) {
+      return -1;
+    }
+    if (seen[slot] != search) {
+      seen[slot] = search;
+      leader[slot] = slot;
+      degree[slot] = 0;
+      body[bodyCount++] = slot;
+    }
+    int at = slot;
+    while (leader[at] != at) {
+      leader[at] = leader[leader[at]];
+      at = leader[at];
+    }
+    return at;
+  }
+
+  private int groupOfJoint(int slot) {
+    int one = leader(joints.bodyA[slot]);
+    return number[one >= 0 ? one : leader(joints.bodyB[slot])];
+  }
+
+  /** Begins a step: looks at masses, and at what gives groups energy. */
+  void beginStep(int[] slotOf) {
+    for (int i = 0; i < bodyCount; i++) {
+      int slot = body[i];
+      place[i] = slotOf[slot];
+      mass[i] = 1.0 / bodies.invMass[slot];
+      inertia[i] = bodies.invInertia[slot] > 0 ? 1.0 / bodies.invInertia[slot] : 0;
+    }
+    motors = 0;
+    for (int g = 0; g < count; g++) {
+      isFed[g] = false;
+      isFine[g] = false;
+      isCarried[g] = false;
+      pairs[g] = 0;
+      for (int at = start[g]; at < start[g + 1]; at++) {
+        int slot = slots[joint[at]];
+        isCarried[g] |= isMoving(joints.bodyA[slot]) || isMoving(joints.bodyB[slot]);
+        isFed[g] |= joints.hasSpring(slot);
+        if ((joints.flags[slot] & JointStore.DRIVEN) != 0 && joints.motorSpeed[slot] != 0) {
+          isFed[g] = true;
+          motor[motors++] = slot;
+        }
+        isFine[g] |= isFed[g] || joints.isCoupled(slot);
+      }
+    }
+  }
+
+  /** Returns whether a body moves that can't be moved. */
+  private boolean isMoving(int slot) {
+    return slot >= 0
+        && bodies.invMass[slot] == 0
+        && (bodies.vx[slot] != 0 || bodies.vy[slot] != 0 || bodies.w[slot] != 0);
+  }
+
+  /** Returns the number of groups. */
+  int count() {
+    return count;
+  }
+
+  /** Returns where the joints of a group begin, which end where those of the next one begin. */
+  int start(int group) {
+    return start[group];
+  }
+
+  /** Returns the joint at a place, as an index. */
+  int joint(int at) {
+    return joint[at];
+  }
+
+  /** Returns the share of the old impulses with which a group starts, 0 to 1. */
+  float share(int group) {
+    return (float) share[group];
+  }
+
+  /** Returns whether a joint is of a group that isn't watched. */
+  boolean isPlain(int jointSlot) {
+    return isPlain[groupOfJoint(jointSlot)];
+  }
+
+  /** Returns the group of a body that joints hold. */
+  int groupOfBody(int slot) {
+    return number[leader(slot)];
+  }
+
+  /**
+   * Weighs the impulses of the last substep, which were just applied, and takes back what adds
+   * energy. What a motor is to do counts as taken, and groups with a tree are left alone: its
+   * impulses follow.
+   *
+   * @param v state of the bodies
+   * @param before velocities before
+   * @return whether the share of any group is below 1
+   */
+  boolean weigh(float[] v, float[] before) {
+    clear(product);
+    clear(square);
+    clear(energy);
+    clear(weight);
+    clear(momentumX);
+    clear(momentumY);
+    for (int i = 0; i < motors; i++) {
+      product[groupOfJoint(motor[i])] -=
+          (double) joints.motorImpulse[motor[i]] * joints.motorSpeed[motor[i]];
+    }
+    for (int i = 0; i < watched; i++) {
+      int at = place[i] * STRIDE;
+      int old = place[i] * VELOCITY;
+      double x = before[old + VX];
+      double y = before[old + VY];
+      double w = before[old + W];
+      double ux = v[at + VX] - x;
+      double uy = v[at + VY] - y;
+      double uw = v[at + W] - w;
+      int g = groupOf[i];
+      double m = mass[i];
+      double turning = inertia[i];
+      product[g] += m * (ux * x + uy * y) + turning * uw * w;
+      square[g] += m * (ux * ux + uy * uy) + turning * uw * uw;
+      energy[g] += 0.5 * (m * (x * x + y * y) + turning * w * w);
+      weight[g] += m;
+      momentumX[g] += m * x;
+      momentumY[g] += m * y;
+    }
+    boolean any = false;
+    for (int g = 0; g < count; g++) {
+      if (isFree[g]) {
+        double px = momentumX[g];
+        double py = momentumY[g];
+        energy[g] = Math.max(energy[g] - 0.5 * (px * px + py * py) / weight[g], 0);
+      }
+      share[g] = hasTree[g] || isCarried[g] || isPlain[g] ? 1 : share(product[g], square[g]);
+      any |= share[g] < 1;
+    }
+    if (any) {
+      for (int i = 0; i < watched; i++) {
+        double back = 1 - share[groupOf[i]];
+        if (back > 0) {
+          int at = place[i] * STRIDE;
+          int old = place[i] * VELOCITY;
+          v[at + VX] -= (float) (back * ((double) v[at + VX] - before[old + VX]));
+          v[at + VY] -= (float) (back * ((double) v[at + VY] - before[old + VY]));
+          v[at + W] -= (float) (back * ((double) v[at + W] - before[old + W]));
+        }
+      }
+    }
+    return any;
+  }
+
+  private void clear(double[] sums) {
+    Arrays.fill(sums, 0, count, 0);
+  }
+
+  /** Returns the largest share with which energy doesn't grow. */
+  private static double share(double product, double square) {
+    return 2 * product + square <= 0 ? 1 : Math.max(-2 * product / square, 0);
+  }
+
+  /** Notes what the first impulses of a substep changed. */
+  void begin(float[] v, float[] before) {
+    Arrays.fill(change, 0, 3 * watched, 0);
+    note(v, before);
+  }
+
+  /** Notes what impulses changed. */
+  void note(float[] v, float[] before) {
+    for (int i = 0; i < watched; i++) {
+      int at = place[i] * STRIDE;
+      int old = place[i] * VELOCITY;
+      change[3 * i] += (double) v[at + VX] - before[old + VX];
+      change[3 * i + 1] += (double) v[at + VY] - before[old + VY];
+      change[3 * i + 2] += (double) v[at + W] - before[old + W];
+    }
+  }
+
+  /**
+   * Returns whether biased visits have changed so much that groups need more of them.
+   *
+   * @param v state of the bodies
+   * @param before velocities before
+   */
+  boolean needMore(float[] v, float[] before) {
+    for (int i = 0; i < watched; i++) {
+      int old = place[i] * VELOCITY;
+      last[3 * i] = before[old + VX];
+      last[3 * i + 1] = before[old + VY];
+      last[3 * i + 2] = before[old + W];
+    }
+    for (int g = 0; g < count; g++) {
+      more[g] = !isPlain[g] && start[g] < start[g + 1];
+      pairs[g] = 0;
+    }
+    return stillNeedMore(v);
+  }
+
+  /** Returns whether the visits since the last question have changed too much for some groups. */
+  boolean stillNeedMore(float[] v) {
+    clear(square);
+    for (int i = 0; i < watched; i++) {
+      int g = groupOf[i];
+      if (more[g]) {
+        int at = place[i] * STRIDE;
+        double ux = v[at + VX] - last[3 * i];
+        double uy = v[at + VY] - last[3 * i + 1];
+        double uw = v[at + W] - last[3 * i + 2];
+        square[g] += mass[i] * (ux * ux + uy * uy) + inertia[i] * uw * uw;
+        last[3 * i] = v[at + VX];
+        last[3 * i + 1] = v[at + VY];
+        last[3 * i + 2] = v[at + W];
+      }
+    }
+    boolean any = false;
+    for (int g = 0; g < count; g++) {
+      more[g] &= 0.5 * square[g] > (isFine[g] ? LITTLE : MUCH) * energy[g];
+      pairs[g] += more[g] ? 1 : 0;
+      any |= more[g];
+    }
+    return any;
+  }
+
+  /** Returns whether a group gets another pair of visits after bodies moved. */
+  boolean gets(int group, int pair) {
+    return pair < pairs[group];
+  }
+
+  /** Takes back what joints without springs and motors have added to the energy. */
+  void hold(float[] v, float[] before, TreeResponse response, IntPredicate torn) {
+    note(v, before);
+    clear(product);
+    clear(square);
+    for (int i = 0; i < watched; i++) {
+      int g = groupOf[i];
+      int at = place[i] * STRIDE;
+      double ux = change[3 * i];
+      double uy = change[3 * i + 1];
+      double uw = change[3 * i + 2];
+      product[g] +=
+          mass[i] * (ux * (v[at + VX] - ux) + uy * (v[at + VY] - uy))
+              + inertia[i] * uw * (v[at + W] - uw);
+      square[g] += mass[i] * (ux * ux + uy * uy) + inertia[i] * uw * uw;
+    }
+    boolean any = false;
+    for (int g = 0; g < count; g++) {
+      share[g] = isFed[g] || isCarried[g] ? 1 : share(product[g], square[g]);
+      if (share[g] < 1 && isTorn(g, torn)) {
+        share[g] = 1;
+      }
+      any |= share[g] < 1;
+    }
+    if (any) {
+      holdBack(v, response);
+    }
+  }
+
+  /** Returns whether anchors are so far apart that closing the gap is all that counts. */
+  private boolean isTorn(int g, IntPredicate torn) {
+    for (int at = start[g]; at < start[g + 1]; at++) {
+      if (torn.test(joint[at])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private void holdBack(float[] v, TreeResponse response) {
+    for (int i = 0; i < watched; i++) {
+      if (hasTree[groupOf[i]] && response.isTouchedAt(body[i])) {
+        share[groupOf[i]] = 1; // what contacts did to a tree is in the change, too
+      }
+    }
+    for (int i = 0; i < watched; i++) {
+      double back = 1 - share[groupOf[i]];
+      if (back > 0) {
+        int at = place[i] * STRIDE;
+        v[at + VX] -= (float) (back * change[3 * i]);
+        v[at + VY] -= (float) (back * change[3 * i + 1]);
+        v[at + W] -= (float) (back * change[3 * i + 2]);
+      }
+    }
+  }
+}
