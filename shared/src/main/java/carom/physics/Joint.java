@@ -503,8 +503,9 @@ public final class Joint<T> {
     world.note(Call.SET_LIMITS, index, lower, upper);
     set(store.lower, lower);
     set(store.upper, upper);
-    wind(lower);
-    wind(upper);
+    if (JointDef.windsAt(lower) || JointDef.windsAt(upper)) {
+      wind();
+    }
     raise(JointStore.LIMITED);
   }
 
@@ -584,7 +585,9 @@ public final class Joint<T> {
     Limits.range("rest", coordinate, JointDef.least(type), JointDef.most(type));
     world.note(Call.SET_REST, index, coordinate);
     set(store.rest, coordinate);
-    wind(coordinate);
+    if (JointDef.windsBeyond(coordinate)) {
+      wind();
+    }
   }
 
   /**
@@ -649,8 +652,8 @@ public final class Joint<T> {
   }
 
   /** Starts counting full turns if a revolute joint needs an angle beyond half a turn. */
-  private void wind(float angle) {
-    if (type == JointType.REVOLUTE && JointDef.windsBeyond(angle)) {
+  private void wind() {
+    if (type == JointType.REVOLUTE) {
       raise(JointStore.WINDS);
     }
   }

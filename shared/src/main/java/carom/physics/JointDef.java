@@ -557,12 +557,20 @@ public final class JointDef<T> {
   private boolean winds() {
     return switch (type) {
       case GEAR, RACK -> true;
-      case REVOLUTE -> ratio != 0 || windsBeyond(lower) || windsBeyond(upper) || windsBeyond(rest);
+      case REVOLUTE -> ratio != 0 || windsAt(lower) || windsAt(upper) || windsBeyond(rest);
       default -> false;
     };
   }
 
   /** Returns whether a revolute joint must count full turns to reach an angle, rad. */
+  /**
+   * Returns whether turns are counted for a limit. That is so long before the angle of half a turn,
+   * where a body that is pushed against its limit would come round to the other one.
+   */
+  static boolean windsAt(float limit) {
+    return Math.abs(limit) > Trig.PI / 2;
+  }
+
   static boolean windsBeyond(float angle) {
     return Math.abs(angle) > Trig.PI;
   }

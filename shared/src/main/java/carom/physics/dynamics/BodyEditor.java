@@ -66,7 +66,7 @@ public final class BodyEditor {
   }
 
   /**
-   * Adds a new body at its pose. A static one wakes what it overlaps.
+   * Adds a new body at its pose. A static or kinematic one wakes what it overlaps.
    *
    * @param body the slot
    * @param awake whether it starts awake; means nothing for a static body

@@ -19,11 +19,11 @@ import carom.physics.math.Transform;
  *   new Explosion(x, y, 5).impulse(300).blockedByStatics(true).explode(world);
  * </pre>
  *
- * <p>Each convex part gets the impulse {@code impulse * width * (1 - distance / radius)} at its
- * point nearest to the centre, directed away from the centre. The width is the part's extent across
- * that direction, in metres. So a plank that lies broadside flies far, and a body made of four
- * boxes flies like one big box. A part that contains the centre gets the impulse at its middle,
- * directed from the centre to the middle.
+ * <p>Each body gets the impulse {@code impulse * width * (1 - distance / radius)} at its point
+ * nearest to the centre, directed away from the centre. The width is the body's extent across that
+ * direction, in metres. So a plank that lies broadside flies far, and a body made of many boxes
+ * flies like one big box, however it is cut. A body that contains the centre gets the impulse at
+ * its centre of mass, directed there from the centre.
  *
  * <p>Bodies get the impulse, and wake, by ascending index; it acts in the next step. An explosion
  * is not thread-safe. A repeated call allocates nothing.
@@ -40,8 +40,10 @@ public final class Explosion {
   private final Distance distances = new Distance();
   private final ClosestPoints points = new ClosestPoints();
   private final Transform pose = new Transform();
-  private double middleX;
-  private double middleY;
+  private double nearestX;
+  private double nearestY;
+  private double directionX;
+  private double directionY;
   private final QueryFilter<Object> walls =
       (body, shape) -> body.type() == BodyType.STATIC && !body.sensor(shape);
 
@@ -73,9 +75,9 @@ public final class Explosion {
   }
 
   /**
-   * Sets whether static bodies give shelter; default false. A part is sheltered if a solid shape of
-   * a static body crosses the line from the centre to the part's nearest point. An explosion inside
-   * a wall has no effect outside it.
+   * Sets whether static bodies give shelter; default false. A body is sheltered if a solid shape of
+   * a static body crosses the line from the centre to its nearest point. An explosion inside a wall
+   * has no effect outside it.
    *
    * @param sheltered true if static bodies give shelter
    * @return this
@@ -108,34 +110,26 @@ public final class Explosion {
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);
       pose.set(body.x(), body.y(), body.cos(), body.sin());
-      for (int k = 0; k < body.shapeCount(); k++) {
-        if (!body.sensor(k) && (body.filter(k).category() & categories) != 0) {
-          push(world, body, body.shape(k));
-        }
-      }
+      push(world, body);
     }
     nearby.clear();
   }
 
-  private void push(World<?> world, Body<?> body, Shape shape) {
-    for (int i = 0; i < shape.parts().size(); i++) {
-      Convex part = shape.parts().get(i);
-      float distance = distances.toPoint(part, pose, x, y, points);
-      if (distance < radius) {
-        push(world, body, part, distance);
-      }
+  private void push(World<?> world, Body<?> body) {
+    float distance = radius;
+    for (int k = 0; k < body.shapeCount(); k++) {
+      distance = isActedOn(body, k) ? nearest(body.shape(k), distance) : distance;
     }
-  }
-
-  private void push(World<?> world, Body<?> body, Convex part, float distance) {
-    double px = (double) pose.x + points.ax;
-    double py = (double) pose.y + points.ay;
-    double dx = -points.normalX;
-    double dy = -points.normalY;
+    if (!(distance < radius)) {
+      return;
+    }
+    double px = nearestX;
+    double py = nearestY;
+    double dx = directionX;
+    double dy = directionY;
     if (distance == 0) {
-      middle(part);
-      px = middleX;
-      py = middleY;
+      px = body.centerX();
+      py = body.centerY();
       dx = px - x;
       dy = py - y;
       double length = Math.sqrt(dx * dx + dy * dy);
@@ -144,37 +138,48 @@ public final class Explosion {
     } else if (blocked && isSheltered(world, (float) (px - x), (float) (py - y))) {
       return;
     }
-    double size = impulse * width(part, dx, dy) * (1 - distance / radius);
+    double size = impulse * width(body, dx, dy) * (1 - distance / radius);
     body.applyImpulse((float) (size * dx), (float) (size * dy), (float) px, (float) py);
   }
 
-  /** Computes the mean of the part's vertices in the world. */
-  private void middle(Convex part) {
-    double mx = 0;
-    double my = 0;
-    int count = part.vertexCount();
-    for (int i = 0; i < count; i++) {
-      mx += part.vertexX(i);
-      my += part.vertexY(i);
-    }
-    mx /= count;
-    my /= count;
-    middleX = pose.x + (pose.cos * mx - pose.sin * my);
-    middleY = pose.y + (pose.sin * mx + pose.cos * my);
+  private boolean isActedOn(Body<?> body, int shape) {
+    return !body.sensor(shape) && (body.filter(shape).category() & categories) != 0;
   }
 
-  /** Returns the extent of a part across a direction of length one, m. */
-  private double width(Convex part, double dx, double dy) {
+  /** Notes the nearest point of a shape if it is nearer; returns the distance of the nearest. */
+  private float nearest(Shape shape, float before) {
+    float least = before;
+    for (int i = 0; i < shape.parts().size(); i++) {
+      float distance = distances.toPoint(shape.parts().get(i), pose, x, y, points);
+      if (distance < least) {
+        least = distance;
+        nearestX = (double) pose.x + points.ax;
+        nearestY = (double) pose.y + points.ay;
+        directionX = -points.normalX;
+        directionY = -points.normalY;
+      }
+    }
+    return least;
+  }
+
+  /** Returns the extent of a body across a direction of length one, m. */
+  private double width(Body<?> body, double dx, double dy) {
     double acrossX = pose.cos * -dy + pose.sin * dx;
     double acrossY = pose.cos * dx + pose.sin * dy;
     double least = Double.POSITIVE_INFINITY;
     double most = Double.NEGATIVE_INFINITY;
-    for (int i = 0; i < part.vertexCount(); i++) {
-      double at = acrossX * part.vertexX(i) + acrossY * part.vertexY(i);
-      least = Math.min(least, at);
-      most = Math.max(most, at);
+    for (int k = 0; k < body.shapeCount(); k++) {
+      Shape shape = body.shape(k);
+      for (int i = 0; isActedOn(body, k) && i < shape.parts().size(); i++) {
+        Convex part = shape.parts().get(i);
+        for (int v = 0; v < part.vertexCount(); v++) {
+          double at = acrossX * part.vertexX(v) + acrossY * part.vertexY(v);
+          least = Math.min(least, at - part.radius());
+          most = Math.max(most, at + part.radius());
+        }
+      }
     }
-    return most - least + 2.0 * part.radius();
+    return most - least;
   }
 
   @SuppressWarnings("unchecked")

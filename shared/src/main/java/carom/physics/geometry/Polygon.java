@@ -14,8 +14,9 @@ import java.util.Arrays;
  * any order, and drops those inside their hull.
  *
  * <p>Both drop points that would make contacts ill-conditioned: near-duplicates (closer than 1e-4
- * of the size of the bounding box) and points nearly on the line through their neighbours (nearer
- * than 1e-5 of it). Vertex 0 is the leftmost one (of these the lowest).
+ * of the size of the bounding box, or 0.1 mm if that is less) and points nearly on the line through
+ * their neighbours (nearer than a tenth of that). Vertex 0 is the leftmost one (of these the
+ * lowest).
  */
 public final class Polygon extends Convex {
   private static final double DUPLICATE = 1e-4;
@@ -256,6 +257,10 @@ public final class Polygon extends Convex {
   private static Vec2[] cleaned(Vec2[] hull) {
     Vec2[] kept = hull.clone();
     double size = size(kept);
+    // Thin outlines are long: what is near is never a good part of the least width.
+    double grain = 4 * Math.ulp((float) size);
+    double near = Math.max(Math.min(DUPLICATE * size, 0.1 * MIN_SIZE), grain);
+    double flat = Math.max(Math.min(COLLINEAR * size, 0.01 * MIN_SIZE), 0.25 * grain);
     int n = kept.length;
     boolean changed = true;
     while (changed && n >= 3) {
@@ -265,8 +270,8 @@ public final class Polygon extends Convex {
         Vec2 p = kept[i];
         Vec2 after = kept[(i + 1) % n];
         double chord = distance(before, after);
-        boolean straight = Math.abs(turn(before, p, after)) <= COLLINEAR * size * chord;
-        if (straight || distance(before, p) <= DUPLICATE * size) {
+        boolean straight = Math.abs(turn(before, p, after)) <= flat * chord;
+        if (straight || distance(before, p) <= near) {
           System.arraycopy(kept, i + 1, kept, i, n - i - 1);
           n--;
           i--;

@@ -56,6 +56,32 @@ public final class Interval {
     return max - min;
   }
 
+  /** Returns whether a number is in the interval; its ends are. */
+  public boolean contains(float value) {
+    return min <= value && value <= max;
+  }
+
+  /** Returns whether another interval is a part of this one; equal ends count. */
+  public boolean contains(Interval other) {
+    return min <= other.min && other.max <= max;
+  }
+
+  /** Returns the smallest interval that contains both, as a new one. */
+  public Interval union(Interval other) {
+    return new Interval(Math.min(min, other.min), Math.max(max, other.max));
+  }
+
+  /**
+   * Returns what both intervals share, as a new one.
+   *
+   * @return null if they share nothing
+   */
+  public Interval intersection(Interval other) {
+    return overlaps(other)
+        ? new Interval(Math.max(min, other.min), Math.min(max, other.max))
+        : null;
+  }
+
   /** Returns true if the intervals share at least one point; touching ends count. */
   public boolean overlaps(Interval other) {
     return min <= other.max && other.min <= max;
@@ -83,6 +109,19 @@ public final class Interval {
       return 0;
     }
     return down <= up ? -down : up;
+  }
+
+  /** Returns whether another interval has the same ends now; both are mutable. */
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Interval i
+        && Float.compare(min, i.min) == 0
+        && Float.compare(max, i.max) == 0;
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * Float.hashCode(min) + Float.hashCode(max);
   }
 
   @Override

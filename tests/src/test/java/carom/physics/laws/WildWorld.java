@@ -21,7 +21,9 @@ import carom.physics.effects.AreaEffect;
 import carom.physics.effects.Attractor;
 import carom.physics.effects.Buoyancy;
 import carom.physics.effects.Explosion;
+import carom.physics.effects.Hover;
 import carom.physics.effects.OneWay;
+import carom.physics.effects.Spring;
 import carom.physics.effects.Wind;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Capsule;
@@ -126,6 +128,7 @@ final class WildWorld {
         List.of(AreaEffect.force(area, 1, 2), new Attractor(0, 0, 9), new Wind(area, 1, 2)));
     things.addAll(List.of(new Buoyancy(area, 2), new Explosion(0, 0, 5), new Vec2(1, 2)));
     things.add(new OneWay<String>((b, s) -> false));
+    things.addAll(List.of(new Spring(0, 0, 9), new Hover<String>(2)));
     things.addAll(List.of(new Emitter(0, 0, 1, 0), new ParticleDef(ParticleDef.Kind.SAND, 0.1f)));
     things.addAll(List.of(Material.DEFAULT, Filter.DEFAULT, MotionLocks.NONE, new ShapeDef(box)));
     things.addAll(List.of(new BodyDef(BodyType.DYNAMIC).shape(box), ChainDef.open(0, 0, 1, 0)));
@@ -263,7 +266,8 @@ final class WildWorld {
       String name = thing.getClass().getSimpleName();
       if (name.endsWith("Def") || name.endsWith("Effect") || thing instanceof Record) {
         fields(thing, text);
-      } else if (List.of("Attractor", "Buoyancy", "Explosion", "Emitter").contains(name)) {
+      } else if (List.of("Attractor", "Buoyancy", "Explosion", "Emitter", "Spring")
+          .contains(name)) {
         fields(thing, text);
       }
     }

@@ -2,6 +2,7 @@ package carom.physics.math;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -56,5 +57,18 @@ final class IntervalTest {
     assertEquals("[-2.0, 5.0]", i.project(xs, ys, 3, 1, 1).toString());
     assertEquals(7f, i.length());
     assertThrows(IllegalArgumentException.class, () -> i.project(xs, ys, 0, 1, 0));
+  }
+
+  @Test
+  void intervalsAreSets() {
+    Interval a = new Interval(0, 3);
+    Interval b = new Interval(2, 5);
+    assertTrue(a.contains(0) && a.contains(3) && !a.contains(3.01f) && !a.contains(Float.NaN));
+    assertTrue(a.contains(new Interval(1, 3)) && !a.contains(b));
+    assertEquals(new Interval(0, 5), a.union(b));
+    assertEquals(new Interval(2, 3), a.intersection(b));
+    assertEquals(new Interval(3, 3), a.intersection(new Interval(3, 4)));
+    assertEquals(null, a.intersection(new Interval(4, 5)));
+    assertEquals(a.hashCode(), new Interval(0, 3).hashCode());
   }
 }

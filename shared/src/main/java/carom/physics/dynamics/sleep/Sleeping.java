@@ -262,9 +262,12 @@ public final class Sleeping {
     return true;
   }
 
-  /** Wakes the bodies that sleep within reach of a static body. */
+  /**
+   * Wakes the bodies that sleep within reach of a static or kinematic body, which a still one
+   * wouldn't wake by touching them.
+   */
   public void wakeOverlapped(int body) {
-    if (asleepCount == 0 || bodies.type[body] != BodyStore.STATIC) {
+    if (asleepCount == 0 || bodies.type[body] == BodyStore.DYNAMIC) {
       return;
     }
     staticReach.listSleepers(body, touched);

@@ -33,7 +33,7 @@ final class StaticReach {
     this.pairs = pairs;
   }
 
-  /** Appends the sleeping bodies that a static body may touch, some perhaps twice. */
+  /** Appends the sleeping bodies that a body may touch, some perhaps twice. */
   void listSleepers(int body, IntList to) {
     found = to;
     pairs.insertPending();
