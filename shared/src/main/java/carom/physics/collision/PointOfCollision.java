@@ -1,12 +1,14 @@
 package carom.physics.collision;
 
 import carom.physics.geometry.Convex;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
- * A point at which two shapes collide, found in one of three usual ways, for games and lessons that
- * work with a single point. The solver itself uses the {@link Manifold}'s two. Points are in world
- * axes, relative to A's transform position, metres, as in a manifold. Mutable and reused.
+ * A point at which two shapes collide, found in one of the usual ways, for games and lessons that
+ * work with a single point: three for all shapes, and two for circles. The solver itself uses the
+ * {@link Manifold}'s two. Points are in world axes, relative to A's transform position, metres, as
+ * in a manifold. Mutable and reused.
  */
 public final class PointOfCollision {
   /** X of the point, metres from A's position. */
@@ -88,6 +90,46 @@ public final class PointOfCollision {
     }
     x = m.count == 2 ? 0.5f * (m.x0 + m.x1) : m.x0;
     y = m.count == 2 ? 0.5f * (m.y0 + m.y1) : m.y0;
+    return true;
+  }
+
+  /**
+   * Sets the point to that on the line between the centres of two circles which divides it as the
+   * radii do, {@code c1 + r1 / (r1 + r2) (c2 - c1)}, relative to the first centre. It is the middle
+   * of the overlap of equal circles, and the point of touching of any.
+   *
+   * @param wayX x of the way from the first circle's centre to the second's, m
+   * @param wayY y of it, m
+   * @param r1 radius of the first circle, more than 0, m
+   * @param r2 radius of the second circle, more than 0, m
+   */
+  public void betweenCircles(float wayX, float wayY, float r1, float r2) {
+    float part =
+        Limits.range("r1", r1, Float.MIN_VALUE, Limits.MAX_COORDINATE)
+            / (r1 + Limits.range("r2", r2, Float.MIN_VALUE, Limits.MAX_COORDINATE));
+    x = part * wayX;
+    y = part * wayY;
+  }
+
+  /**
+   * Sets the point to that of a circle which is deepest in the other shape, {@code c - r mtv} of
+   * shape A and {@code c + r mtv} of shape B, with the unit vector of the MTV.
+   *
+   * @param centerX x of the circle's centre, m
+   * @param centerY y of the circle's centre, m
+   * @param radius radius of the circle, m
+   * @param mtv moves shape A out of shape B
+   * @param isA whether the circle is shape A
+   * @return false if the shapes don't overlap; the point stays as it was
+   */
+  public boolean onCircle(float centerX, float centerY, float radius, Mtv mtv, boolean isA) {
+    float length = Limits.notNull("mtv", mtv).length();
+    if (!(length > 0)) {
+      return false;
+    }
+    float factor = (isA ? -radius : radius) / length;
+    x = centerX + factor * mtv.x;
+    y = centerY + factor * mtv.y;
     return true;
   }
 

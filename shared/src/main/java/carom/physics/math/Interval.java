@@ -77,9 +77,9 @@ public final class Interval {
    * @return null if they share nothing
    */
   public Interval intersection(Interval other) {
-    return overlaps(other)
-        ? new Interval(Math.max(min, other.min), Math.min(max, other.max))
-        : null;
+    float low = Math.max(min, other.min);
+    float high = Math.min(max, other.max);
+    return low <= high ? new Interval(low, high) : null;
   }
 
   /** Returns true if the intervals share at least one point; touching ends count. */
