@@ -145,6 +145,11 @@ final class MissFinder {
     }
     substeps = settings.substeps() + 1;
     h = dt / settings.substeps();
+    pathA.reserve(substeps);
+    pathB.reserve(substeps);
+    if (sums.length < SUM * bodies.type.length) {
+      sums = new float[SUM * bodies.type.length];
+    }
   }
 
   /** Returns the verdict on a row whose points all have a gap. */
@@ -231,9 +236,6 @@ final class MissFinder {
   /** Returns where the sums of a body are, and makes them if it has none in this step. */
   private int sum(int body) {
     int at = SUM * body;
-    if (sums.length <= at) {
-      sums = Arrays.copyOf(sums, SUM * bodies.type.length);
-    }
     if (sums[at + STAMP] == stamp) {
       return at;
     }
@@ -291,7 +293,6 @@ final class MissFinder {
 
   /** Finds the path of a body, as the integrator will move it. */
   private void find(int body, Path path) {
-    path.reserve(substeps);
     boolean dynamic = bodies.type[body] == BodyStore.DYNAMIC;
     boolean rests = !moves(body);
     float vx = rests ? 0 : bodies.vx[body];

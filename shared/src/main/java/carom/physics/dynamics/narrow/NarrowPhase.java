@@ -49,14 +49,17 @@ public final class NarrowPhase {
   private final BoxLanes lanes = BoxLanes.FOUND;
   private final ParallelFor.Range updating = this::update;
 
-  /** Per row: whether it stays as it is. */
-  private boolean[] left = new boolean[0];
+  /** Mark: the row stays as it is. */
+  private static final int LEFT = 1;
 
-  /** Per row: whether it covers others. */
-  private boolean[] covers = new boolean[0];
+  /** Mark: the row covers others. */
+  private static final int COVERS = 2;
 
-  /** Per row: whether a callback let its parts pass in the step before. */
-  private boolean[] passed = new boolean[0];
+  /** Mark: a callback let its parts pass in the step before. */
+  private static final int PASSED = 4;
+
+  /** Per row: its marks, added up. */
+  private byte[] marks = new byte[0];
 
   /**
    * Per group of rows: whether many manifolds of its first block were made anew. Decides about
@@ -168,6 +171,8 @@ public final class NarrowPhase {
     for (Scratch scratch : scratches) {
       scratch.misses.begin(dt);
       scratch.reserve.count = 0;
+      scratch.reserve.ensureRoom(contacts.capacity());
+      scratch.gaps.ensureRoom(contacts.capacity());
     }
     for (int row = 0; !first && row < contacts.count(); row++) { // rows have moved since
       if (contacts.isHeld(row)) {
@@ -175,29 +180,25 @@ public final class NarrowPhase {
       }
     }
     int count = contacts.count();
-    if (left.length < contacts.capacity()) {
-      left = new boolean[contacts.capacity()];
-      covers = new boolean[left.length];
-      passed = new boolean[left.length];
-      restless = Arrays.copyOf(restless, left.length / GROUP + 1);
+    if (marks.length < contacts.capacity()) {
+      marks = new byte[contacts.capacity()];
+      restless = Arrays.copyOf(restless, marks.length / GROUP + 1);
     }
-    Arrays.fill(left, 0, count, false);
-    Arrays.fill(covers, 0, count, false);
     int passing = ContactTable.TOUCHING | ContactTable.VETOED;
     for (int row = 0; row < count; row++) {
-      passed[row] = (contacts.flags[row] & passing) == passing;
+      marks[row] = (byte) ((contacts.flags[row] & passing) == passing ? PASSED : 0);
     }
     contacts.keepManifolds();
   }
 
   /** Excepts a row from the update. */
   public void leave(int row) {
-    left[row] = true;
+    marks[row] |= LEFT;
   }
 
   /** Returns whether a row is, or was, excepted from the update. */
   public boolean isLeft(int row) {
-    return left[row];
+    return (marks[row] & LEFT) != 0;
   }
 
   /** Updates the rows; returns how many of them have contact points. */
@@ -305,12 +306,12 @@ public final class NarrowPhase {
 
   /** Returns whether a callback let the parts of a row pass in the step before. */
   boolean passed(int row) {
-    return passed[row];
+    return (marks[row] & PASSED) != 0;
   }
 
   /** Marks a row as one that covers others, which were ended for its sake. */
   void markCover(int row) {
-    covers[row] = true;
+    marks[row] |= COVERS;
   }
 
   /**
@@ -327,7 +328,7 @@ public final class NarrowPhase {
       for (int i = 0; i < gaps.count; i++) {
         int row = gaps.values[i];
         int verdict = contacts.points[row] == 0 ? MissFinder.MEET : scratch.misses.judge(row);
-        if (verdict == MissFinder.MISS && !covers[row]) {
+        if (verdict == MissFinder.MISS && (marks[row] & COVERS) == 0) {
           contacts.end(row);
           apart++;
         } else if (verdict != MissFinder.MEET && contacts.hold(row)) {
@@ -360,7 +361,7 @@ public final class NarrowPhase {
     int others = 0;
     for (int row = from; row < to; row++) {
       int does = t.responds(row) ? 1 : 0;
-      int stays = left[row] ? 0 : 1;
+      int stays = ~marks[row] & LEFT;
       scratch.responding[responding] = row;
       responding += stays & does;
       scratch.others[others] = row;
