@@ -55,7 +55,7 @@ public final class World<T> {
    * differently. Recordings and connections of another version are refused, states as bytes tell it
    * ({@link WorldState#physicsVersion}). {@code carom.net.protocol.Protocol} has the same number.
    */
-  public static final int PHYSICS_VERSION = 7;
+  public static final int PHYSICS_VERSION = 8;
 
   private static final JointType[] JOINT_TYPES = JointType.values();
 

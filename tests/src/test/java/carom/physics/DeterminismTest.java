@@ -34,19 +34,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE 97aa12e14fe33488 70f2064b941446f6
-      GAS 7359ccc56fe4acd5 a1414a47a096a0d
-      SPIN 208a768a70ba8053 438b0b9e40e3fd4
+      PILE 96a35bab318bb711 4bbeb6001e51a6b1
+      GAS 2eebf1ba2efa5eb cfd33dfff6e739ae
+      SPIN d48e105aa520e5f6 d88655c879555dec
       NET b4b495a92dedba4e 11
-      JOINTS 92c310e2e959e3e0 9591a17ff2559fdb
-      BELTS adb5a27bede8c9aa b98c309a7312afe6
-      CHAINS bd6cffc77fceb40e 56d63f1aae96abe8
-      ROUND 4c68ccadc010eb15 bd9612e7b6eec1a3
-      BULLETS 8e8fd15293859694 68e6bbc49faaef77
-      SLEEPERS d15488bae6dd80cc 9bafe19bb01c96b2
-      EDITS 3d63b6f2a6d6ac3a 412f54fcb724c01e
-      WATER 149f3d6e1f6e2dad 7f9bcfaeb4e35d8a
-      EULER bffb05c95b0149f1 c48706cf509719ba
+      JOINTS 5ab847dcc6d3db16 b710dbf521f7489e
+      BELTS 8afd8d0ceb4d785e a3c46ec60c7ed8c4
+      CHAINS 9820458dbc1a3ff0 90da526e9c2ed1c
+      ROUND c49be5a495364a59 6b43720ef88aaa00
+      BULLETS 8c1d71c49ed6e8ba f65fafa2624010a7
+      SLEEPERS 40e0fa97a2d37628 e4e7d8efdb2877a6
+      EDITS 3cc4fc1d15e199c9 aa0a39618880da14
+      WATER 48e1ea68799ad3f0 38e15a463e82ec9a
+      EULER ed5c44126e27b9b7 e727027d52ac6fdc
       """;
 
   @Test

@@ -15,7 +15,7 @@ public final class Protocol {
    * same state hash. A change that alters a result of {@code carom.physics}, {@code carom.sim} or a
    * shipped game raises it.
    */
-  public static final String PHYSICS_VERSION = "carom-physics-7";
+  public static final String PHYSICS_VERSION = "carom-physics-8";
 
   private Protocol() {}
 
