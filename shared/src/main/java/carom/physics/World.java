@@ -227,7 +227,9 @@ public final class World<T> {
     ShapeDef[] given = Limits.notNull("bodyDef", bodyDef).shapes.toArray(new ShapeDef[0]);
     ShapeSpec[] specs = specs(given);
     byte type = code(bodyDef.type);
-    BodyEditor.checkShapes(type, specs, bodyDef.mass);
+    if (recorder != null) {
+      BodyEditor.checkShapes(type, specs, bodyDef.mass); // what is refused isn't recorded
+    }
     noteValue(Call.CREATE_BODY, bodyDef);
     int slot = dynamics.editor().create(type, specs, bodyDef.mass, bodyDef.locks.angularZ());
     store.setLinearLocks(slot, axes(bodyDef.locks));

@@ -99,6 +99,7 @@ class SealedWorldTest {
               "Body.forEachOverlap",
               "World.readJoint",
               "World.readMotions",
+              "World.refuseDuringQuery",
               "World.queryAabb",
               "World.forEachJoint",
               "World.forEachBody",
