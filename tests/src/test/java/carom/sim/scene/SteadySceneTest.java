@@ -34,7 +34,7 @@ final class SteadySceneTest {
   private static final Map<String, Integer> FILLED_AT =
       Map.of(
           "arch", 610,
-          "bridge", 1420,
+          "bridge", 1460,
           "bullets", 1210,
           "conveyor", 2400,
           "filters", 1800,

@@ -162,7 +162,7 @@ final class JointGroups {
     joints = j;
     bodies = b;
     slots = found;
-    ensure(n, b.slots());
+    ensure(Math.max(n, j.count()), b.slots());
     search++;
     bodyCount = 0;
     for (int i = 0; i < n; i++) {
