@@ -1,5 +1,6 @@
 package carom.physics.laws;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.Body;
@@ -168,6 +169,38 @@ final class PassiveJointTest {
       }
       double fall = 10 * weight * 0.5 * links;
       assertPassive(w, 600, fall, "weight=" + weight + " links=" + links);
+    }
+  }
+
+  /** What is carried along isn't passive: a trolley sets in motion what hangs on it. */
+  @ParameterizedTest
+  @EnumSource
+  void whatATrolleyCarriesGoesWithIt(Hold hold) {
+    for (float weight : new float[] {1, 1000}) {
+      World<String> w = world(0);
+      Body<String> trolley =
+          w.createBody(new BodyDef(BodyType.KINEMATIC).shape(new Box(0.2f, 0.1f)), "trolley");
+      Body<String> before = trolley;
+      for (int i = 0; i < 4; i++) {
+        float density = (i == 3 ? weight : 1) / 0.05f;
+        BodyDef def = dynamic(0, -0.25f - 0.5f * i);
+        Material material = material(density);
+        Body<String> link = w.createBody(def.shape(new Box(0.05f, 0.25f), material, apart()), "link");
+        boolean top = i == 0;
+        w.createJoint(
+            top ? hold.of(before, link, 0, 0) : JointDef.revolute(before, link, 0, -0.5f * i));
+        before = link;
+      }
+      trolley.setVelocity(1, 0);
+      double way = before.x();
+      for (int i = 0; i < 300; i++) {
+        w.step(DT);
+        way += DT * before.velocityX();
+      }
+      assertEquals(way, before.x(), 0.1, hold + " weight=" + weight + ", moved without speed");
+      double far = Math.hypot(trolley.x() - before.x(), trolley.y() - before.y());
+      assertEquals(5, trolley.x(), 1e-3);
+      assertTrue(far < 1.8, hold + " weight=" + weight + " far=" + far);
     }
   }
 

@@ -135,6 +135,11 @@ final class JointGroups {
   private double[] momentumY = new double[0];
   private double[] share = new double[0];
 
+  /** Slots of the joints with what can't be moved, trees' as well. */
+  private int[] held = new int[0];
+
+  private int heldCount;
+
   /** Slots of the motors that turn. */
   private int[] motor = new int[0];
 
@@ -189,6 +194,7 @@ final class JointGroups {
         number[body[i]] = count++;
       }
     }
+    heldCount = 0;
     for (int i = 0; i < n; i++) {
       int g = groupOfJoint(found[i]);
       boolean tree = trees.has(found[i]);
@@ -196,7 +202,10 @@ final class JointGroups {
       crowded[g] |= isCrowded(found[i]);
       jointsOf[g]++;
       hasTree[g] |= tree;
-      isFree[g] &= isMovable(joints.bodyA[found[i]]) && isMovable(joints.bodyB[found[i]]);
+      if (!isMovable(joints.bodyA[found[i]]) || !isMovable(joints.bodyB[found[i]])) {
+        isFree[g] = false;
+        held[heldCount++] = found[i];
+      }
     }
     for (int i = 0; i < bodyCount; i++) {
       jointsOf[groupOfBody(body[i])] -= NET;
@@ -219,6 +228,7 @@ final class JointGroups {
       int capacity = Math.max(n, 2 * joint.length);
       joint = new int[capacity];
       motor = new int[capacity];
+      held = new int[capacity];
       ensureBodies(2 * capacity);
       ensureGroups(2 * capacity);
     }
@@ -346,13 +356,17 @@ final class JointGroups {
       pairs[g] = 0;
       for (int at = start[g]; at < start[g + 1]; at++) {
         int slot = slots[joint[at]];
-        isCarried[g] |= isMoving(joints.bodyA[slot]) || isMoving(joints.bodyB[slot]);
         isFed[g] |= joints.hasSpring(slot);
         if ((joints.flags[slot] & JointStore.DRIVEN) != 0 && joints.motorSpeed[slot] != 0) {
           isFed[g] = true;
           motor[motors++] = slot;
         }
         isFine[g] |= isFed[g] || joints.isCoupled(slot);
+      }
+    }
+    for (int i = 0; i < heldCount; i++) {
+      if (isMoving(joints.bodyA[held[i]]) || isMoving(joints.bodyB[held[i]])) {
+        isCarried[groupOfJoint(held[i])] = true;
       }
     }
   }
