@@ -185,7 +185,8 @@ final class PassiveJointTest {
         float density = (i == 3 ? weight : 1) / 0.05f;
         BodyDef def = dynamic(0, -0.25f - 0.5f * i);
         Material material = material(density);
-        Body<String> link = w.createBody(def.shape(new Box(0.05f, 0.25f), material, apart()), "link");
+        Body<String> link =
+            w.createBody(def.shape(new Box(0.05f, 0.25f), material, apart()), "link");
         boolean top = i == 0;
         w.createJoint(
             top ? hold.of(before, link, 0, 0) : JointDef.revolute(before, link, 0, -0.5f * i));
