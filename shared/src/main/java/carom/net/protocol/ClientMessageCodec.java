@@ -80,6 +80,9 @@ public final class ClientMessageCodec {
     } else if (message instanceof ClientMessage.Diverged diverged) {
       encodeDiverged(diverged, buffer);
     } else if (message instanceof ClientMessage.Password password) {
+      if (password.text().isEmpty()) {
+        throw new IllegalArgumentException("Password.text is empty; a password has 1 byte or more");
+      }
       buffer.put(PASSWORD);
       putText("Password.text", password.text(), ProtocolLimits.MAX_PASSWORD_BYTES, buffer);
     } else if (message instanceof ClientMessage.Watch watch) {

@@ -60,7 +60,7 @@ final class RowTransfer {
   /**
    * Reads the listed bodies, and the joints and contacts among them and with statics.
    *
-   * @return contacts that are left out because the other body is not listed
+   * @return contacts that are left out because the other body is not listed, near misses included
    */
   int read(ExactRows rows) {
     int count = rows.bodies().count();
@@ -120,13 +120,13 @@ final class RowTransfer {
   /** Notes a contact that belongs to the rows, once. */
   private void find(ContactTable table, int end, int body, boolean sleeps) {
     int row = end >> 1;
-    if (table.points[row] == 0 || (table.flags[row] & ContactTable.TOUCHING) == 0) {
-      return;
-    }
     int other = (end & 1) == 0 ? table.bodyB(row) : table.bodyA(row);
     boolean listed = placeOf[other] >= 0;
     if (!listed && store.type[other] != BodyStore.STATIC) {
-      leaks++;
+      leaks += table.sensor(row) ? 0 : 1; // also if it is only near: elsewhere it may touch
+      return;
+    }
+    if (table.points[row] == 0 || (table.flags[row] & ContactTable.TOUCHING) == 0) {
       return;
     }
     if (listed && table.bodyA(row) != body) {

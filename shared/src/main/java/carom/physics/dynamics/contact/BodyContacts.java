@@ -62,7 +62,13 @@ public final class BodyContacts {
     int start = size;
     int i = 0;
     int end = body < first.length ? first[body] : -1;
-    while (end >= 0 || i < n) {
+    while (true) {
+      while (end >= 0 && (contacts.flags[end >> 1] & ContactTable.TOUCHING) == 0) {
+        end = next[end];
+      }
+      if (end < 0 && i == n) {
+        return start;
+      }
       if (i == n || (end >= 0 && contacts.key[end >> 1] < resting.key[sleeping[i]])) {
         append(contacts, end >> 1, body);
         end = next[end];
@@ -70,11 +76,11 @@ public final class BodyContacts {
         append(resting, sleeping[i++], body);
       }
     }
-    return start;
   }
 
   /**
    * Returns the first end of a body in the contact table, -1 for none; valid until its rows change.
+   * Rows are among them whose parts are near and don't touch.
    */
   public int firstEnd(int body) {
     if (version != contacts.version()) {
@@ -174,7 +180,7 @@ public final class BodyContacts {
     size++;
   }
 
-  /** Links the touching rows by body, from the back, so that each list ascends. */
+  /** Links the rows by body, from the back, so that each list ascends. */
   private void link() {
     for (int i = 0; i < linkedCount; i++) {
       first[linked[i]] = -1;
@@ -185,10 +191,8 @@ public final class BodyContacts {
       next = new int[Math.max(2 * contacts.count(), 2 * next.length)];
     }
     for (int row = contacts.count() - 1; row >= 0; row--) {
-      if ((contacts.flags[row] & ContactTable.TOUCHING) != 0) {
-        link(2 * row, contacts.bodyA(row));
-        link(2 * row + 1, contacts.bodyB(row));
-      }
+      link(2 * row, contacts.bodyA(row));
+      link(2 * row + 1, contacts.bodyB(row));
     }
   }
 
