@@ -65,7 +65,8 @@ class OwnerFieldScenarioTest {
         String about = "right=" + right + " told=" + told + " " + stepper.describe();
         assertTrue(right >= 99, about);
         assertTrue(told <= (audience == Audience.NEAR ? 0 : 25), about);
-        assertEquals(corrections[client == ann ? 0 : 1], stats.corrections(), about);
+        // Inputs that the network loses for good, one in a thousand, may each cost a correction.
+        assertTrue(stats.corrections() - corrections[client == ann ? 0 : 1] <= 3, about);
       }
       assertEquals(0, stepper.count(Counter.DIVERGENCES_REPORTED), stepper.describe());
       requireFindings(audience, stepper.room().simulation().findings());
