@@ -122,7 +122,12 @@ final class WebSiegeTest {
           assertHealthy();
         }
       }
-      assertTrue(held() <= WebServer.affordableConnections() / 2, "held=" + held());
+      int most = WebServer.affordableConnections() / 2;
+      long soonNs = System.nanoTime() + 10_000_000_000L; // closing takes a moment to arrive
+      while (held() > most && System.nanoTime() - soonNs < 0) {
+        Thread.sleep(20);
+      }
+      assertTrue(held() <= most, "held=" + held());
     }
     long endNs = System.nanoTime() + 90_000_000_000L;
     while (held() > 0 && System.nanoTime() - endNs < 0) {
