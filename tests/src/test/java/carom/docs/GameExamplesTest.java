@@ -73,7 +73,8 @@ final class GameExamplesTest {
         carom.sim.joint.Assembly car;
         Material rubber, metal;
         EventKind knock, boom, shot, goal;
-        QueryHit<Entity> ground, hit;
+        QueryHit<Entity> hit;
+        carom.physics.effects.Hover<Entity> hover;
         QueryFilter<Entity> notMyself;
         Pool lake;
         Phase phase;

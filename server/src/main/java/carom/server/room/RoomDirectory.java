@@ -54,8 +54,8 @@ public final class RoomDirectory {
   }
 
   /**
-   * Returns the room to which a player of a room that closes goes, or null: the fullest that still
-   * has a seat, of the same game if there is one.
+   * Returns the room to which a player goes whose room closes: the fullest one with a free seat.
+   * Rooms of the same game come before others. Returns null if no room has a seat.
    */
   Room refuge(String game, Room closing) {
     Room best = null;

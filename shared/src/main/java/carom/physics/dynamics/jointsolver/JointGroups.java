@@ -78,10 +78,10 @@ final class JointGroups {
   /** Per body: its velocity when it was last asked for more visits. */
   private double[] last = new double[0];
 
-  /** Per slot of a body: a body of its group; in the end the one that stands for it. */
+  /** Per slot of a body, while groups are found: a body of its group, or itself. */
   private int[] leader = new int[0];
 
-  /** Per slot of a body that stands for a group: which. */
+  /** Per slot of a body: its group. */
   private int[] number = new int[0];
 
   /** Per slot of a body: the search that it was last seen in. */
@@ -124,6 +124,9 @@ final class JointGroups {
 
   /** Per group: how many pairs of visits, there and back, it gets in addition in this substep. */
   private int[] pairs = new int[0];
+
+  /** The most pairs of any group. */
+  private int mostPairs;
 
   // Sums of a group: u M v, u M u, energy, mass and momentum; and the share that counts.
 
@@ -194,6 +197,9 @@ final class JointGroups {
         number[body[i]] = count++;
       }
     }
+    for (int i = 0; i < bodyCount; i++) {
+      number[body[i]] = number[leader(body[i])];
+    }
     heldCount = 0;
     for (int i = 0; i < n; i++) {
       int g = groupOfJoint(found[i]);
@@ -208,7 +214,7 @@ final class JointGroups {
       }
     }
     for (int i = 0; i < bodyCount; i++) {
-      jointsOf[groupOfBody(body[i])] -= NET;
+      jointsOf[number[body[i]]] -= NET;
     }
     for (int g = 0; g < count; g++) {
       isPlain[g] &= !crowded[g] || jointsOf[g] >= 0;
@@ -270,19 +276,19 @@ final class JointGroups {
     watched = 0;
     int last = bodyCount;
     for (int i = 0; i < bodyCount; i++) {
-      if (!isPlain[number[leader(body[i])]]) {
+      if (!isPlain[number[body[i]]]) {
         place[watched++] = body[i];
       }
     }
     int at = watched;
     for (int i = 0; i < last; i++) {
-      if (isPlain[number[leader(body[i])]]) {
+      if (isPlain[number[body[i]]]) {
         place[at++] = body[i];
       }
     }
     System.arraycopy(place, 0, body, 0, bodyCount);
     for (int i = 0; i < bodyCount; i++) {
-      groupOf[i] = number[leader(body[i])];
+      groupOf[i] = number[body[i]];
     }
   }
 
@@ -336,8 +342,8 @@ final class JointGroups {
   }
 
   private int groupOfJoint(int slot) {
-    int one = leader(joints.bodyA[slot]);
-    return number[one >= 0 ? one : leader(joints.bodyB[slot])];
+    int one = joints.bodyA[slot];
+    return number[isMovable(one) ? one : joints.bodyB[slot]];
   }
 
   /** Begins a step: looks at masses, and at what gives groups energy. */
@@ -353,7 +359,6 @@ final class JointGroups {
       isFed[g] = false;
       isFine[g] = false;
       isCarried[g] = false;
-      pairs[g] = 0;
       for (int at = start[g]; at < start[g + 1]; at++) {
         int slot = slots[joint[at]];
         isFed[g] |= joints.hasSpring(slot);
@@ -405,7 +410,7 @@ final class JointGroups {
 
   /** Returns the group of a body that joints hold. */
   int groupOfBody(int slot) {
-    return number[leader(slot)];
+    return number[slot];
   }
 
   /**
@@ -505,17 +510,21 @@ final class JointGroups {
    * @param before velocities before
    */
   boolean needMore(float[] v, float[] before) {
+    clear(square);
     for (int i = 0; i < watched; i++) {
+      int at = place[i] * STRIDE;
       int old = place[i] * VELOCITY;
-      last[3 * i] = before[old + VX];
-      last[3 * i + 1] = before[old + VY];
-      last[3 * i + 2] = before[old + W];
+      double ux = (double) v[at + VX] - before[old + VX];
+      double uy = (double) v[at + VY] - before[old + VY];
+      double uw = (double) v[at + W] - before[old + W];
+      square[groupOf[i]] += mass[i] * (ux * ux + uy * uy) + inertia[i] * uw * uw;
     }
     for (int g = 0; g < count; g++) {
       more[g] = !isPlain[g] && start[g] < start[g + 1];
       pairs[g] = 0;
     }
-    return stillNeedMore(v);
+    mostPairs = 0;
+    return grantPairs(v);
   }
 
   /** Returns whether the visits since the last question have changed too much for some groups. */
@@ -529,18 +538,37 @@ final class JointGroups {
         double uy = v[at + VY] - last[3 * i + 1];
         double uw = v[at + W] - last[3 * i + 2];
         square[g] += mass[i] * (ux * ux + uy * uy) + inertia[i] * uw * uw;
-        last[3 * i] = v[at + VX];
-        last[3 * i + 1] = v[at + VY];
-        last[3 * i + 2] = v[at + W];
       }
     }
+    return grantPairs(v);
+  }
+
+  /** Gives groups in which much has changed another pair of visits, and remembers velocities. */
+  private boolean grantPairs(float[] v) {
     boolean any = false;
     for (int g = 0; g < count; g++) {
       more[g] &= 0.5 * square[g] > (isFine[g] ? LITTLE : MUCH) * energy[g];
       pairs[g] += more[g] ? 1 : 0;
       any |= more[g];
     }
-    return any;
+    if (!any) {
+      return false;
+    }
+    mostPairs++;
+    for (int i = 0; i < watched; i++) {
+      if (more[groupOf[i]]) {
+        int at = place[i] * STRIDE;
+        last[3 * i] = v[at + VX];
+        last[3 * i + 1] = v[at + VY];
+        last[3 * i + 2] = v[at + W];
+      }
+    }
+    return true;
+  }
+
+  /** Returns how many pairs of visits the groups with most of them get after bodies moved. */
+  int mostPairs() {
+    return mostPairs;
   }
 
   /** Returns whether a group gets another pair of visits after bodies moved. */

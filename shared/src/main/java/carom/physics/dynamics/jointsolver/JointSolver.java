@@ -406,7 +406,7 @@ public final class JointSolver {
       run(c, relaxing);
     }
     treeSolver.relax();
-    for (int n = 0; n < MORE; n++) {
+    for (int n = 0; n < groups.mostPairs(); n++) {
       visitMore(n, true, false);
       visitMore(n, false, false);
     }

@@ -499,22 +499,15 @@ final class JointVisit extends ConstraintRow {
   /**
    * Returns the mass by which a spring on the row has its stiffness. It mustn't change while bodies
    * turn: a stiffness that does makes energy. So an arm that turns against the row counts with half
-   * its square, the mean over a turn.
+   * its square, the mean over a turn: both of a rod's, and that of a wheel.
    */
   private float springMass(int slot) {
-    float armA =
-        switch (store.type[slot]) {
-          case JointStore.DISTANCE -> 0.5f * (rAx * rAx + rAy * rAy);
-          default -> sA * sA;
-        };
-    float armB =
-        switch (store.type[slot]) {
-          case JointStore.DISTANCE, JointStore.WHEEL -> 0.5f * (rBx * rBx + rBy * rBy);
-          default -> sB * sB;
-        };
-    if (store.type[slot] == JointStore.PULLEY || ux == 0 && uy == 0) {
+    boolean rod = store.type[slot] == JointStore.DISTANCE;
+    if (!rod && store.type[slot] != JointStore.WHEEL) {
       return mass;
     }
+    float armA = rod ? 0.5f * (rAx * rAx + rAy * rAy) : sA * sA;
+    float armB = 0.5f * (rBx * rBx + rBy * rBy);
     float inverse = mA + mB + iA * armA + iB * armB;
     return inverse > 0 ? 1 / inverse : 0;
   }
