@@ -38,7 +38,7 @@ final class DeterminismTest {
       GAS 2eebf1ba2efa5eb cfd33dfff6e739ae
       SPIN d48e105aa520e5f6 d88655c879555dec
       NET b4b495a92dedba4e 11
-      JOINTS 5ab847dcc6d3db16 b710dbf521f7489e
+      JOINTS e87323ce682e0b1e 1ab3aac5a1d096d4
       BELTS 8afd8d0ceb4d785e a3c46ec60c7ed8c4
       CHAINS 9820458dbc1a3ff0 90da526e9c2ed1c
       ROUND c49be5a495364a59 6b43720ef88aaa00

@@ -82,7 +82,7 @@ final class JointGroups {
   private int[] leader = new int[0];
 
   /** Per slot of a body: its group. */
-  private int[] number = new int[0];
+  private int[] groupAt = new int[0];
 
   /** Per slot of a body: the search that it was last seen in. */
   private int[] seen = new int[0];
@@ -194,11 +194,11 @@ final class JointGroups {
         jointsOf[count] = 0;
         hasTree[count] = false;
         isFree[count] = true;
-        number[body[i]] = count++;
+        groupAt[body[i]] = count++;
       }
     }
     for (int i = 0; i < bodyCount; i++) {
-      number[body[i]] = number[leader(body[i])];
+      groupAt[body[i]] = groupAt[leader(body[i])];
     }
     heldCount = 0;
     for (int i = 0; i < n; i++) {
@@ -214,7 +214,7 @@ final class JointGroups {
       }
     }
     for (int i = 0; i < bodyCount; i++) {
-      jointsOf[number[body[i]]] -= NET;
+      jointsOf[groupAt[body[i]]] -= NET;
     }
     for (int g = 0; g < count; g++) {
       isPlain[g] &= !crowded[g] || jointsOf[g] >= 0;
@@ -226,7 +226,7 @@ final class JointGroups {
     if (leader.length < slotCount) {
       int capacity = Math.max(slotCount, 2 * leader.length);
       leader = new int[capacity];
-      number = new int[capacity];
+      groupAt = new int[capacity];
       seen = new int[capacity];
       degree = new int[capacity];
     }
@@ -274,21 +274,20 @@ final class JointGroups {
   /** Puts the bodies of plain groups behind the others. */
   private void sortBodies() {
     watched = 0;
-    int last = bodyCount;
     for (int i = 0; i < bodyCount; i++) {
-      if (!isPlain[number[body[i]]]) {
+      if (!isPlain[groupAt[body[i]]]) {
         place[watched++] = body[i];
       }
     }
     int at = watched;
-    for (int i = 0; i < last; i++) {
-      if (isPlain[number[body[i]]]) {
+    for (int i = 0; i < bodyCount; i++) {
+      if (isPlain[groupAt[body[i]]]) {
         place[at++] = body[i];
       }
     }
     System.arraycopy(place, 0, body, 0, bodyCount);
     for (int i = 0; i < bodyCount; i++) {
-      groupOf[i] = number[body[i]];
+      groupOf[i] = groupAt[body[i]];
     }
   }
 
@@ -343,7 +342,7 @@ final class JointGroups {
 
   private int groupOfJoint(int slot) {
     int one = joints.bodyA[slot];
-    return number[isMovable(one) ? one : joints.bodyB[slot]];
+    return groupAt[isMovable(one) ? one : joints.bodyB[slot]];
   }
 
   /** Begins a step: looks at masses, and at what gives groups energy. */
@@ -410,7 +409,7 @@ final class JointGroups {
 
   /** Returns the group of a body that joints hold. */
   int groupOfBody(int slot) {
-    return number[slot];
+    return groupAt[slot];
   }
 
   /**
