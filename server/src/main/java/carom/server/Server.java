@@ -604,6 +604,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
         leaving.add(room);
       }
       String answer = room.dissolve(text);
+      limitLinks(RoomConfig.places(rooms.stream().map(Room::settings).toList()));
       roomEnds.accept(room);
       if (worker != null) {
         worker.stop(); // when the links have said goodbye
@@ -618,11 +619,11 @@ public final class Server implements AutoCloseable, RoomKeeper {
       RoomConfig next = change.apply(room.settings());
       int places = RoomConfig.places(settingsWith(room, next));
       next.levels().forEach(this::requireLevel);
-      limitLinks(places);
       String problem = room.reconfigure(next);
       if (problem != null) {
         throw new IllegalArgumentException(problem);
       }
+      limitLinks(places);
     }
   }
 
