@@ -28,6 +28,11 @@ public final class Broadcast {
         : codec.encode(message);
   }
 
+  /** Returns a message, or the message inside a broadcast. */
+  public static Object messageOf(Object message) {
+    return message instanceof Broadcast broadcast ? broadcast.message : message;
+  }
+
   @SuppressWarnings("ReferenceEquality") // another codec may write other bytes
   private synchronized byte[] encodedBy(MessageCodec codec) {
     if (encodedBy != codec) {

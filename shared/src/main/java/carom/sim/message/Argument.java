@@ -97,6 +97,30 @@ record Argument(String name, Type type, int min, int max, List<Object> constants
     }
   }
 
+  /** Puts a value from outside into a message. Returns false when it doesn't fit. */
+  boolean parse(Message message, int at, Object value) {
+    if (value instanceof Number n && type == Type.COUNT) {
+      return n.doubleValue() == n.intValue() && takes(message, at, n.intValue());
+    }
+    if (value instanceof Number n && type == Type.REAL) {
+      return takes(message, at, Float.floatToIntBits(n.floatValue()));
+    }
+    if (value instanceof Boolean b && type == Type.FLAG) {
+      return takes(message, at, b ? 1 : 0);
+    }
+    if (value instanceof String s && type == Type.TEXT) {
+      return takes(message, at, Texts.clean(s));
+    }
+    if (value instanceof String s && type == Type.CHOICE) {
+      for (int i = 0; i < constants.size(); i++) {
+        if (((Enum<?>) constants.get(i)).name().equals(s)) {
+          return takes(message, at, i);
+        }
+      }
+    }
+    return false;
+  }
+
   /** Puts a number into a message. Returns false when it is out of range. */
   boolean takes(Message message, int at, int value) {
     boolean fits =

@@ -1,6 +1,8 @@
 package carom.sim.message;
 
 import carom.text.Texts;
+import java.util.LinkedHashMap;
+import java.util.Map;
 
 /**
  * A message of a {@link MessageKind} with a value for each argument, made by {@link
@@ -73,6 +75,27 @@ public final class Message {
    */
   public String text(String argument) {
     return texts[index(argument, Argument.Type.TEXT)];
+  }
+
+  /**
+   * Returns all values by the names of their arguments: Integer, Boolean, Float or String; a choice
+   * is the name of its constant.
+   */
+  public Map<String, Object> values() {
+    Map<String, Object> values = new LinkedHashMap<>();
+    for (int i = 0; i < numbers.length; i++) {
+      Argument a = kind.arguments().get(i);
+      values.put(
+          a.name(),
+          switch (a.type()) {
+            case TEXT -> texts[i];
+            case REAL -> Float.intBitsToFloat(numbers[i]);
+            case CHOICE -> ((Enum<?>) a.constants().get(numbers[i])).name();
+            case FLAG -> numbers[i] != 0;
+            case COUNT -> numbers[i];
+          });
+    }
+    return values;
   }
 
   private int index(String argument, Argument.Type type) {

@@ -2,6 +2,7 @@ package carom.sim.message;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /**
  * A kind of message between a client and the game at the server, such as a purchase or a vote: its
@@ -181,6 +182,23 @@ public final class MessageKind {
     return message;
   }
 
+  /**
+   * Returns a message whose values come from outside by the names of their arguments.
+   *
+   * @param values a Number for a count or a real, a Boolean, a String for a text, the name of a
+   *     constant for a choice; others are ignored
+   * @return the message, or null when a value is missing, of another type or out of range
+   */
+  public Message parse(Map<String, ?> values) {
+    Message message = new Message(this);
+    for (int i = 0; i < arguments.size(); i++) {
+      if (!arguments.get(i).parse(message, i, values.get(arguments.get(i).name()))) {
+        return null;
+      }
+    }
+    return message;
+  }
+
   /** Returns the name. */
   public String name() {
     return name;
@@ -189,6 +207,18 @@ public final class MessageKind {
   /** Returns who may send it. */
   public Direction direction() {
     return direction;
+  }
+
+  /** Returns whether messages of this kind come from there. */
+  public boolean comesFrom(Direction from) {
+    return direction.allows(from);
+  }
+
+  /** Returns each argument with its range, such as {@code item count 0..31}. */
+  public List<String> argumentLines() {
+    List<String> lines = new ArrayList<>();
+    arguments.forEach(argument -> lines.add(argument.toString()));
+    return lines;
   }
 
   /** Returns whether each message arrives, in order. */

@@ -62,6 +62,21 @@ public final class MessageKinds {
     return index >= 0 && index < list.size() ? list.get(index) : null;
   }
 
+  /** Returns the kind of a name, or null. */
+  public MessageKind find(String name) {
+    for (MessageKind kind : list) {
+      if (kind.name().equals(name)) {
+        return kind;
+      }
+    }
+    return null;
+  }
+
+  /** Returns the game's own kinds, in their order. */
+  public List<MessageKind> own() {
+    return List.copyOf(list.subList(BuiltInKinds.ALL.size(), list.size()));
+  }
+
   /**
    * Returns the index of a kind, 0..255, which the wire carries.
    *

@@ -1,0 +1,201 @@
+package carom.server.thin;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A message from the server to a thin client, sent reliably and in order, see docs/THIN.md. Each
+ * door encodes it in its own form. Snapshots are {@link ThinSnapshot}s instead.
+ */
+public sealed interface ThinServerMessage {
+  /**
+   * Admits a client, before its first {@link Match}.
+   *
+   * @param version {@link ThinLink#VERSION}
+   * @param secret takes the seat again over another link; never 0
+   * @param tickRate ticks a second
+   * @param rate snapshots a second until the client asks for others
+   */
+  record Welcome(int version, long secret, int tickRate, int rate) implements ThinServerMessage {}
+
+  /** Refuses a client; the link closes after it. */
+  record Refused(String reason, String text) implements ThinServerMessage {}
+
+  /**
+   * Begins a match, the first or the next: forget all bodies, fields and players of the one before.
+   *
+   * @param player the own player's id
+   * @param tick the newest tick
+   * @param room name of the room
+   * @param game name of the game
+   * @param level name of the level
+   * @param bounds least x, least y, greatest x and greatest y that players normally reach, metres
+   * @param archetypes kinds of bodies, by index
+   * @param ground bodies that never move, all of them
+   * @param events kinds of events, by index
+   * @param gauges fields that players see
+   * @param teams name and colour of each team; empty without teams
+   * @param messages kinds of the game's own messages
+   */
+  record Match(
+      int player,
+      int tick,
+      String room,
+      String game,
+      String level,
+      List<Float> bounds,
+      List<Archetype> archetypes,
+      List<Ground> ground,
+      List<EventLook> events,
+      List<Gauge> gauges,
+      List<Team> teams,
+      List<Kind> messages)
+      implements ThinServerMessage {}
+
+  /**
+   * A kind of bodies.
+   *
+   * @param rgb fill colour, 0xRRGGBB; of the look PLAYER the owner's colour counts
+   * @param outline colour of the edge
+   * @param look name of a constant of {@code carom.sim.level.Appearance.Look}
+   * @param sensor whether all its shapes are sensors, which touch nothing
+   * @param parts convex pieces in the body's frame
+   */
+  record Archetype(
+      String name, int rgb, int outline, String look, boolean sensor, List<Part> parts) {}
+
+  /**
+   * A convex piece.
+   *
+   * @param radius by which it is rounded, metres
+   * @param corners x and y of each corner: one of a circle, two of a capsule
+   */
+  record Part(float radius, List<Float> corners) {}
+
+  /** A body that never moves. */
+  record Ground(float x, float y, float angle, Archetype kind) {}
+
+  /** The look and sound of a kind of events. */
+  record EventLook(
+      String name, int rgb, float radius, String label, String sound, float fullStrength) {}
+
+  /**
+   * A field that players see.
+   *
+   * @param kind name of a constant of {@code carom.sim.gauge.Gauge.Kind}
+   * @param scope {@code match}, {@code player} or {@code entity}
+   * @param least value of an empty bar
+   * @param most value of a full bar
+   */
+  record Gauge(String kind, String label, String scope, String field, float least, float most) {}
+
+  /** A team. */
+  record Team(String name, int rgb) {}
+
+  /**
+   * A kind of the game's own messages.
+   *
+   * @param from {@code client}, {@code server} or {@code both}
+   * @param arguments each with its range, such as {@code count item 0..31}, for people
+   */
+  record Kind(String name, String from, List<String> arguments) {}
+
+  /**
+   * Tells of players that came, changed or went; the first after a {@link Match} lists all.
+   *
+   * @param gone ids of those that went
+   */
+  record Roster(List<Participant> players, List<Integer> gone) implements ThinServerMessage {}
+
+  /**
+   * A player or a spectator.
+   *
+   * @param rgb colour of its body; -1 for that of the team or the archetype
+   */
+  record Participant(
+      int id,
+      String name,
+      int team,
+      int score,
+      boolean spectator,
+      boolean ready,
+      boolean alive,
+      int ping,
+      int rgb) {}
+
+  /** Tells of players of whom only score or ping changed: id, score and ping of each. */
+  record Scores(List<Integer> scores) implements ThinServerMessage {}
+
+  /** Tells of fields that changed and that this player may know. */
+  record Fields(List<FieldValue> values) implements ThinServerMessage {}
+
+  /**
+   * A field's value.
+   *
+   * @param scope {@code match}, {@code player} or {@code entity}
+   * @param id of the player or entity; 0 of the match
+   * @param name such as {@code health}, or {@code lamp[3]} of a field with several values
+   * @param value Boolean, Integer, Float or String; a countdown is the tick at which it is over, a
+   *     choice the name of its constant, a player or entity its id or -1; null when the player may
+   *     no longer know it
+   */
+  record FieldValue(String scope, int id, String name, Object value) {}
+
+  /**
+   * Tells of something that happened once.
+   *
+   * @param kind index in {@link Match#events}
+   * @param player who caused it, or -1
+   * @param first entity that it happened to, or -1
+   * @param second other entity that took part, or -1
+   * @param data number whose meaning depends on the kind
+   */
+  record Event(
+      int kind,
+      int tick,
+      float x,
+      float y,
+      float strength,
+      int player,
+      int first,
+      int second,
+      int data)
+      implements ThinServerMessage {}
+
+  /**
+   * Tells what somebody said.
+   *
+   * @param player who, or -1 for the server
+   * @param team whether the player's team alone hears it
+   */
+  record Chat(int player, String text, boolean team) implements ThinServerMessage {}
+
+  /** Tells that a player shows an emote. */
+  record Emote(int player, String emote) implements ThinServerMessage {}
+
+  /**
+   * Lists rooms.
+   *
+   * @param left number of rooms that follow in further messages
+   */
+  record Rooms(List<Room> rooms, int left) implements ThinServerMessage {}
+
+  /** A room. */
+  record Room(
+      String name,
+      String game,
+      String level,
+      String phase,
+      int players,
+      int places,
+      Map<String, String> info) {}
+
+  /** Carries a message of the game: its kind's name, and its values by name. */
+  record Custom(String kind, Map<String, Object> values) implements ThinServerMessage {}
+
+  /** Sends the client to another server, {@code host:port}; the link closes after it. */
+  record Redirect(String server, String room) implements ThinServerMessage {}
+
+  /** Ends the session; the link closes after it. */
+  record Goodbye(String reason, String text) implements ThinServerMessage {}
+}
