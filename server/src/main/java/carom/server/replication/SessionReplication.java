@@ -17,6 +17,7 @@ import carom.server.prediction.OwnCapture;
 import carom.server.prediction.PredictedSet;
 import carom.server.prediction.PredictionAudit;
 import carom.server.prediction.PredictionAudit.Finding;
+import carom.server.thin.ThinLink;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import java.util.Arrays;
@@ -44,8 +45,11 @@ public final class SessionReplication {
   private final Counters counters;
   private final OwnState own;
 
-  /** Null before the first link and after the end. */
+  /** Null before the first link of an own client, and after the end. */
   private SnapshotSender sender;
+
+  /** Null unless the client is a thin one. */
+  private ThinSender thin;
 
   /** Null until the client says that it predicts. */
   private PredictedSet predictedSet;
@@ -102,7 +106,7 @@ public final class SessionReplication {
   }
 
   private boolean mayKnow(Entity e) {
-    return sender.mayKnow(e);
+    return thin != null ? thin.mayKnow(e) : sender.mayKnow(e);
   }
 
   /**
@@ -110,8 +114,16 @@ public final class SessionReplication {
    * has heard of.
    *
    * @param epoch that of the session's Welcome
+   * @param link to the client; null for none yet
    */
-  public void begin(int epoch) {
+  public void begin(int epoch, Link link) {
+    if (link instanceof ThinLink thinLink) {
+      sender = null;
+      predictedSet = null;
+      thin = new ThinSender(frames, player, thinLink, epoch, config, counters);
+      return;
+    }
+    thin = null;
     SnapshotSender before = sender;
     sender = new SnapshotSender(frames, player, epoch, config, counters);
     if (before != null) {
@@ -156,6 +168,7 @@ public final class SessionReplication {
   /** Ends the replication; the session is over. */
   public void end() {
     sender = null;
+    thin = null;
   }
 
   /** Notes the events that the player would hear of; once per tick without a link. */
@@ -177,12 +190,18 @@ public final class SessionReplication {
 
   /** Offers an event that the frames keep, and that the player may not have heard of. */
   public void offer(long number) {
-    sender.offer(number);
+    if (sender != null) {
+      sender.offer(number);
+    }
   }
 
   /** Takes over what the client says it shows. */
   public void look(ClientMessage.Look look) {
-    sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight(), look.follows());
+    if (thin != null) {
+      thin.look(look.x(), look.y(), look.halfWidth(), look.halfHeight(), look.follows());
+    } else {
+      sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight(), look.follows());
+    }
   }
 
   /** Takes a client's acks as they are. */
@@ -226,6 +245,10 @@ public final class SessionReplication {
    * @param inputsLate whether the client's inputs come too late at present
    */
   public void prepareSnapshot(int tick, boolean inputInTime, boolean inputsLate) {
+    if (thin != null) {
+      thin.prepare();
+      return;
+    }
     preparedTick = tick;
     sender.tick();
     capture.capture(player, mayKnow, own);
@@ -273,11 +296,15 @@ public final class SessionReplication {
 
   /** Returns whether the snapshot prepared last should be sent. */
   public boolean isSnapshotDue() {
-    return sender.isDue();
+    return thin != null ? thin.isDue() : sender.isDue();
   }
 
   /** Sends the snapshot prepared last. */
   public void sendSnapshot(Link link, InputFeedback feedback) {
+    if (thin != null) {
+      thin.send();
+      return;
+    }
     sender.send(link, feedback, own);
     if (own.near().present()) {
       audit.keepSetState(preparedTick, predictedSet.state());
@@ -289,11 +316,14 @@ public final class SessionReplication {
 
   /** Returns the round trip to the client and back, ms; 0 while it isn't known. */
   public int roundTripMs() {
-    return sender == null ? 0 : sender.roundTripMs();
+    return thin != null ? thin.figures().roundTripMs() : sender == null ? 0 : sender.roundTripMs();
   }
 
   /** Returns what the line and the client's predictions have done since the link began. */
   public LinkFigures figures() {
+    if (thin != null) {
+      return thin.figures();
+    }
     return sender == null
         ? LinkFigures.NONE
         : new LinkFigures(
@@ -312,11 +342,17 @@ public final class SessionReplication {
 
   /** Returns whether the client looks at the place of an entity and may know it. */
   public boolean sees(int entityId) {
-    return sender.sees(entityId);
+    return thin != null ? thin.sees(entityId) : sender.sees(entityId);
   }
 
-  /** Explains to an operator why an entity was not sent, or that it was. */
+  /**
+   * Explains to an operator why an entity was not sent, or that it was; null for a thin client,
+   * which is told of all that it sees.
+   */
   public SentReport explain(int entityId) {
+    if (sender == null) {
+      return null;
+    }
     return new SentReport(
         sender.encoder().explain(entityId),
         predictedSet == null ? 0 : predictedSet.waitingRows(),

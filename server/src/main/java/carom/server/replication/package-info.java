@@ -4,7 +4,7 @@
  *
  * <p>Allowed imports: {@code carom.sim}, {@code carom.physics}, {@code carom.net.snapshot..},
  * {@code carom.net.transport}, {@code carom.server.config}, {@code carom.server.metrics}, {@code
- * carom.server.prediction}, the JDK.
+ * carom.server.thin}, {@code carom.server.prediction}, the JDK.
  *
  * <p>Read first: {@link carom.server.replication.FrameCapture}, {@link
  * carom.server.replication.SessionReplication}, {@link carom.server.replication.SnapshotSender}.

@@ -367,7 +367,10 @@ public final class OperatorCommands {
     if (entityId < 0 || entityId >= entityCapacity) {
       return "entity=" + entityId + " is outside 0.." + (entityCapacity - 1);
     }
-    return write.apply(session.replication().explain(entityId));
+    SentReport report = session.replication().explain(entityId);
+    return report == null
+        ? "player=" + playerId + " has a thin client, which is told of all that it sees"
+        : write.apply(report);
   }
 
   private String describeFields(String of) {

@@ -13,6 +13,7 @@ import carom.server.match.LevelUpload;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.replication.SessionReplication;
+import carom.server.thin.ThinLink;
 import carom.sim.entity.Player;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -61,6 +62,7 @@ public final class Session implements LinkHandler {
   private final Departure departure = new Departure();
   private SessionState state = SessionState.LOADING;
   private volatile Link link;
+  private ThinLink thin; // the link, if the client is a thin one
   private int epoch;
   private final DivergenceReports reports;
   private long nowNs;
@@ -103,6 +105,7 @@ public final class Session implements LinkHandler {
    */
   public void attach(Link newLink, int lastEpoch) {
     link = newLink;
+    thin = newLink instanceof ThinLink thinLink ? thinLink : null;
     epoch = lastEpoch;
     departure.begin();
   }
@@ -116,7 +119,7 @@ public final class Session implements LinkHandler {
     state = state.become(SessionState.PLAYING);
     loading.end();
     playedTicks = 0;
-    replication.begin(epoch);
+    replication.begin(epoch, link);
     messages.attach(link, epoch);
     inputs.begin(tick);
     silentTicks = 0;
@@ -191,7 +194,7 @@ public final class Session implements LinkHandler {
   public void await(long newGraceEndNs) {
     state = state.become(SessionState.GRACE);
     graceEndNs = newGraceEndNs;
-    replication.begin(0);
+    replication.begin(0, null);
   }
 
   /** Ends the grace period of a player who has gone on to another room. */
@@ -290,7 +293,12 @@ public final class Session implements LinkHandler {
     if (state == SessionState.PLAYING) {
       silentTicks++;
       reports.tick(inputs.buffer().newestTick(), replication, nowNs);
-      inputs.consume(tick, player);
+      if (thin == null) {
+        inputs.consume(tick, player);
+      } else {
+        silentTicks = thin.takeHeard() ? 0 : silentTicks;
+        inputs.consume(tick, thin.takeInput(), player);
+      }
       return;
     }
     player.input().clear();

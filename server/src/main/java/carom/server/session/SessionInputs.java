@@ -117,6 +117,22 @@ final class SessionInputs {
     count();
   }
 
+  /**
+   * Sets the input of a thin client's player for a tick. It has come in time, whatever it is: the
+   * newest counts.
+   */
+  void consume(int tick, long input, Player player) {
+    buffer.reset(tick);
+    idleTicks++;
+    if (input != lastInput) {
+      lastInput = input;
+      idleTicks = 0;
+    }
+    player.viewDelay(0);
+    player.input().unpack(player.isSpectator() ? NEUTRAL : input);
+    counters.add(Counter.INPUTS_DUE, 1);
+  }
+
   private void count() {
     counters.add(Counter.INPUTS_DUE, 1);
     if (buffer.missing() != missingCounted) {

@@ -3,6 +3,7 @@ package carom.server.thin;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.MessageDatagram;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
@@ -16,6 +17,7 @@ import carom.sim.message.MessageKinds;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -79,6 +81,8 @@ public abstract class ThinLink implements Link {
   private final MessageDatagram unreliable = new MessageDatagram();
   private final TreeMap<Integer, ServerMessage.RosterEntry> roster = new TreeMap<>();
   private boolean welcomed;
+  private String room = "";
+  private boolean ownColours;
 
   /**
    * Creates an open link.
@@ -250,14 +254,22 @@ public abstract class ThinLink implements Link {
     return roundTripMs;
   }
 
+  /** Returns the name of the room that the client was welcomed to last. */
+  public final String room() {
+    return room;
+  }
+
   /**
    * Begins a match. The room's thread.
    *
    * @param match tells the client of it
    * @param newKinds of the game's messages
+   * @param coloursPlayers whether players who have chosen no colour get one each
    * @param epoch that of the link's last Welcome
    */
-  public final void begin(ThinServerMessage.Match match, MessageKinds newKinds, int epoch) {
+  public final void begin(
+      ThinServerMessage.Match match, MessageKinds newKinds, boolean coloursPlayers, int epoch) {
+    ownColours = coloursPlayers;
     kinds = newKinds;
     unreliable.begin(epoch);
     pressing.begin(epoch);
@@ -292,6 +304,7 @@ public abstract class ThinLink implements Link {
 
   private void translate(ServerMessage message) {
     if (message instanceof ServerMessage.Welcome w) {
+      room = w.room();
       if (!welcomed) {
         welcomed = true;
         tell(new ThinServerMessage.Welcome(VERSION, w.sessionSecret(), w.tickRate(), rate));
@@ -308,7 +321,7 @@ public abstract class ThinLink implements Link {
     } else if (message instanceof ServerMessage.RoomList list) {
       tell(ThinTexts.rooms(list));
     } else if (message instanceof ServerMessage.Roster changes) {
-      ThinTexts.tellRoster(changes, roster, this);
+      ThinTexts.tellRoster(changes, roster, ownColours, this);
     } else if (message instanceof ServerMessage.Heard h) {
       gameMessages = h.number();
       answer(new ClientMessage.Heard(Integer.MAX_VALUE)); // all that was sent counts as heard
@@ -418,14 +431,24 @@ public abstract class ThinLink implements Link {
   }
 
   private void join(ThinClientMessage.Join join) {
+    if (join.version() != VERSION) {
+      tell(
+          new ThinServerMessage.Refused(
+              RefusalReason.PROTOCOL_VERSION.name(),
+              String.format(
+                  Locale.ROOT,
+                  "This server speaks version %d to thin clients, yours %d.",
+                  VERSION,
+                  join.version())));
+      close("refused: version=" + join.version());
+      return;
+    }
     if (!join.password().isEmpty()) {
       answers.add(new ClientMessage.Password(join.password()));
     }
-    // The lobby refuses another version by its number.
-    boolean same = join.version() == VERSION;
     answers.add(
         new ClientMessage.Hello(
-            same ? Protocol.VERSION : -join.version(),
+            Protocol.VERSION,
             Protocol.physicsDigest(),
             join.name(),
             join.secret(),

@@ -123,7 +123,7 @@ public sealed interface ThinServerMessage {
       int ping,
       int rgb) {}
 
-  /** Tells of players of whom only score or ping changed: id, score and ping of each. */
+  /** Tells of players that changed in nothing but score or ping: id, score and ping of each. */
   record Scores(List<Integer> scores) implements ThinServerMessage {}
 
   /** Tells of fields that changed and that this player may know. */

@@ -3,7 +3,7 @@ package carom.server.thin;
 import java.util.Arrays;
 
 /**
- * What changed for one thin client: bodies in sight and ids that are gone. Reused from snapshot to
+ * Holds what changed for one thin client: bodies in sight and ids that are gone. Reused from snapshot to
  * snapshot; a door encodes it at once. The room's thread.
  *
  * <p>Poses are in steps, so that a door may send differences: 1/512 m, and 1/1,024 of a turn,
@@ -57,7 +57,7 @@ public final class ThinSnapshot {
   public ThinSnapshot() {}
 
   /** Empties it. */
-  void clear(int newTick, int newInput) {
+  public void clear(int newTick, int newInput) {
     tick = newTick;
     input = newInput;
     count = 0;
@@ -65,7 +65,7 @@ public final class ThinSnapshot {
   }
 
   /** Adds a body. */
-  void add(int newId, int newX, int newY, int newAngle, int newArchetype, int newOwner) {
+  public void add(int newId, int newX, int newY, int newAngle, int newArchetype, int newOwner) {
     if (count == id.length) {
       int size = Math.max(64, 2 * count);
       id = Arrays.copyOf(id, size);
@@ -85,7 +85,7 @@ public final class ThinSnapshot {
   }
 
   /** Adds an id that is gone. */
-  void addGone(int newId) {
+  public void addGone(int newId) {
     if (goneCount == gone.length) {
       gone = Arrays.copyOf(gone, Math.max(16, 2 * goneCount));
     }

@@ -39,6 +39,7 @@ final class ThinTexts {
   static void tellRoster(
       ServerMessage.Roster changes,
       SortedMap<Integer, ServerMessage.RosterEntry> known,
+      boolean ownColours,
       ThinLink link) {
     List<ThinServerMessage.Participant> players = new ArrayList<>();
     List<Integer> gone = new ArrayList<>();
@@ -53,7 +54,7 @@ final class ThinTexts {
         scores.add(e.score());
         scores.add(e.pingMs());
       } else {
-        players.add(participant(e));
+        players.add(participant(e, ownColours));
       }
     }
     if (!players.isEmpty() || !gone.isEmpty()) {
@@ -78,7 +79,12 @@ final class ThinTexts {
             b.colour()));
   }
 
-  private static ThinServerMessage.Participant participant(ServerMessage.RosterEntry e) {
+  private static ThinServerMessage.Participant participant(
+      ServerMessage.RosterEntry e, boolean ownColours) {
+    PlayerColour colour = PlayerColour.of(e.colour());
+    if (colour == PlayerColour.OF_THE_GAME && ownColours) {
+      colour = PlayerColour.of(1 + e.playerId() % (PlayerColour.values().length - 1));
+    }
     return new ThinServerMessage.Participant(
         e.playerId(),
         e.name(),
@@ -88,6 +94,6 @@ final class ThinTexts {
         e.ready(),
         e.alive(),
         e.pingMs(),
-        PlayerColour.of(e.colour()).rgb());
+        colour.rgb());
   }
 }

@@ -52,6 +52,11 @@ public final class Choice<E extends Enum<E>> extends Field<Choice<E>> {
   }
 
   @Override
+  public Object value(int word) {
+    return constants[word].name();
+  }
+
+  @Override
   public String show(int word) {
     return constants[word].name();
   }

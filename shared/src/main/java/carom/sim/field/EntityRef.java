@@ -35,6 +35,11 @@ public final class EntityRef extends Field<EntityRef> {
   }
 
   @Override
+  public Object value(int word) {
+    return word == 0 ? -1 : id(word - 1);
+  }
+
+  @Override
   public String show(int word) {
     return word == 0 ? "none" : "entity " + id(word - 1) + " generation " + generation(word - 1);
   }

@@ -282,6 +282,15 @@ public abstract class Field<F extends Field<F>> {
    */
   public abstract String show(int word);
 
+  /**
+   * Returns what a word means to programs that don't know the field: a Boolean, an Integer, a Float
+   * or the name of a choice's constant; of a countdown the tick at which it is over, of a player or
+   * an entity its id or -1.
+   */
+  public Object value(int word) {
+    return word;
+  }
+
   /** Returns the declaration in one line, such as {@code player.health count 0..100 to ALL}. */
   @Override
   public final String toString() {

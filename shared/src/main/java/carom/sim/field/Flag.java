@@ -25,6 +25,11 @@ public final class Flag extends Field<Flag> {
   }
 
   @Override
+  public Object value(int word) {
+    return word != 0;
+  }
+
+  @Override
   public String show(int word) {
     return Boolean.toString(word != 0);
   }

@@ -23,6 +23,11 @@ public final class PlayerRef extends Field<PlayerRef> {
   }
 
   @Override
+  public Object value(int word) {
+    return word - 1;
+  }
+
+  @Override
   public String show(int word) {
     return word == 0 ? "nobody" : "player " + (word - 1);
   }

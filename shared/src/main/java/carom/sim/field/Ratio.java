@@ -69,6 +69,11 @@ public final class Ratio extends FloatField<Ratio> {
   }
 
   @Override
+  public Object value(int word) {
+    return decode(word);
+  }
+
+  @Override
   public String show(int word) {
     return Float.toString(decode(word));
   }

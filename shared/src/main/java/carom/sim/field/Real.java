@@ -47,6 +47,11 @@ public final class Real extends FloatField<Real> {
   }
 
   @Override
+  public Object value(int word) {
+    return decode(word);
+  }
+
+  @Override
   public String show(int word) {
     return Float.toString(decode(word));
   }

@@ -1,0 +1,152 @@
+package carom.server.replication;
+
+import carom.server.thin.ThinServerMessage;
+import carom.server.thin.ThinServerMessage.FieldValue;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
+import carom.sim.event.Audience;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.IntPredicate;
+
+/**
+ * Knows which fields of the match, of players and of entities a thin client was told, and tells
+ * what changed, by name, as far as its player may know it.
+ *
+ * <p>The room's thread. Allocates when a target is new or a field changed.
+ */
+final class ThinFields {
+  /** The values of one player, entity or the match, as the client knows them. */
+  private static final class Known {
+    Object of;
+    long stamp;
+    int audience;
+    int[] words;
+    boolean[] told;
+  }
+
+  private static final int NEAR = 1;
+  private static final int TEAM = 2;
+  private static final int OWNER = 4;
+
+  private final Simulation simulation;
+  private final Schema schema;
+  private final Player player;
+  private final IntPredicate sees;
+  private final List<Known> players = new ArrayList<>();
+  private final List<Known> entities = new ArrayList<>();
+  private final Known match = new Known();
+  private final List<FieldValue> changes = new ArrayList<>();
+
+  ThinFields(Simulation simulation, Player player, IntPredicate sees) {
+    this.simulation = simulation;
+    this.schema = simulation.schema();
+    this.player = player;
+    this.sees = sees;
+  }
+
+  /** Returns what changed since the last call, or null for nothing. */
+  ThinServerMessage.Fields changes() {
+    boolean all = simulation.game().seesAll(simulation, player);
+    compare(Scope.MATCH, 0, simulation, simulation.fieldValues(), NEAR | TEAM | OWNER, match);
+    if (schema.toldWords(Scope.PLAYER) > 0) {
+      for (int id = 0; id < simulation.playerCapacity(); id++) {
+        Player other = simulation.player(id);
+        if (other != null) {
+          compare(
+              Scope.PLAYER, id, other, other.fieldValues(), ofPlayer(other, all), at(players, id));
+        }
+      }
+    }
+    if (schema.toldWords(Scope.ENTITY) > 0) {
+      for (int id = 0; id < simulation.entityCapacity(); id++) {
+        Entity entity = simulation.entity(id);
+        if (entity != null && sees.test(id)) {
+          compare(
+              Scope.ENTITY,
+              id,
+              entity,
+              entity.fieldValues(),
+              ofEntity(entity, all),
+              at(entities, id));
+        }
+      }
+    }
+    if (changes.isEmpty()) {
+      return null;
+    }
+    ThinServerMessage.Fields told = new ThinServerMessage.Fields(List.copyOf(changes));
+    changes.clear();
+    return told;
+  }
+
+  private static Known at(List<Known> all, int id) {
+    while (all.size() <= id) {
+      all.add(new Known());
+    }
+    return all.get(id);
+  }
+
+  private int ofPlayer(Player other, boolean all) {
+    if (all || other == player) {
+      return NEAR | TEAM | OWNER;
+    }
+    Entity body = other.body();
+    return (body != null && sees.test(body.id()) ? NEAR : 0)
+        | (other.team() == player.team() ? TEAM : 0);
+  }
+
+  private int ofEntity(Entity entity, boolean all) {
+    Player owner = simulation.owner(entity);
+    boolean team = owner != null && owner.team() == player.team();
+    return NEAR | (all || team ? TEAM : 0) | (all || owner == player ? OWNER : 0);
+  }
+
+  private static boolean mayKnow(Audience of, int audience) {
+    return switch (of) {
+      case ALL -> true;
+      case NEAR -> (audience & NEAR) != 0;
+      case TEAM -> (audience & (TEAM | OWNER)) != 0;
+      case OWNER -> (audience & OWNER) != 0;
+      case NOBODY -> false;
+    };
+  }
+
+  @SuppressWarnings("ReferenceEquality") // another target may have the id of one that is gone
+  private void compare(
+      Scope scope, int id, Object of, FieldValues values, int audience, Known known) {
+    if (known.of == of && known.stamp == values.stamp() && known.audience == audience) {
+      return;
+    }
+    int count = schema.toldWords(scope);
+    if (known.of != of) {
+      known.words = new int[count];
+      known.told = new boolean[count];
+    }
+    known.of = of;
+    known.stamp = values.stamp();
+    known.audience = audience;
+    for (int word = 0; word < count; word++) {
+      boolean may = mayKnow(schema.field(scope, word).audience(), audience);
+      if (may && (!known.told[word] || known.words[word] != values.word(word))) {
+        known.told[word] = true;
+        known.words[word] = values.word(word);
+        changes.add(value(scope, id, word, schema.field(scope, word).value(values.word(word))));
+      } else if (!may && known.told[word]) {
+        known.told[word] = false;
+        changes.add(value(scope, id, word, null));
+      }
+    }
+  }
+
+  private FieldValue value(Scope scope, int id, int word, Object value) {
+    String path = schema.name(scope, word); // such as player.health, match.lamp[3]
+    String name = path.substring(path.indexOf('.') + 1);
+    return new FieldValue(scope.name().toLowerCase(Locale.ROOT), id, name, value);
+  }
+}

@@ -1,0 +1,140 @@
+package carom.server.replication;
+
+import carom.physics.Body;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Shape;
+import carom.server.thin.ThinServerMessage;
+import carom.server.thin.ThinServerMessage.Archetype;
+import carom.server.thin.ThinServerMessage.EventLook;
+import carom.server.thin.ThinServerMessage.Gauge;
+import carom.server.thin.ThinServerMessage.Ground;
+import carom.server.thin.ThinServerMessage.Kind;
+import carom.server.thin.ThinServerMessage.Part;
+import carom.server.thin.ThinServerMessage.Team;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.event.EventKind;
+import carom.sim.field.Field;
+import carom.sim.field.Ratio;
+import carom.sim.level.Appearance;
+import carom.sim.level.Level;
+import carom.sim.message.MessageKind;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** Describes a match to thin clients, which have neither its level nor its game. */
+final class ThinMatches {
+  private ThinMatches() {}
+
+  /** Returns the description for a player; the room's thread, once per link and match. */
+  static ThinServerMessage.Match of(Simulation s, int player, String room) {
+    Level.Bounds bounds = s.level().bounds();
+    return new ThinServerMessage.Match(
+        player,
+        s.tick(),
+        room,
+        s.game().name(),
+        s.level().name(),
+        List.of(bounds.minX(), bounds.minY(), bounds.maxX(), bounds.maxY()),
+        archetypes(s),
+        ground(s),
+        events(s),
+        gauges(s),
+        teams(s),
+        messages(s));
+  }
+
+  private static List<Archetype> archetypes(Simulation s) {
+    List<Archetype> all = new ArrayList<>();
+    for (int i = 0; i < s.archetypes().size(); i++) {
+      all.add(archetype(s.archetypes().get(i)));
+    }
+    return all;
+  }
+
+  private static Archetype archetype(carom.sim.level.Archetype kind) {
+    List<Part> parts = new ArrayList<>();
+    kind.shapes().forEach(shape -> addParts(shape, parts));
+    Appearance look = kind.appearance();
+    return new Archetype(
+        kind.name(), look.rgb(), look.outlineRgb(), look.look().name(), kind.sensor(), parts);
+  }
+
+  private static void addParts(Shape shape, List<Part> to) {
+    for (Convex part : shape.parts()) {
+      List<Float> corners = new ArrayList<>(2 * part.vertexCount());
+      for (int i = 0; i < part.vertexCount(); i++) {
+        corners.add(part.vertexX(i));
+        corners.add(part.vertexY(i));
+      }
+      to.add(new Part(part.radius(), corners));
+    }
+  }
+
+  private static List<Ground> ground(Simulation s) {
+    List<Ground> all = new ArrayList<>();
+    for (int slot = 0; slot < s.world().slotCount(); slot++) {
+      Body<Entity> body = s.world().body(slot);
+      if (body != null && body.user() != null && body.user().isLevel()) {
+        all.add(new Ground(body.x(), body.y(), body.angle(), archetype(body.user().archetype())));
+      }
+    }
+    return all;
+  }
+
+  private static List<EventLook> events(Simulation s) {
+    List<EventLook> all = new ArrayList<>();
+    for (int i = 0; i < s.eventKinds().size(); i++) {
+      EventKind kind = s.eventKinds().get(i);
+      all.add(
+          new EventLook(
+              kind.name(),
+              kind.rgb(),
+              kind.radius(),
+              kind.label(),
+              kind.sound().name(),
+              kind.fullStrength()));
+    }
+    return all;
+  }
+
+  private static List<Gauge> gauges(Simulation s) {
+    List<Gauge> all = new ArrayList<>();
+    for (carom.sim.gauge.Gauge gauge : s.game().gauges()) {
+      Field<?> field = gauge.field();
+      boolean ratio = field instanceof Ratio;
+      all.add(
+          new Gauge(
+              gauge.kind().name(),
+              gauge.label(),
+              field.scope().name().toLowerCase(Locale.ROOT),
+              field.name(),
+              ratio ? 0 : field.min(),
+              ratio ? 1 : field.max()));
+    }
+    return all;
+  }
+
+  private static List<Team> teams(Simulation s) {
+    List<Team> all = new ArrayList<>();
+    for (int i = 0; i < s.game().teams().size(); i++) {
+      all.add(new Team(s.game().teams().get(i), s.game().teamRgb(i + 1)));
+    }
+    return all;
+  }
+
+  private static List<Kind> messages(Simulation s) {
+    List<Kind> all = new ArrayList<>();
+    for (MessageKind kind : s.messageKinds().own()) {
+      String from =
+          switch (kind.direction()) {
+            case FROM_CLIENT -> "client";
+            case FROM_SERVER -> "server";
+            case BOTH -> "both";
+          };
+      all.add(new Kind(kind.name(), from, kind.argumentLines()));
+    }
+    return all;
+  }
+}

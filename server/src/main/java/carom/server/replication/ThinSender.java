@@ -1,0 +1,291 @@
+package carom.server.replication;
+
+import carom.net.codec.Quantizer;
+import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.thin.ThinLink;
+import carom.server.thin.ThinServerMessage;
+import carom.server.thin.ThinSnapshot;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
+import carom.sim.near.Neighbourhood;
+import java.util.Arrays;
+import java.util.function.Supplier;
+
+/**
+ * Tells one thin client what there is: the bodies in sight that changed, what is gone, fields that
+ * changed, and events.
+ *
+ * <p>When: at the rate that the client asked for, while its budget of bytes lasts and the last
+ * snapshot has left. A snapshot that couldn't be sent is replaced by the next. What: a body whose
+ * pose, kind or owner isn't the one told last. Where datagrams may be lost, it is told in each
+ * snapshot until the client has seen one; and every body once in {@value #AGAIN} snapshots, for
+ * clients that say they have seen a snapshot of which a part was lost.
+ *
+ * <p>The room's thread; a snapshot allocates nothing once the arrays have grown.
+ */
+final class ThinSender {
+  /** Ticks before tick 0. */
+  private static final int NEVER = -1;
+
+  /** Most snapshots a second while there is nothing to tell. */
+  private static final int IDLE_HZ = 5;
+
+  /** Snapshots in which each body is told at least once where datagrams may be lost. */
+  private static final int AGAIN = 32;
+
+  /** Most events told in one tick; more are dropped. */
+  private static final int MOST_EVENTS = 64;
+
+  /** Longest time in which a budget is saved up, as a part of a second. */
+  private static final int BURST_PER_SECOND = 2;
+
+  private final FrameRing frames;
+  private final Simulation simulation;
+  private final ThinLink link;
+  private final Supplier<ServerConfig> config;
+  private final Counters counters;
+  private final SessionView view;
+  private final ThinFields fields;
+  private final ThinSnapshot snapshot = new ThinSnapshot();
+  private final int tickRateHz;
+
+  // By slot: what the client was told last, and since which tick it is told so.
+  private boolean[] told = {};
+  private int[] generation = {};
+  private int[] archetype = {};
+  private int[] ownership = {};
+  private int[] teleports = {};
+  private int[] x = {};
+  private int[] y = {};
+  private int[] angle = {};
+  private int[] poseTick = {};
+  private int[] nameTick = {};
+  private int[] goneTick = {};
+
+  private long nextEvent;
+  private int rateAccumulator;
+  private int ticksSinceSent;
+  private int lastTick = NEVER;
+  private int lastInput = NEVER;
+  private int snapshots;
+  private long bucket;
+  private long bytesSent;
+  private boolean due;
+
+  /**
+   * Begins with a client that knows nothing, and tells it of the match.
+   *
+   * @param epoch that of the session's Welcome
+   */
+  ThinSender(
+      FrameCapture capture,
+      Player player,
+      ThinLink link,
+      int epoch,
+      Supplier<ServerConfig> config,
+      Counters counters) {
+    this.link = link;
+    this.config = config;
+    this.counters = counters;
+    frames = capture.frames();
+    simulation = capture.index().simulation();
+    ServerConfig now = config.get();
+    tickRateHz = now.tickRateHz();
+    view = new SessionView(capture.index(), player, now.viewMetres(), tickRateHz);
+    fields = new ThinFields(simulation, player, this::sees);
+    nextEvent = frames.events().limit();
+    rateAccumulator = tickRateHz;
+    ticksSinceSent = tickRateHz;
+    boolean ownColours = simulation.game().teams().isEmpty() && simulation.game().ownColours();
+    link.begin(
+        ThinMatches.of(simulation, player.id(), link.room()),
+        simulation.messageKinds(),
+        ownColours,
+        epoch);
+  }
+
+  /** Takes over what the client says it shows. */
+  void look(float centreX, float centreY, float halfWidth, float halfHeight, int follows) {
+    view.look(centreX, centreY, halfWidth, halfHeight, follows);
+  }
+
+  /** Returns whether the game lets the player know of an entity. */
+  boolean mayKnow(Entity e) {
+    return view.mayKnow(frames.newest(), e);
+  }
+
+  /** Returns whether the player looks at the place of an entity and may know it. */
+  boolean sees(int entityId) {
+    FrameState frame = frames.newest();
+    return entityId < frame.slotLimit()
+        && frame.alive(entityId)
+        && view.sees(frame, entityId, entityId < told.length && told[entityId]);
+  }
+
+  /** Earns budget, tells events, and decides whether a snapshot is due; once per tick. */
+  void prepare() {
+    int bytesPerSecond = config.get().snapshotBitsPerSecond() / Byte.SIZE;
+    long depth = (long) bytesPerSecond * tickRateHz / BURST_PER_SECOND;
+    bucket = Math.min(depth, bucket + bytesPerSecond);
+    int rate = Math.min(tickRateHz, Math.min(link.rate(), config.get().snapshotRateHz()));
+    rateAccumulator = Math.min(tickRateHz + rate - 1, rateAccumulator + rate);
+    ticksSinceSent++;
+    view.follow(frames.newest());
+    tellEvents();
+    due = rateAccumulator >= tickRateHz && bucket > 0 && link.takesSnapshot();
+    if (due) {
+      fill();
+      boolean hasNews = !snapshot.isEmpty() || snapshot.input != lastInput;
+      due = hasNews || ticksSinceSent * IDLE_HZ >= tickRateHz;
+    }
+  }
+
+  /** Returns whether the snapshot prepared last should be sent. */
+  boolean isDue() {
+    return due;
+  }
+
+  /** Sends the snapshot prepared last, and the fields that changed. */
+  void send() {
+    rateAccumulator -= tickRateHz;
+    ticksSinceSent = 0;
+    snapshots++;
+    lastTick = snapshot.tick;
+    lastInput = snapshot.input;
+    int bytes = link.show(snapshot);
+    bucket -= (long) bytes * tickRateHz;
+    bytesSent += bytes;
+    counters.add(Counter.DATAGRAMS_OUT, 1);
+    counters.add(Counter.SNAPSHOT_BYTES, bytes);
+    ThinServerMessage.Fields changed = fields.changes();
+    if (changed != null) {
+      link.news(changed);
+    }
+  }
+
+  private void tellEvents() {
+    EventRing events = frames.events();
+    int count = 0;
+    for (; nextEvent < events.limit(); nextEvent++) {
+      if (!events.holds(nextEvent)
+          || !view.hears(frames, events.at(nextEvent), events.audience(nextEvent))) {
+        continue;
+      }
+      if (count++ < MOST_EVENTS) {
+        link.news(event(events.at(nextEvent)));
+        counters.add(Counter.EVENTS_OFFERED, 1);
+      } else {
+        counters.add(Counter.EVENTS_LOST, 1);
+      }
+    }
+  }
+
+  private static ThinServerMessage.Event event(EventRecord e) {
+    return new ThinServerMessage.Event(
+        e.kind,
+        e.tick,
+        Quantizer.positionOf(e.x),
+        Quantizer.positionOf(e.y),
+        e.strengthOf(),
+        e.player,
+        idOf(e.first),
+        idOf(e.second),
+        e.data);
+  }
+
+  private static int idOf(int key) {
+    return key < 0 ? EventRecord.NONE : Neighbourhood.id(key);
+  }
+
+  /** Returns whether what is told since a tick may still be unknown to the client. */
+  private boolean isOpen(int sinceTick, int seen, int now) {
+    return link.isStream() ? sinceTick == now : sinceTick > seen;
+  }
+
+  private void fill() {
+    FrameState frame = frames.newest();
+    int now = frame.tick();
+    int seen = Math.min(link.seenTick(), lastTick);
+    grow(frame.slotLimit());
+    snapshot.clear(now, link.inputCount());
+    for (int slot = 0; slot < told.length; slot++) {
+      boolean there =
+          slot < frame.slotLimit() && frame.alive(slot) && view.sees(frame, slot, told[slot]);
+      if (there) {
+        tell(frame, slot, seen, now);
+      } else if (told[slot]) {
+        told[slot] = false;
+        goneTick[slot] = now;
+        snapshot.addGone(slot);
+      } else if (goneTick[slot] != NEVER && !link.isStream()) {
+        if (goneTick[slot] > seen) {
+          snapshot.addGone(slot);
+        } else {
+          goneTick[slot] = NEVER;
+        }
+      }
+    }
+  }
+
+  private void tell(FrameState frame, int slot, int seen, int now) {
+    if (!told[slot]
+        || generation[slot] != frame.generation(slot)
+        || archetype[slot] != frame.archetype(slot)
+        || ownership[slot] != frame.ownership(slot)
+        || teleports[slot] != frame.teleports(slot)) {
+      told[slot] = true;
+      generation[slot] = frame.generation(slot);
+      archetype[slot] = frame.archetype(slot);
+      ownership[slot] = frame.ownership(slot);
+      teleports[slot] = frame.teleports(slot);
+      goneTick[slot] = NEVER;
+      nameTick[slot] = now;
+      poseTick[slot] = now;
+    } else if (x[slot] != frame.x(slot)
+        || y[slot] != frame.y(slot)
+        || angle[slot] != frame.angle(slot)) {
+      poseTick[slot] = now;
+    }
+    x[slot] = frame.x(slot);
+    y[slot] = frame.y(slot);
+    angle[slot] = frame.angle(slot);
+    boolean again = !link.isStream() && (slot + snapshots) % AGAIN == 0;
+    if (again || isOpen(poseTick[slot], seen, now)) {
+      boolean named = isOpen(nameTick[slot], seen, now);
+      snapshot.add(
+          slot, x[slot], y[slot], angle[slot], named ? archetype[slot] : -1, ownership[slot]);
+    }
+  }
+
+  private void grow(int slots) {
+    if (told.length >= slots) {
+      return;
+    }
+    int from = told.length;
+    int size = Math.max(64, 2 * slots);
+    told = Arrays.copyOf(told, size);
+    generation = Arrays.copyOf(generation, size);
+    archetype = Arrays.copyOf(archetype, size);
+    ownership = Arrays.copyOf(ownership, size);
+    teleports = Arrays.copyOf(teleports, size);
+    x = Arrays.copyOf(x, size);
+    y = Arrays.copyOf(y, size);
+    angle = Arrays.copyOf(angle, size);
+    poseTick = Arrays.copyOf(poseTick, size);
+    nameTick = Arrays.copyOf(nameTick, size);
+    goneTick = Arrays.copyOf(goneTick, size);
+    Arrays.fill(goneTick, from, size, NEVER);
+  }
+
+  /** Returns what the line has done since the link began. */
+  LinkFigures figures() {
+    return new LinkFigures(link.roundTripMs(), bytesSent, snapshots, snapshots, 0, 0);
+  }
+}

@@ -1,0 +1,359 @@
+package carom.server.thin;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.fixtures.FieldGame;
+import carom.fixtures.PlainGame;
+import carom.net.codec.Quantizer;
+import carom.physics.Material;
+import carom.physics.geometry.Circle;
+import carom.physics.math.Trig;
+import carom.server.Server;
+import carom.server.config.ServerConfig;
+import carom.sim.Game;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import carom.sim.message.Message;
+import carom.sim.message.MessageKind;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: a thin client is a player like any other, and what it shows is what there is. Method: a
+ * server in virtual time, and clients that only draw what they are told, over lines that lose
+ * snapshots or take none for a while.
+ */
+final class ThinSessionTest {
+  private static final long TICK_NS = 16_666_667;
+
+  private final ThinDoor door = new ThinDoor();
+  private Server server;
+  private long nowNs = 1_000_000_000L;
+
+  /** A game of balls that come, go, jump and stop at random, and that notes where they were. */
+  private static final class Balls extends PlainGame {
+    static final MessageKind PING =
+        MessageKind.named("ping").fromClient().count("n", 0, 9).text("word", 20);
+    static final MessageKind PONG =
+        MessageKind.named("pong").fromServer().count("n", 0, 9).text("word", 20);
+
+    private static final Material MATERIAL = new Material(1, 0.3f, 0.5f);
+
+    final Map<Integer, Map<Integer, ThinDoor.Client.Shown>> poses = new HashMap<>();
+    final ArrayDeque<Integer> jumps = new ArrayDeque<>();
+    Random random;
+    Archetype ball;
+    Archetype box;
+    Simulation simulation;
+    int busyUntil;
+
+    Balls(long seed, int busyTicks) {
+      super("thinballs");
+      random = new Random(seed);
+      busyUntil = busyTicks;
+    }
+
+    static Level level() throws Exception {
+      return Level.parse(
+          "thinballs.json",
+          ("{\"name\": \"thinballs\", \"game\": \"thinballs\", \"gravity\": [0, 0],"
+                  + " \"bounds\": {\"min\": [-50, -50], \"max\": [50, 50]},"
+                  + " \"statics\": [{\"at\": [0, -20],"
+                  + " \"shape\": {\"type\": \"box\", \"width\": 60, \"height\": 2}}]}")
+              .getBytes(StandardCharsets.UTF_8));
+    }
+
+    @Override
+    public void setUp(Simulation s) {
+      simulation = s;
+      ball = s.archetypes().add(new ArchetypeDef("ball").shape(new Circle(0.4f), MATERIAL));
+      box = s.archetypes().add(new ArchetypeDef("other").shape(new Circle(0.6f), MATERIAL));
+      s.messageKinds().add(PING);
+      s.messageKinds().add(PONG);
+    }
+
+    @Override
+    public void join(Simulation s, Player p) {
+      s.spawn(ball, p.id() * 3, 0, 0, p);
+    }
+
+    @Override
+    public void input(Simulation s, Player p, Input in) {
+      p.body().body().setVelocity(in.moveX() * 5, in.moveY() * 5);
+      if (in.held(Input.JUMP)) {
+        jumps.add(s.tick());
+      }
+    }
+
+    @Override
+    public void message(Simulation s, Player p, Message m) {
+      if (m.is(PING)) {
+        s.send(PONG.of(m.count("n"), m.text("word"))).to(p);
+      }
+    }
+
+    @Override
+    public void beforeStep(Simulation s) {
+      if (s.tick() >= busyUntil) {
+        for (int id = 0; id < s.entityCapacity(); id++) {
+          Entity e = s.entity(id);
+          if (e != null && e.ownerId() < 0) {
+            e.body().setVelocity(0, 0);
+            e.body().setAngularVelocity(0);
+          }
+        }
+        return;
+      }
+      if (random.nextInt(8) == 0) {
+        Archetype kind = random.nextBoolean() ? ball : box;
+        Entity e =
+            s.spawn(kind, random.nextFloat() * 80 - 40, random.nextFloat() * 40 - 15, 0, null);
+        e.body().setVelocity(random.nextFloat() * 8 - 4, random.nextFloat() * 8 - 4);
+        e.body().setAngularVelocity(random.nextFloat() * 6 - 3);
+      }
+      int id = random.nextInt(Math.max(1, s.entityCapacity()));
+      Entity e = s.entity(id);
+      if (e != null && e.ownerId() < 0) {
+        switch (random.nextInt(12)) {
+          case 0 -> s.despawn(e);
+          case 1 -> e.body().setVelocity(0, 0);
+          case 2 -> e.become(e.archetype() == ball ? box : ball);
+          default -> {}
+        }
+      }
+    }
+
+    @Override
+    public void afterStep(Simulation s) {
+      Map<Integer, ThinDoor.Client.Shown> now = new HashMap<>();
+      for (int id = 0; id < s.entityCapacity(); id++) {
+        Entity e = s.entity(id);
+        if (e != null) {
+          now.put(
+              id,
+              new ThinDoor.Client.Shown(
+                  Quantizer.position(e.body().x()),
+                  Quantizer.position(e.body().y()),
+                  Quantizer.angle(Trig.atan2(e.body().sin(), e.body().cos())),
+                  e.archetype().index(),
+                  e.ownerId()));
+        }
+      }
+      poses.put(s.tick(), now);
+    }
+  }
+
+  private void serve(Game game, Level level) {
+    serve(ServerConfig.defaults(), game, level);
+  }
+
+  private void serve(ServerConfig config, Game game, Level level) {
+    server = new Server(config.withStatusIntervalS(0), () -> game, level, door, () -> nowNs);
+  }
+
+  private void steps(int count) {
+    for (int i = 0; i < count; i++) {
+      nowNs += TICK_NS;
+      server.tick(nowNs);
+    }
+  }
+
+  private ThinDoor.Client join(String name) {
+    ThinDoor.Client client = door.join(name, true, 0, 1);
+    steps(20);
+    assertNotNull(client.match, () -> name + " heard " + client.heard);
+    return client;
+  }
+
+  @AfterEach
+  void stop() {
+    if (server != null) {
+      server.close();
+    }
+  }
+
+  @Test
+  void joinsPlaysAndLeaves() throws Exception {
+    Balls game = new Balls(1, 0);
+    serve(game, Balls.level());
+    ThinDoor.Client ann = join("Ann");
+    assertEquals(60, ann.welcome.tickRate());
+    assertEquals("thinballs", ann.match.game());
+    assertEquals(1, ann.match.ground().size());
+    assertEquals(4, ann.match.ground().get(0).kind().parts().get(0).corners().size() / 2);
+    assertEquals("Ann", ann.players.get(ann.match.player()).name());
+    int body = game.simulation.player(ann.match.player()).body().id();
+    int before = ann.bodies.get(body).x();
+    ann.press(new Input().move(1, 0).pack());
+    steps(60);
+    assertEquals(
+        5 * ThinSnapshot.STEPS_PER_METRE, ann.bodies.get(body).x() - before, 300, "5 m/s for 1 s");
+    assertEquals(1, ann.input);
+    assertEquals(30, ann.snapshots, 8, "30 a second");
+    ann.say(new ThinClientMessage.Leave());
+    steps(90);
+    assertNotNull(ann.ended);
+    assertEquals(0, server.rooms().get(0).seats().takenCount());
+  }
+
+  @Test
+  void anotherVersionIsRefusedByName() throws Exception {
+    serve(new Balls(1, 0), Balls.level());
+    ThinDoor.Client old = new ThinDoor.Client(true, 0, 1);
+    old.say(new ThinClientMessage.Join(7, "Ann", "", "", "", "", 0, ""));
+    door.enter(old);
+    steps(5);
+    ThinServerMessage.Refused refused = old.last(ThinServerMessage.Refused.class);
+    assertEquals("PROTOCOL_VERSION", refused.reason());
+    assertTrue(refused.text().contains("7") && refused.text().contains("1"), refused.text());
+  }
+
+  @Test
+  void aPressBetweenTwoTicksIsntLost() throws Exception {
+    Balls game = new Balls(1, 0);
+    serve(game, Balls.level());
+    ThinDoor.Client ann = join("Ann");
+    ann.press(new Input().hold(Input.JUMP, true).pack());
+    ann.press(new Input().pack());
+    steps(10);
+    assertEquals(1, game.jumps.size(), "pressed and released within one tick");
+    ann.press(new Input().hold(Input.JUMP, true).pack());
+    steps(10);
+    assertEquals(11, game.jumps.size(), "held until something else comes");
+  }
+
+  @Test
+  void aLostLinkTakesItsSeatAgain() throws Exception {
+    Balls game = new Balls(1, 0);
+    serve(game, Balls.level());
+    ThinDoor.Client ann = join("Ann");
+    int player = ann.match.player();
+    ann.press(new Input().move(1, 0).pack());
+    steps(10);
+    ann.breakOff();
+    steps(30);
+    ThinDoor.Client again = new ThinDoor.Client(true, 0, 2);
+    again.say(ThinDoor.joining("Ann", ann.welcome.secret()));
+    door.enter(again);
+    steps(20);
+    assertEquals(player, again.match.player());
+    assertEquals(1, server.rooms().get(0).seats().takenCount());
+    assertFalse(again.bodies.isEmpty());
+  }
+
+  @Test
+  void chatEmotesRolesAndMessagesOfTheGameGoBothWays() throws Exception {
+    serve(new Balls(1, 0), Balls.level());
+    ThinDoor.Client ann = join("Ann");
+    ThinDoor.Client bob = join("Bob");
+    ann.say(new ThinClientMessage.Chat("hello", false));
+    ann.say(new ThinClientMessage.Emote("WOW"));
+    steps(5);
+    assertEquals(
+        new ThinServerMessage.Chat(ann.match.player(), "hello", false),
+        bob.last(ThinServerMessage.Chat.class));
+    assertEquals(
+        new ThinServerMessage.Emote(ann.match.player(), "WOW"),
+        bob.last(ThinServerMessage.Emote.class));
+    bob.say(new ThinClientMessage.Custom("ping", Map.of("n", 3, "word", "ok")));
+    bob.say(new ThinClientMessage.Custom("ping", Map.of("n", 33, "word", "out of range")));
+    bob.say(new ThinClientMessage.Custom("pong", Map.of("n", 1, "word", "not from clients")));
+    bob.say(new ThinClientMessage.Custom("nothing"));
+    bob.say(new ThinClientMessage.Emote("nothing"));
+    steps(30);
+    assertEquals(
+        new ThinServerMessage.Custom("pong", Map.of("n", 3, "word", "ok")),
+        bob.last(ThinServerMessage.Custom.class));
+    bob.say(new ThinClientMessage.Choose(null, "SPECTATOR", null, "RED", null));
+    steps(80);
+    assertTrue(ann.players.get(bob.match.player()).spectator());
+    assertEquals(0xff5d5d, ann.players.get(bob.match.player()).rgb());
+  }
+
+  @Test
+  void fieldsReachThoseWhoMayKnowThem() {
+    serve(new FieldGame(), FieldGame.level(true));
+    ThinDoor.Client ann = join("Ann");
+    ThinDoor.Client bob = join("Bob");
+    steps(130);
+    int a = ann.match.player();
+    int b = bob.match.player();
+    assertEquals("400", ann.fields.get("player" + a + ".ammo"), "the owner's");
+    assertEquals(null, bob.fields.get("player" + a + ".ammo"));
+    assertNotNull(ann.fields.get("player" + a + ".plan"), "the team's");
+    assertEquals(null, ann.fields.get("player" + b + ".plan"), "another team's");
+    assertEquals(
+        ann.fields.get("player" + b + ".health"), bob.fields.get("player" + b + ".health"));
+    assertFalse(ann.fields.keySet().stream().anyMatch(name -> name.endsWith(".luck")));
+    assertTrue(List.of("WAIT", "PLAY").contains(ann.fields.get("match0.phase")));
+    String phase = (String) ann.fields.get("match0.phase");
+    steps(FieldGame.PHASE_TICKS);
+    assertNotEquals(phase, ann.fields.get("match0.phase"));
+  }
+
+  @Test
+  void whatIsShownIsWhatThereIs() throws Exception {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    for (int round = 0; round < 12; round++) {
+      Random random = new Random(seed + round);
+      boolean stream = round % 3 == 0;
+      double loss = stream ? 0 : random.nextDouble() * 0.6;
+      compare(seed + round, random, stream, loss);
+    }
+  }
+
+  private void compare(long seed, Random random, boolean stream, double loss) throws Exception {
+    Balls game = new Balls(seed, 400);
+    serve(game, Balls.level());
+    List<ThinDoor.Client> clients = new ArrayList<>();
+    for (int i = 0; i < 3; i++) {
+      clients.add(door.join("P" + i, stream, loss, seed + i));
+    }
+    for (int tick = 0; tick < 400; tick++) {
+      steps(1);
+      for (ThinDoor.Client c : clients) {
+        c.busy = random.nextInt(10) == 0 || c.busy && random.nextInt(10) != 0;
+        if (random.nextInt(3) == 0) {
+          c.press(new Input().move(random.nextFloat() * 2 - 1, 0).pack());
+        }
+        if (random.nextInt(60) == 0) {
+          c.say(new ThinClientMessage.Rate(random.nextInt(80)));
+        }
+        if (stream && c.tick > 0 && !c.bodies.isEmpty()) {
+          assertEquals(game.poses.get(c.tick), c.bodies, "seed=" + seed + " tick=" + c.tick);
+        }
+      }
+    }
+    for (ThinDoor.Client c : clients) {
+      c.busy = false;
+      c.say(new ThinClientMessage.Rate(30));
+    }
+    for (int i = 0; i < 120; i++) {
+      steps(1);
+      clients.forEach(c -> c.press(0L));
+    }
+    for (ThinDoor.Client c : clients) {
+      assertEquals(
+          game.poses.get(c.tick),
+          c.bodies,
+          () -> "seed=" + seed + " loss=" + loss + " tick=" + c.tick);
+    }
+    server.close();
+  }
+}
