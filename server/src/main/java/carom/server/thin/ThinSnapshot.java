@@ -3,8 +3,8 @@ package carom.server.thin;
 import java.util.Arrays;
 
 /**
- * Holds what changed for one thin client: bodies in sight and ids that are gone. Reused from snapshot to
- * snapshot; a door encodes it at once. The room's thread.
+ * Holds what changed for one thin client: bodies in sight and ids that are gone. Reused from
+ * snapshot to snapshot; a door encodes it at once. The room's thread.
  *
  * <p>Poses are in steps, so that a door may send differences: 1/512 m, and 1/1,024 of a turn,
  * counterclockwise.
