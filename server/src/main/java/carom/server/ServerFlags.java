@@ -14,6 +14,7 @@ import carom.server.config.SettingUnits;
 import carom.server.lobby.Lobby;
 import carom.server.query.ProtocolFlags;
 import carom.server.recording.RotationLimit;
+import carom.server.thin.web.PlayFlags;
 import carom.server.web.WebFlags;
 import java.io.File;
 import java.net.InetAddress;
@@ -383,6 +384,7 @@ final class ServerFlags {
   int tokenUses;
 
   @Mixin final WebFlags web = new WebFlags();
+  @Mixin final PlayFlags play = new PlayFlags();
 
   @Option(
       names = "--console",
@@ -477,7 +479,7 @@ final class ServerFlags {
     }
     requireRange("--tcp-port", tcpPort, 0, Sockets.MAX_PORT);
     requireRange("--udp-port", udpPort, 0, Sockets.MAX_PORT);
-    String problem = Sockets.first(web.problem(), protocols.problem());
+    String problem = Sockets.first(web.problem(), play.problem(), protocols.problem());
     if (problem != null) {
       throw bad(problem);
     }

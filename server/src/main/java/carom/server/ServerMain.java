@@ -32,6 +32,7 @@ import carom.server.jmx.RoomInspector;
 import carom.server.login.Logins;
 import carom.server.metrics.Counter;
 import carom.server.query.StatusFacts;
+import carom.server.thin.web.PlayPort;
 import carom.server.threads.StartWatch;
 import carom.server.threads.ThreadStack;
 import carom.server.web.WebServer;
@@ -72,8 +73,9 @@ import picocli.CommandLine.TypeConversionException;
  * Starts the dedicated server.
  *
  * <p>When players can join, the program writes one line for other programs to standard output,
- * {@code ready tcp=54555 udp=54777}, and on a terminal a few hints. The log goes to standard error.
- * Commands are read from standard input, see {@link Console}; when it ends, the server goes on.
+ * {@code ready tcp=54555 udp=54777}, with {@code play=8080} behind it if browsers can, too, and on
+ * a terminal a few hints. The log goes to standard error. Commands are read from standard input,
+ * see {@link Console}; when it ends, the server goes on.
  *
  * <p>Exit codes: 0 after {@code --help}, {@code --version} and the command {@code stop}; 1 when a
  * port is not available or the server failed; 2 for flags or a level file that can't be used; 143
@@ -108,6 +110,7 @@ public final class ServerMain implements Callable<Integer> {
   private AccessLists access;
   private LogTail logTail;
   private KernelWarmupThread kernels;
+  private PlayPort play; // or null
 
   /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -239,6 +242,7 @@ public final class ServerMain implements Callable<Integer> {
       root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
       logStart(log, config, choice.rooms(config));
       Server server = start.open();
+      play = start.play();
       server.admit(access);
       return server;
     } finally {
@@ -349,13 +353,15 @@ public final class ServerMain implements Callable<Integer> {
       Thread.sleep(1); // the first tick of a large level takes as long as many later ones
     }
     web.set(opened(ports, server));
-    ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
+    int playPort = play == null ? 0 : play.tcpPort();
+    ReadyLine.print(System.out, server.tcpPort(), server.udpPort(), playPort);
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
     kernels.begin(); // not before: it would take the processor from the start
     String page = web.get() == null ? null : web.get().url();
     List<InetAddress> bound = flags.bindAddresses();
     boolean onlyHere = !bound.isEmpty() && bound.stream().allMatch(InetAddress::isLoopbackAddress);
-    ReadyLine.printHints(System.out, server.tcpPort(), page, onlyHere);
+    String playUrl = play == null ? null : play.url();
+    ReadyLine.printHints(System.out, server.tcpPort(), page, playUrl, onlyHere);
     if (flags.console) {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
     } else { // with a console, the signal says that its terminal is gone

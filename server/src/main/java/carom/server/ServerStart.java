@@ -9,11 +9,13 @@ import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.PortUnavailableException;
 import carom.net.transport.ServerTransport;
+import carom.net.transport.ServerTransports;
 import carom.options.BadFlag;
 import carom.server.access.AccessLists;
 import carom.server.access.AddressRange;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.lobby.Lobby;
 import carom.server.login.GamePassword;
 import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
@@ -21,6 +23,7 @@ import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.recording.RotationLimit;
 import carom.server.session.SessionMemory;
+import carom.server.thin.web.PlayPort;
 import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
@@ -43,6 +46,7 @@ final class ServerStart {
   private final Logger log;
   private final AtomicInteger roomsBegun = new AtomicInteger();
   private volatile Server server;
+  private PlayPort play; // or null
 
   ServerStart(
       ServerFlags flags, GameChoice choice, ServerConfig config, AccessLists access, Logger log) {
@@ -89,6 +93,25 @@ final class ServerStart {
   }
 
   private ServerTransport openTransport(List<RoomConfig> rooms) throws StartFailure {
+    ServerTransport own = openOwnPorts(rooms);
+    int places = RoomConfig.places(rooms);
+    try {
+      play =
+          flags.play.open(
+              flags.bindAddresses(), Lobby.mostLinks(places), Lobby.mostLinksOfAddress(places));
+      return ServerTransports.of(own, play == null ? List.of() : List.of(play));
+    } catch (IOException e) {
+      own.close();
+      throw new StartFailure(e.getMessage(), e);
+    }
+  }
+
+  /** Returns the play port, which the server owns, or null if there is none. */
+  PlayPort play() {
+    return play;
+  }
+
+  private ServerTransport openOwnPorts(List<RoomConfig> rooms) throws StartFailure {
     ServerTransport transport;
     Impairment impairment = flags.impairment();
     try {

@@ -22,9 +22,13 @@ public final class ReadyLine {
     return Boolean.getBoolean(TERMINAL_PROPERTY);
   }
 
-  /** Prints the line, with the ports at which players can join. */
-  public static void print(PrintStream out, int tcp, int udp) {
-    out.println("ready tcp=" + tcp + " udp=" + udp);
+  /**
+   * Prints the line, with the ports at which players can join.
+   *
+   * @param play port of browsers, or 0 if there is none; then the line ends before it
+   */
+  public static void print(PrintStream out, int tcp, int udp, int play) {
+    out.println("ready tcp=" + tcp + " udp=" + udp + (play == 0 ? "" : " play=" + play));
     out.flush();
   }
 
@@ -33,12 +37,14 @@ public final class ReadyLine {
    * start, so that they stay in sight.
    *
    * @param page address of the live page; null without one
+   * @param play address of the page that plays; null without one
    * @param onlyHere whether only this machine reaches the ports
    */
-  public static void printHints(PrintStream out, int tcp, String page, boolean onlyHere) {
+  public static void printHints(
+      PrintStream out, int tcp, String page, String play, boolean onlyHere) {
     if (isOnTerminal()) {
       out.println();
-      hints(tcp, page, isByGradle(), onlyHere).forEach(out::println);
+      hints(tcp, page, play, isByGradle(), onlyHere).forEach(out::println);
       out.println();
       out.flush();
     }
@@ -50,7 +56,7 @@ public final class ReadyLine {
    * @param sources whether gradlew runs the server, so that it can run the other programs, too
    * @param onlyHere whether only this machine reaches the ports
    */
-  static List<String> hints(int tcp, String page, boolean sources, boolean onlyHere) {
+  static List<String> hints(int tcp, String page, String play, boolean sources, boolean onlyHere) {
     boolean usual = tcp == DEFAULT_TCP_PORT;
     String port = usual ? "" : ":" + tcp;
     String here = "--host localhost" + port;
@@ -66,6 +72,9 @@ public final class ReadyLine {
     lines.add(
         "  add bots  "
             + (sources ? "./gradlew bots -Pn=20" + args : "carom-bots --count 20 " + here));
+    if (play != null) {
+      lines.add("  browser   " + play);
+    }
     if (page != null) {
       lines.add("  page      " + page);
     }

@@ -4,8 +4,9 @@
  *
  * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.net.transport}, {@code
  * carom.server.access}, {@code carom.server.command}, {@code carom.server.config}, {@code
- * carom.server.console}, {@code carom.server.login}, {@code carom.server.metrics}, {@code
- * carom.server.room}, {@code carom.server.web.page}, Micrometer, Undertow with XNIO, picocli,
- * slf4j, the JDK. Read first: {@link carom.server.web.WebServer}, {@link carom.server.web.Metrics}.
+ * carom.server.console}, {@code carom.server.http}, {@code carom.server.login}, {@code
+ * carom.server.metrics}, {@code carom.server.room}, {@code carom.server.web.page}, Micrometer,
+ * Undertow with XNIO, picocli, slf4j, the JDK. Read first: {@link carom.server.web.WebServer},
+ * {@link carom.server.web.Metrics}.
  */
 package carom.server.web;

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 class ReadyLineTest {
   @Test
   void theHintsNameEverythingInOneScreen() {
-    List<String> lines = ReadyLine.hints(54_555, "http://127.0.0.1:8090", true, false);
+    List<String> lines = ReadyLine.hints(54_555, "http://127.0.0.1:8090", null, true, false);
     String text = String.join("\n", lines);
     assertTrue(lines.size() <= 12, text);
     for (String word : new String[] {"ready", "./gradlew play", "carom-client --host", "-Pn=20"}) {
@@ -24,14 +24,14 @@ class ReadyLineTest {
 
   @Test
   void anUnusualPortIsInEachCommand() {
-    String text = String.join("\n", ReadyLine.hints(7, null, true, false));
+    String text = String.join("\n", ReadyLine.hints(7, null, null, true, false));
     assertEquals(3, text.split("--host localhost:7|--host \\S+:7 ", -1).length - 1, text);
     assertFalse(text.contains("page"), text);
   }
 
   @Test
   void anInstalledServerNamesTheProgramsBesideIt() {
-    String text = String.join("\n", ReadyLine.hints(7, null, false, false));
+    String text = String.join("\n", ReadyLine.hints(7, null, null, false, false));
     assertTrue(text.contains("join      carom-client --host localhost:7\n"), text);
     assertTrue(text.contains("add bots  carom-bots --count 20 --host localhost:7\n"), text);
     assertFalse(text.contains("gradlew"), text);
@@ -39,7 +39,7 @@ class ReadyLineTest {
 
   @Test
   void aServerOnLoopbackOffersNothingToOtherMachines() {
-    String text = String.join("\n", ReadyLine.hints(7, null, false, true));
+    String text = String.join("\n", ReadyLine.hints(7, null, null, false, true));
     assertFalse(text.contains("another machine"), text);
     assertTrue(text.contains("from this machine only"), text);
   }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.transport.NetworkCounter;
+import carom.server.http.HttpPort;
 import carom.server.login.Logins;
 import carom.testkit.Stepper;
 import java.io.IOException;
@@ -116,13 +117,13 @@ final class WebSiegeTest {
   void unfinishedRequestsHoldUpNobodyAndEndSoon() throws Exception {
     for (String begun :
         List.of("", "G", HALF, HEALTH, "GET /live HTTP/1.1\r\nUpgrade: websocket\r\n")) {
-      for (int i = 0; i < 2 * WebServer.MOST_CONNECTIONS; i++) {
+      for (int i = 0; i < 2 * HttpPort.MOST_CONNECTIONS; i++) {
         send(begun);
         if (i % 100 == 99) {
           assertHealthy();
         }
       }
-      int most = WebServer.affordableConnections() / 2;
+      int most = HttpPort.affordableConnections() / 2;
       long soonNs = System.nanoTime() + 10_000_000_000L; // closing takes a moment to arrive
       while (held() > most && System.nanoTime() - soonNs < 0) {
         Thread.sleep(20);

@@ -7,6 +7,9 @@ import carom.server.command.CommandRegistry;
 import carom.server.command.Quoting;
 import carom.server.command.Role;
 import carom.server.console.LogTail;
+import carom.server.http.Origins;
+import carom.server.http.RequestGuard;
+import carom.server.http.SiteFiles;
 import carom.server.metrics.ProcessFigures;
 import carom.server.room.Room;
 import carom.server.threads.LastingThread;
@@ -64,7 +67,10 @@ public final class LivePage implements AutoCloseable {
   private final PageConfig config;
   private final RequestGuard guard;
   private final Origins origins;
-  private final PageFiles files = new PageFiles();
+  private final SiteFiles files =
+      new SiteFiles(
+          LivePage.class,
+          List.of("index.html", "page.css", "app.js", "scene.js", "charts.js", "icon.svg"));
   private final Downloads downloads;
   private final ProcessFigures begin = ProcessFigures.now();
   private final List<Room> rooms;
@@ -137,12 +143,17 @@ public final class LivePage implements AutoCloseable {
         handshake.handleRequest(exchange);
       }
     } else if (exchange.getRequestPath().equals(Downloads.PATH)) {
-      PageFiles.protect(exchange);
+      SiteFiles.protect(exchange);
       downloads.send(exchange);
-    } else if (!files.send(exchange)) {
+    } else if (!files.send(exchange, fileName(exchange))) {
       exchange.setStatusCode(StatusCodes.NOT_FOUND);
       exchange.getResponseSender().send("/ /healthz /readyz /metrics\n");
     }
+  }
+
+  private static String fileName(HttpServerExchange exchange) {
+    String path = exchange.getRequestPath();
+    return path.equals("/") ? "index.html" : path.substring(1);
   }
 
   /** Tells the operator once that visitors share the address of a proxy. */

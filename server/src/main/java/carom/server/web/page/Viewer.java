@@ -1,5 +1,6 @@
 package carom.server.web.page;
 
+import carom.server.http.Origins;
 import carom.server.match.MatchInfo;
 import carom.server.picture.BodyLook;
 import carom.server.picture.Picture;

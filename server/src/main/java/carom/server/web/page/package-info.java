@@ -4,8 +4,6 @@
  * <pre>
  *   LivePage       the page's files, its WebSocket and its clock
  *     Viewer       one open page: what it may do, what it looks at and already knows
- *     RequestGuard which requests are refused: another site's page, another name for this machine
- *     Origins      from where a request comes, also by way of a proxy
  *     RoomFeed     one room's pictures, shared by all who look at it
  *     RoomHistory  one row of figures a second
  *     Downloads    recordings, each for a ticket
@@ -15,8 +13,8 @@
  * decoded by hand. No tick waits for any of this: a room makes a picture when it is asked for one,
  * and slow viewers miss pictures.
  *
- * <p>Allowed imports: {@code carom.server.picture}, {@code .access}, {@code .login}, {@code
- * .command}, {@code .console}, {@code .metrics}, {@code .room}, {@code carom.json}, {@code
+ * <p>Allowed imports: {@code carom.server.picture}, {@code .http}, {@code .access}, {@code .login},
+ * {@code .command}, {@code .console}, {@code .metrics}, {@code .room}, {@code carom.json}, {@code
  * carom.sim.level}, {@code carom.physics.geometry}, Undertow, Jackson's core, slf4j, the JDK. Read
  * first: {@link carom.server.web.page.LivePage}, {@link carom.server.web.page.Viewer}, {@link
  * carom.server.web.page.RoomFeed}.

@@ -1,4 +1,4 @@
-package carom.server.web.page;
+package carom.server.http;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

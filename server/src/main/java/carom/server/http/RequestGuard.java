@@ -1,4 +1,4 @@
-package carom.server.web.page;
+package carom.server.http;
 
 import io.undertow.server.HttpServerExchange;
 import io.undertow.util.Headers;
@@ -17,7 +17,7 @@ import java.util.regex.Pattern;
  *       site that was. Only the page itself may.
  * </ul>
  */
-final class RequestGuard {
+public final class RequestGuard {
   private static final Pattern IPV4 = Pattern.compile("\\d{1,3}(\\.\\d{1,3}){3}");
   private static final Pattern IPV6 = Pattern.compile("\\[[0-9a-f:.]+\\]");
 
@@ -28,27 +28,46 @@ final class RequestGuard {
    *
    * @param hosts names that are welcome beside addresses and {@code localhost}, in lower case
    */
-  RequestGuard(Set<String> hosts) {
+  public RequestGuard(Set<String> hosts) {
     this.hosts = hosts;
   }
 
   /** Returns whether a request's Host is one of this server. */
-  boolean acceptsHost(HttpServerExchange exchange) {
+  public boolean acceptsHost(HttpServerExchange exchange) {
     return acceptsHost(exchange.getRequestHeaders().getFirst(Headers.HOST));
   }
 
   /** Returns whether a request comes from the page itself. */
-  boolean acceptsOrigin(HttpServerExchange exchange) {
+  public boolean acceptsOrigin(HttpServerExchange exchange) {
     return acceptsOrigin(
         exchange.getRequestHeaders().getFirst(Headers.ORIGIN),
         exchange.getRequestHeaders().getFirst(Headers.HOST));
+  }
+
+  /**
+   * Returns whether a request comes from no page at all, from one of this server, or from one of a
+   * host that is welcome by name. Programs that are no browsers say no origin.
+   */
+  public boolean acceptsPage(HttpServerExchange exchange) {
+    String origin = exchange.getRequestHeaders().getFirst(Headers.ORIGIN);
+    return origin == null
+        || (acceptsOrigin(exchange) && acceptsHost(exchange))
+        || hosts.contains(hostOf(origin));
+  }
+
+  private static String hostOf(String origin) {
+    return withoutPort(origin.replaceFirst("^[a-z]+://", ""));
+  }
+
+  private static String withoutPort(String host) {
+    return host.toLowerCase(Locale.ROOT).replaceFirst(":\\d{1,5}$", "");
   }
 
   boolean acceptsHost(String header) {
     if (header == null) {
       return false;
     }
-    String host = header.toLowerCase(Locale.ROOT).replaceFirst(":\\d{1,5}$", "");
+    String host = withoutPort(header);
     return host.equals("localhost")
         || IPV4.matcher(host).matches()
         || IPV6.matcher(host).matches()

@@ -1,4 +1,4 @@
-package carom.server.web;
+package carom.server.http;
 
 import io.undertow.server.HttpServerExchange;
 import java.io.IOException;
@@ -19,8 +19,8 @@ import org.xnio.StreamConnection;
  * The places of connections at the port for HTTP, which are few: the file descriptors of the
  * process are the game's. A newcomer always gets a place. When all are taken, or those that one
  * address may have, the connection gives way that has waited longest without asking anything, of
- * the address that has most. Then those give way whose answer isn't read. Open pages don't; the
- * page limits them itself. Any thread.
+ * the address that has most. Then those give way whose answer isn't read. A WebSocket has no place
+ * here; the page behind it limits them itself. Any thread.
  */
 final class ConnectionPlaces implements ChannelListener<StreamConnection> {
   private final int most;
@@ -34,7 +34,6 @@ final class ConnectionPlaces implements ChannelListener<StreamConnection> {
     private final StreamConnection connection;
     private final InetAddress address;
     private int answers;
-    private boolean isPage;
 
     Place(StreamConnection connection, InetAddress address) {
       this.connection = connection;
@@ -96,7 +95,7 @@ final class ConnectionPlaces implements ChannelListener<StreamConnection> {
   private void giveWay(
       Predicate<Place> which, Map<InetAddress, Integer> counts, List<StreamConnection> ended) {
     places.values().stream()
-        .filter(which.and(place -> !place.isPage))
+        .filter(which)
         .min( // the first of equals is the oldest
             Comparator.comparing(Place::isBusy).thenComparing(place -> -counts.get(place.address)))
         .ifPresent(
@@ -129,6 +128,8 @@ final class ConnectionPlaces implements ChannelListener<StreamConnection> {
 
   private synchronized void answered(Place place, HttpServerExchange exchange) {
     place.answers--;
-    place.isPage = exchange.isUpgrade();
+    if (exchange.isUpgrade()) {
+      places.values().remove(place);
+    }
   }
 }

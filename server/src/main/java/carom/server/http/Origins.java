@@ -1,4 +1,4 @@
-package carom.server.web.page;
+package carom.server.http;
 
 import carom.server.access.AddressRange;
 import io.undertow.server.HttpServerExchange;
@@ -18,7 +18,7 @@ import java.util.stream.Stream;
  * address that it got a request from at the end, so the last one that is no proxy's own counts.
  * What stands before it, visitors can write themselves. Immutable.
  */
-final class Origins {
+public final class Origins {
   private static final List<HttpString> TRACES =
       List.of(
           Headers.X_FORWARDED_FOR,
@@ -36,30 +36,30 @@ final class Origins {
    * @param address the visitor's address
    * @param isHere whether the visitor sits at this machine for sure: no proxy has had the request
    */
-  record Origin(InetAddress address, boolean isHere) {}
+  public record Origin(InetAddress address, boolean isHere) {}
 
   /**
    * Creates the rule.
    *
    * @param proxies addresses of the operator's proxies
    */
-  Origins(List<AddressRange> proxies) {
+  public Origins(List<AddressRange> proxies) {
     this.proxies = List.copyOf(proxies);
   }
 
   /** Returns whether an address is that of a proxy. */
-  boolean isProxy(InetAddress address) {
+  public boolean isProxy(InetAddress address) {
     return proxies.stream().anyMatch(range -> range.contains(address.getAddress()));
   }
 
   /** Returns whether a proxy that nobody has named handed on a request. */
-  boolean isByUnknownProxy(HttpServerExchange exchange) {
+  public boolean isByUnknownProxy(HttpServerExchange exchange) {
     return !isProxy(exchange.getSourceAddress().getAddress())
         && TRACES.stream().anyMatch(exchange.getRequestHeaders()::contains);
   }
 
   /** Returns where a request comes from. */
-  Origin of(HttpServerExchange exchange) {
+  public Origin of(HttpServerExchange exchange) {
     HeaderMap headers = exchange.getRequestHeaders();
     HeaderValues forwarded = headers.get(Headers.X_FORWARDED_FOR);
     return from(

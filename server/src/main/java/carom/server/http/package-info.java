@@ -1,0 +1,12 @@
+/**
+ * What ports for HTTP have in common, by Undertow: few places for connections, deadlines, budgets
+ * of bytes, encryption, and which requests are welcome. The operators' page and the play port use
+ * it.
+ *
+ * <p>Allowed imports: {@code carom.net.transport}, {@code carom.net.datagram}, {@code
+ * carom.server.access}, Undertow with XNIO, slf4j, the JDK.
+ *
+ * <p>Read first: {@link carom.server.http.HttpPort}, {@link carom.server.http.RequestGuard}, {@link
+ * carom.server.http.Origins}.
+ */
+package carom.server.http;
