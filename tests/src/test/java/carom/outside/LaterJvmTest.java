@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.suite.Alone;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: an update of Java stops no program, and no flag is complained of. Method: the installed
  * programs on each other JVM of this machine; skipped if there is none.
  */
+@Alone("processes")
 @Timeout(120)
 final class LaterJvmTest {
   private static final Pattern RELEASE = Pattern.compile("JAVA_VERSION=\"(\\d+)");

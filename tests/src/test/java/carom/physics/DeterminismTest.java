@@ -12,6 +12,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import carom.fixtures.Allocations;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
+import carom.suite.Alone;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -25,6 +26,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Equal calls give equal bits, wherever and however they are made. */
+@Alone("processes")
 final class DeterminismTest {
   /**
    * State and events of each scene after its steps; a change here is a decision that the commit

@@ -18,6 +18,7 @@ import carom.sim.level.LevelException;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.sim.match.NextMatch;
+import carom.suite.Alone;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -92,6 +93,7 @@ class MatchScenarioTest {
     }
   }
 
+  @Alone("sockets")
   @Test
   void aRoomGoesRoundItsLevelsOverRealSocketsToo() {
     // Goal: the next match reaches players over KryoNet. Method: two players, three levels of two

@@ -9,6 +9,7 @@ import carom.client.message.MessageListener;
 import carom.net.transport.Impairment;
 import carom.server.metrics.Counter;
 import carom.sim.message.Emote;
+import carom.suite.Alone;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.ArrayList;
@@ -134,6 +135,7 @@ class MessageScenarioTest {
     }
   }
 
+  @Alone("sockets")
   @Test
   void linesArriveOverSockets() {
     try (Stepper stepper = Stepper.overSockets("arena")) {

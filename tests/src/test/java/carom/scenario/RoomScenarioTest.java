@@ -18,6 +18,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
+import carom.suite.Alone;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -301,6 +302,7 @@ class RoomScenarioTest {
     assertTrue(answer.join().contains("muted Ann"), answer.join());
   }
 
+  @Alone("sockets")
   @Test
   void roomsAreChangedOverRealSocketsToo(@TempDir Path folder) throws Exception {
     try (Stepper stepper =

@@ -19,6 +19,7 @@ import carom.sim.entity.Player;
 import carom.sim.match.NextMatch;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
+import carom.suite.Alone;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -254,6 +255,7 @@ class RosterScenarioTest {
     }
   }
 
+  @Alone("sockets")
   @Test
   void aGamesMessagesGoBothWaysOverSocketsOnABadNetwork() {
     try (Stepper stepper = Stepper.overSockets(DuelGame.level(), ServerConfig.defaults())) {

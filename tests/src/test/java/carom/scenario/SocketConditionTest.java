@@ -13,6 +13,7 @@ import carom.options.NetworkConditions;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
+import carom.suite.Alone;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -28,6 +29,7 @@ import picocli.CommandLine;
  * the server's frame of each tick that a client decodes ({@link SimulatedClient}). The test asserts
  * nothing about time except that it ends.
  */
+@Alone("sockets")
 @Timeout(60)
 class SocketConditionTest {
   private static final int LEAST_COMPARED = 400;

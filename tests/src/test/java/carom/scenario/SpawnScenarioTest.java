@@ -16,6 +16,7 @@ import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.match.NextMatch;
 import carom.sim.spawn.Origin;
+import carom.suite.Alone;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
@@ -373,6 +374,7 @@ class SpawnScenarioTest {
     assertTrue(out.toString().contains("OK: "), out::toString);
   }
 
+  @Alone("sockets")
   @Test
   void overRealSocketsTheyAppearAndGoAsWell() {
     try (Stepper stepper = Stepper.overSockets("rockets")) {

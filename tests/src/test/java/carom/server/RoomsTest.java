@@ -19,6 +19,7 @@ import carom.server.room.Room;
 import carom.server.session.Session;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
+import carom.suite.Alone;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -28,6 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Goal: a lobby assigns players to several rooms, and nothing leaks from room to room. */
+@Alone("sockets")
 class RoomsTest {
   private static final ServerConfig CONFIG = ServerConfig.defaults().withSeed(5);
 

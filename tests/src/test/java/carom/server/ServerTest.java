@@ -15,9 +15,11 @@ import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.suite.Alone;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+@Alone("sockets")
 class ServerTest {
   private final InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
 

@@ -10,6 +10,7 @@ import carom.net.kryo.server.KryoServerTransport;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
+import carom.suite.Alone;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -24,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: what a player does is seen within two frames. Method: keys pressed through a virtual
  * display, and what its screen shows of a body at rest; the server is 100 ms away.
  */
+@Alone("windows")
 @Timeout(180)
 final class InputToPictureTest {
   /** Colour of the first player of the arena. */

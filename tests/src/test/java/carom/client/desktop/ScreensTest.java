@@ -9,6 +9,7 @@ import carom.fixtures.VirtualDisplay;
 import carom.net.transport.Impairment;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
+import carom.suite.Alone;
 import carom.testkit.Stepper;
 import java.io.File;
 import java.io.IOException;
@@ -28,6 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
  * for the colour-blind. Method: {@link ScreenTour} goes through them, {@link ScreenCheck} looks at
  * each; the pictures stay in {@code build/screens}.
  */
+@Alone("windows")
 @Timeout(400)
 final class ScreensTest {
   @TempDir private Path folder;

@@ -13,6 +13,7 @@ import carom.net.transport.Impairment;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
+import carom.suite.Alone;
 import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -34,6 +35,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: each way to start the window shows a picture. Method: a window on a virtual display for
  * each flag, which ends by itself and says nothing on standard error.
  */
+@Alone("windows")
 @Timeout(300)
 final class StartFlagsTest {
   @TempDir private Path folder;

@@ -2,8 +2,10 @@ package carom.lab.crowd;
 
 import carom.net.kryo.KryoTransportTest;
 import carom.net.transport.ClientTransport;
+import carom.suite.Alone;
 
 /** Runs the tests of {@link KryoTransportTest} with clients that share a thread. */
+@Alone("sockets")
 final class CrowdTransportTest extends KryoTransportTest {
   @Override
   protected ClientTransport clients(int connectMillis) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.transport.Link;
+import carom.suite.Alone;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
@@ -34,6 +35,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: docs/PROTOCOL.md is all that a client needs to open a link. Method: one that was written
  * from the page, with nothing of Carom's own code, and joins a real server.
  */
+@Alone("sockets")
 @Timeout(30)
 final class LinkSetupTest {
   private static final byte[] HEAD = HexFormat.of().parseHex("302a300506032b656e032100");

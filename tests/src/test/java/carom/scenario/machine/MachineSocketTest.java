@@ -13,6 +13,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
+import carom.suite.Alone;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.Locale;
@@ -27,6 +28,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  * steps with a guess that no client can predict. So a second counts only if every input was there
  * in time, in it and in the second before.
  */
+@Alone("sockets")
 @Timeout(120)
 class MachineSocketTest {
   private static final Impairment FAR =

@@ -8,6 +8,7 @@ import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
 import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
+import carom.suite.Alone;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -29,6 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: every byte of RCON is as specified, and strangers get nowhere. Method: the bytes that the
  * package {@code rcon} 2.4.9 sends, which {@link StockClientsTest} runs itself.
  */
+@Alone("sockets")
 @Timeout(60)
 final class RemoteConsoleTest {
   private static final String PASSWORD = "a long password";

@@ -12,6 +12,7 @@ import carom.server.command.RoomCommands;
 import carom.server.config.DataFolder;
 import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
+import carom.suite.Alone;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -32,6 +33,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: clients that others wrote speak with the server. Method: the Python packages python-a2s and
  * rcon, installed by pip into the build folder, ask a running arena with two bots.
  */
+@Alone("processes")
 @Timeout(400)
 final class StockClientsTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();

@@ -11,6 +11,7 @@ import carom.server.CaromMain;
 import carom.server.login.Logins;
 import carom.server.metrics.Counter;
 import carom.server.metrics.TurnStage;
+import carom.suite.Alone;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -36,6 +37,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Goal: programs learn how a server is. Method: HTTP requests beside a room stepped by hand. */
+@Alone("sockets")
 @Timeout(60)
 final class WebServerTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();

@@ -3,6 +3,7 @@ package carom.sim.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.physics.World;
+import carom.suite.Alone;
 import java.io.File;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
@@ -25,6 +26,7 @@ import org.junit.jupiter.api.Test;
  * step, it allocates in that step of every run. So a scene is run anew if any bytes were seen, and
  * a step counts with the fewest bytes of its runs.
  */
+@Alone("processes")
 final class SteadySceneTest {
   private static final int WARM_UP = 400;
   private static final int STEPS = 300;

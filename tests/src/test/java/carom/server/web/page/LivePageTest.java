@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.json.Json;
 import carom.server.login.LoginThrottle;
+import carom.suite.Alone;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -37,6 +38,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Goal: strangers can do no harm through the page. Method: what they would send. */
+@Alone("sockets")
 @Timeout(120)
 final class LivePageTest {
   @TempDir private Path folder;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.picture.RoomPictures;
+import carom.suite.Alone;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
@@ -23,6 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Method: pages over WebSockets; the pictures that the room makes and those that arrive are
  * counted. What that is in milliseconds, {@code carom.lab.figures.PageViewers} measures.
  */
+@Alone("sockets")
 @Timeout(120)
 final class ViewerCostTest {
   private static final int VIEWERS = 10;

@@ -1,0 +1,112 @@
+package carom.suite;
+
+import java.io.IOException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * A class of tests and what is to run of it.
+ *
+ * @param name its full name
+ * @param methods a pattern of its methods to run; empty: all
+ * @param part which of these, see {@link Alone}
+ */
+record TestClass(String name, String methods, Part part) {
+  enum Part {
+    /** What isn't marked. */
+    BESIDE,
+    /** The methods that are marked. */
+    ALONE,
+    /** All of a class that is marked. */
+    ALL_ALONE;
+
+    /** Returns whether a method belongs to it. */
+    boolean has(Method method) {
+      return this == ALL_ALONE || isAlone(method) == (this == ALONE);
+    }
+  }
+
+  private static final Pattern NAME = Pattern.compile("[^$]*Tests?[.]class");
+
+  /**
+   * Finds the test classes of a folder of compiled classes, sorted by name.
+   *
+   * @param only patterns as those of Gradle's {@code --tests}: a class with or without its package,
+   *     then perhaps a method, with {@code *} for anything; empty: all classes
+   */
+  static List<TestClass> find(Path folder, List<String> only) throws IOException {
+    List<Path> files;
+    try (Stream<Path> all = Files.walk(folder)) {
+      files = all.filter(file -> NAME.matcher(file.getFileName().toString()).matches()).toList();
+    }
+    List<TestClass> found = new ArrayList<>();
+    for (Path file : files.stream().sorted().toList()) {
+      String path = folder.relativize(file).toString();
+      String name = path.substring(0, path.length() - ".class".length()).replaceAll("[/\\\\]", ".");
+      String methods = methods(name, only);
+      if (methods != null) {
+        Class<?> type = load(name);
+        if (!Modifier.isAbstract(type.getModifiers())) {
+          if (type.isAnnotationPresent(Alone.class)) {
+            found.add(new TestClass(name, methods, Part.ALL_ALONE));
+          } else if (Stream.of(type.getDeclaredMethods()).anyMatch(TestClass::isAlone)) {
+            found.add(new TestClass(name, methods, Part.BESIDE));
+            found.add(new TestClass(name, methods, Part.ALONE));
+          } else {
+            found.add(new TestClass(name, methods, Part.BESIDE));
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  /** Returns whether it needs the machine for itself. */
+  boolean alone() {
+    return part != Part.BESIDE;
+  }
+
+  private static boolean isAlone(Method method) {
+    return method.isAnnotationPresent(Alone.class);
+  }
+
+  private static Class<?> load(String name) {
+    try {
+      return Class.forName(name, false, TestClass.class.getClassLoader());
+    } catch (ClassNotFoundException e) {
+      throw new IllegalStateException("cannot load class=" + name, e);
+    }
+  }
+
+  /** Returns the pattern of the methods that are asked for; null: the class isn't. */
+  private static String methods(String name, List<String> only) {
+    if (only.isEmpty()) {
+      return "";
+    }
+    List<String> methods = new ArrayList<>();
+    for (String pattern : only) {
+      int dot = pattern.lastIndexOf('.');
+      if (matches(name, pattern)) {
+        return "";
+      }
+      if (dot > 0 && matches(name, pattern.substring(0, dot))) {
+        methods.add(regex(pattern.substring(dot + 1)));
+      }
+    }
+    return methods.isEmpty() ? null : String.join("|", methods);
+  }
+
+  private static boolean matches(String name, String pattern) {
+    return name.matches("(.*\\.)?" + regex(pattern));
+  }
+
+  private static String regex(String pattern) {
+    return pattern.replace("$", "\\$").replace(".", "\\.").replace("*", ".*");
+  }
+}
