@@ -8,20 +8,25 @@ import carom.server.thin.ThinServerMessage.Archetype;
 import carom.server.thin.ThinServerMessage.EventLook;
 import carom.server.thin.ThinServerMessage.Gauge;
 import carom.server.thin.ThinServerMessage.Ground;
+import carom.server.thin.ThinServerMessage.Joint;
 import carom.server.thin.ThinServerMessage.Kind;
 import carom.server.thin.ThinServerMessage.Part;
 import carom.server.thin.ThinServerMessage.Team;
+import carom.server.thin.ThinServerMessage.Theme;
+import carom.server.thin.ThinServerMessage.Zone;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.event.EventKind;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
 import carom.sim.level.Appearance;
+import carom.sim.level.Area;
 import carom.sim.level.Level;
 import carom.sim.message.MessageKind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.IntPredicate;
 
 /** Describes a match to thin clients, which have neither its level nor its game. */
 final class ThinMatches {
@@ -37,12 +42,74 @@ final class ThinMatches {
         s.game().name(),
         s.level().name(),
         List.of(bounds.minX(), bounds.minY(), bounds.maxX(), bounds.maxY()),
+        theme(s.level().theme()),
+        zones(s.level()),
         archetypes(s),
         ground(s),
         events(s),
         gauges(s),
         teams(s),
         messages(s));
+  }
+
+  private static Theme theme(Level.Theme theme) {
+    return new Theme(theme.background(), theme.sky(), theme.grid());
+  }
+
+  private static List<Zone> zones(Level level) {
+    List<Zone> all = new ArrayList<>();
+    for (Area area : level.areas()) {
+      all.add(new Zone(area.minX(), area.minY(), area.maxX(), area.maxY(), area.rgb()));
+    }
+    for (Level.Zone zone : level.zones()) {
+      if (zone.rgb() >= 0) {
+        all.add(new Zone(zone.minX(), zone.minY(), zone.maxX(), zone.maxY(), zone.rgb()));
+      }
+    }
+    return all;
+  }
+
+  /**
+   * Returns the joints of which a client sees both bodies.
+   *
+   * @param sees tells whether the client sees an entity
+   */
+  static ThinServerMessage.Joints joints(Simulation s, IntPredicate sees) {
+    List<Joint> all = new ArrayList<>();
+    for (int i = 0; i < s.joints().limit(); i++) {
+      carom.physics.Joint<Entity> joint = s.joints().get(i);
+      if (joint == null || !sees(joint.bodyA(), sees) || !sees(joint.bodyB(), sees)) {
+        continue;
+      }
+      all.add(
+          new Joint(
+              joint.type().name(),
+              entity(joint.bodyA()),
+              entity(joint.bodyB()),
+              localX(joint.bodyA(), joint.anchorAX(), joint.anchorAY()),
+              localY(joint.bodyA(), joint.anchorAX(), joint.anchorAY()),
+              localX(joint.bodyB(), joint.anchorBX(), joint.anchorBY()),
+              localY(joint.bodyB(), joint.anchorBX(), joint.anchorBY())));
+    }
+    return new ThinServerMessage.Joints(all);
+  }
+
+  /** Returns the entity that a thin client knows a body by, or -1 for what never moves. */
+  private static int entity(Body<Entity> body) {
+    Entity e = body == null ? null : body.user();
+    return e == null || e.isLevel() ? -1 : e.id();
+  }
+
+  private static boolean sees(Body<Entity> body, IntPredicate sees) {
+    return entity(body) < 0 || sees.test(entity(body));
+  }
+
+  private static float localX(Body<Entity> body, float x, float y) {
+    return entity(body) < 0 ? x : body.cos() * (x - body.x()) + body.sin() * (y - body.y());
+  }
+
+  private static float localY(Body<Entity> body, float x, float y) {
+    return entity(body) < 0 ? y : body.cos() * (y - body.y()) - body.sin() * (x - body.x());
   }
 
   private static List<Archetype> archetypes(Simulation s) {

@@ -16,6 +16,7 @@ import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.Supplier;
 
 /**
@@ -39,6 +40,9 @@ final class ThinSender {
 
   /** Snapshots in which each body is told at least once where datagrams may be lost. */
   private static final int AGAIN = 32;
+
+  /** Snapshots from one look at which joints are in sight to the next. */
+  private static final int JOINT_LOOKS = 30;
 
   /** Most events told in one tick; more are dropped. */
   private static final int MOST_EVENTS = 64;
@@ -75,6 +79,8 @@ final class ThinSender {
   private int lastTick = NEVER;
   private int lastInput = NEVER;
   private int snapshots;
+  private long jointsVersion = -1;
+  private ThinServerMessage.Joints joints = new ThinServerMessage.Joints(List.of());
   private long bucket;
   private long bytesSent;
   private boolean due;
@@ -167,6 +173,21 @@ final class ThinSender {
     ThinServerMessage.Fields changed = fields.changes();
     if (changed != null) {
       link.news(changed);
+    }
+    tellJoints();
+  }
+
+  /** Tells the joints whenever one came or went, and looks now and then for what came in sight. */
+  private void tellJoints() {
+    long version = simulation.joints().version();
+    if (version == jointsVersion && snapshots % JOINT_LOOKS != 0) {
+      return;
+    }
+    jointsVersion = version;
+    ThinServerMessage.Joints now = ThinMatches.joints(simulation, this::sees);
+    if (!now.equals(joints)) {
+      joints = now;
+      link.news(now);
     }
   }
 

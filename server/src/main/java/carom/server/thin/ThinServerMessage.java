@@ -30,6 +30,8 @@ public sealed interface ThinServerMessage {
    * @param game name of the game
    * @param level name of the level
    * @param bounds least x, least y, greatest x and greatest y that players normally reach, metres
+   * @param theme colours of the background
+   * @param zones rectangles to tint behind the bodies, such as goals and water
    * @param archetypes kinds of bodies, by index
    * @param ground bodies that never move, all of them
    * @param events kinds of events, by index
@@ -44,6 +46,8 @@ public sealed interface ThinServerMessage {
       String game,
       String level,
       List<Float> bounds,
+      Theme theme,
+      List<Zone> zones,
       List<Archetype> archetypes,
       List<Ground> ground,
       List<EventLook> events,
@@ -51,6 +55,12 @@ public sealed interface ThinServerMessage {
       List<Team> teams,
       List<Kind> messages)
       implements ThinServerMessage {}
+
+  /** Colours behind the bodies, 0xRRGGBB: at the bottom, at the top, and of the grid. */
+  record Theme(int background, int sky, int grid) {}
+
+  /** A rectangle to tint, metres; colour 0xRRGGBB. */
+  record Zone(float minX, float minY, float maxX, float maxY, int rgb) {}
 
   /**
    * A kind of bodies.
@@ -99,6 +109,22 @@ public sealed interface ThinServerMessage {
    * @param arguments each with its range, such as {@code count item 0..31}, for people
    */
   record Kind(String name, String from, List<String> arguments) {}
+
+  /** Lists the joints in sight, all of them, whenever that list changes. */
+  record Joints(List<Joint> joints) implements ThinServerMessage {}
+
+  /**
+   * A joint, for drawing.
+   *
+   * @param type such as {@code DISTANCE} or {@code REVOLUTE}
+   * @param first body, or -1 for the ground
+   * @param second body, or -1 for the ground
+   * @param ax anchor in the first body's frame, or in the world's for the ground
+   * @param ay anchor in the first body's frame, or in the world's for the ground
+   * @param bx anchor in the second body's frame, or in the world's for the ground
+   * @param by anchor in the second body's frame, or in the world's for the ground
+   */
+  record Joint(String type, int first, int second, float ax, float ay, float bx, float by) {}
 
   /**
    * Tells of players that came, changed or went; the first after a {@link Match} lists all.
