@@ -4,8 +4,10 @@ import static com.tngtech.archunit.core.domain.JavaModifier.STATIC;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.suite.Alone;
+import com.tngtech.archunit.ArchConfiguration;
 import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaCodeUnit;
 import com.tngtech.archunit.core.domain.JavaConstructorCall;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
@@ -50,16 +52,12 @@ final class AloneTest {
 
   private static final Pattern OURS = Pattern.compile(".*/(tests|testkit)/build/.*");
 
-  /** Imports all but the product. */
-  private static final ClassFileImporter OUTSIDE =
-      new ClassFileImporter().withImportOption(location -> location.matches(OURS));
-
   private final Map<String, String> needs = new HashMap<>();
 
   @Test
   void whatNeedsTheMachineSaysSo() {
     Map<String, String> missing = new TreeMap<>();
-    for (JavaClass type : OUTSIDE.importPackages("carom")) {
+    for (JavaClass type : ArchConfiguration.withThreadLocalScope(AloneTest::outside)) {
       String name = type.getFullName().replaceAll("[$].*", "");
       if (name.endsWith("Test") && isHelper(type) && !isAlone(type)) {
         type.getCodeUnits().stream()
@@ -70,6 +68,14 @@ final class AloneTest {
       }
     }
     assertEquals(Map.of(), missing, "classes that need @Alone, with what they call");
+  }
+
+  /** Imports all but the product. Of that and of the JDK the names are enough. */
+  private static JavaClasses outside(ArchConfiguration configuration) {
+    configuration.setResolveMissingDependenciesFromClassPath(false);
+    return new ClassFileImporter()
+        .withImportOption(location -> location.matches(OURS))
+        .importPackages("carom");
   }
 
   private static boolean isAlone(JavaClass type) {

@@ -69,7 +69,8 @@ final class SuiteWorker {
         String methods = in.readUTF();
         orders.add(new TestClass(name, methods, TestClass.Part.valueOf(in.readUTF())));
       }
-    } catch (IOException e) { // nobody listens any more
+    } catch (IOException e) { // nobody listens any more: neither this nor what tests began goes on
+      ProcessHandle.current().descendants().forEach(ProcessHandle::destroyForcibly);
       Runtime.getRuntime().halt(NO_PARENT);
     }
   }
