@@ -14,6 +14,7 @@ import carom.server.config.SettingUnits;
 import carom.server.lobby.Lobby;
 import carom.server.query.ProtocolFlags;
 import carom.server.recording.RotationLimit;
+import carom.server.thin.plain.PlainFlags;
 import carom.server.thin.web.PlayFlags;
 import carom.server.web.WebFlags;
 import java.io.File;
@@ -318,6 +319,7 @@ final class ServerFlags {
 
   @Mixin private final NetworkConditions network = new NetworkConditions();
   @Mixin final ProtocolFlags protocols = new ProtocolFlags();
+  @Mixin final PlainFlags plain = new PlainFlags();
 
   @Option(
       names = "--status-interval",
@@ -479,7 +481,9 @@ final class ServerFlags {
     }
     requireRange("--tcp-port", tcpPort, 0, Sockets.MAX_PORT);
     requireRange("--udp-port", udpPort, 0, Sockets.MAX_PORT);
-    String problem = Sockets.first(web.problem(), play.problem(), protocols.problem());
+    String problem =
+        Sockets.first(
+            web.problem(), play.problem(), protocols.problem(), plain.problem(bindAddresses()));
     if (problem != null) {
       throw bad(problem);
     }

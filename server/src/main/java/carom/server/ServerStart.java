@@ -29,6 +29,7 @@ import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.slf4j.Logger;
@@ -93,15 +94,23 @@ final class ServerStart {
   }
 
   private ServerTransport openTransport(List<RoomConfig> rooms) throws StartFailure {
-    ServerTransport own = openOwnPorts(rooms);
+    List<ServerTransport> all = new ArrayList<>();
+    all.add(openOwnPorts(rooms));
     int places = RoomConfig.places(rooms);
     try {
+      ServerTransport plain = flags.plain.open(flags.bindAddresses());
+      if (plain != null) {
+        all.add(plain);
+      }
       play =
           flags.play.open(
               flags.bindAddresses(), Lobby.mostLinks(places), Lobby.mostLinksOfAddress(places));
-      return ServerTransports.of(own, play == null ? List.of() : List.of(play));
+      if (play != null) {
+        all.add(play);
+      }
+      return ServerTransports.of(all.get(0), all.subList(1, all.size()));
     } catch (IOException e) {
-      own.close();
+      all.forEach(ServerTransport::close);
       throw new StartFailure(e.getMessage(), e);
     }
   }
@@ -130,12 +139,13 @@ final class ServerStart {
     } catch (PortUnavailableException e) {
       throw new StartFailure(e.getMessage(), e);
     }
-    if (impairment == null) {
-      return transport;
+    if (impairment != null) {
+      log.warn("network: made bad on purpose, each way: {}", impairment);
+      transport =
+          new ImpairedServerTransport(
+              transport, impairment, new KryoMessageCodec(), System::nanoTime);
     }
-    log.warn("network: made bad on purpose, each way: {}", impairment);
-    return new ImpairedServerTransport(
-        transport, impairment, new KryoMessageCodec(), System::nanoTime);
+    return transport;
   }
 
   private ProxyRule proxies() {

@@ -34,7 +34,8 @@ final class HouseTest {
           "server/src/main/java",
           "client/src/main/java",
           "launcher/src/main/java",
-          "testkit/src/main/java");
+          "testkit/src/main/java",
+          "plain/src/main/java");
 
   /** Returns the sources of the product by package, as a path. */
   private static Map<String, List<Path>> sources() {

@@ -36,7 +36,8 @@ final class ArchitecturePageTest {
             "server/src/main",
             "client/src/main",
             "launcher/src/main",
-            "testkit/src/main")) {
+            "testkit/src/main",
+            "plain/src/main")) {
       try (Stream<Path> files = Files.walk(ROOT.resolve(part + "/java"))) {
         files.filter(f -> f.toString().endsWith(".java")).forEach(found::add);
       }

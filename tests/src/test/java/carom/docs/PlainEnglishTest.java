@@ -62,7 +62,8 @@ final class PlainEnglishTest {
     "server/src/main",
     "client/src/main",
     "launcher/src/main",
-    "testkit/src/main"
+    "testkit/src/main",
+    "plain/src/main"
   };
 
   private static final String[] PRODUCT_AND_LABORATORY =

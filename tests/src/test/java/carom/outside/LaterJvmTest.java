@@ -5,14 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.suite.Alone;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -25,36 +22,14 @@ import org.junit.jupiter.api.io.TempDir;
 @Alone("processes")
 @Timeout(120)
 final class LaterJvmTest {
-  private static final Pattern RELEASE = Pattern.compile("JAVA_VERSION=\"(\\d+)");
   private static final Pattern COMPLAINT =
       Pattern.compile("VM warning|WARNING:|(?i)unrecognized|deprecated");
 
   @TempDir Path folder;
 
-  /** Returns the homes of the JVMs that are later than this one. */
-  private static List<Path> later() throws IOException {
-    Path place = Path.of("/usr/lib/jvm");
-    List<Path> found = new ArrayList<>();
-    if (!Files.isDirectory(place)) {
-      return found;
-    }
-    try (Stream<Path> homes = Files.list(place)) {
-      for (Path home : homes.filter(home -> !Files.isSymbolicLink(home)).toList()) {
-        Path release = home.resolve("release");
-        if (Files.exists(release)) {
-          var version = RELEASE.matcher(Files.readString(release));
-          if (version.find() && Integer.parseInt(version.group(1)) > Runtime.version().feature()) {
-            found.add(home);
-          }
-        }
-      }
-    }
-    return found;
-  }
-
   @Test
   void laterJvmsRunAllPrograms() throws Exception {
-    List<Path> homes = later();
+    List<Path> homes = LaterJvms.homes();
     Assumptions.assumeFalse(homes.isEmpty(), "no later JVM in /usr/lib/jvm");
     for (Path home : homes) {
       Map<String, String> java = Map.of("JAVA_HOME", home.toString());

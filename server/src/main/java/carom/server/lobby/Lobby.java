@@ -36,10 +36,17 @@ public final class Lobby {
   private static final Logger LOG = LoggerFactory.getLogger(Lobby.class);
   private static final int MAX_ACCEPT = 32;
 
+  /** Places to wait for links in plain text, which displace nobody else. */
+  private static final int PLAIN_PLACES = 32;
+
   private final ServerTransport transport;
   private final LobbyContext context;
   private final List<Visitor> visitors;
   private final Entrance<Visitor> entrance;
+
+  private final Entrance<Visitor> plainEntrance =
+      new Entrance<>(PLAIN_PLACES, PLAIN_PLACES, Visitor::giveWay);
+
   private final PartingLinks partings;
   private final Spectators spectators;
 
@@ -68,6 +75,10 @@ public final class Lobby {
     spectators = context.spectators();
     int toWait = placesToWait(context.places());
     entrance = new Entrance<>(toWait, toWait, Visitor::giveWay);
+  }
+
+  private Entrance<Visitor> entranceOf(Visitor visitor) {
+    return visitor.isPlainText() ? plainEntrance : entrance;
   }
 
   private static int placesToWait(int places) {
@@ -106,7 +117,7 @@ public final class Lobby {
       work++;
       Visitor visitor = new Visitor(context, link);
       visitors.add(visitor);
-      entrance.add(visitor);
+      entranceOf(visitor).add(visitor);
     }
     for (int i = visitors.size() - 1; i >= 0; i--) {
       Visitor visitor = visitors.get(i);
@@ -120,11 +131,12 @@ public final class Lobby {
       }
       if (visitor.isDone()) {
         visitors.remove(i);
-        entrance.remove(visitor);
+        entranceOf(visitor).remove(visitor);
       }
     }
     if (work > 0) {
       entrance.sort();
+      plainEntrance.sort();
     }
     return work;
   }

@@ -118,6 +118,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     return waiting == null ? Entrance.Proof.UNPROVEN : Entrance.Proof.PROVEN;
   }
 
+  /** Returns whether others on the way can read what the visitor says. */
+  boolean isPlainText() {
+    return link.isPlainText();
+  }
+
   /** Refuses the visitor because others need its place at the door. */
   void giveWay() {
     refuse(RefusalReason.TOO_MANY_CONNECTIONS, "Others wait to play.");
@@ -308,7 +313,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return new JoinRequest(name, account, hello.room(), hello.game(), hello.resumeSecret());
     }
     try {
-      JoinToken token = joinTokens.check(hello.token());
+      JoinToken token =
+          link.isPlainText() ? joinTokens.spend(hello.token()) : joinTokens.check(hello.token());
       return new JoinRequest(
           token.name().isEmpty() ? name : token.name(),
           token.account(),

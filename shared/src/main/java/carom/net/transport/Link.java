@@ -84,6 +84,14 @@ public interface Link {
     return false;
   }
 
+  /**
+   * Returns whether others on the way can read what the peer says, so that a join token that it
+   * shows must not count again.
+   */
+  default boolean isPlainText() {
+    return false;
+  }
+
   /** Returns the peer's address and port, or its name, for logs. */
   String remote();
 

@@ -1,0 +1,13 @@
+package carom.plain;
+
+/** Sends the client to another server; the server closes the connection. */
+public final class Redirect {
+  /** Address, host:port. */
+  public String server;
+
+  /** Name of the room there. */
+  public String room;
+
+  /** Creates one to be filled in. */
+  public Redirect() {}
+}

@@ -1,0 +1,93 @@
+package carom.server.thin.plain;
+
+import carom.options.Sockets;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.util.List;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import picocli.CommandLine.Option;
+
+/** The server's flags about programs with stock KryoNet. Picocli fills them in. */
+public final class PlainFlags {
+  @Option(
+      names = "--plain-port",
+      paramLabel = "TCP[:UDP]",
+      description =
+          "Port for clients with stock KryoNet and Kryo 2.24, not encrypted, and with a second"
+              + " number one for their datagrams; 0 = any free one. Without UDP snapshots go by TCP"
+              + " (none).")
+  private String ports;
+
+  @Option(
+      names = "--plain-open",
+      paramLabel = "true|false",
+      arity = "0..1",
+      negatable = true,
+      fallbackValue = "true",
+      defaultValue = "false",
+      description =
+          "Let clients come to --plain-port from outside private networks, too; anybody who sees"
+              + " their packets can read and change them.")
+  private boolean open;
+
+  /** Creates flags that picocli has yet to fill in. */
+  public PlainFlags() {}
+
+  /**
+   * Returns what is wrong with the flags, or null.
+   *
+   * @param addresses of this machine on which ports are open; empty for all
+   */
+  public String problem(List<InetAddress> addresses) {
+    if (ports == null) {
+      return open ? "--plain-open needs --plain-port" : null;
+    }
+    if (!ports.matches("[0-9]{1,6}(:[0-9]{1,6})?")) {
+      return "--plain-port=" + ports + " is neither TCP nor TCP:UDP, such as 54560:54780";
+    }
+    for (String port : ports.split(":")) {
+      String problem = Sockets.portProblem("--plain-port", Integer.parseInt(port));
+      if (problem != null) {
+        return problem;
+      }
+    }
+    for (InetAddress address : addresses) {
+      if (!open && !address.isAnyLocalAddress() && !PrivateNetworks.contains(address)) {
+        return "--plain-port isn't encrypted, and --bind="
+            + address.getHostAddress()
+            + " is no address of a private network; bind another, or open it all the same with"
+            + " --plain-open";
+      }
+    }
+    return null;
+  }
+
+  /**
+   * Opens the door, or returns null if the operator doesn't want one.
+   *
+   * @param addresses of this machine; empty for all
+   * @throws IOException when a port can't be opened; the message says what to do
+   */
+  public PlainDoor open(List<InetAddress> addresses) throws IOException {
+    if (ports == null) {
+      return null;
+    }
+    // Not a constant: this class is loaded while the log starts.
+    Logger log = LoggerFactory.getLogger(PlainFlags.class);
+    String[] numbers = ports.split(":");
+    int tcp = Integer.parseInt(numbers[0]);
+    int udp = numbers.length == 1 ? -1 : Integer.parseInt(numbers[1]);
+    try {
+      PlainDoor door = new PlainDoor(addresses, tcp, udp, PlainLimits.DEFAULT, open);
+      log.info(
+          "plain: tcp {}{} for stock KryoNet, not encrypted, {}",
+          door.tcpPort(),
+          udp < 0 ? "" : " udp " + door.udpPort(),
+          open ? "open to everybody" : "from private networks only");
+      return door;
+    } catch (IOException e) {
+      throw new IOException(e.getMessage() + "; choose another port with --plain-port", e);
+    }
+  }
+}
