@@ -52,7 +52,21 @@ public final class PlayPort implements ServerTransport {
   /** Time between two looks at the files of certificates, ms. */
   private static final int REFRESH_MS = 10_000;
 
-  private final SiteFiles files = new SiteFiles(PlayPort.class, List.of("play/index.html"));
+  private final SiteFiles files =
+      new SiteFiles(
+          PlayPort.class,
+          List.of(
+              "play/index.html",
+              "play/play.css",
+              "play/play.js",
+              "play/thin.js",
+              "play/world.js",
+              "play/picture.js",
+              "play/controls.js",
+              "play/sounds.js",
+              "play/qr.js",
+              "/carom/server/web/page/painter.js",
+              "/carom/server/web/page/icon.svg"));
   private final RequestGuard guard;
   private final Origins origins;
   private final HttpPort http;

@@ -1,0 +1,235 @@
+// The picture of a match: a camera, the level, bodies where they are shown, names, and what flashes.
+
+import {EDGE, details, extent, eyes, hex, outline, shade} from './painter.js';
+
+const GRID = 2, SHADOW = [0.1, -0.14], RING_S = 0.45, LABEL_S = 1.1, RISE = 1.6, FOLLOW = 6, EMOTE_MS = 2500;
+const WHOLE_HEIGHT = 30, FOLLOW_HEIGHT = 16, MARGIN = 0.6, LEAST_PIXELS = 14, STREAK_FROM = 10.5, STREAK_FULL = 20, STREAK_S = 0.11;
+
+export class Picture {
+  constructor(canvas, world) {
+    this.canvas = canvas;
+    this.world = world;
+    this.flashes = [];
+    this.emotes = new Map();
+    this.camera = {x: 0, y: 0, height: 20, placed: false};
+  }
+
+  /** Begins with a match: builds the outlines once. */
+  begin(match) {
+    const drawn = kind => ({...kind, flat: kind.parts.map(p => [p.radius, ...p.corners])});
+    const ready = kind => Object.assign(kind, outline(kind.flat), {size: kind.flat.length ? extent(kind.flat[0]) : 0.4});
+    this.kinds = match.archetypes.map(drawn).map(ready);
+    this.ground = match.ground.map(g => ({...g, kind: ready(drawn(g.kind))}));
+    this.flashes = [];
+    this.emotes.clear();
+    this.camera.placed = false;
+  }
+
+  /** Lets a kind of event be seen at its place. */
+  flash(look, event, nowMs) {
+    if (look.radius > 0 || look.label) this.flashes.push({look, x: event.x, y: event.y, ms: nowMs});
+  }
+
+  emote(player, text, nowMs) { this.emotes.set(player, {text, ms: nowMs}); }
+
+  toWorld(px, py) {
+    const c = this.camera, scale = this.canvas.clientHeight / c.height;
+    return [c.x + (px - this.canvas.clientWidth / 2) / scale, c.y - (py - this.canvas.clientHeight / 2) / scale];
+  }
+
+  toScreen(x, y) {
+    const c = this.camera, scale = this.canvas.clientHeight / c.height;
+    return [(x - c.x) * scale + this.canvas.clientWidth / 2, (c.y - y) * scale + this.canvas.clientHeight / 2];
+  }
+
+  /** Shows the whole level if that is readable, or follows the own body up to the level's edges. */
+  look(own, seconds) {
+    const [minX, minY, maxX, maxY] = this.world.match.bounds, c = this.camera;
+    const width = maxX - minX + 2 * MARGIN, height = maxY - minY + 2 * MARGIN;
+    const aspect = this.canvas.clientWidth / this.canvas.clientHeight, whole = Math.max(height, width / aspect);
+    const readable = this.canvas.clientHeight / whole >= LEAST_PIXELS;
+    const follows = own || c.placed;
+    c.height = !follows || whole <= WHOLE_HEIGHT && readable ? whole : Math.min(height, FOLLOW_HEIGHT, this.canvas.clientWidth < 600 ? 22 : FOLLOW_HEIGHT);
+    const midX = (minX + maxX) / 2, midY = (minY + maxY) / 2;
+    const slackX = Math.max(0, (width - c.height * aspect) / 2), slackY = Math.max(0, (height - c.height) / 2);
+    const clamp = (v, mid, slack) => Math.max(mid - slack, Math.min(mid + slack, v));
+    const goalX = clamp(own ? own[0] : c.placed ? c.x : midX, midX, slackX), goalY = clamp(own ? own[1] : c.placed ? c.y : midY, midY, slackY);
+    const step = c.placed ? 1 - Math.exp(-FOLLOW * seconds) : 1;
+    c.x += (goalX - c.x) * step;
+    c.y += (goalY - c.y) * step;
+    c.placed ||= !!own;
+  }
+
+  /** Draws the moment of a tick; `aim` turns the own eyes. */
+  draw(tick, nowMs, seconds, aim) {
+    const canvas = this.canvas, g = canvas.getContext('2d', {alpha: false}), ratio = Math.min(2, devicePixelRatio || 1), world = this.world;
+    const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
+    const match = world.match;
+    g.setTransform(1, 0, 0, 1, 0, 0);
+    const sky = g.createLinearGradient(0, 0, 0, height);
+    sky.addColorStop(0, match ? hex(match.theme.sky) : '#16202c');
+    sky.addColorStop(1, match ? hex(match.theme.background) : '#0c1017');
+    g.fillStyle = sky;
+    g.fillRect(0, 0, width, height);
+    if (!match) return;
+    const shown = [...world.shown(tick)].map(body => ({body, kind: this.kinds[body.archetype], pose: world.pose(body, tick)})).filter(d => d.kind);
+    const own = shown.find(d => d.body === world.own);
+    this.ownPose = own?.pose;
+    this.look(own?.pose, seconds);
+    const s = height / this.camera.height;
+    this.view = [s, 0, 0, -s, width / 2 - s * this.camera.x, height / 2 + s * this.camera.y];
+    g.setTransform(...this.view);
+    this.backdrop(g, match);
+    g.fillStyle = 'rgb(0 0 0 / .28)';
+    for (const e of this.ground) if (!e.kind.thin && !e.kind.sensor) { this.place(g, e.x + SHADOW[0], e.y + SHADOW[1], e.angle); g.fill(e.kind.path); }
+    for (const d of shown) if (!d.kind.thin && !d.kind.sensor) { this.place(g, d.pose[0] + SHADOW[0], d.pose[1] + SHADOW[1], d.pose[2]); g.fill(d.kind.path); }
+    const time = nowMs / 1000;
+    for (const e of this.ground) this.body(g, e.kind, e.kind.rgb, e.x, e.y, e.angle, time);
+    g.setTransform(...this.view);
+    for (const d of shown) this.streak(g, d);
+    for (const d of shown) {
+      this.body(g, d.kind, this.colour(d), d.pose[0], d.pose[1], d.pose[2], time);
+      if (d.kind.look === 'PLAYER') this.face(g, d, d === own, aim, time);
+    }
+    g.setTransform(...this.view);
+    this.joints(g, shown);
+    this.flash_(g, nowMs);
+    g.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.labels(g, shown, own, nowMs);
+  }
+
+  place(g, x, y, angle) {
+    const v = this.view, cos = Math.cos(angle) * v[0], sin = Math.sin(angle) * v[0];
+    g.setTransform(cos, -sin, -sin, -cos, v[4] + v[0] * x, v[5] - v[0] * y);
+  }
+
+  backdrop(g, match) {
+    const [minX, minY, maxX, maxY] = match.bounds;
+    g.lineWidth = 1 / this.view[0];
+    g.strokeStyle = shade(match.theme.grid, 1, 0.4);
+    g.beginPath();
+    for (let x = Math.ceil(minX / GRID) * GRID; x <= maxX; x += GRID) { g.moveTo(x, minY); g.lineTo(x, maxY); }
+    for (let y = Math.ceil(minY / GRID) * GRID; y <= maxY; y += GRID) { g.moveTo(minX, y); g.lineTo(maxX, y); }
+    g.stroke();
+    g.lineWidth = EDGE;
+    for (const zone of match.zones) {
+      g.fillStyle = shade(zone.rgb, 1, 0.22);
+      g.strokeStyle = shade(zone.rgb, 1, 0.7);
+      g.fillRect(zone.minX, zone.minY, zone.maxX - zone.minX, zone.maxY - zone.minY);
+      g.strokeRect(zone.minX, zone.minY, zone.maxX - zone.minX, zone.maxY - zone.minY);
+    }
+  }
+
+  /** Returns a body's colour: of a player's the one chosen, unless there are teams. */
+  colour({body, kind}) {
+    const player = kind.look === 'PLAYER' && !this.world.match.teams.length && this.world.players.get(body.owner & 1023);
+    return player && player.rgb >= 0 ? player.rgb : kind.rgb;
+  }
+
+  body(g, kind, rgb, x, y, angle, time) {
+    this.place(g, x, y, angle);
+    g.globalAlpha = kind.sensor && kind.look === 'PLAIN' ? 0.25 : 1;
+    g.fillStyle = hex(rgb);
+    g.strokeStyle = kind.thin ? hex(rgb) : hex(kind.outline);
+    g.lineWidth = kind.thin ? 2 * EDGE : EDGE;
+    if (!kind.thin) g.fill(kind.path);
+    g.stroke(kind.path);
+    if (kind.look !== 'PLAYER' && kind.look !== 'WALL' && kind.look !== 'PLATFORM') details(g, kind.look, kind.flat, rgb, kind.outline, time);
+    g.globalAlpha = 1;
+  }
+
+  streak(g, {body, kind, pose: [x, y, , vx, vy]}) {
+    const speed = Math.hypot(vx, vy);
+    if (speed < STREAK_FROM || kind.look !== 'BALL' && kind.look !== 'PLAYER') return;
+    const share = Math.min(1, 0.3 + 0.7 * (speed - STREAK_FROM) / (STREAK_FULL - STREAK_FROM)), r = 0.9 * kind.size;
+    g.fillStyle = shade(this.colour({body, kind}), 1.2, 0.22 * share);
+    for (const layer of [1, 2]) {
+      g.beginPath();
+      g.moveTo(x - vy / speed * r, y + vx / speed * r);
+      g.lineTo(x - vx * STREAK_S * layer, y - vy * STREAK_S * layer);
+      g.lineTo(x + vy / speed * r, y - vx / speed * r);
+      g.fill();
+    }
+  }
+
+  face(g, {body, kind, pose: [x, y, angle, vx, vy]}, own, aim, time) {
+    const look = own ? aim : vx * vx + vy * vy > 0.3 ? Math.atan2(vy, vx) : angle;
+    const player = this.world.players.get(body.owner & 1023);
+    if (player?.rgb >= 0 && this.world.match.teams.length) {
+      this.place(g, x, y, angle);
+      g.strokeStyle = hex(player.rgb);
+      g.lineWidth = 0.16;
+      g.stroke(kind.path);
+    }
+    this.place(g, x, y, look);
+    eyes(g, kind.size);
+    if (!own) return;
+    this.place(g, x, y, angle);
+    g.strokeStyle = `rgb(255 255 255 / ${0.7 + 0.25 * Math.sin(4 * time)})`;
+    g.lineWidth = EDGE;
+    if (kind.flat[0].length === 3) { g.beginPath(); g.arc(0, 0, kind.size * 1.3, 0, 2 * Math.PI); g.stroke(); } else g.stroke(kind.path);
+  }
+
+  joints(g, shown) {
+    if (!this.world.joints.length) return;
+    const poses = new Map(shown.map(d => [d.body.id, d.pose]));
+    const anchor = (id, x, y) => {
+      const pose = poses.get(id);
+      if (id < 0) return [x, y];
+      return pose && [pose[0] + Math.cos(pose[2]) * x - Math.sin(pose[2]) * y, pose[1] + Math.sin(pose[2]) * x + Math.cos(pose[2]) * y];
+    };
+    g.strokeStyle = g.fillStyle = '#c8b48a';
+    g.lineWidth = EDGE;
+    for (const j of this.world.joints) {
+      const a = anchor(j.first, j.ax, j.ay), b = anchor(j.second, j.bx, j.by);
+      if (!a || !b) continue;
+      g.beginPath(); g.moveTo(...a); g.lineTo(...b); g.stroke();
+      g.beginPath(); g.arc(...a, EDGE, 0, 7); g.arc(...b, EDGE, 0, 7); g.fill();
+    }
+  }
+
+  flash_(g, nowMs) {
+    this.flashes = this.flashes.filter(f => nowMs - f.ms < 1000 * LABEL_S);
+    for (const {look, x, y, ms} of this.flashes) {
+      const left = 1 - (nowMs - ms) / 1000 / RING_S;
+      if (left <= 0 || !look.radius) continue;
+      g.strokeStyle = shade(look.rgb, 1, left);
+      g.lineWidth = 0.05 + 0.2 * left * Math.min(1, look.radius);
+      g.beginPath(); g.arc(x, y, look.radius * (1 - left * left), 0, 2 * Math.PI); g.stroke();
+    }
+  }
+
+  labels(g, shown, own, nowMs) {
+    g.textAlign = 'center';
+    g.lineJoin = 'round';
+    g.lineWidth = 3;
+    g.strokeStyle = 'rgb(12 16 23 / .8)';
+    const scale = this.canvas.clientHeight / this.camera.height, match = this.world.match;
+    const write = (text, x, y, colour) => { g.strokeText(text, x, y); g.fillStyle = colour; g.fillText(text, x, y); };
+    for (const d of shown) {
+      if (d.kind.look !== 'PLAYER' || d.body.owner < 0 || d.body.owner > 1023) continue;
+      const player = this.world.players.get(d.body.owner), [x, y] = this.toScreen(d.pose[0], d.pose[1]), above = y - d.kind.size * scale;
+      g.font = '600 12px system-ui, sans-serif';
+      if (player && d !== own) write(player.name, x, above - 8, '#e8eef6');
+      match.gauges.filter(gauge => gauge.kind === 'OVER_HEADS').forEach((gauge, i) => {
+        const value = this.world.field('player', d.body.owner, gauge.field);
+        if (value === undefined) return;
+        const share = Math.max(0, Math.min(1, (value - gauge.least) / (gauge.most - gauge.least)));
+        g.fillStyle = '#0c1017c0'; g.fillRect(x - 18, above - 5 + 6 * i, 36, 4);
+        g.fillStyle = '#5ad18a'; g.fillRect(x - 18, above - 5 + 6 * i, 36 * share, 4);
+      });
+      const emote = this.emotes.get(d.body.owner);
+      if (emote && nowMs - emote.ms < EMOTE_MS) { g.font = '700 16px system-ui, sans-serif'; write(emote.text, x, above - 24, '#ffb340'); }
+    }
+    for (const {look, x, y, ms} of this.flashes) {
+      const age = (nowMs - ms) / 1000;
+      if (!look.label) continue;
+      const [px, py] = this.toScreen(x, y + RISE * age);
+      g.font = `700 ${look.radius >= 2 ? 24 : 16}px system-ui, sans-serif`;
+      g.globalAlpha = Math.max(0, 1 - age / LABEL_S);
+      write(look.label, px, py, hex(look.rgb));
+      g.globalAlpha = 1;
+    }
+  }
+}
