@@ -225,15 +225,11 @@ final class ThinSender {
     return key < 0 ? EventRecord.NONE : Neighbourhood.id(key);
   }
 
-  /** Returns whether what is told since a tick may still be unknown to the client. */
-  private boolean isOpen(int sinceTick, int seen, int now) {
-    return link.isStream() ? sinceTick == now : sinceTick > seen;
-  }
-
   private void fill() {
     FrameState frame = frames.newest();
     int now = frame.tick();
-    int seen = Math.min(link.seenTick(), lastTick);
+    // What is told since a later tick may be unknown to the client. A stream loses nothing.
+    int seen = link.isStream() ? lastTick : Math.min(link.seenTick(), lastTick);
     grow(frame.slotLimit());
     snapshot.clear(now, link.inputCount());
     for (int slot = 0; slot < told.length; slot++) {
@@ -245,7 +241,7 @@ final class ThinSender {
         told[slot] = false;
         goneTick[slot] = now;
         snapshot.addGone(slot);
-      } else if (goneTick[slot] != NEVER && !link.isStream()) {
+      } else if (goneTick[slot] != NEVER) {
         if (goneTick[slot] > seen) {
           snapshot.addGone(slot);
         } else {
@@ -278,8 +274,8 @@ final class ThinSender {
     y[slot] = frame.y(slot);
     angle[slot] = frame.angle(slot);
     boolean again = !link.isStream() && (slot + snapshots) % AGAIN == 0;
-    if (again || isOpen(poseTick[slot], seen, now)) {
-      boolean named = isOpen(nameTick[slot], seen, now);
+    if (again || poseTick[slot] > seen) {
+      boolean named = nameTick[slot] > seen;
       snapshot.add(
           slot, x[slot], y[slot], angle[slot], named ? archetype[slot] : -1, ownership[slot]);
     }

@@ -70,7 +70,14 @@ public final class LivePage implements AutoCloseable {
   private final SiteFiles files =
       new SiteFiles(
           LivePage.class,
-          List.of("index.html", "page.css", "app.js", "scene.js", "charts.js", "icon.svg"));
+          List.of(
+              "index.html",
+              "page.css",
+              "app.js",
+              "scene.js",
+              "painter.js",
+              "charts.js",
+              "icon.svg"));
   private final Downloads downloads;
   private final ProcessFigures begin = ProcessFigures.now();
   private final List<Room> rooms;

@@ -2,7 +2,8 @@
 // What players wrote, such as names, goes to the page as text only, never as HTML.
 
 import {Chart} from './charts.js';
-import {Scene, hex} from './scene.js';
+import {hex} from './painter.js';
+import {Scene} from './scene.js';
 
 const $ = id => document.getElementById(id);
 const MAX_LINES = 500;

@@ -1,12 +1,12 @@
 // The room on a canvas: pictures come in, the newest two are blended, and a camera looks at them.
 
+import {hex, outline} from './painter.js';
+
 const BODY = 4, JOINT = 7, CELL = 5, CONTACT = 5, POOL = 3, HEAD = 8, AWAKE = 0x80000000;
 const PLAIN_GROUND = 0x3d5a80; // of statics whose level gives them no colour
 
 /** Width of the dot in a player's colour before its name, in pixels. */
 const MARK = 6;
-
-export const hex = rgb => '#' + rgb.toString(16).padStart(6, '0');
 
 /** Reads the numbers of a picture; see PictureBytes. */
 function read(buffer) {
@@ -33,35 +33,6 @@ function read(buffer) {
     picture.pools.push({rgb, spacing, xy: take(count, 2)});
   }
   return picture;
-}
-
-/** Builds the outline of a body's parts: each has a radius and one, two or more corners. */
-function outline(parts) {
-  const path = new Path2D();
-  let thin = true;
-  for (const [radius, ...xy] of parts) {
-    const n = xy.length / 2;
-    if (n === 1) {
-      path.moveTo(xy[0] + radius, xy[1]);
-      path.arc(xy[0], xy[1], radius, 0, 2 * Math.PI);
-      path.moveTo(xy[0], xy[1]);
-      path.lineTo(xy[0] + radius, xy[1]);
-      thin = false;
-    } else if (n === 2 && radius < 1e-3) {
-      path.moveTo(xy[0], xy[1]);
-      path.lineTo(xy[2], xy[3]);
-    } else {
-      const edge = i => Math.atan2(xy[2 * ((i + 1) % n) + 1] - xy[2 * i + 1], xy[2 * ((i + 1) % n)] - xy[2 * i]);
-      for (let i = 0; i < n; i++) {
-        const into = edge((i + n - 1) % n) - Math.PI / 2, out = edge(i) - Math.PI / 2;
-        if (radius < 1e-3) path[i ? 'lineTo' : 'moveTo'](xy[2 * i], xy[2 * i + 1]);
-        else path.arc(xy[2 * i], xy[2 * i + 1], radius, into, out);
-      }
-      path.closePath();
-      thin = false;
-    }
-  }
-  return {path, thin};
 }
 
 const TEAM_HUES = [4, 214, 128, 45, 280, 180]; // red, blue, green, yellow, purple, cyan

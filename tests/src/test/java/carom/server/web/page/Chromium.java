@@ -217,6 +217,19 @@ public final class Chromium implements AutoCloseable {
     call("Page.navigate", "\"url\":" + quoted(url));
   }
 
+  /** Loads the page again, and returns when a new one has begun. */
+  public void reload() throws Exception {
+    evaluate("window.isOld = true");
+    call("Page.reload", "");
+    for (boolean old = true; old; Thread.sleep(50)) {
+      try {
+        old = evaluate("window.isOld").equals("true");
+      } catch (IOException e) {
+        old = true; // the one that ends has no answer
+      }
+    }
+  }
+
   /** Returns what an expression of the page is, as text. */
   public String evaluate(String expression) throws Exception {
     Json result =

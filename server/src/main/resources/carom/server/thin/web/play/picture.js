@@ -3,7 +3,7 @@
 import {EDGE, details, extent, eyes, hex, outline, shade} from './painter.js';
 
 const GRID = 2, SHADOW = [0.1, -0.14], RING_S = 0.45, LABEL_S = 1.1, RISE = 1.6, FOLLOW = 6, EMOTE_MS = 2500;
-const WHOLE_HEIGHT = 30, FOLLOW_HEIGHT = 16, MARGIN = 0.6, LEAST_PIXELS = 14, STREAK_FROM = 10.5, STREAK_FULL = 20, STREAK_S = 0.11;
+const WHOLE_HEIGHT = 30, FOLLOW_HEIGHT = 16, FOLLOW_WIDTH = 13, MARGIN = 0.6, LEAST_PIXELS = 14, STREAK_FROM = 10.5, STREAK_FULL = 20, STREAK_S = 0.11;
 
 export class Picture {
   constructor(canvas, world) {
@@ -49,7 +49,7 @@ export class Picture {
     const aspect = this.canvas.clientWidth / this.canvas.clientHeight, whole = Math.max(height, width / aspect);
     const readable = this.canvas.clientHeight / whole >= LEAST_PIXELS;
     const follows = own || c.placed;
-    c.height = !follows || whole <= WHOLE_HEIGHT && readable ? whole : Math.min(height, FOLLOW_HEIGHT, this.canvas.clientWidth < 600 ? 22 : FOLLOW_HEIGHT);
+    c.height = !follows || whole <= WHOLE_HEIGHT && readable ? whole : Math.min(height, Math.max(FOLLOW_HEIGHT, FOLLOW_WIDTH / aspect));
     const midX = (minX + maxX) / 2, midY = (minY + maxY) / 2;
     const slackX = Math.max(0, (width - c.height * aspect) / 2), slackY = Math.max(0, (height - c.height) / 2);
     const clamp = (v, mid, slack) => Math.max(mid - slack, Math.min(mid + slack, v));

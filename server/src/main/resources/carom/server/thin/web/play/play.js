@@ -11,6 +11,7 @@ import {hex} from './painter.js';
 
 const $ = id => document.getElementById(id);
 const RATE = 60, ALIVE_MS = 250, MOST_LINES = 8, LINE_MS = 12_000, MOST_SCORES = 12;
+const SEAT = 'carom-seat'; // the secret of this tab's seat, so that a page that is loaded again goes on
 const COLOURS = {OF_THE_GAME: 'as in the game', RED: 'red', ORANGE: 'orange', YELLOW: 'yellow', LIME: 'lime', GREEN: 'green', CYAN: 'cyan',
   BLUE: 'blue', VIOLET: 'violet', PINK: 'pink', BROWN: 'brown', WHITE: 'white'};
 const EMOTES = {HELLO: 'Hello!', THANKS: 'Thanks!', NICE: 'Nice!', SORRY: 'Sorry!', LAUGH: 'Ha ha!', WOW: 'Wow!', GRR: 'Grr!', GO: 'Go, go!'};
@@ -28,13 +29,13 @@ function node(tag, text, className) {
 }
 
 function mark(rgb) {
-  const made = document.createElement('i');
+  const made = node('i', '', 'mark');
   made.style.background = rgb >= 0 ? hex(rgb) : '#8fa0b5';
   return made;
 }
 
 const link = new Thin({
-  welcome: value => { tickRate = value.tickRate; link.say('rate', {perSecond: RATE}); link.say('rooms'); },
+  welcome: value => { sessionStorage.setItem(SEAT, JSON.stringify({secret: value.secret, name: $('name').value})); tickRate = value.tickRate; link.say('rate', {perSecond: RATE}); link.say('rooms'); },
   match: value => {
     world.begin(value, tickRate);
     picture.begin(value);
@@ -72,18 +73,22 @@ const link = new Thin({
   },
   chat: ({player, text, team}) => say(world.players.get(player), text, team),
   emote: ({player, emote}) => picture.emote(player, EMOTES[emote] || emote, performance.now()),
-  rooms: value => {
-    rooms = fresh ? value.rooms : [...rooms, ...value.rooms];
-    fresh = value.left === 0;
-    if (fresh) showRooms();
-  },
+  rooms: takeRooms,
   redirect: ({server}) => end(`This server sends its players to ${server}.`),
   state: text => { $('state').textContent = text; $('state').hidden = !text; },
   end,
 });
 let fresh = true, menuIsForced = true;
 
+/** Takes a part of the list of rooms. */
+function takeRooms(value) {
+  rooms = fresh ? value.rooms : [...rooms, ...value.rooms];
+  fresh = value.left === 0;
+  if (fresh) showRooms();
+}
+
 function end(text) {
+  sessionStorage.removeItem(SEAT);
   world.begin(null, 60);
   menuIsForced = true;
   showMenu(true);
@@ -96,7 +101,7 @@ function end(text) {
   document.title = 'Carom';
 }
 
-function join() {
+function join(secret) {
   const name = $('name').value.trim();
   if (!name) return;
   localStorage.setItem('carom-name', name);
@@ -106,7 +111,7 @@ function join() {
   $('state').textContent = 'Joining ...';
   $('state').hidden = false;
   const token = new URLSearchParams(location.hash.slice(1)).get('token') || undefined;
-  link.join({name, room: room || undefined, password: $('password').value || undefined, token});
+  link.join({name, room: room || undefined, password: $('password').value || undefined, token, secret});
 }
 
 function showMenu(on) {
@@ -156,7 +161,7 @@ function showStay() {
 
 function say(player, text, team) {
   const item = node('li', '');
-  if (player) { item.append(mark(colourOf(player)), node('b', `${player.name}${team ? ' (team)' : ''}: `)); item.querySelector('i').style.cssText += ';display:inline-block;width:.6em;height:.6em;margin-right:.4em;border-radius:2px'; }
+  if (player) item.append(mark(colourOf(player)), node('b', `${player.name}${team ? ' (team)' : ''}: `));
   item.append(text);
   $('lines').append(item);
   while ($('lines').children.length > MOST_LINES) $('lines').firstChild.remove();
@@ -296,5 +301,15 @@ $('name').value = localStorage.getItem('carom-name') || `Player ${1 + Math.floor
 showSound();
 showLink();
 showStay();
-$('name').select();
+const seat = JSON.parse(sessionStorage.getItem(SEAT) || 'null');
+if (seat) {
+  $('name').value = seat.name;
+  join(seat.secret);
+} else {
+  Thin.rooms(takeRooms);
+  $('name').select();
+}
 requestAnimationFrame(frame);
+
+/** For tests and the curious. */
+window.caromPlay = {world, picture, link, controls};

@@ -3,6 +3,8 @@
 const SNAPSHOT = 1, INPUT = 2, POSITION = 1 / 512, TURN = 2 * Math.PI / 1024;
 const SILENCE_MS = 12_000, FIRST_WAIT_MS = 500, LONGEST_WAIT_MS = 8_000;
 
+const address = () => `${location.protocol === 'https:' ? 'wss:' : 'ws:'}//${location.host}/thin`;
+
 export class Thin {
   /**
    * `hear` has a function for each message of the server, and: `snapshot({tick, input, bodies, gone})` with bodies
@@ -15,10 +17,21 @@ export class Thin {
     this.bytesIn = 0;
   }
 
+  /** Asks for the rooms over a link of its own; `take` gets each list of them. */
+  static rooms(take) {
+    const socket = new WebSocket(address());
+    socket.onopen = () => socket.send('{"rooms":{}}');
+    socket.onmessage = e => {
+      const value = JSON.parse(e.data).rooms;
+      if (value) take(value);
+      if (value?.left === 0) socket.close();
+    };
+  }
+
   /** Joins; after a loss it comes back to its seat by itself until `close`. */
   join(values) {
     this.joining = values;
-    this.secret = '';
+    this.secret = values.secret || '';
     this.wait = FIRST_WAIT_MS;
     this.open();
   }
@@ -29,7 +42,7 @@ export class Thin {
     this.seen = -1;
     this.inputs = [];
     this.poses = new Map();
-    const socket = this.socket = new WebSocket(`${location.protocol === 'https:' ? 'wss:' : 'ws:'}//${location.host}/thin`);
+    const socket = this.socket = new WebSocket(address());
     socket.binaryType = 'arraybuffer';
     this.heardMs = performance.now();
     socket.onopen = () => this.say('join', {version: 1, binary: true, ...this.joining, secret: this.secret || undefined});

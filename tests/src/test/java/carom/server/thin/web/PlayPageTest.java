@@ -1,0 +1,155 @@
+package carom.server.thin.web;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import carom.server.Server;
+import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
+import carom.server.match.MatchLibrary;
+import carom.server.web.page.Chromium;
+import java.net.InetAddress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: a link is a game. Method: headless Chromium opens it, joins, plays each game that ships,
+ * chats, changes the room, is loaded again and leaves; the page logs no error.
+ */
+@Timeout(240)
+final class PlayPageTest {
+  private static final int ENTER = 13;
+  private static final int ESCAPE = 27;
+  private static final List<String> GAMES = List.of("arena", "platformer", "rockets");
+
+  @TempDir private Path folder;
+  private Path program;
+
+  @BeforeEach
+  void findBrowser() {
+    program = Chromium.find();
+    if (program == null) {
+      assertFalse(System.getenv("CI") != null, "CI has no Chromium: .ci/run installs it");
+      System.err.println("SKIPPED: no Chromium here, so nobody plays on the page");
+    }
+    assumeTrue(program != null, "no Chromium");
+  }
+
+  private static Server serve(PlayPort port) {
+    ServerConfig config = ServerConfig.defaults().withStatusIntervalS(0);
+    List<RoomConfig> rooms =
+        GAMES.stream().map(game -> new RoomConfig(game, game, List.of(), 8, 1, Map.of())).toList();
+    Server server = new Server(config, rooms, MatchLibrary.INSTALLED, port, System::nanoTime);
+    server.start();
+    return server;
+  }
+
+  private static String own(String value) {
+    return "(({world}) => { const p = world.own && world.own.poses.at(-1); return p && "
+        + value
+        + "; })(caromPlay)";
+  }
+
+  /** Presses a key until the own body is elsewhere. */
+  private static void moves(Chromium browser) throws Exception {
+    browser.await(own("true"));
+    String before = browser.evaluate(own("p[1].toFixed(2)"));
+    String key = "new KeyboardEvent('key%s', {code: 'KeyD', key: 'd', bubbles: true})";
+    browser.evaluate("dispatchEvent(" + String.format(Locale.ROOT, key, "down") + ")");
+    browser.await(own("Math.abs(p[1] - " + before + ") > 1"));
+    browser.evaluate("dispatchEvent(" + String.format(Locale.ROOT, key, "up") + ")");
+  }
+
+  @Test
+  void everyGameIsPlayedByALink() throws Exception {
+    PlayPort port =
+        new PlayPort(PlayPort.Settings.plain(List.of(InetAddress.getLoopbackAddress()), 0, 8));
+    try (Server server = serve(port);
+        Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
+      browser.look(1280, 720, true);
+      browser.open(port.url() + "#room=arena");
+      browser.await("document.querySelectorAll('#rooms li').length === 3");
+      browser.evaluate("document.getElementById('name').value = 'Zoë <b>'");
+      browser.click("document.getElementById('go')");
+      for (String game : GAMES) {
+        if (!game.equals("arena")) {
+          browser.press("Escape", ESCAPE);
+          browser.await("!document.getElementById('menu').hidden");
+          browser.click(
+              "[...document.querySelectorAll('#rooms button')]"
+                  + ".find(b => b.textContent.startsWith('"
+                  + game
+                  + "'))");
+        }
+        browser.await("caromPlay.world.match && caromPlay.world.match.game === '" + game + "'");
+        browser.await("document.getElementById('menu').hidden");
+        browser.await("document.querySelector('#scores .own')");
+        assertTrue(
+            browser.evaluate("document.querySelector('#scores .own').textContent").contains("<b>"));
+        moves(browser);
+      }
+      browser.press("Enter", ENTER);
+      browser.type("hello <i>all</i>");
+      browser.press("Enter", ENTER);
+      browser.await("document.getElementById('lines').innerText.includes('hello <i>all</i>')");
+      String id = browser.evaluate("caromPlay.world.match.player");
+      browser.reload();
+      browser.await("window.caromPlay && caromPlay.world.match");
+      assertEquals(id, browser.evaluate("caromPlay.world.match.player"), "the same seat");
+      moves(browser);
+      browser.evaluate("caromPlay.link.socket.close()");
+      browser.await("caromPlay.link.isOpen() && caromPlay.world.own");
+      browser.press("Escape", ESCAPE);
+      browser.await("!document.getElementById('menu').hidden");
+      browser.click("document.getElementById('leave')");
+      browser.await("!document.getElementById('join').hidden");
+      for (int i = 0; server.rooms().stream().anyMatch(r -> r.seats().takenCount() > 0); i++) {
+        assertTrue(i < 1_000, "the seat is still taken");
+        Thread.sleep(10);
+      }
+      assertEquals(List.of(), browser.errors());
+    }
+  }
+
+  @Test
+  void theLinkIsAQrCodeAndGlassHasSticks() throws Exception {
+    PlayPort port =
+        new PlayPort(PlayPort.Settings.plain(List.of(InetAddress.getLoopbackAddress()), 0, 8));
+    try (Server server = serve(port);
+        Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
+      browser.look(390, 844, true);
+      browser.open(port.url() + "#room=arena");
+      browser.await("window.caromPlay && document.getElementById('code').width > 0");
+      // Finder patterns: a dark middle, a light ring, a dark ring, in three corners.
+      String row =
+          browser.evaluate(
+              "(() => { const c = document.getElementById('code'), g = c.getContext('2d'), n ="
+                  + " c.width / 4, at = (x, y) => g.getImageData(4 * x + 2, 4 * y + 2, 1, 1)"
+                  + ".data[0] < 128 ? 1 : 0; return [4, n - 11].map(x => Array.from({length: 7},"
+                  + " (_, i) => at(x + i, 7)).join('')).join(' '); })()");
+      assertEquals("1011101 1011101", row);
+      browser.click("document.getElementById('go')");
+      browser.await("caromPlay.world.own");
+      browser.evaluate("document.getElementById('glass').hidden = false");
+      String before = browser.evaluate(own("p[1].toFixed(2)"));
+      String event =
+          "(t => { const e = document.getElementById('moveStick'), r = e.getBoundingClientRect();"
+              + " e.setPointerCapture = () => {}; e.dispatchEvent(new PointerEvent('pointer' + t,"
+              + " {pointerId: 7, pointerType: 'touch', clientX: r.x + r.width, clientY: r.y +"
+              + " r.height / 2})); })";
+      browser.evaluate(event + "('down')");
+      browser.await(own("Math.abs(p[1] - " + before + ") > 1"));
+      browser.evaluate(event + "('up')");
+      assertEquals(1, server.rooms().get(0).seats().takenCount());
+      assertEquals(List.of(), browser.errors());
+    }
+  }
+}
