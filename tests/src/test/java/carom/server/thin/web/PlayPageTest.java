@@ -10,6 +10,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;
 import carom.server.web.page.Chromium;
+import carom.suite.Alone;
 import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.List;
@@ -24,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: a link is a game. Method: headless Chromium opens it, joins, plays each game that ships,
  * chats, changes the room, is loaded again and leaves; the page logs no error.
  */
+@Alone("sockets, a browser")
 @Timeout(240)
 final class PlayPageTest {
   private static final int ENTER = 13;
@@ -105,8 +107,8 @@ final class PlayPageTest {
       browser.await("window.caromPlay && caromPlay.world.match");
       assertEquals(id, browser.evaluate("caromPlay.world.match.player"), "the same seat");
       moves(browser);
-      browser.evaluate("caromPlay.link.socket.close()");
-      browser.await("caromPlay.link.isOpen() && caromPlay.world.own");
+      browser.evaluate("(() => { (window.before = caromPlay.link.socket).close(); })()");
+      browser.await("caromPlay.link.socket !== before && caromPlay.link.seen >= 0");
       browser.press("Escape", ESCAPE);
       browser.await("!document.getElementById('menu').hidden");
       browser.click("document.getElementById('leave')");
