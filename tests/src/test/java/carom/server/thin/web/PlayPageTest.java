@@ -108,7 +108,9 @@ final class PlayPageTest {
       assertEquals(id, browser.evaluate("caromPlay.world.match.player"), "the same seat");
       moves(browser);
       browser.evaluate("(() => { (window.before = caromPlay.link.socket).close(); })()");
-      browser.await("caromPlay.link.socket !== before && caromPlay.link.seen >= 0");
+      browser.await(
+          "caromPlay.link.isOpen() && caromPlay.link.socket !== before && caromPlay.link.seen >="
+              + " 0");
       browser.press("Escape", ESCAPE);
       browser.await("!document.getElementById('menu').hidden");
       browser.click("document.getElementById('leave')");
