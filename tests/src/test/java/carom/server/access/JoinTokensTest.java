@@ -1,6 +1,7 @@
 package carom.server.access;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -80,6 +81,32 @@ final class JoinTokensTest {
                 HEAD,
                 claims(",\"name\":\"Zo\u00eb\",\"room\":\"cup\",\"server\":\"" + SERVER + "\""))));
     assertEquals(new JoinToken("42", "", ""), tokens.check(token(backend, HEAD, claims(""))));
+  }
+
+  @Test
+  void aTokenThatOthersMayHaveReadNeverCountsAgain() throws BadTokenException {
+    String token = token(backend, HEAD, claims(""));
+    tokens.check(token);
+    tokens.check(token);
+    assertEquals("42", tokens.spend(token).account());
+    refused(token, "has been used");
+    assertThrows(BadTokenException.class, () -> tokens.spend(token));
+    tokens.check(token(backend, HEAD, claims(",\"name\":\"other\"")));
+    String expired = token(backend, HEAD, "{\"sub\":\"42\",\"exp\":" + NOW + "}");
+    assertThrows(BadTokenException.class, () -> tokens.spend(expired));
+  }
+
+  @Test
+  void spentTokensAreForgottenWhenTheyExpireAndNotBefore() {
+    SpentTokens spent = new SpentTokens();
+    for (int i = 0; i < SpentTokens.MAX; i++) {
+      assertTrue(spent.add(("t" + i).getBytes(StandardCharsets.UTF_8), NOW + i % 2, NOW - 1));
+    }
+    byte[] more = "more".getBytes(StandardCharsets.UTF_8);
+    assertFalse(spent.add(more, NOW + 9, NOW - 1), "no room");
+    assertTrue(spent.add(more, NOW + 9, NOW), "half of them have expired");
+    assertTrue(spent.has("t1".getBytes(StandardCharsets.UTF_8)));
+    assertFalse(spent.has("t2".getBytes(StandardCharsets.UTF_8)));
   }
 
   @Test

@@ -57,6 +57,7 @@ final class PlainConnection implements Entrance.Guest {
   private final TokenBucket frames;
   private long secondNs;
   private int bytesOfSecond;
+  private int unheardBytes;
   private final long acceptedNs;
   private long frameNs;
   private long leavingUntilNs;
@@ -130,10 +131,14 @@ final class PlainConnection implements Entrance.Guest {
 
   /** Takes bytes that came by TCP; the door's thread. */
   void read(ByteBuffer buffer, PlainDecoder decoder, long nowNs) {
-    if (leaving) {
-      return; // what it still says doesn't count
-    }
     int fresh = buffer.remaining();
+    if (leaving) { // what it still says doesn't count, as long as it isn't much
+      unheardBytes += fresh;
+      if (unheardBytes > door.limits().bytesPerSecond()) {
+        close("");
+      }
+      return;
+    }
     if (nowNs - secondNs >= SECOND_NANOS) {
       secondNs = nowNs;
       bytesOfSecond = 0;
