@@ -5,6 +5,7 @@ import carom.server.access.JoinTokenTarget;
 import carom.server.checkpoint.SavedRoomTarget;
 import carom.server.query.RemoteConsoleTarget;
 import carom.server.query.StatusQueryTarget;
+import carom.server.thin.web.ThinTextTarget;
 import carom.server.web.WebTarget;
 import java.io.IOException;
 import java.io.InputStream;
@@ -35,6 +36,7 @@ final class FuzzTargets {
     TARGETS.put("join-token", JoinTokenTarget::new);
     TARGETS.put("seats", SavedRoomTarget::new);
     TARGETS.put("web", WebTarget::new);
+    TARGETS.put("thin-text", ThinTextTarget::new);
   }
 
   private FuzzTargets() {}

@@ -1,11 +1,10 @@
 package carom.server.query;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.net.transport.Impairment;
+import carom.outside.Python;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
@@ -14,15 +13,11 @@ import carom.server.login.LoginThrottle;
 import carom.server.login.Secret;
 import carom.suite.Alone;
 import carom.testkit.Stepper;
-import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -38,59 +33,18 @@ import org.junit.jupiter.api.io.TempDir;
 final class StockClientsTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
   private static final List<String> PACKAGES = List.of("python-a2s==1.4.2", "rcon==2.4.9");
-  private static final Path ENVIRONMENT = Path.of("build/stock-clients").toAbsolutePath();
-  private static final Path PYTHON = ENVIRONMENT.resolve("bin/python");
   private static final String PASSWORD = "a long password";
-  private static final long INSTALL_S = 240;
-  private static final long RUN_S = 60;
 
   @TempDir private Path folder;
+  private Python python;
   private Stepper stepper;
   private StatusQuery query;
   private RemoteConsole console;
   private Thread play;
 
-  /** A program's exit code and what it printed. */
-  private record Ran(int status, String text) {}
-
-  private Ran run(long seconds, List<String> command) throws Exception {
-    Path output = folder.resolve("output.txt");
-    ProcessBuilder builder = new ProcessBuilder(command);
-    builder.environment().put("PYTHONIOENCODING", "utf-8");
-    Process process = builder.redirectErrorStream(true).redirectOutput(output.toFile()).start();
-    if (!process.waitFor(seconds, TimeUnit.SECONDS)) {
-      process.destroyForcibly().waitFor();
-      throw new IOException(command + " takes more than " + seconds + " s");
-    }
-    return new Ran(process.exitValue(), Files.readString(output));
-  }
-
-  /** Installs the packages, once in each build folder; skips the test where there is no Python. */
-  private void install() throws Exception {
-    Path done = ENVIRONMENT.resolve("packages.txt");
-    if (Files.exists(done) && Files.readAllLines(done).equals(PACKAGES)) {
-      return;
-    }
-    Ran ran;
-    try {
-      ran = run(INSTALL_S, List.of("python3", "-m", "venv", "--clear", ENVIRONMENT.toString()));
-    } catch (IOException e) {
-      ran = new Ran(-1, e.getMessage());
-    }
-    if (ran.status != 0) {
-      assertFalse(System.getenv("CI") != null, "CI has no Python: .ci/run installs it: " + ran);
-      System.err.println("SKIPPED: no python3 with venv and pip here, so no stock client asks");
-    }
-    assumeTrue(ran.status == 0, "no python3 with venv and pip: " + ran.text);
-    Stream<String> pip = Stream.of(PYTHON.toString(), "-m", "pip", "install", "-q");
-    ran = run(INSTALL_S, Stream.concat(pip, PACKAGES.stream()).toList());
-    assertEquals(0, ran.status, ran.text);
-    Files.write(done, PACKAGES);
-  }
-
   @BeforeEach
   void start() throws Exception {
-    install();
+    python = new Python(folder, "stock-clients", PACKAGES);
     stepper = Stepper.of("arena");
     // They stand still, so that the score stays 0.
     stepper.join("Ann", Impairment.NONE, (view, tick, in) -> {});
@@ -134,11 +88,7 @@ final class StockClientsTest {
   private String python(String lines, Object... arguments) throws Exception {
     Path script = folder.resolve("client.py");
     Files.writeString(script, "from sys import argv\n" + lines, StandardCharsets.UTF_8);
-    Stream<String> words = Arrays.stream(arguments).map(String::valueOf);
-    Ran ran =
-        run(RUN_S, Stream.concat(Stream.of(PYTHON.toString(), script.toString()), words).toList());
-    assertEquals(0, ran.status, ran.text);
-    return ran.text;
+    return python.run(script, arguments);
   }
 
   @Test

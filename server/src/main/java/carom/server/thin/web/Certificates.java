@@ -1,10 +1,11 @@
 package carom.server.thin.web;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
+
 import carom.text.FileErrors;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.net.Socket;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
@@ -136,14 +137,16 @@ public final class Certificates {
   }
 
   private static String text(String flag, Path file) throws IOException {
+    String text;
     try {
-      if (Files.size(file) > MAX_FILE_BYTES) {
-        throw new IOException(flag + "=" + file + " has more than " + MAX_FILE_BYTES + " bytes");
-      }
-      return Files.readString(file, StandardCharsets.ISO_8859_1);
-    } catch (java.nio.file.FileSystemException e) {
+      text = Files.size(file) > MAX_FILE_BYTES ? null : Files.readString(file, ISO_8859_1);
+    } catch (IOException e) {
       throw new IOException(flag + "=" + file + " can't be read: " + FileErrors.reason(e), e);
     }
+    if (text == null) {
+      throw new IOException(flag + "=" + file + " has more than " + MAX_FILE_BYTES + " bytes");
+    }
+    return text;
   }
 
   private X509Certificate[] certificates() throws IOException {
@@ -158,8 +161,7 @@ public final class Certificates {
     try {
       X509Certificate[] chain =
           CertificateFactory.getInstance("X.509")
-              .generateCertificates(
-                  new ByteArrayInputStream(first.getBytes(StandardCharsets.ISO_8859_1)))
+              .generateCertificates(new ByteArrayInputStream(first.getBytes(ISO_8859_1)))
               .toArray(X509Certificate[]::new);
       if (chain[0].getNotAfter().toInstant().isBefore(Instant.now())) {
         LOG.warn(

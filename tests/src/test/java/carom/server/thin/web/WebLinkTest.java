@@ -10,6 +10,7 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinSnapshot;
+import carom.suite.Alone;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.util.ArrayList;
@@ -24,6 +25,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: the door carries what both ends say. Method: the JDK's WebSocket at a port without rooms.
  */
 @Timeout(120)
+@Alone("sockets")
 final class WebLinkTest {
   private static final List<InetAddress> HERE = List.of(InetAddress.getLoopbackAddress());
 
