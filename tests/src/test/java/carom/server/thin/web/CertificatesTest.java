@@ -1,5 +1,6 @@
 package carom.server.thin.web;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -129,8 +130,10 @@ final class CertificatesTest {
       socket.startHandshake();
       socket
           .getOutputStream()
-          .write("GET /play/ HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n".getBytes());
-      String answer = new String(socket.getInputStream().readAllBytes());
+          .write(
+              "GET /play/ HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n"
+                  .getBytes(UTF_8));
+      String answer = new String(socket.getInputStream().readAllBytes(), UTF_8);
       assertTrue(answer.startsWith("HTTP/1.1 200 "), answer);
     }
     return trust.name;
@@ -160,8 +163,8 @@ final class CertificatesTest {
       assertEquals("CN=two", shown(port));
       try (Socket plain = new Socket(here, port.tcpPort())) {
         plain.setSoTimeout(30_000);
-        plain.getOutputStream().write("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n".getBytes());
-        String answer = new String(plain.getInputStream().readAllBytes());
+        plain.getOutputStream().write("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n".getBytes(UTF_8));
+        String answer = new String(plain.getInputStream().readAllBytes(), UTF_8);
         assertFalse(answer.startsWith("HTTP"), answer);
       }
       assertEquals("CN=two", shown(port), "others go on");

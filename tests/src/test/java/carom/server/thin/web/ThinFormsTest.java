@@ -20,11 +20,17 @@ import carom.sim.level.Level;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -174,8 +180,12 @@ final class ThinFormsTest {
     double text = (ann.textBytes - before[0]) * 8 / seconds / 1_000;
     double binary = (ann.binaryBytes - before[1]) * 8 / seconds / 1_000;
     System.out.printf(
+        Locale.ROOT,
         "bodies=%d told=%.1f json=%.0f kbit/s binary=%.0f kbit/s%n",
-        ann.truth.bodies.size(), (double) ann.told / ann.snapshots, text, binary);
+        ann.truth.bodies.size(),
+        (double) ann.told / ann.snapshots,
+        text,
+        binary);
     assertTrue(ann.truth.bodies.size() >= 40, "bodies=" + ann.truth.bodies.size());
     assertTrue(ann.snapshots >= 300, "snapshots=" + ann.snapshots);
     assertTrue(text <= 500, "JSON takes kbit/s=" + text);
@@ -256,5 +266,30 @@ final class ThinFormsTest {
               .startsWith(wrong.length > 0 && wrong[0] == 2 ? "binary input" : "a binary message"),
           refused.getMessage());
     }
+  }
+
+  /** Returns the bytes of an example in the page, which begins with a byte. */
+  private static byte[] example(String begin) throws Exception {
+    String page = Files.readString(Path.of("../docs/THIN.md"));
+    Matcher matcher = Pattern.compile("`(" + begin + "( [0-9a-f]{2})+)`").matcher(page);
+    assertTrue(matcher.find(), begin);
+    return HexFormat.ofDelimiter(" ").parseHex(matcher.group(1));
+  }
+
+  @Test
+  void thePagesExamplesSayWhatTheyAreSaidToSay() throws Exception {
+    ThinClientMessage.Input input = BinaryForm.readInput(example("02"));
+    assertEquals(5, input.count());
+    assertEquals(914, input.seenTick());
+    assertEquals(
+        new Input().hold(Input.ACTION, true).move(1, 0).aim((float) Math.PI / 2).pack(),
+        input.inputs()[0]);
+    ThinBooks books = new ThinBooks();
+    books.bodies.put(7, new ThinBooks.Body(100, 200, 1_023, 4, -1));
+    books.bytes(ByteBuffer.wrap(example("01")));
+    assertEquals(914, books.tick);
+    assertEquals(1, books.input);
+    assertEquals(new ThinBooks.Body(-6_272, 2_304, 0, 3, 0), books.bodies.get(0));
+    assertEquals(new ThinBooks.Body(103, 199, 1, 4, -1), books.bodies.get(7));
   }
 }
