@@ -58,6 +58,12 @@ public final class Origins {
         && TRACES.stream().anyMatch(exchange.getRequestHeaders()::contains);
   }
 
+  /** Returns whether one of the operator's proxies says that it got a request encrypted. */
+  public boolean isEncryptedByProxy(HttpServerExchange exchange) {
+    return isProxy(exchange.getSourceAddress().getAddress())
+        && "https".equals(exchange.getRequestHeaders().getFirst(Headers.X_FORWARDED_PROTO));
+  }
+
   /** Returns where a request comes from. */
   public Origin of(HttpServerExchange exchange) {
     HeaderMap headers = exchange.getRequestHeaders();

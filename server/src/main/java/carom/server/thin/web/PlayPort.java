@@ -40,7 +40,7 @@ import java.util.concurrent.atomic.AtomicReference;
 public final class PlayPort implements ServerTransport {
   private static final String SOCKET = "/thin";
   private static final String PAGE = "/play";
-  private static final AttachmentKey<String> REMOTE = AttachmentKey.create(String.class);
+  private static final AttachmentKey<Comer> COMER = AttachmentKey.create(Comer.class);
 
   /** What the system may keep for a client that reads slowly: half a second of a game as JSON. */
   private static final int SEND_BUFFER_BYTES = 32_768;
@@ -51,6 +51,9 @@ public final class PlayPort implements ServerTransport {
 
   /** Time between two looks at the files of certificates, ms. */
   private static final int REFRESH_MS = 10_000;
+
+  /** A client that gets a link: its address and port, and whether others can read what it says. */
+  private record Comer(String remote, boolean isPlainText) {}
 
   private final SiteFiles files =
       new SiteFiles(
@@ -67,6 +70,7 @@ public final class PlayPort implements ServerTransport {
               "play/qr.js",
               "/carom/server/web/page/painter.js",
               "/carom/server/web/page/icon.svg"));
+  private final boolean encrypted;
   private final RequestGuard guard;
   private final Origins origins;
   private final HttpPort http;
@@ -125,6 +129,7 @@ public final class PlayPort implements ServerTransport {
    * @throws IOException if the port can't be opened; the message says what to do
    */
   public PlayPort(Settings settings) throws IOException {
+    encrypted = settings.tls() != null;
     guard = new RequestGuard(settings.hosts());
     origins = new Origins(settings.proxies());
     most = settings.most();
@@ -207,7 +212,10 @@ public final class PlayPort implements ServerTransport {
       int port = exchange.getSourceAddress().getPort();
       String name = address.getHostAddress();
       exchange.putAttachment(
-          REMOTE, (address instanceof Inet6Address ? "[" + name + "]" : name) + ":" + port);
+          COMER,
+          new Comer(
+              (address instanceof Inet6Address ? "[" + name + "]" : name) + ":" + port,
+              !encrypted && !origins.isEncryptedByProxy(exchange)));
       handshake.handleRequest(exchange);
     }
   }
@@ -225,7 +233,8 @@ public final class PlayPort implements ServerTransport {
   }
 
   private void connected(WebSocketHttpExchange exchange, WebSocketChannel channel) {
-    WebLink link = new WebLink(channel, exchange.getAttachment(REMOTE), error::set);
+    Comer comer = exchange.getAttachment(COMER);
+    WebLink link = new WebLink(channel, comer.remote, comer.isPlainText, error::set);
     links.add(link);
     openedCount.incrementAndGet();
     channel.addCloseTask(closed -> ended(link));

@@ -63,6 +63,7 @@ final class WebLink extends ThinLink {
   private static final int WINDOW = 64; // a power of two
 
   private final WebSocketChannel channel;
+  private final boolean isPlainText;
   private final Consumer<Throwable> errors;
   private final JsonReader reader = new JsonReader();
   private final TokenBucket messages =
@@ -97,10 +98,13 @@ final class WebLink extends ThinLink {
    * Creates an open link.
    *
    * @param remote the client's address and port
+   * @param isPlainText whether others on the way can read what is sent
    * @param errors takes errors of this server, which close the link
    */
-  WebLink(WebSocketChannel channel, String remote, Consumer<Throwable> errors) {
+  WebLink(
+      WebSocketChannel channel, String remote, boolean isPlainText, Consumer<Throwable> errors) {
     super(remote, true);
+    this.isPlainText = isPlainText;
     this.channel = channel;
     this.errors = errors;
     long nowNs = System.nanoTime();
@@ -414,6 +418,11 @@ final class WebLink extends ThinLink {
     String text = reason.length() > MAX_REASON ? reason.substring(0, MAX_REASON) : reason;
     String ascii = new String(text.getBytes(StandardCharsets.US_ASCII), StandardCharsets.US_ASCII);
     WebSockets.sendClose(CloseMessage.NORMAL_CLOSURE, ascii, channel, null);
+  }
+
+  @Override
+  public boolean isPlainText() {
+    return isPlainText;
   }
 
   /** Ends the connection at once. Any thread. */

@@ -98,6 +98,7 @@ final class WebLinkTest {
       player.say("{\"join\": {\"name\": \"Ann\", \"room\": \"cup\", \"more\": [1, {}]}}");
       ClientMessage.Hello hello = (ClientMessage.Hello) hear(link);
       assertEquals("Ann", hello.name());
+      assertTrue(link.isPlainText());
       link.news(new ThinServerMessage.Welcome(1, -2, 60, 30));
       Json welcome = player.await("welcome");
       assertEquals("fffffffffffffffe", welcome.fields.get("secret").text);
