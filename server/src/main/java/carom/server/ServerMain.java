@@ -32,6 +32,7 @@ import carom.server.jmx.RoomInspector;
 import carom.server.login.Logins;
 import carom.server.metrics.Counter;
 import carom.server.query.StatusFacts;
+import carom.server.thin.plain.PlainDoor;
 import carom.server.thin.web.PlayPort;
 import carom.server.threads.StartWatch;
 import carom.server.threads.ThreadStack;
@@ -111,6 +112,7 @@ public final class ServerMain implements Callable<Integer> {
   private LogTail logTail;
   private KernelWarmupThread kernels;
   private PlayPort play; // or null
+  private PlainDoor plain; // or null
 
   /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -243,6 +245,7 @@ public final class ServerMain implements Callable<Integer> {
       logStart(log, config, choice.rooms(config));
       Server server = start.open();
       play = start.play();
+      plain = start.plain();
       server.admit(access);
       return server;
     } finally {
@@ -354,7 +357,8 @@ public final class ServerMain implements Callable<Integer> {
     }
     web.set(opened(ports, server));
     int playPort = play == null ? 0 : play.tcpPort();
-    ReadyLine.print(System.out, server.tcpPort(), server.udpPort(), playPort);
+    String plainPorts = plain == null ? null : plain.ports();
+    ReadyLine.print(System.out, server.tcpPort(), server.udpPort(), playPort, plainPorts);
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
     kernels.begin(); // not before: it would take the processor from the start
     String page = web.get() == null ? null : web.get().url();

@@ -23,6 +23,7 @@ import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.recording.RotationLimit;
 import carom.server.session.SessionMemory;
+import carom.server.thin.plain.PlainDoor;
 import carom.server.thin.web.PlayPort;
 import carom.text.FileErrors;
 import java.io.IOException;
@@ -48,6 +49,7 @@ final class ServerStart {
   private final AtomicInteger roomsBegun = new AtomicInteger();
   private volatile Server server;
   private PlayPort play; // or null
+  private PlainDoor plain; // or null
 
   ServerStart(
       ServerFlags flags, GameChoice choice, ServerConfig config, AccessLists access, Logger log) {
@@ -98,7 +100,7 @@ final class ServerStart {
     all.add(openOwnPorts(rooms));
     int places = RoomConfig.places(rooms);
     try {
-      ServerTransport plain = flags.plain.open(flags.bindAddresses());
+      plain = flags.plain.open(flags.bindAddresses());
       if (plain != null) {
         all.add(plain);
       }
@@ -113,6 +115,11 @@ final class ServerStart {
       all.forEach(ServerTransport::close);
       throw new StartFailure(e.getMessage(), e);
     }
+  }
+
+  /** Returns the door for stock KryoNet, which the server owns, or null if there is none. */
+  PlainDoor plain() {
+    return plain;
   }
 
   /** Returns the play port, which the server owns, or null if there is none. */

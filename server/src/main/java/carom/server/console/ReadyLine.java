@@ -25,10 +25,17 @@ public final class ReadyLine {
   /**
    * Prints the line, with the ports at which players can join.
    *
-   * @param play port of browsers, or 0 if there is none; then the line ends before it
+   * @param play port of browsers, or 0 if there is none; then the line doesn't have it
+   * @param plain ports of stock KryoNet, {@code TCP} or {@code TCP:UDP}; null without any
    */
-  public static void print(PrintStream out, int tcp, int udp, int play) {
-    out.println("ready tcp=" + tcp + " udp=" + udp + (play == 0 ? "" : " play=" + play));
+  public static void print(PrintStream out, int tcp, int udp, int play, String plain) {
+    out.println(
+        "ready tcp="
+            + tcp
+            + " udp="
+            + udp
+            + (play == 0 ? "" : " play=" + play)
+            + (plain == null ? "" : " plain=" + plain));
     out.flush();
   }
 

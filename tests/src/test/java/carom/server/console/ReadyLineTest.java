@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -42,5 +45,18 @@ class ReadyLineTest {
     String text = String.join("\n", ReadyLine.hints(7, null, null, false, true));
     assertFalse(text.contains("another machine"), text);
     assertTrue(text.contains("from this machine only"), text);
+  }
+
+  @Test
+  void theLineHasThePortsThatAreOpen() {
+    assertEquals("ready tcp=1 udp=2", line(0, null));
+    assertEquals("ready tcp=1 udp=2 plain=3", line(0, "3"));
+    assertEquals("ready tcp=1 udp=2 play=5 plain=3:4", line(5, "3:4"));
+  }
+
+  private static String line(int play, String plain) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ReadyLine.print(new PrintStream(out, true, StandardCharsets.UTF_8), 1, 2, play, plain);
+    return out.toString(StandardCharsets.UTF_8).strip();
   }
 }

@@ -425,6 +425,11 @@ public final class PlainDoor implements ServerTransport, Runnable {
     return datagrams == null ? 0 : datagrams.number();
   }
 
+  /** Returns the ports as the operator writes them, {@code TCP} or {@code TCP:UDP}. */
+  public String ports() {
+    return datagrams == null ? String.valueOf(tcpPort) : tcpPort + ":" + datagrams.number();
+  }
+
   @Override
   public String troubles() {
     return counters.troubles();

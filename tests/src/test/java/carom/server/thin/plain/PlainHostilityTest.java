@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.kryo.KryoClientTransport;
+import carom.net.transport.Link;
 import carom.server.access.AccessLists;
 import carom.server.access.EntryRule;
 import carom.server.config.DataFolder;
@@ -342,6 +344,36 @@ final class PlainHostilityTest {
     }
     eventually("it is forgotten", () -> door.connectionCount() == 1);
     assertTrue(door.counters().expelled.get() > 0);
+  }
+
+  @Test
+  void whoLooksAtTheRoomsAndSaysNoMoreHasPlacesOfThisDoorOnly() throws Exception {
+    List<RawStock> lookers = new ArrayList<>();
+    try (PlainRig wide =
+        new PlainRig(
+            ServerConfig.defaults().withStatusIntervalS(0).withHandshakeTimeoutMs(60_000),
+            PlainLimits.DEFAULT,
+            true)) {
+      Link own;
+      try (KryoClientTransport transport = new KryoClientTransport()) {
+        own = transport.connect("127.0.0.1", wide.server.tcpPort(), 0);
+        for (int i = 0; i < 40; i++) {
+          RawStock looker = new RawStock(wide.door);
+          lookers.add(looker);
+          looker.send(RawStock.LIST_ROOMS);
+          looker.await(PlainIds.ROOMS);
+        }
+        for (int i = 0; i < 8; i++) { // there are 32 places
+          assertTrue(lookers.get(i).lastWords().contains("Others wait to play"));
+        }
+        eventually("the own link came in before them", () -> own.state() != Link.State.CONNECTING);
+        assertEquals(Link.State.OPEN, own.state(), own.closeReason());
+      }
+    } finally {
+      for (RawStock each : lookers) {
+        each.close();
+      }
+    }
   }
 
   @Test
