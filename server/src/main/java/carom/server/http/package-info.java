@@ -1,6 +1,6 @@
 /**
- * What ports for HTTP have in common, by Undertow: few places for connections, deadlines, budgets
- * of bytes, encryption, and which requests are welcome. The operators' page and the play port use
+ * Opens ports for HTTP by Undertow. It has few places for connections, deadlines, budgets of bytes,
+ * encryption, and rules about which requests are welcome. The operators' page and the play port use
  * it.
  *
  * <p>Allowed imports: {@code carom.net.transport}, {@code carom.net.datagram}, {@code

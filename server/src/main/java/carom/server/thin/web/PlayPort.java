@@ -42,7 +42,7 @@ public final class PlayPort implements ServerTransport {
   private static final String PAGE = "/play";
   private static final AttachmentKey<Comer> COMER = AttachmentKey.create(Comer.class);
 
-  /** What the system may keep for a client that reads slowly: half a second of a game as JSON. */
+  /** Bytes that the system may keep for a client that reads slowly: half a second of a game. */
   private static final int SEND_BUFFER_BYTES = 32_768;
 
   private static final int MAX_BYTES_PER_SECOND = 65_536;

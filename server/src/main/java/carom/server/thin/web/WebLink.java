@@ -20,10 +20,10 @@ import java.util.function.Consumer;
 /**
  * A thin client behind a WebSocket.
  *
- * <p>What is told waits in order, within a bound. A snapshot goes only if nothing waits, so the
- * next one replaces it. What the system keeps beyond that is bounded, too: pings go along with the
- * snapshots, and while an answer is late, no further snapshot goes. The pings measure the round
- * trip.
+ * <p>What is told waits in order, within a bound. A snapshot goes only if no other one and little
+ * else waits; the next one replaces it. What the system keeps beyond that is bounded, too: pings go
+ * along with the snapshots, and while an answer is late, no further snapshot goes. The pings
+ * measure the round trip.
  */
 final class WebLink extends ThinLink {
   /** Largest message of a client, bytes. */

@@ -49,6 +49,7 @@ final class ThinFormsTest {
     final ThinBooks truth = new ThinBooks();
     private final Bytes bytes = new Bytes();
     private final BinaryForm binary = new BinaryForm();
+    long newsBytes;
     long textBytes;
     long binaryBytes;
     int snapshots;
@@ -66,7 +67,9 @@ final class ThinFormsTest {
 
     @Override
     protected boolean tell(ThinServerMessage message) {
-      WebPlayer.parsed(new String(JsonWriter.write(message), StandardCharsets.UTF_8));
+      byte[] text = JsonWriter.write(message);
+      WebPlayer.parsed(new String(text, StandardCharsets.UTF_8));
+      newsBytes += text.length;
       return true;
     }
 
@@ -159,7 +162,7 @@ final class ThinFormsTest {
     Random random = new Random(1);
     int begin = 120;
     int end = begin + 600;
-    long[] before = new long[2];
+    long[] before = new long[3];
     for (int tick = 0; tick < end; tick++) {
       nowNs[0] += TICK_NS;
       for (Reader player : players) {
@@ -172,20 +175,25 @@ final class ThinFormsTest {
       }
       server.tick(nowNs[0]);
       if (tick == begin) {
-        before = new long[] {players.get(0).textBytes, players.get(0).binaryBytes};
+        before =
+            new long[] {
+              players.get(0).textBytes, players.get(0).binaryBytes, players.get(0).newsBytes
+            };
       }
     }
     Reader ann = players.get(0);
     double seconds = (end - begin) / 60.0;
-    double text = (ann.textBytes - before[0]) * 8 / seconds / 1_000;
-    double binary = (ann.binaryBytes - before[1]) * 8 / seconds / 1_000;
+    double news = (ann.newsBytes - before[2]) * 8 / seconds / 1_000;
+    double text = news + (ann.textBytes - before[0]) * 8 / seconds / 1_000;
+    double binary = news + (ann.binaryBytes - before[1]) * 8 / seconds / 1_000;
     System.out.printf(
         Locale.ROOT,
-        "bodies=%d told=%.1f json=%.0f kbit/s binary=%.0f kbit/s%n",
+        "bodies=%d told=%.1f json=%.0f kbit/s binary=%.0f kbit/s, of which news %.0f%n",
         ann.truth.bodies.size(),
         (double) ann.told / ann.snapshots,
         text,
-        binary);
+        binary,
+        news);
     assertTrue(ann.truth.bodies.size() >= 40, "bodies=" + ann.truth.bodies.size());
     assertTrue(ann.snapshots >= 300, "snapshots=" + ann.snapshots);
     assertTrue(text <= 500, "JSON takes kbit/s=" + text);
