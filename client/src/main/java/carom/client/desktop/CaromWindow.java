@@ -58,6 +58,12 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private final KeyMap keys;
   private final List<Level> levels = new ArrayList<>();
   private ClientConfig config;
+
+  /**
+   * The name by the command line, until the player types another; null for that of the settings.
+   */
+  private String givenName;
+
   private Fonts fonts;
   private Widgets widgets;
   private Canvas canvas;
@@ -90,6 +96,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
    */
   CaromWindow(ClientOptions options, ClientTransport sockets, boolean hasSound) {
     this.options = options;
+    givenName = options.named() ? options.config().name() : null;
     this.hasSound = hasSound;
     this.sockets = sockets;
     config = options.config();
@@ -157,9 +164,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   }
 
   private void play() {
-    if (!options.named()) {
-      config = config.withName(settings().name());
-    }
+    config = config.withName(playerName());
     ClientConfig visit = config.withMinInterpolationMs(settings().interpolationMs());
     GameScreen game =
         new GameScreen(
@@ -268,7 +273,6 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     config =
         config
             .withServer(server.host(), server.tcpPort(), server.udpPort())
-            .withName(settings().name())
             .withRoom(room.isEmpty() ? options.config().room() : room);
     later(this::play);
   }
@@ -413,6 +417,19 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   @Override
   public PlayerSettings settings() {
     return options.settings().settings();
+  }
+
+  @Override
+  public String playerName() {
+    return givenName == null ? settings().name() : givenName;
+  }
+
+  @Override
+  public void playerName(String name) {
+    if (!name.equals(playerName())) {
+      givenName = null;
+      change(settings().withName(name));
+    }
   }
 
   @Override

@@ -91,7 +91,7 @@ final class JoinPage implements Page {
     }
     into.defaults().space(8).left();
     into.add(widgets.heading("Join a server")).colspan(2).row();
-    name = widgets.field(name == null ? s.name() : name.getText(), MAX_NAME_LENGTH);
+    name = widgets.field(name == null ? host.playerName() : name.getText(), MAX_NAME_LENGTH);
     into.add(widgets.label("Your name"));
     Table you = new Table();
     you.add(name).height(Widgets.HEIGHT).growX();
@@ -260,7 +260,7 @@ final class JoinPage implements Page {
   /** Keeps the name, and returns the server, or null after saying what is wrong. */
   private ServerAddress server() {
     try {
-      host.change(host.settings().withName(name.getText().strip()));
+      host.playerName(name.getText().strip());
       message = "";
       return ServerAddress.parse(address.getText());
     } catch (IllegalArgumentException e) {

@@ -13,6 +13,12 @@ public interface SettingsHost {
   /** Applies changed settings at once and keeps them. */
   void change(PlayerSettings changed);
 
+  /** Returns the name to play under: that of the command line until the player types another. */
+  String playerName();
+
+  /** Sets the name to play under, and keeps it among the settings if it is another one. */
+  void playerName(String name);
+
   /** Returns what couldn't be read or kept, in words for the player; empty if nothing. */
   String problem();
 }

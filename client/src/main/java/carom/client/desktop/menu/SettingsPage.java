@@ -42,7 +42,7 @@ final class SettingsPage implements Page {
     PlayerSettings s = host.settings();
     into.defaults().space(6).left();
     into.add(widgets.heading("Settings")).colspan(2).padBottom(8).row();
-    name = widgets.field(name == null ? s.name() : name.getText(), MAX_NAME_LENGTH);
+    name = widgets.field(name == null ? host.playerName() : name.getText(), MAX_NAME_LENGTH);
     line(into, "Name in games", name);
     line(into, "Colour of your body", ColourChooser.of(widgets, host, rebuild));
     steps(into, "Volume", s.volume(), 5, 0, 100, v -> s.withVolume(v), " %");
@@ -140,12 +140,10 @@ final class SettingsPage implements Page {
   /** Keeps the name, unless nobody may be called so. */
   @Override
   public void close() {
-    String entered = name == null ? host.settings().name() : name.getText().strip();
+    String entered = name == null ? host.playerName() : name.getText().strip();
     problem = "";
     try {
-      if (!entered.equals(host.settings().name())) {
-        host.change(host.settings().withName(entered));
-      }
+      host.playerName(entered);
     } catch (IllegalArgumentException e) {
       problem = "Not kept: " + e.getMessage() + ".";
     }

@@ -1,6 +1,7 @@
 package carom.net.kryo.server;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
@@ -131,7 +132,9 @@ final class ProxyGate implements AutoCloseable {
   }
 
   private void refuse(SocketChannel channel, String why) {
-    String from = String.valueOf(channel.socket().getRemoteSocketAddress());
+    InetAddress host = channel.socket().getInetAddress();
+    String from =
+        host == null ? "nobody" : host.getHostAddress() + ":" + channel.socket().getPort();
     try {
       channel.close();
     } catch (IOException e) {
