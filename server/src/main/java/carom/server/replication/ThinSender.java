@@ -41,6 +41,9 @@ final class ThinSender {
   /** Snapshots in which each body is told at least once where datagrams may be lost. */
   private static final int AGAIN = 32;
 
+  /** Times a second at which changed fields are told; what changed there and back isn't. */
+  private static final int FIELDS_HZ = 10;
+
   /** Snapshots from one look at which joints are in sight to the next. */
   private static final int JOINT_LOOKS = 30;
 
@@ -79,6 +82,7 @@ final class ThinSender {
   private int lastTick = NEVER;
   private int lastInput = NEVER;
   private int snapshots;
+  private int fieldsTick = -1_000;
   private long jointsVersion = -1;
   private ThinServerMessage.Joints joints = new ThinServerMessage.Joints(List.of());
   private long bucket;
@@ -170,9 +174,12 @@ final class ThinSender {
     bytesSent += bytes;
     counters.add(Counter.DATAGRAMS_OUT, 1);
     counters.add(Counter.SNAPSHOT_BYTES, bytes);
-    ThinServerMessage.Fields changed = fields.changes();
-    if (changed != null) {
-      link.news(changed);
+    if (snapshot.tick - fieldsTick >= tickRateHz / FIELDS_HZ) {
+      fieldsTick = snapshot.tick;
+      ThinServerMessage.Fields changed = fields.changes();
+      if (changed != null) {
+        link.news(changed);
+      }
     }
     tellJoints();
   }

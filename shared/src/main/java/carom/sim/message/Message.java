@@ -78,6 +78,32 @@ public final class Message {
   }
 
   /**
+   * Returns the values as a record.
+   *
+   * @param type the record by which the kind was declared
+   * @throws IllegalArgumentException when it was declared otherwise
+   */
+  public <R extends Record> R as(Class<R> type) {
+    RecordForm form = kind.form();
+    if (form == null || form.type() != type) {
+      throw kind.refused("isn't declared by " + type.getSimpleName());
+    }
+    Object[] values = new Object[numbers.length];
+    for (int i = 0; i < values.length; i++) {
+      Argument a = kind.arguments().get(i);
+      values[i] =
+          switch (a.type()) {
+            case TEXT -> texts[i];
+            case REAL -> Float.intBitsToFloat(numbers[i]);
+            case CHOICE -> a.constants().get(numbers[i]);
+            case FLAG -> numbers[i] != 0;
+            case COUNT -> numbers[i];
+          };
+    }
+    return type.cast(form.make(values));
+  }
+
+  /**
    * Returns all values by the names of their arguments: Integer, Boolean, Float or String; a choice
    * is the name of its constant.
    */

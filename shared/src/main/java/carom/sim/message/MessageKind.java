@@ -54,9 +54,16 @@ public final class MessageKind {
   private final int perSecond;
   private final List<Argument> arguments;
   private final int maxBytes;
+  private final RecordForm form; // null for a kind without a record
 
   private MessageKind(
-      String name, Direction direction, boolean reliable, int perSecond, List<Argument> arguments) {
+      String name,
+      Direction direction,
+      boolean reliable,
+      int perSecond,
+      List<Argument> arguments,
+      RecordForm form) {
+    this.form = form;
     this.name = name;
     this.direction = direction;
     this.reliable = reliable;
@@ -84,17 +91,46 @@ public final class MessageKind {
       throw new IllegalArgumentException(
           "name=\"" + name + "\" of a message kind must have 1 to 64 characters");
     }
-    return new MessageKind(name, Direction.BOTH, true, DEFAULT_PER_SECOND, List.of());
+    return new MessageKind(name, Direction.BOTH, true, DEFAULT_PER_SECOND, List.of(), null);
+  }
+
+  /**
+   * Declares a kind by a record. Its name is that of the record with a small first letter, and its
+   * arguments are the components: boolean, int and float with {@link Bounds}, String with {@link
+   * Longest}, and enums. It goes both ways, reliably, until told otherwise.
+   *
+   * <pre>{@code
+   * record Throw(@Bounds(min = 0, max = 31) int item, @Bounds(min = 0, max = 9) float power) {}
+   * static final MessageKind THROW = MessageKind.of(Throw.class).fromClient();
+   * ...
+   * client.send(THROW.of(new Throw(3, 0.5f)));
+   * Throw thrown = message.as(Throw.class);
+   * }</pre>
+   *
+   * @throws IllegalArgumentException when a component has no bounds or another type; says which
+   */
+  public static MessageKind of(Class<? extends Record> type) {
+    String simple = type.getSimpleName();
+    if (simple.isEmpty()) {
+      throw new IllegalArgumentException("type=" + type.getName() + " has no name of its own");
+    }
+    RecordForm form = RecordForm.of(type);
+    MessageKind kind = named(Character.toLowerCase(simple.charAt(0)) + simple.substring(1));
+    if (form.arguments().size() > MAX_ARGUMENTS) {
+      throw kind.refused("has more than " + MAX_ARGUMENTS + " arguments");
+    }
+    return new MessageKind(
+        kind.name, kind.direction, kind.reliable, kind.perSecond, form.arguments(), form);
   }
 
   /** Returns this kind, sent by clients only. */
   public MessageKind fromClient() {
-    return new MessageKind(name, Direction.FROM_CLIENT, reliable, perSecond, arguments);
+    return new MessageKind(name, Direction.FROM_CLIENT, reliable, perSecond, arguments, form);
   }
 
   /** Returns this kind, sent by the game at the server only. */
   public MessageKind fromServer() {
-    return new MessageKind(name, Direction.FROM_SERVER, reliable, perSecond, arguments);
+    return new MessageKind(name, Direction.FROM_SERVER, reliable, perSecond, arguments, form);
   }
 
   /**
@@ -105,7 +141,7 @@ public final class MessageKind {
    *     bytes
    */
   public MessageKind unreliable() {
-    return new MessageKind(name, direction, false, perSecond, arguments);
+    return new MessageKind(name, direction, false, perSecond, arguments, form);
   }
 
   /**
@@ -118,7 +154,7 @@ public final class MessageKind {
     if (messagesPerSecond < 1 || messagesPerSecond > MAX_PER_SECOND) {
       throw refused("has atMost=" + messagesPerSecond + " outside 1.." + MAX_PER_SECOND);
     }
-    return new MessageKind(name, direction, reliable, messagesPerSecond, arguments);
+    return new MessageKind(name, direction, reliable, messagesPerSecond, arguments, form);
   }
 
   /** Returns this kind with one more argument, an integer min..max, inclusive. */
@@ -157,7 +193,7 @@ public final class MessageKind {
     }
     List<Argument> more = new ArrayList<>(arguments);
     more.add(argument);
-    return new MessageKind(name, direction, reliable, perSecond, List.copyOf(more));
+    return new MessageKind(name, direction, reliable, perSecond, List.copyOf(more), null);
   }
 
   /**
@@ -180,6 +216,24 @@ public final class MessageKind {
       }
     }
     return message;
+  }
+
+  /**
+   * Returns a message with the values of a record.
+   *
+   * @param values of the record by which the kind was declared
+   * @throws IllegalArgumentException when it is another class, or a value is out of range
+   */
+  public Message of(Record values) {
+    if (form == null || form.type() != values.getClass()) {
+      throw refused("isn't declared by " + values.getClass().getSimpleName());
+    }
+    return of(form.values(values));
+  }
+
+  /** Returns the record by which the kind was declared, or null. */
+  RecordForm form() {
+    return form;
   }
 
   /**
