@@ -10,6 +10,7 @@ import java.io.UncheckedIOException;
 import java.lang.reflect.RecordComponent;
 import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -25,6 +26,12 @@ final class JsonWriter {
   /** Length of a whole turn in thousandths of a radian, divided by the steps of a snapshot. */
   private static final double RAD_PER_STEP = 2 * Math.PI / ThinSnapshot.STEPS_PER_TURN;
 
+  /** Four decimals: a tenth of a millimetre. */
+  private static final double DECIMALS = 1e4;
+
+  /** Numbers below this aren't rounded. */
+  private static final float LEAST_ROUNDED = 0.01f;
+
   private static final Map<Class<?>, RecordComponent[]> COMPONENTS = new ConcurrentHashMap<>();
 
   private JsonWriter() {}
@@ -35,7 +42,11 @@ final class JsonWriter {
     try (JsonGenerator json = FACTORY.createGenerator(out)) {
       json.writeStartObject();
       json.writeFieldName(name(message));
-      write(json, message);
+      if (message instanceof ThinServerMessage.Fields fields) {
+        writeFields(json, fields);
+      } else {
+        write(json, message);
+      }
       json.writeEndObject();
     } catch (IOException e) {
       throw new UncheckedIOException(e); // can't happen in memory
@@ -46,6 +57,19 @@ final class JsonWriter {
   /** Returns the name of a message, such as {@code welcome}. */
   static String name(ThinServerMessage message) {
     return message.getClass().getSimpleName().toLowerCase(Locale.ROOT);
+  }
+
+  /** Writes fields as objects in objects, because that takes half the bytes: scope, id, name. */
+  private static void writeFields(JsonGenerator json, ThinServerMessage.Fields fields)
+      throws IOException {
+    Map<String, Map<Integer, Map<String, Object>>> scopes = new LinkedHashMap<>();
+    for (ThinServerMessage.FieldValue field : fields.values()) {
+      scopes
+          .computeIfAbsent(field.scope(), scope -> new LinkedHashMap<>())
+          .computeIfAbsent(field.id(), id -> new LinkedHashMap<>())
+          .put(field.name(), field.value());
+    }
+    write(json, scopes);
   }
 
   private static void write(JsonGenerator json, Object value) throws IOException {
@@ -93,6 +117,8 @@ final class JsonWriter {
       json.writeNull(); // JSON has no such number
     } else if (number == Math.rint(number) && Math.abs(number) < 1e7f) {
       json.writeNumber((int) number);
+    } else if (Math.abs(number) > LEAST_ROUNDED) {
+      json.writeNumber(Math.round(number * DECIMALS) / DECIMALS);
     } else {
       json.writeNumber(number);
     }

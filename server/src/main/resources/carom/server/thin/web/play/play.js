@@ -59,7 +59,7 @@ const link = new Thin({
     for (let i = 0; i < scores.length; i += 3) Object.assign(world.players.get(scores[i]) || {}, {score: scores[i + 1], ping: scores[i + 2]});
     showScores();
   },
-  fields: ({values}) => world.learn(values),
+  fields: value => world.learn(value),
   joints: ({joints}) => { world.joints = joints; },
   event: value => {
     const look = world.match?.events[value.kind];

@@ -81,11 +81,15 @@ export class World {
   }
 
   /** Takes fields over; a null means that this player may no longer know it. */
-  learn(values) {
-    for (const {scope, id, name, value} of values) {
-      const key = `${scope} ${id} ${name}`;
-      if (value === null) this.fields.delete(key);
-      else this.fields.set(key, value);
+  learn(scopes) {
+    for (const [scope, ids] of Object.entries(scopes)) {
+      for (const [id, values] of Object.entries(ids)) {
+        for (const [name, value] of Object.entries(values)) {
+          const key = `${scope} ${id} ${name}`;
+          if (value === null) this.fields.delete(key);
+          else this.fields.set(key, value);
+        }
+      }
     }
   }
 
