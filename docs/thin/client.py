@@ -39,15 +39,16 @@ def told(kind, value):
 
 with connect(address) as link:
     say("join", name=name)
-    begin, path = time.monotonic(), []
-    while time.monotonic() - begin < 3:
+    end, path = None, []
+    while end is None or time.monotonic() < end:
         (kind, value), = json.loads(link.recv(timeout=10)).items()
         told(kind, value)
-        if kind == "welcome":
-            say("chat", text="hello from Python")
         if kind == "snapshot":
+            end = end or time.monotonic() + 3  # plays for 3 s
             count += 1
             say("input", count=count, seen=tick, inputs=[[0, 1, 0, 0]])  # to the right
+            if count == 20:
+                say("chat", text="hello from Python")
             path += [b["x"] for b in bodies.values() if b["owner"] == me]
     print(f"moved from {path[0]:.2f} to {path[-1]:.2f}" if path else "no body")
     say("leave")
