@@ -1,6 +1,6 @@
 // What the server told, and where bodies are shown: a little late and between two snapshots, so that they glide.
 
-const KEPT = 12, BLEND = 0.05, LATE_SNAPSHOTS = 2, MOST_LATE_MS = 250;
+const KEPT = 12, BLEND = 0.05, LEAST_SPARE_MS = 4, MOST_LATE_MS = 250;
 
 export class World {
   constructor() { this.begin(null, 60); }
@@ -49,10 +49,10 @@ export class World {
     }
   }
 
-  /** Returns the tick that is shown at a time: two snapshots and the line's jitter late. */
+  /** Returns the tick that is shown at a time: so late that the next snapshot is nearly always there. */
   shownTick(nowMs) {
     if (this.base === null) return -1;
-    const late = Math.min(MOST_LATE_MS, LATE_SNAPSHOTS * this.gapMs + 2 * this.jitterMs);
+    const late = Math.min(MOST_LATE_MS, this.gapMs + Math.max(LEAST_SPARE_MS, 3 * this.jitterMs));
     return Math.min(this.tick, (nowMs - this.base - late) * this.tickRate / 1000);
   }
 
