@@ -196,7 +196,7 @@ final class ProxyGateTest {
       }
       assertEquals(1, log.size(), log.toString());
       assertNotNull(log.peek());
-      assertTrue(log.peek().startsWith("1 so far, the last from /127.0.0.1:"), log.peek());
+      assertTrue(log.peek().startsWith("1 so far, the last from 127.0.0.1:"), log.peek());
       assertGreeted(server, header("203.0.113.7", 9, 0), true);
     }
   }
