@@ -140,6 +140,7 @@ final class PlayPageTest {
                   + ".data[0] < 128 ? 1 : 0; return [4, n - 11].map(x => Array.from({length: 7},"
                   + " (_, i) => at(x + i, 7)).join('')).join(' '); })()");
       assertEquals("1011101 1011101", row);
+      browser.await("document.querySelectorAll('#rooms li').length === 3");
       browser.click("document.getElementById('go')");
       browser.await("caromPlay.world.own");
       browser.evaluate("document.getElementById('glass').hidden = false");

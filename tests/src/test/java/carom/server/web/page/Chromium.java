@@ -255,7 +255,7 @@ public final class Chromium implements AutoCloseable {
                 + "; errors: "
                 + errors
                 + "; page: "
-                + evaluate("document.body.innerText.slice(0, 2000)"));
+                + evaluate("document.body.innerText.slice(0, 2000).replace(/\\s+/g, ' ')"));
       }
       Thread.sleep(50);
     }
