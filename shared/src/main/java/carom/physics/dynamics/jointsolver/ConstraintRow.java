@@ -2,19 +2,39 @@ package carom.physics.dynamics.jointsolver;
 
 import static carom.physics.dynamics.jointsolver.JointRecords.ANGLE_COS;
 import static carom.physics.dynamics.jointsolver.JointRecords.ANGLE_SIN;
+import static carom.physics.dynamics.jointsolver.JointRecords.ANGULAR;
 import static carom.physics.dynamics.jointsolver.JointRecords.ARM_AX;
 import static carom.physics.dynamics.jointsolver.JointRecords.ARM_AY;
 import static carom.physics.dynamics.jointsolver.JointRecords.ARM_BX;
 import static carom.physics.dynamics.jointsolver.JointRecords.ARM_BY;
 import static carom.physics.dynamics.jointsolver.JointRecords.AXIS_X;
 import static carom.physics.dynamics.jointsolver.JointRecords.AXIS_Y;
+import static carom.physics.dynamics.jointsolver.JointRecords.FIRST_ROW;
 import static carom.physics.dynamics.jointsolver.JointRecords.GAP_X;
 import static carom.physics.dynamics.jointsolver.JointRecords.GAP_Y;
 import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_A;
 import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_B;
 import static carom.physics.dynamics.jointsolver.JointRecords.MASS_A;
 import static carom.physics.dynamics.jointsolver.JointRecords.MASS_B;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_ANGLE;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_AX;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_AY;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_BX;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_BY;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_DX;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_DY;
 import static carom.physics.dynamics.jointsolver.JointRecords.RECORD;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_A;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_B;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_MASS;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_VALUE;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_X;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_Y;
+import static carom.physics.dynamics.jointsolver.JointRecords.SECOND_ROW;
+import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_MASS;
+import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_PULL;
+import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_SHARE;
+import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_SOFT;
 import static carom.physics.dynamics.solverbody.SolverBodies.COS;
 import static carom.physics.dynamics.solverbody.SolverBodies.DX;
 import static carom.physics.dynamics.solverbody.SolverBodies.DY;
@@ -129,6 +149,9 @@ abstract class ConstraintRow {
 
   float iB;
 
+  /** Effective mass of the angle, kg m^2. */
+  private float angular;
+
   /** Lever arm of A's anchor, m. */
   float rAx;
 
@@ -203,8 +226,7 @@ abstract class ConstraintRow {
     uy = 0;
     sA = 1;
     sB = 1;
-    float turning = iA + iB;
-    mass = turning > 0 ? 1 / turning : 0;
+    mass = angular;
   }
 
   /** Makes the row along the line of the anchors, and returns their distance, m. */
@@ -328,6 +350,33 @@ abstract class ConstraintRow {
     return p;
   }
 
+  /**
+   * Notes the spring of the present row.
+   *
+   * @param at place of the joint's record
+   * @param m the mass by which it has its stiffness
+   */
+  final void noteSpring(int at, float m, float hertz, float zeta) {
+    float oh = swing(hertz);
+    float soft = oh * ((oh > SYMPLECTIC_LIMIT ? oh : 0) + 2 * zeta);
+    float[] d = joints.data;
+    d[at + SPRING_MASS] = m;
+    d[at + SPRING_PULL] = oh * oh * inverseH;
+    d[at + SPRING_SOFT] = soft;
+    d[at + SPRING_SHARE] = mass > 0 ? 1 + soft * m / mass : 1;
+  }
+
+  /** Visits the spring that was noted, and returns the impulse of this visit. */
+  final float solveNotedSpring(int k, float stretch, float sum) {
+    float[] d = joints.data;
+    int at = k * RECORD;
+    float speed = d[at + SPRING_PULL] * stretch + d[at + SPRING_SOFT] * rowSpeed();
+    float p = -(d[at + SPRING_MASS] * speed + sum) / d[at + SPRING_SHARE];
+    p = sum + p - sum;
+    applyRowImpulse(p);
+    return p;
+  }
+
   /** Returns the angle by which a spring of a frequency swings in a substep, o h, rad. */
   final float swing(float hertz) {
     return TWO_PI * Math.min(hertz * h, MAX_HERTZ_PER_RATE);
@@ -360,6 +409,23 @@ abstract class ConstraintRow {
     mB = d[at + MASS_B];
     iA = d[at + INERTIA_A];
     iB = d[at + INERTIA_B];
+    angular = d[at + ANGULAR];
+    if (joints.measured[k] != joints.poses()) {
+      joints.measured[k] = joints.poses();
+      measureArms(at);
+      measure(k, at);
+    }
+    rAx = d[at + NOW_AX];
+    rAy = d[at + NOW_AY];
+    rBx = d[at + NOW_BX];
+    rBy = d[at + NOW_BY];
+    dx = d[at + NOW_DX];
+    dy = d[at + NOW_DY];
+  }
+
+  /** Finds lever arms and the gap of the anchors, and notes them in the record at a place. */
+  private void measureArms(int at) {
+    float[] d = joints.data;
     float cA = v[a + COS];
     float nA = v[a + SIN];
     float cB = v[b + COS];
@@ -370,12 +436,66 @@ abstract class ConstraintRow {
     rBy = nB * d[at + ARM_BX] + cB * d[at + ARM_BY];
     dx = d[at + GAP_X] + (v[b + DX] - v[a + DX]) + (rBx - rAx);
     dy = d[at + GAP_Y] + (v[b + DY] - v[a + DY]) + (rBy - rAy);
+    d[at + NOW_AX] = rAx;
+    d[at + NOW_AY] = rAy;
+    d[at + NOW_BX] = rBx;
+    d[at + NOW_BY] = rBy;
+    d[at + NOW_DX] = dx;
+    d[at + NOW_DY] = dy;
+  }
+
+  /**
+   * Notes what else follows from poses. Arms and gap are measured, and it may change them.
+   *
+   * @param at place of the joint's record
+   */
+  abstract void measure(int k, int at);
+
+  /** Notes the present row, and its coordinate, from a place on. */
+  final void noteRow(int at, float value) {
+    float[] d = joints.data;
+    d[at + ROW_X] = ux;
+    d[at + ROW_Y] = uy;
+    d[at + ROW_A] = sA;
+    d[at + ROW_B] = sB;
+    d[at + ROW_MASS] = mass;
+    d[at + ROW_VALUE] = value;
+  }
+
+  /** Makes the row that was noted at a place, and returns its coordinate. */
+  private float row(int at) {
+    float[] d = joints.data;
+    split = false;
+    ux = d[at + ROW_X];
+    uy = d[at + ROW_Y];
+    sA = d[at + ROW_A];
+    sB = d[at + ROW_B];
+    mass = d[at + ROW_MASS];
+    return d[at + ROW_VALUE];
+  }
+
+  /** Makes the row of a length or along an axis, and returns that length or the translation, m. */
+  final float firstRow(int k) {
+    return row(k * RECORD + FIRST_ROW);
+  }
+
+  /** Makes the row across an axis, turned left from it, and returns the error, m. */
+  final float secondRow(int k) {
+    return row(k * RECORD + SECOND_ROW);
   }
 
   /** Returns the joint's angle now, -pi to pi. */
   final float angle(int k) {
-    float[] d = joints.data;
     int at = k * RECORD;
+    if (joints.turned[k] != joints.poses()) {
+      joints.turned[k] = joints.poses();
+      joints.data[at + NOW_ANGLE] = measureAngle(at);
+    }
+    return joints.data[at + NOW_ANGLE];
+  }
+
+  private float measureAngle(int at) {
+    float[] d = joints.data;
     float c = v[b + COS] * v[a + COS] + v[b + SIN] * v[a + SIN];
     float s = v[b + SIN] * v[a + COS] - v[b + COS] * v[a + SIN];
     return Trig.atan2(

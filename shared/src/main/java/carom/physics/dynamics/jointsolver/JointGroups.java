@@ -72,7 +72,12 @@ final class JointGroups {
   private double[] mass = new double[0];
   private double[] inertia = new double[0];
 
-  /** Per body: x, y and turn of the change of its velocity by joints in this substep. */
+  /** Watched bodies of groups whose energy is held: neither fed nor carried. */
+  private int[] tended = new int[0];
+
+  private int tendedCount;
+
+  /** Per tended body: x, y and turn of the change of its velocity by joints in this substep. */
   private double[] change = new double[0];
 
   /** Per body: its velocity when it was last asked for more visits. */
@@ -246,6 +251,7 @@ final class JointGroups {
     place = new int[capacity];
     mass = new double[capacity];
     inertia = new double[capacity];
+    tended = new int[capacity];
     change = new double[3 * capacity];
     last = new double[3 * capacity];
   }
@@ -347,7 +353,7 @@ final class JointGroups {
 
   /** Begins a step: looks at masses, and at what gives groups energy. */
   void beginStep(int[] slotOf) {
-    for (int i = 0; i < bodyCount; i++) {
+    for (int i = 0; i < watched; i++) {
       int slot = body[i];
       place[i] = slotOf[slot];
       mass[i] = 1.0 / bodies.invMass[slot];
@@ -358,7 +364,7 @@ final class JointGroups {
       isFed[g] = false;
       isFine[g] = false;
       isCarried[g] = false;
-      for (int at = start[g]; at < start[g + 1]; at++) {
+      for (int at = start[g]; !isPlain[g] && at < start[g + 1]; at++) {
         int slot = slots[joint[at]];
         isFed[g] |= joints.hasSpring(slot);
         if ((joints.flags[slot] & JointStore.DRIVEN) != 0 && joints.motorSpeed[slot] != 0) {
@@ -371,6 +377,12 @@ final class JointGroups {
     for (int i = 0; i < heldCount; i++) {
       if (isMoving(joints.bodyA[held[i]]) || isMoving(joints.bodyB[held[i]])) {
         isCarried[groupOfJoint(held[i])] = true;
+      }
+    }
+    tendedCount = 0;
+    for (int i = 0; i < watched; i++) {
+      if (!isFed[groupOf[i]] && !isCarried[groupOf[i]]) {
+        tended[tendedCount++] = i;
       }
     }
   }
@@ -422,12 +434,14 @@ final class JointGroups {
    * @return whether the share of any group is below 1
    */
   boolean weigh(float[] v, float[] before) {
-    clear(product);
-    clear(square);
-    clear(energy);
-    clear(weight);
-    clear(momentumX);
-    clear(momentumY);
+    for (int g = 0; g < count; g++) {
+      product[g] = 0;
+      square[g] = 0;
+      energy[g] = 0;
+      weight[g] = 0;
+      momentumX[g] = 0;
+      momentumY[g] = 0;
+    }
     for (int i = 0; i < motors; i++) {
       product[groupOfJoint(motor[i])] -=
           (double) joints.motorImpulse[motor[i]] * joints.motorSpeed[motor[i]];
@@ -487,15 +501,15 @@ final class JointGroups {
 
   /** Notes what the first impulses of a substep changed. */
   void begin(float[] v, float[] before) {
-    Arrays.fill(change, 0, 3 * watched, 0);
+    Arrays.fill(change, 0, 3 * tendedCount, 0);
     note(v, before);
   }
 
   /** Notes what impulses changed. */
   void note(float[] v, float[] before) {
-    for (int i = 0; i < watched; i++) {
-      int at = place[i] * STRIDE;
-      int old = place[i] * VELOCITY;
+    for (int i = 0; i < tendedCount; i++) {
+      int at = place[tended[i]] * STRIDE;
+      int old = place[tended[i]] * VELOCITY;
       change[3 * i] += (double) v[at + VX] - before[old + VX];
       change[3 * i + 1] += (double) v[at + VY] - before[old + VY];
       change[3 * i + 2] += (double) v[at + W] - before[old + W];
@@ -577,19 +591,23 @@ final class JointGroups {
 
   /** Takes back what joints without springs and motors have added to the energy. */
   void hold(float[] v, float[] before, TreeResponse response, IntPredicate torn) {
+    if (tendedCount == 0) {
+      return;
+    }
     note(v, before);
     clear(product);
     clear(square);
-    for (int i = 0; i < watched; i++) {
-      int g = groupOf[i];
-      int at = place[i] * STRIDE;
+    for (int i = 0; i < tendedCount; i++) {
+      int member = tended[i];
+      int g = groupOf[member];
+      int at = place[member] * STRIDE;
       double ux = change[3 * i];
       double uy = change[3 * i + 1];
       double uw = change[3 * i + 2];
       product[g] +=
-          mass[i] * (ux * (v[at + VX] - ux) + uy * (v[at + VY] - uy))
-              + inertia[i] * uw * (v[at + W] - uw);
-      square[g] += mass[i] * (ux * ux + uy * uy) + inertia[i] * uw * uw;
+          mass[member] * (ux * (v[at + VX] - ux) + uy * (v[at + VY] - uy))
+              + inertia[member] * uw * (v[at + W] - uw);
+      square[g] += mass[member] * (ux * ux + uy * uy) + inertia[member] * uw * uw;
     }
     boolean any = false;
     for (int g = 0; g < count; g++) {
@@ -615,15 +633,16 @@ final class JointGroups {
   }
 
   private void holdBack(float[] v, TreeResponse response) {
-    for (int i = 0; i < watched; i++) {
-      if (hasTree[groupOf[i]] && response.isTouchedAt(body[i])) {
-        share[groupOf[i]] = 1; // what contacts did to a tree is in the change, too
+    for (int i = 0; i < tendedCount; i++) {
+      int member = tended[i];
+      if (hasTree[groupOf[member]] && response.isTouchedAt(body[member])) {
+        share[groupOf[member]] = 1; // what contacts did to a tree is in the change, too
       }
     }
-    for (int i = 0; i < watched; i++) {
-      double back = 1 - share[groupOf[i]];
+    for (int i = 0; i < tendedCount; i++) {
+      double back = 1 - share[groupOf[tended[i]]];
       if (back > 0) {
-        int at = place[i] * STRIDE;
+        int at = place[tended[i]] * STRIDE;
         v[at + VX] -= (float) (back * change[3 * i]);
         v[at + VY] -= (float) (back * change[3 * i + 1]);
         v[at + W] -= (float) (back * change[3 * i + 2]);

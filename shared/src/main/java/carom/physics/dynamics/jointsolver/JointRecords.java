@@ -7,7 +7,8 @@ import carom.physics.dynamics.solverbody.SolverBodies;
 
 /**
  * The joints that aren't plain revolutes as the solver visits them: in the order of their colours,
- * each with what stays the same during a step as one record of {@value #RECORD} floats.
+ * each with one record of {@value #RECORD} floats. The first ones stay the same during a step, the
+ * others until bodies move. Many visits fall into that time, so they are worth keeping.
  */
 final class JointRecords {
   // Offsets in a record.
@@ -44,8 +45,89 @@ final class JointRecords {
 
   static final int ANGLE_SIN = 13;
 
-  /** Floats of a record: a cache line. */
-  static final int RECORD = 16;
+  /** Effective mass of the angle, kg m^2. */
+  static final int ANGULAR = 14;
+
+  // What follows from the poses of bodies: the same until they move again.
+
+  /** Lever arms now, m. */
+  static final int NOW_AX = 16;
+
+  static final int NOW_AY = 17;
+  static final int NOW_BX = 18;
+  static final int NOW_BY = 19;
+
+  /** Gap from A's anchor to B's now, m. */
+  static final int NOW_DX = 20;
+
+  static final int NOW_DY = 21;
+
+  /** Angle now, rad. */
+  static final int NOW_ANGLE = 22;
+
+  /** The row of a length, or along an axis: {@value #ROW} floats. */
+  static final int FIRST_ROW = 23;
+
+  /** The row across an axis. */
+  static final int SECOND_ROW = 29;
+
+  /** Inverse mass of the point, of joints without axis and length, 1/kg: a symmetric matrix. */
+  static final int POINT_XX = 23;
+
+  static final int POINT_XY = 24;
+  static final int POINT_YY = 25;
+
+  /** Inverse of its determinant, less softness, kg^2. */
+  static final int POINT_SOFT = 26;
+
+  /** Inverse of its determinant, kg^2. */
+  static final int POINT_RIGID = 27;
+
+  /** Lever arm of A at which the impulse of the point acts, m. */
+  static final int POINT_AX = 28;
+
+  static final int POINT_AY = 29;
+
+  /** The mass by which the spring of the coordinate has its stiffness, kg or kg m^2. */
+  static final int SPRING_MASS = 35;
+
+  /** Change of speed that the spring makes in a substep per stretch, 1/s. */
+  static final int SPRING_PULL = 36;
+
+  /** The same per speed. */
+  static final int SPRING_SOFT = 37;
+
+  /** What a visit of the spring is divided by. */
+  static final int SPRING_SHARE = 38;
+
+  /** Floats of a record. */
+  static final int RECORD = 40;
+
+  // Offsets in a row: its direction, its arms, its effective mass, and its coordinate.
+
+  static final int ROW_X = 0;
+  static final int ROW_Y = 1;
+  static final int ROW_A = 2;
+  static final int ROW_B = 3;
+  static final int ROW_MASS = 4;
+  static final int ROW_VALUE = 5;
+
+  /** Floats of a row. */
+  static final int ROW = 6;
+
+  // Kinds of joints by what a visit does.
+
+  /** Kind: any joint. */
+  static final byte ANY = 0;
+
+  /** Kind: a hinge without limit, motor, teeth or turns to count. It may have a spring. */
+  static final byte HINGE = 1;
+
+  /** Kind: a distance joint that is a spring and nothing else. */
+  static final byte SPRING = 2;
+
+  /** Number of times that bodies moved in this step, from 1 on. */
+  private int poses;
 
   /** Per joint: its slot. */
   int[] joint = new int[0];
@@ -67,6 +149,18 @@ final class JointRecords {
   /** Per joint: whether its anchors were far apart in this step, so that all else has to wait. */
   boolean[] torn = new boolean[0];
 
+  /** Per joint: its kind. */
+  byte[] kind = new byte[0];
+
+  /** Per joint: whether it has a spring on its coordinate. */
+  boolean[] sprung = new boolean[0];
+
+  /** Per joint: the poses that its record is of, as {@link #poses} counts them. */
+  int[] measured = new int[0];
+
+  /** Per joint: the poses that its angle is of. */
+  int[] turned = new int[0];
+
   /** Per joint: how far its spring is stretched as the substep begins, m or rad; y of points. */
   float[] stretchX = new float[0];
 
@@ -85,11 +179,30 @@ final class JointRecords {
       inTree = new boolean[n];
       plain = new boolean[n];
       torn = new boolean[n];
+      kind = new byte[n];
+      sprung = new boolean[n];
+      measured = new int[n];
+      turned = new int[n];
       stretchX = new float[n];
       stretchY = new float[n];
       stretchW = new float[n];
       data = new float[n * RECORD];
     }
+  }
+
+  /** Begins a step. Joints are packed after that. */
+  void begin() {
+    poses = 1;
+  }
+
+  /** Forgets what follows from poses, because bodies moved. */
+  void posesChanged() {
+    poses++;
+  }
+
+  /** Returns the number of the present poses. */
+  int poses() {
+    return poses;
   }
 
   /** Fills in joint k, as the step begins. */
@@ -103,10 +216,16 @@ final class JointRecords {
     inTree[k] = tree;
     plain[k] = isPlain;
     torn[k] = false;
+    sprung[k] = (j.flags[slot] & JointStore.SPRUNG) != 0;
+    kind[k] = kindOf(j, slot, tree);
+    measured[k] = 0;
+    turned[k] = 0;
     d[at + MASS_A] = f.massA;
     d[at + MASS_B] = f.massB;
     d[at + INERTIA_A] = f.inertiaA;
     d[at + INERTIA_B] = f.inertiaB;
+    float turning = f.inertiaA + f.inertiaB;
+    d[at + ANGULAR] = turning > 0 ? 1 / turning : 0;
     d[at + ARM_AX] = f.armAx;
     d[at + ARM_AY] = f.armAy;
     d[at + ARM_BX] = f.armBx;
@@ -119,5 +238,20 @@ final class JointRecords {
     float relativeSin = f.sinB * f.cosA - f.cosB * f.sinA;
     d[at + ANGLE_COS] = relativeCos * j.refCos[slot] + relativeSin * j.refSin[slot];
     d[at + ANGLE_SIN] = relativeSin * j.refCos[slot] - relativeCos * j.refSin[slot];
+  }
+
+  /** Returns whether the anchors of a joint, which is measured, are far apart. */
+  boolean isTorn(int k) {
+    int at = k * RECORD;
+    return Math.abs(data[at + NOW_DX]) + Math.abs(data[at + NOW_DY]) > ConstraintRow.MAX_ERROR;
+  }
+
+  private static byte kindOf(JointStore j, int slot, boolean tree) {
+    boolean more = (j.flags[slot] & (JointStore.LIMITED | JointStore.DRIVEN)) != 0;
+    if (j.type[slot] == JointStore.REVOLUTE) {
+      return more || tree || j.winds(slot) || j.isRatchet(slot) ? ANY : HINGE;
+    }
+    boolean sprung = (j.flags[slot] & JointStore.SPRUNG) != 0;
+    return j.type[slot] == JointStore.DISTANCE && sprung && !more ? SPRING : ANY;
   }
 }

@@ -104,6 +104,9 @@ public final class JointSolver {
   /** {@link JointStore#version} that the colours are of. They are kept until it changes. */
   private int colouredVersion = -1;
 
+  /** True if joints that aren't plain revolutes are of groups that aren't watched. */
+  private boolean anyPlain;
+
   /** True if this step's joints are others than the last one's. */
   private boolean anew;
 
@@ -176,6 +179,7 @@ public final class JointSolver {
     }
     revolutes.begin(solverBodies.state, biasRate, massScale, impulseScale);
     layOut();
+    others.begin();
     if (anew) {
       for (int i = 0; i < count; i++) {
         place[i] = group[i] == NO_GROUP ? 0 : next[group[i]]++;
@@ -244,6 +248,7 @@ public final class JointSolver {
   private void assignColours(int slots) {
     JointStore j = store;
     colours = 0;
+    anyPlain = false;
     Arrays.fill(size, 0);
     if (count > 0) {
       clearTaken(slots);
@@ -266,6 +271,7 @@ public final class JointSolver {
       colours = Math.max(colours, colour + 1);
       group[i] = 2 * colour + (colour < LAST_COLOUR && plain ? 0 : 1);
       size[group[i]]++;
+      anyPlain |= (group[i] & 1) != 0 && groups.isPlain(slot);
     }
   }
 
@@ -398,9 +404,12 @@ public final class JointSolver {
 
   /** Visits each joint after bodies moved, rigid, in the opposite order, and holds energy. */
   public void relax(SolverBodies b) {
+    others.posesChanged();
     for (int c = 0; c < colours; c++) {
       revolutes.relax(revoluteStart[c], revoluteStart[c + 1]);
-      run(c, relaxingPlain);
+      if (anyPlain) {
+        run(c, relaxingPlain);
+      }
     }
     for (int c = colours - 1; c >= 0; c--) {
       run(c, relaxing);
@@ -420,6 +429,9 @@ public final class JointSolver {
 
   /** Does a stage for the joints of a colour that aren't plain revolutes. */
   private void run(int colour, ParallelFor.Range stage) {
+    if (start[colour] == start[colour + 1]) {
+      return;
+    }
     if (colour == LAST_COLOUR) {
       stage.run(start[colour], start[colour + 1], 0);
     } else {

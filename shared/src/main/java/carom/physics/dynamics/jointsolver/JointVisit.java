@@ -1,5 +1,15 @@
 package carom.physics.dynamics.jointsolver;
 
+import static carom.physics.dynamics.jointsolver.JointRecords.FIRST_ROW;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_AX;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_AY;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_RIGID;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_SOFT;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_XX;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_XY;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_YY;
+import static carom.physics.dynamics.jointsolver.JointRecords.RECORD;
+import static carom.physics.dynamics.jointsolver.JointRecords.SECOND_ROW;
 import static carom.physics.dynamics.solverbody.SolverBodies.COS;
 import static carom.physics.dynamics.solverbody.SolverBodies.DX;
 import static carom.physics.dynamics.solverbody.SolverBodies.DY;
@@ -55,9 +65,13 @@ final class JointVisit extends ConstraintRow {
   private JointStore store;
   private BodyStore bodies;
 
+  /** Solves the rows that are visited most often. */
+  private final NotedRows noted;
+
   /** Visits these joints. */
   JointVisit(JointRecords joints) {
     super(joints);
+    noted = new NotedRows(joints);
   }
 
   /** Begins a step. The softness is that of rigid coordinates. */
@@ -71,7 +85,69 @@ final class JointVisit extends ConstraintRow {
       float impulseScale) {
     store = jointStore;
     bodies = bodyStore;
+    noted.begin(jointStore, state, biasRate, impulseScale);
     beginRows(state, substep, biasRate, massScale, impulseScale);
+  }
+
+  @Override
+  void measure(int k, int at) {
+    JointStore j = store;
+    int slot = joints.joint[k];
+    switch (j.type[slot]) {
+      case JointStore.REVOLUTE -> {
+        if ((j.flags[slot] & JointStore.SPRUNG) != 0) {
+          angleRow();
+          angle(k);
+          noteSpring(at, mass, j.hertz[slot], j.damping[slot]);
+        }
+        if (!joints.inTree[k]) {
+          measurePoint(at);
+        }
+      }
+      case JointStore.DISTANCE -> {
+        noteRow(at + FIRST_ROW, lengthRow());
+        measureSpring(slot, at);
+      }
+      case JointStore.PRISMATIC, JointStore.WHEEL -> {
+        noteRow(at + FIRST_ROW, axisRow(k));
+        measureSpring(slot, at);
+        noteRow(at + SECOND_ROW, acrossRow(k));
+      }
+      case JointStore.WELD -> {
+        if (j.hertz[slot] == 0) {
+          measurePoint(at);
+        }
+      }
+      case JointStore.PULLEY -> {
+        pulleyRow(slot);
+        measureSpring(slot, at);
+      }
+      default -> {}
+    }
+  }
+
+  private void measureSpring(int slot, int at) {
+    if ((store.flags[slot] & JointStore.SPRUNG) != 0) {
+      noteSpring(at, springMass(slot), store.hertz[slot], store.damping[slot]);
+    }
+  }
+
+  /** Notes the inverse mass of the point at which both impulses of a rigid joint act. */
+  private void measurePoint(int at) {
+    actAtOnePoint();
+    float masses = mA + mB;
+    float xx = masses + iA * rAy * rAy + iB * rBy * rBy;
+    float xy = -iA * rAx * rAy - iB * rBx * rBy;
+    float yy = masses + iA * rAx * rAx + iB * rBx * rBx;
+    float determinant = xx * yy - xy * xy;
+    float[] d = joints.data;
+    d[at + POINT_AX] = rAx;
+    d[at + POINT_AY] = rAy;
+    d[at + POINT_XX] = xx;
+    d[at + POINT_XY] = xy;
+    d[at + POINT_YY] = yy;
+    d[at + POINT_SOFT] = determinant > 0 ? massScale / determinant : 0;
+    d[at + POINT_RIGID] = determinant > 0 ? 1 / determinant : 0;
   }
 
   /** Applies the impulses remembered from the last substep, or the last step. */
@@ -83,7 +159,7 @@ final class JointVisit extends ConstraintRow {
       float axial = axialImpulse(j, slot);
       switch (j.type[slot]) {
         case JointStore.DISTANCE -> {
-          lengthRow();
+          firstRow(k);
           applyRowImpulse(axial + j.impulseX[slot]);
         }
         case JointStore.GEAR, JointStore.RACK, JointStore.PULLEY -> {
@@ -91,16 +167,16 @@ final class JointVisit extends ConstraintRow {
           applyRowImpulse(axial + j.impulseX[slot]);
         }
         case JointStore.PRISMATIC -> {
-          axisRow(k);
+          firstRow(k);
           applyRowImpulse(axial);
-          acrossRow(k);
+          secondRow(k);
           applyRowImpulse(j.impulseX[slot]);
           applyAngularImpulse(j.impulseY[slot]);
         }
         case JointStore.WHEEL -> {
-          axisRow(k);
+          firstRow(k);
           applyRowImpulse(axial - j.motorImpulse[slot]);
-          acrossRow(k);
+          secondRow(k);
           applyRowImpulse(j.impulseX[slot]);
           applyAngularImpulse(j.motorImpulse[slot]);
         }
@@ -147,12 +223,29 @@ final class JointVisit extends ConstraintRow {
 
   /** Visits the rows of a joint, the first one or the last one first. */
   void visit(int k, boolean forwards, boolean bias) {
-    load(k);
-    joints.torn[k] |= bias && Math.abs(dx) + Math.abs(dy) > MAX_ERROR;
-    if (forwards) {
+    byte kind = joints.kind[k];
+    if (kind == JointRecords.ANY || joints.measured[k] != joints.poses()) {
+      load(k);
+    }
+    joints.torn[k] |= bias && joints.isTorn(k);
+    if (kind == JointRecords.HINGE) {
+      visitHinge(k, joints.joint[k], forwards, bias);
+    } else if (kind == JointRecords.SPRING) {
+      noted.solveLengthSpring(k, joints.joint[k], bias);
+    } else if (forwards) {
       visitForwards(k, joints.joint[k], bias);
     } else {
       visitBackwards(k, joints.joint[k], bias);
+    }
+  }
+
+  private void visitHinge(int k, int slot, boolean forwards, boolean bias) {
+    if (joints.sprung[k] && forwards) {
+      noted.solveAngleSpring(k, slot, bias);
+    }
+    noted.solvePoint(k, slot, bias);
+    if (joints.sprung[k] && !forwards) {
+      noted.solveAngleSpring(k, slot, bias);
     }
   }
 
@@ -162,13 +255,13 @@ final class JointVisit extends ConstraintRow {
       case JointStore.REVOLUTE -> {
         solveAxis(k, slot, bias);
         if (!joints.inTree[k]) {
-          solvePoint(slot, bias);
+          noted.solvePoint(k, slot, bias);
         }
       }
       case JointStore.DISTANCE, JointStore.PULLEY -> solveLength(k, slot, bias);
       case JointStore.GEAR, JointStore.RACK -> solveCoupled(k, slot, bias);
       case JointStore.PRISMATIC -> {
-        solveCoordinate(k, slot, axisRow(k), bias);
+        solveCoordinate(k, slot, firstRow(k), bias);
         solveSlider(k, slot, bias);
       }
       case JointStore.WELD -> {
@@ -177,7 +270,7 @@ final class JointVisit extends ConstraintRow {
       }
       case JointStore.WHEEL -> {
         solveWheelMotor(slot);
-        solveSpringAndLimits(k, slot, axisRow(k), bias);
+        solveSpringAndLimits(k, slot, firstRow(k), bias);
         solveAcross(k, slot, bias);
       }
       case JointStore.MOTOR -> {
@@ -198,7 +291,7 @@ final class JointVisit extends ConstraintRow {
     switch (j.type[slot]) {
       case JointStore.REVOLUTE -> {
         if (!joints.inTree[k]) {
-          solvePoint(slot, bias);
+          noted.solvePoint(k, slot, bias);
         }
         solveAxis(k, slot, bias);
       }
@@ -206,7 +299,7 @@ final class JointVisit extends ConstraintRow {
       case JointStore.GEAR, JointStore.RACK -> solveCoupled(k, slot, bias);
       case JointStore.PRISMATIC -> {
         solveSlider(k, slot, bias);
-        solveCoordinate(k, slot, axisRow(k), bias);
+        solveCoordinate(k, slot, firstRow(k), bias);
       }
       case JointStore.WELD -> {
         solveWeldPoint(k, slot, bias);
@@ -214,7 +307,7 @@ final class JointVisit extends ConstraintRow {
       }
       case JointStore.WHEEL -> {
         solveAcross(k, slot, bias);
-        solveSpringAndLimits(k, slot, axisRow(k), bias);
+        solveSpringAndLimits(k, slot, firstRow(k), bias);
         solveWheelMotor(slot);
       }
       case JointStore.MOTOR -> {
@@ -256,7 +349,7 @@ final class JointVisit extends ConstraintRow {
   private void solveLength(int k, int slot, boolean bias) {
     JointStore j = store;
     boolean pulley = j.type[slot] == JointStore.PULLEY;
-    float length = pulley ? coupledRow(k, slot) : lengthRow();
+    float length = pulley ? coupledRow(k, slot) : firstRow(k);
     solveCoordinate(k, slot, length, bias);
     int driven = pulley ? 0 : JointStore.DRIVEN;
     if ((j.flags[slot] & (JointStore.LIMITED | JointStore.SPRUNG | driven)) == 0) {
@@ -288,7 +381,7 @@ final class JointVisit extends ConstraintRow {
 
   private void solveWeldPoint(int k, int slot, boolean bias) {
     if (store.hertz[slot] == 0) {
-      solvePoint(slot, bias);
+      noted.solvePoint(k, slot, bias);
     } else {
       solveSoftPoint(k, slot, Float.POSITIVE_INFINITY, bias);
     }
@@ -303,7 +396,7 @@ final class JointVisit extends ConstraintRow {
 
   /** Holds a wheel on its axis. */
   private void solveAcross(int k, int slot, boolean bias) {
-    float across = acrossRow(k);
+    float across = secondRow(k);
     store.impulseX[slot] += solveRigid(across, store.impulseX[slot], bias);
   }
 
@@ -352,7 +445,7 @@ final class JointVisit extends ConstraintRow {
       float torque = j.impulseW[slot] + axial;
       switch (j.type[slot]) {
         case JointStore.DISTANCE -> {
-          lengthRow();
+          firstRow(k);
           float p = axial + x;
           x = p * ux;
           y = p * uy;
@@ -373,7 +466,7 @@ final class JointVisit extends ConstraintRow {
           boolean wheel = j.type[slot] == JointStore.WHEEL;
           torque = wheel ? j.motorImpulse[slot] : y;
           axial -= wheel ? torque : 0;
-          axisRow(k);
+          firstRow(k);
           y = axial * uy + x * ux;
           x = axial * ux - x * uy;
         }
@@ -485,15 +578,7 @@ final class JointVisit extends ConstraintRow {
 
   private void solveCoordinateSpring(int k, int slot) {
     JointStore j = store;
-    float old = j.springImpulse[slot];
-    j.springImpulse[slot] +=
-        solveSpring(
-            springMass(slot),
-            joints.stretchX[k],
-            j.hertz[slot],
-            j.damping[slot],
-            old,
-            Float.POSITIVE_INFINITY);
+    j.springImpulse[slot] += solveNotedSpring(k, joints.stretchX[k], j.springImpulse[slot]);
   }
 
   /**
@@ -597,35 +682,6 @@ final class JointVisit extends ConstraintRow {
     applyRowImpulse(sum - old);
   }
 
-  /** Holds the anchors together. */
-  private void solvePoint(int slot, boolean bias) {
-    JointStore j = store;
-    actAtOnePoint();
-    float vx = v[b + VX] - v[b + W] * rBy - v[a + VX] + v[a + W] * rAy;
-    float vy = v[b + VY] + v[b + W] * rBx - v[a + VY] - v[a + W] * rAx;
-    float scale = 1;
-    float leak = 0;
-    if (bias) {
-      float far = Math.abs(dx) + Math.abs(dy);
-      float rate = far > MAX_ERROR ? biasRate * MAX_ERROR / far : biasRate;
-      vx += rate * dx;
-      vy += rate * dy;
-      scale = massScale;
-      leak = impulseScale;
-    }
-    float masses = mA + mB;
-    float xx = masses + iA * rAy * rAy + iB * rBy * rBy;
-    float xy = -iA * rAx * rAy - iB * rBx * rBy;
-    float yy = masses + iA * rAx * rAx + iB * rBx * rBx;
-    float determinant = xx * yy - xy * xy;
-    float inverse = determinant > 0 ? scale / determinant : 0;
-    float px = -inverse * (yy * vx - xy * vy) - leak * j.impulseX[slot];
-    float py = -inverse * (xx * vy - xy * vx) - leak * j.impulseY[slot];
-    j.impulseX[slot] += px;
-    j.impulseY[slot] += py;
-    applyImpulse(px, py);
-  }
-
   /**
    * Draws the anchors together by a spring of limited force. Its stiffness is the same in all
    * directions, that of the mean effective mass, and both impulses act at B's anchor: so it pulls
@@ -667,7 +723,7 @@ final class JointVisit extends ConstraintRow {
   /** Holds a slider on its axis and from turning, both at once. */
   private void solveSlider(int k, int slot, boolean bias) {
     JointStore j = store;
-    float across = acrossRow(k);
+    float across = secondRow(k);
     float first = rowSpeed();
     float second = v[b + W] - v[a + W];
     float scale = 1;

@@ -1,0 +1,158 @@
+package carom.physics.dynamics.jointsolver;
+
+import static carom.physics.dynamics.jointsolver.JointRecords.FIRST_ROW;
+import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_A;
+import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_B;
+import static carom.physics.dynamics.jointsolver.JointRecords.MASS_A;
+import static carom.physics.dynamics.jointsolver.JointRecords.MASS_B;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_ANGLE;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_BX;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_BY;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_DX;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_DY;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_AX;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_AY;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_RIGID;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_SOFT;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_XX;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_XY;
+import static carom.physics.dynamics.jointsolver.JointRecords.POINT_YY;
+import static carom.physics.dynamics.jointsolver.JointRecords.RECORD;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_A;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_B;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_VALUE;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_X;
+import static carom.physics.dynamics.jointsolver.JointRecords.ROW_Y;
+import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_MASS;
+import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_PULL;
+import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_SHARE;
+import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_SOFT;
+import static carom.physics.dynamics.solverbody.SolverBodies.VX;
+import static carom.physics.dynamics.solverbody.SolverBodies.VY;
+import static carom.physics.dynamics.solverbody.SolverBodies.W;
+
+import carom.physics.dynamics.joint.JointStore;
+
+/**
+ * Solves the rows that are visited most often, straight from the numbers of their records: points,
+ * and springs of angles and lengths. {@link JointVisit} must have measured the joint at its present
+ * poses. The operations are those of {@link ConstraintRow}, one for one.
+ */
+final class NotedRows {
+  private final JointRecords joints;
+  private JointStore store;
+  private float[] v;
+  private float biasRate;
+  private float impulseScale;
+
+  /** Solves rows of these joints. */
+  NotedRows(JointRecords joints) {
+    this.joints = joints;
+  }
+
+  /** Begins a step. */
+  void begin(JointStore jointStore, float[] state, float rate, float leak) {
+    store = jointStore;
+    v = state;
+    biasRate = rate;
+    impulseScale = leak;
+  }
+
+  /** Holds the anchors of a joint together. */
+  void solvePoint(int k, int slot, boolean bias) {
+    JointStore j = store;
+    float[] s = v;
+    float[] d = joints.data;
+    int at = k * RECORD;
+    int a = joints.bodyA[k];
+    int b = joints.bodyB[k];
+    float rAx = d[at + POINT_AX];
+    float rAy = d[at + POINT_AY];
+    float rBx = d[at + NOW_BX];
+    float rBy = d[at + NOW_BY];
+    float vx = s[b + VX] - s[b + W] * rBy - s[a + VX] + s[a + W] * rAy;
+    float vy = s[b + VY] + s[b + W] * rBx - s[a + VY] - s[a + W] * rAx;
+    float inverse = d[at + POINT_RIGID];
+    float leak = 0;
+    if (bias) {
+      float dx = d[at + NOW_DX];
+      float dy = d[at + NOW_DY];
+      float far = Math.abs(dx) + Math.abs(dy);
+      float rate =
+          far > ConstraintRow.MAX_ERROR ? biasRate * ConstraintRow.MAX_ERROR / far : biasRate;
+      vx += rate * dx;
+      vy += rate * dy;
+      inverse = d[at + POINT_SOFT];
+      leak = impulseScale;
+    }
+    float xx = d[at + POINT_XX];
+    float xy = d[at + POINT_XY];
+    float yy = d[at + POINT_YY];
+    float oldX = j.impulseX[slot];
+    float oldY = j.impulseY[slot];
+    float px = -inverse * (yy * vx - xy * vy) - leak * oldX;
+    float py = -inverse * (xx * vy - xy * vx) - leak * oldY;
+    j.impulseX[slot] = oldX + px;
+    j.impulseY[slot] = oldY + py;
+    float mA = d[at + MASS_A];
+    float mB = d[at + MASS_B];
+    if (mA != 0) {
+      s[a + VX] -= mA * px;
+      s[a + VY] -= mA * py;
+      s[a + W] -= d[at + INERTIA_A] * (rAx * py - rAy * px);
+    }
+    if (mB != 0) {
+      s[b + VX] += mB * px;
+      s[b + VY] += mB * py;
+      s[b + W] += d[at + INERTIA_B] * (rBx * py - rBy * px);
+    }
+  }
+
+  /** Solves the spring about the axis of a hinge. */
+  void solveAngleSpring(int k, int slot, boolean bias) {
+    if (bias) {
+      joints.stretchX[k] = joints.data[k * RECORD + NOW_ANGLE] - store.rest[slot];
+    }
+    solveSpring(k, slot, 0, 0, 1, 1);
+  }
+
+  /** Solves the spring of a distance joint. */
+  void solveLengthSpring(int k, int slot, boolean bias) {
+    float[] d = joints.data;
+    int row = k * RECORD + FIRST_ROW;
+    if (bias) {
+      joints.stretchX[k] = d[row + ROW_VALUE] - store.rest[slot];
+    }
+    solveSpring(k, slot, d[row + ROW_X], d[row + ROW_Y], d[row + ROW_A], d[row + ROW_B]);
+  }
+
+  private void solveSpring(int k, int slot, float ux, float uy, float sA, float sB) {
+    JointStore j = store;
+    float[] s = v;
+    float[] d = joints.data;
+    int at = k * RECORD;
+    int a = joints.bodyA[k];
+    int b = joints.bodyB[k];
+    float speed =
+        ux * (s[b + VX] - s[a + VX])
+            + uy * (s[b + VY] - s[a + VY])
+            + (sB * s[b + W] - sA * s[a + W]);
+    float sum = j.springImpulse[slot];
+    float wanted = d[at + SPRING_PULL] * joints.stretchX[k] + d[at + SPRING_SOFT] * speed;
+    float p = -(d[at + SPRING_MASS] * wanted + sum) / d[at + SPRING_SHARE];
+    p = sum + p - sum;
+    j.springImpulse[slot] = sum + p;
+    float mA = d[at + MASS_A];
+    float mB = d[at + MASS_B];
+    if (mA != 0) {
+      s[a + VX] -= mA * p * ux;
+      s[a + VY] -= mA * p * uy;
+      s[a + W] -= d[at + INERTIA_A] * p * sA;
+    }
+    if (mB != 0) {
+      s[b + VX] += mB * p * ux;
+      s[b + VY] += mB * p * uy;
+      s[b + W] += d[at + INERTIA_B] * p * sB;
+    }
+  }
+}
