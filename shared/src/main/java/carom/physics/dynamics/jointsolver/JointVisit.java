@@ -8,7 +8,6 @@ import static carom.physics.dynamics.jointsolver.JointRecords.POINT_SOFT;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_XX;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_XY;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_YY;
-import static carom.physics.dynamics.jointsolver.JointRecords.RECORD;
 import static carom.physics.dynamics.jointsolver.JointRecords.SECOND_ROW;
 import static carom.physics.dynamics.solverbody.SolverBodies.COS;
 import static carom.physics.dynamics.solverbody.SolverBodies.DX;
