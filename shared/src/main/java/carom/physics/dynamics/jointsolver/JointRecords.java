@@ -97,7 +97,7 @@ final class JointRecords {
   /** The same per speed. */
   static final int SPRING_SOFT = 37;
 
-  /** What a visit of the spring is divided by. */
+  /** Divisor of each visit of the spring. */
   static final int SPRING_SHARE = 38;
 
   /** Floats of a record. */
