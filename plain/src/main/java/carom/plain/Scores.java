@@ -1,6 +1,6 @@
 package carom.plain;
 
-/** Tells of players of whom only score or ping changed. */
+/** Tells of players that changed in nothing but score or ping. */
 public final class Scores {
   /** Id, score and ping of each. */
   public int[] scores;

@@ -1,5 +1,6 @@
 package carom.server.http;
 
+import carom.net.admission.AddressGroup;
 import carom.net.transport.AddressFamily;
 import com.sun.management.UnixOperatingSystemMXBean;
 import io.undertow.UndertowOptions;
@@ -229,11 +230,8 @@ public final class HttpPort implements AutoCloseable {
   /** Returns where browsers and other programs find this, such as {@code http://127.0.0.1:8090}. */
   public String url() {
     InetSocketAddress address = (InetSocketAddress) listeners.get(0).getLocalAddress();
-    String host = address.getAddress().getHostAddress();
     return (encrypted ? "https://" : "http://")
-        + (host.indexOf(':') < 0 ? host : "[" + host + "]")
-        + ":"
-        + address.getPort();
+        + AddressGroup.remote(address.getAddress(), address.getPort());
   }
 
   /** Runs a task again and again, on the thread that reads and writes sockets. */

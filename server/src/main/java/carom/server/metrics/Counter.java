@@ -27,7 +27,8 @@ public enum Counter {
   SESSIONS_FAILED(
       "Sessions closed because the server threw an exception while serving them. Each is a bug."),
   DATAGRAMS_IN("Input datagrams accepted."),
-  BYTES_IN("Payload bytes of input datagrams, dropped ones included."),
+  BYTES_IN(
+      "Payload bytes of input datagrams, dropped ones included, and of all that thin clients say."),
   DATAGRAMS_REFUSED("Datagrams dropped because they weren't input datagrams or had another key."),
   DATAGRAMS_OUT("Snapshot datagrams sent."),
   SNAPSHOT_BYTES("Payload bytes of snapshots sent."),

@@ -106,7 +106,7 @@ public final class SessionReplication {
   }
 
   private boolean mayKnow(Entity e) {
-    return thin != null ? thin.mayKnow(e) : sender.mayKnow(e);
+    return sender.mayKnow(e);
   }
 
   /**
@@ -190,9 +190,7 @@ public final class SessionReplication {
 
   /** Offers an event that the frames keep, and that the player may not have heard of. */
   public void offer(long number) {
-    if (sender != null) {
-      sender.offer(number);
-    }
+    sender.offer(number);
   }
 
   /** Takes over what the client says it shows. */

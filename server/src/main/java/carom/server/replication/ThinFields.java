@@ -21,13 +21,21 @@ import java.util.function.IntPredicate;
  * <p>The room's thread. Allocates when a target is new or a field changed.
  */
 final class ThinFields {
-  /** The values of one player, entity or the match, as the client knows them. */
+  /**
+   * The values under one id, as the client knows them, whatever has the id now. The client keeps
+   * them until it is told otherwise.
+   */
   private static final class Known {
+    final int[] words;
+    final boolean[] told;
     Object of;
     long stamp;
     int audience;
-    int[] words;
-    boolean[] told;
+
+    Known(int count) {
+      words = new int[count];
+      told = new boolean[count];
+    }
   }
 
   private static final int NEAR = 1;
@@ -40,7 +48,7 @@ final class ThinFields {
   private final IntPredicate sees;
   private final List<Known> players = new ArrayList<>();
   private final List<Known> entities = new ArrayList<>();
-  private final Known match = new Known();
+  private final Known match;
   private final List<FieldValue> changes = new ArrayList<>();
 
   ThinFields(Simulation simulation, Player player, IntPredicate sees) {
@@ -48,6 +56,7 @@ final class ThinFields {
     this.schema = simulation.schema();
     this.player = player;
     this.sees = sees;
+    match = new Known(schema.toldWords(Scope.MATCH));
   }
 
   /** Returns what changed since the last call, or null for nothing. */
@@ -59,7 +68,12 @@ final class ThinFields {
         Player other = simulation.player(id);
         if (other != null) {
           compare(
-              Scope.PLAYER, id, other, other.fieldValues(), ofPlayer(other, all), at(players, id));
+              Scope.PLAYER,
+              id,
+              other,
+              other.fieldValues(),
+              ofPlayer(other, all),
+              at(players, Scope.PLAYER, id));
         }
       }
     }
@@ -73,7 +87,7 @@ final class ThinFields {
               entity,
               entity.fieldValues(),
               ofEntity(entity, all),
-              at(entities, id));
+              at(entities, Scope.ENTITY, id));
         }
       }
     }
@@ -85,9 +99,9 @@ final class ThinFields {
     return told;
   }
 
-  private static Known at(List<Known> all, int id) {
+  private Known at(List<Known> all, Scope scope, int id) {
     while (all.size() <= id) {
-      all.add(new Known());
+      all.add(new Known(schema.toldWords(scope)));
     }
     return all.get(id);
   }
@@ -123,15 +137,10 @@ final class ThinFields {
     if (known.of == of && known.stamp == values.stamp() && known.audience == audience) {
       return;
     }
-    int count = schema.toldWords(scope);
-    if (known.of != of) {
-      known.words = new int[count];
-      known.told = new boolean[count];
-    }
     known.of = of;
     known.stamp = values.stamp();
     known.audience = audience;
-    for (int word = 0; word < count; word++) {
+    for (int word = 0; word < known.words.length; word++) {
       boolean may = mayKnow(schema.field(scope, word).audience(), audience);
       if (may && (!known.told[word] || known.words[word] != values.word(word))) {
         known.told[word] = true;

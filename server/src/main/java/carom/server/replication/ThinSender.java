@@ -12,7 +12,6 @@ import carom.server.thin.ThinLink;
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinSnapshot;
 import carom.sim.Simulation;
-import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
@@ -124,11 +123,6 @@ final class ThinSender {
   /** Takes over what the client says it shows. */
   void look(float centreX, float centreY, float halfWidth, float halfHeight, int follows) {
     view.look(centreX, centreY, halfWidth, halfHeight, follows);
-  }
-
-  /** Returns whether the game lets the player know of an entity. */
-  boolean mayKnow(Entity e) {
-    return view.mayKnow(frames.newest(), e);
   }
 
   /** Returns whether the player looks at the place of an entity and may know it. */
@@ -308,8 +302,9 @@ final class ThinSender {
     Arrays.fill(goneTick, from, size, NEVER);
   }
 
-  /** Returns what the line has done since the link began. */
+  /** Returns what the line has done since the link began; what datagrams lose isn't known. */
   LinkFigures figures() {
-    return new LinkFigures(link.roundTripMs(), bytesSent, snapshots, snapshots, 0, 0);
+    int arrived = link.isStream() ? snapshots : 0;
+    return new LinkFigures(link.roundTripMs(), bytesSent, arrived, arrived, 0, 0);
   }
 }

@@ -297,7 +297,8 @@ public final class Session implements LinkHandler {
         inputs.consume(tick, player);
       } else {
         silentTicks = thin.takeHeard() ? 0 : silentTicks;
-        inputs.consume(tick, thin.takeInput(), player);
+        inputs.consumeNewest(thin.takeInput(), player);
+        counters.add(Counter.BYTES_IN, thin.takeBytesIn());
       }
       return;
     }

@@ -117,12 +117,8 @@ final class SessionInputs {
     count();
   }
 
-  /**
-   * Sets the input of a thin client's player for a tick. It has come in time, whatever it is: the
-   * newest counts.
-   */
-  void consume(int tick, long input, Player player) {
-    buffer.reset(tick);
+  /** Sets the input of a thin client's player, for which the newest counts, whenever it came. */
+  void consumeNewest(long input, Player player) {
     idleTicks++;
     if (input != lastInput) {
       lastInput = input;

@@ -80,6 +80,7 @@ public abstract class ThinLink implements Link {
   // The sending thread of the room only.
   private final MessageDatagram unreliable = new MessageDatagram();
   private final TreeMap<Integer, ServerMessage.RosterEntry> roster = new TreeMap<>();
+  private long bytesTaken;
   private boolean welcomed;
   private String room = "";
   private boolean ownColours;
@@ -237,6 +238,14 @@ public abstract class ThinLink implements Link {
       heard = false;
       return was;
     }
+  }
+
+  /** Returns the payload bytes that have come since the last call. The room's thread. */
+  public final long takeBytesIn() {
+    long all = counters.messageBytesIn.get() + counters.datagramBytesIn.get();
+    long fresh = all - bytesTaken;
+    bytesTaken = all;
+    return fresh;
   }
 
   /** Returns the snapshots a second that the client wants. */

@@ -25,6 +25,12 @@ public record AddressGroup(String host, String network) {
     return new AddressGroup(host, host.substring(0, host.lastIndexOf('.')) + "/24");
   }
 
+  /** Returns an address and port as {@code Link.remote()} has them, see {@link #ofRemote}. */
+  public static String remote(InetAddress address, int port) {
+    String host = address.getHostAddress();
+    return (host.indexOf(':') < 0 ? host : "[" + host + "]") + ":" + port;
+  }
+
   /**
    * Returns the origin of a link by its {@code remote()}: {@code 192.0.2.7:5000} or {@code
    * [2001:db8::1]:5000}. A link of this process has a name instead, which is a group of its own.

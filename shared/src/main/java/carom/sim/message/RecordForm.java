@@ -37,6 +37,8 @@ record RecordForm(Class<? extends Record> type, List<Argument> arguments) {
       return Argument.choice(name, (Class<? extends Enum<?>>) of);
     }
     if (of == int.class && bounds != null) {
+      requireWhole(type, name, bounds.min());
+      requireWhole(type, name, bounds.max());
       return Argument.count(name, (int) bounds.min(), (int) bounds.max());
     }
     if (of == float.class && bounds != null) {
@@ -53,6 +55,19 @@ record RecordForm(Class<? extends Record> type, List<Argument> arguments) {
                 : "is no boolean, int, float, text or enum";
     throw new IllegalArgumentException(
         "record " + type.getSimpleName() + ": " + of.getSimpleName() + " " + name + " " + need);
+  }
+
+  private static void requireWhole(Class<?> type, String name, double bound) {
+    if (bound != (int) bound) {
+      throw new IllegalArgumentException(
+          "record "
+              + type.getSimpleName()
+              + ": the bound "
+              + bound
+              + " of int "
+              + name
+              + " is no int");
+    }
   }
 
   /** Returns the values of a record of this class, in the order of the arguments. */

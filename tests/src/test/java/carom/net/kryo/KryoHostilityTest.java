@@ -57,7 +57,7 @@ final class KryoHostilityTest {
       assertCanarySings();
       Network.Pair newcomer = closing.pair();
       assertTrue(newcomer.client.sendDatagram(new byte[1], 0, 1));
-      assertEquals(null, closing.server.counters().lastError());
+      assertEquals(null, closing.server.counters().errors.last());
     }
   }
 

@@ -228,7 +228,7 @@ public class KryoTransportTest {
       }
       assertEquals(120, network.server.counters().opened.get());
       assertEquals(0, network.server.counters().errors.get());
-      assertEquals(null, network.server.counters().lastError());
+      assertEquals(null, network.server.counters().errors.last());
     }
   }
 

@@ -28,6 +28,10 @@ final class RecordKindTest {
 
   private record Unbounded(int item) {}
 
+  private record Halved(@Bounds(min = 0.5, max = 3) int item) {}
+
+  private record Huge(@Bounds(min = 0, max = 1e12) int item) {}
+
   private record Endless(String text) {}
 
   private record Odd(long number) {}
@@ -74,6 +78,8 @@ final class RecordKindTest {
   @Test
   void whatDoesntFitIsRefusedByName() {
     assertRefused("item", () -> MessageKind.of(Unbounded.class));
+    assertRefused("0.5", () -> MessageKind.of(Halved.class));
+    assertRefused("1.0E12", () -> MessageKind.of(Huge.class));
     assertRefused("@Longest", () -> MessageKind.of(Endless.class));
     assertRefused("long number", () -> MessageKind.of(Odd.class));
     assertRefused("item=32", () -> THROW.of(new Throw(32, 0, true, Hand.LEFT, "")));

@@ -19,9 +19,6 @@ import java.util.Arrays;
  * A TCP connection at the door, from its first byte to its last, with the UDP address that belongs
  * to it. Bytes are read on the door's thread and datagrams on that of the UDP port; any thread may
  * send.
- *
- * <p><b>Length.</b> One idea: what one client may do, in the order of a connection's life. It stays
- * whole, because all of it turns on the same few states.
  */
 final class PlainConnection implements Entrance.Guest {
   private static final long NANOS_PER_MS = 1_000_000L;
@@ -82,7 +79,7 @@ final class PlainConnection implements Entrance.Guest {
     this.channel = channel;
     this.id = id;
     address = from.getAddress();
-    remote = text(from);
+    remote = AddressGroup.remote(address, from.getPort());
     origin = AddressGroup.of(address);
     acceptedNs = nowNs;
     frameNs = nowNs;
@@ -92,11 +89,6 @@ final class PlainConnection implements Entrance.Guest {
     PlainLimits limits = door.limits();
     frames = new TokenBucket(limits.framesPerSecond(), limits.framesPerSecond());
     datagrams = new TokenBucket(limits.datagramsPerSecond(), limits.datagramsPerSecond());
-  }
-
-  private static String text(InetSocketAddress from) {
-    String host = from.getAddress().getHostAddress();
-    return (host.indexOf(':') < 0 ? host : "[" + host + "]") + ":" + from.getPort();
   }
 
   int id() {
@@ -517,7 +509,7 @@ final class PlainConnection implements Entrance.Guest {
     try {
       channel.close();
     } catch (IOException e) {
-      door.counters().error(e);
+      door.counters().errors.add(e);
     }
     if (closeReason == null) {
       closeReason = reason;

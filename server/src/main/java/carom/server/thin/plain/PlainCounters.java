@@ -1,6 +1,8 @@
 package carom.server.thin.plain;
 
 import carom.net.transport.NetworkCounter;
+import carom.net.transport.SurvivedErrors;
+import carom.net.transport.Troubles;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 
@@ -16,24 +18,7 @@ final class PlainCounters {
   final AtomicLong strangeDatagrams = new AtomicLong();
   final AtomicLong malformedDatagrams = new AtomicLong();
   final AtomicLong excessDatagrams = new AtomicLong();
-  final AtomicLong errors = new AtomicLong();
-
-  private volatile Throwable lastError;
-  private long nextErrorCount = 1; // the accepting thread only
-
-  void error(Throwable error) {
-    lastError = error;
-    errors.incrementAndGet();
-  }
-
-  /** Returns an error to report, the 1st, 10th, 100th and so on, or null. */
-  Throwable nextError() {
-    if (errors.get() < nextErrorCount) {
-      return null;
-    }
-    nextErrorCount *= 10;
-    return lastError;
-  }
+  final SurvivedErrors errors = new SurvivedErrors();
 
   List<NetworkCounter> all() {
     return List.of(
@@ -63,10 +48,10 @@ final class PlainCounters {
             "datagrams.excess",
             "Datagrams of stock KryoNet dropped because the client sent too many.",
             excessDatagrams),
-        counter(
-            "errors",
+        new NetworkCounter(
+            "plain.errors",
             "Unexpected errors on the thread for stock KryoNet, which it survived. Each is a bug.",
-            errors));
+            errors::get));
   }
 
   private static NetworkCounter counter(String name, String help, AtomicLong value) {
@@ -75,23 +60,16 @@ final class PlainCounters {
 
   /** Returns the values that should be 0 and aren't, in words. */
   String troubles() {
-    StringBuilder text = new StringBuilder();
-    append(text, refused, "refused");
-    append(text, foreign, "from outside private networks");
-    append(text, evicted, "gave way before they joined");
-    append(text, expired, "never joined");
-    append(text, expelled, "expelled");
-    append(text, strangeDatagrams, "datagrams from unknown addresses");
-    append(text, malformedDatagrams, "malformed datagrams");
-    append(text, excessDatagrams, "excess datagrams");
-    append(text, errors, "errors");
-    return text.length() == 0 ? "" : "plain port: " + text;
-  }
-
-  private static void append(StringBuilder text, AtomicLong value, String meaning) {
-    long count = value.get();
-    if (count > 0) {
-      text.append(text.length() == 0 ? "" : ", ").append(count).append(' ').append(meaning);
-    }
+    return new Troubles()
+        .add(refused.get(), "refused")
+        .add(foreign.get(), "from outside private networks")
+        .add(evicted.get(), "gave way before they joined")
+        .add(expired.get(), "never joined")
+        .add(expelled.get(), "expelled")
+        .add(strangeDatagrams.get(), "datagrams from unknown addresses")
+        .add(malformedDatagrams.get(), "malformed datagrams")
+        .add(excessDatagrams.get(), "excess datagrams")
+        .add(errors.get(), "errors")
+        .under("plain port: ");
   }
 }

@@ -135,7 +135,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
 
   private DatagramPort listenToDatagrams(List<InetAddress> addresses, int udp) throws IOException {
     try {
-      return new DatagramPort(addresses, udp, MAX_DATAGRAM, this::datagram, counters::error);
+      return new DatagramPort(addresses, udp, MAX_DATAGRAM, this::datagram, counters.errors::add);
     } catch (IOException e) {
       throw new IOException("UDP port " + udp + " can't be opened: " + e.getMessage(), e);
     }
@@ -249,7 +249,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
     try {
       closePorts();
     } catch (IOException e) {
-      counters.error(e);
+      counters.errors.add(e);
     }
   }
 
@@ -268,7 +268,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
       }
       return now + SWEEP_NANOS;
     } catch (IOException | RuntimeException | Error e) { // whatever it is, the others go on
-      counters.error(e);
+      counters.errors.add(e);
       LockSupport.parkNanos(1_000_000L);
       return nextSweep;
     } finally {
@@ -280,7 +280,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
     try {
       connection.sweep(now);
     } catch (RuntimeException e) {
-      counters.error(e);
+      counters.errors.add(e);
       connection.close("server error");
     }
   }
@@ -309,7 +309,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
     } catch (IOException e) {
       connection.close("the connection broke");
     } catch (RuntimeException | Error e) {
-      counters.error(e);
+      counters.errors.add(e);
       connection.close("server error");
     }
   }
@@ -324,7 +324,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
         counters.accepted.incrementAndGet();
         admit(channel);
       } catch (IOException e) { // too many open files: connections must close before the next comes
-        counters.error(e);
+        counters.errors.add(e);
         LockSupport.parkNanos(1_000_000L);
         return;
       }
@@ -442,7 +442,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
 
   @Override
   public Throwable nextError() {
-    return counters.nextError();
+    return counters.errors.take();
   }
 
   /**

@@ -4,6 +4,8 @@ import carom.net.admission.AddressGroup;
 import carom.net.transport.Link;
 import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
+import carom.net.transport.SurvivedErrors;
+import carom.net.transport.Troubles;
 import carom.server.access.AddressRange;
 import carom.server.http.HttpPort;
 import carom.server.http.Origins;
@@ -17,16 +19,13 @@ import io.undertow.websockets.WebSocketProtocolHandshakeHandler;
 import io.undertow.websockets.core.WebSocketChannel;
 import io.undertow.websockets.spi.WebSocketHttpExchange;
 import java.io.IOException;
-import java.net.Inet6Address;
 import java.net.InetAddress;
 import java.util.List;
-import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * The play port: HTTP and WebSocket for thin clients. {@code /thin} is the WebSocket, {@code /play}
@@ -84,7 +83,7 @@ public final class PlayPort implements ServerTransport {
   private final AtomicLong malformedCount = new AtomicLong();
   private final AtomicLong bytesIn = new AtomicLong();
   private final AtomicLong bytesOut = new AtomicLong();
-  private final AtomicReference<Throwable> error = new AtomicReference<>();
+  private final SurvivedErrors errors = new SurvivedErrors();
   private volatile Runnable wake = () -> {};
   private volatile int most;
   private volatile int mostPerAddress;
@@ -210,11 +209,10 @@ public final class PlayPort implements ServerTransport {
           exchange, StatusCodes.TOO_MANY_REQUESTS, "too many links from your address are open");
     } else {
       int port = exchange.getSourceAddress().getPort();
-      String name = address.getHostAddress();
       exchange.putAttachment(
           COMER,
           new Comer(
-              (address instanceof Inet6Address ? "[" + name + "]" : name) + ":" + port,
+              AddressGroup.remote(address, port),
               !encrypted && !origins.isEncryptedByProxy(exchange)));
       handshake.handleRequest(exchange);
     }
@@ -234,7 +232,7 @@ public final class PlayPort implements ServerTransport {
 
   private void connected(WebSocketHttpExchange exchange, WebSocketChannel channel) {
     Comer comer = exchange.getAttachment(COMER);
-    WebLink link = new WebLink(channel, comer.remote, comer.isPlainText, error::set);
+    WebLink link = new WebLink(channel, comer.remote, comer.isPlainText, errors::add);
     links.add(link);
     openedCount.incrementAndGet();
     channel.addCloseTask(closed -> ended(link));
@@ -290,19 +288,12 @@ public final class PlayPort implements ServerTransport {
 
   @Override
   public String troubles() {
-    StringBuilder text = new StringBuilder();
-    Map.of(
-            "links refused as too many", refusedCount,
-            "pages of others refused", foreignCount,
-            "messages not understood", malformedCount)
-        .forEach(
-            (what, count) -> {
-              if (count.get() > 0) {
-                text.append(text.isEmpty() ? "play port: " : ", ").append(count).append(' ');
-                text.append(what);
-              }
-            });
-    return text.toString();
+    return new Troubles()
+        .add(refusedCount.get(), "links refused as too many")
+        .add(foreignCount.get(), "pages of others refused")
+        .add(malformedCount.get(), "messages not understood")
+        .add(errors.get(), "errors")
+        .under("play port: ");
   }
 
   @Override
@@ -320,12 +311,14 @@ public final class PlayPort implements ServerTransport {
         new NetworkCounter(
             "play.bytes.in", "Payload bytes of WebSockets that ended, received.", bytesIn::get),
         new NetworkCounter(
-            "play.bytes.out", "Payload bytes of WebSockets that ended, sent.", bytesOut::get));
+            "play.bytes.out", "Payload bytes of WebSockets that ended, sent.", bytesOut::get),
+        new NetworkCounter(
+            "play.errors", "Unexpected errors of WebSockets, each a bug.", errors::get));
   }
 
   @Override
   public Throwable nextError() {
-    return error.getAndSet(null);
+    return errors.take();
   }
 
   @Override

@@ -304,7 +304,6 @@ final class WebLink extends ThinLink {
       if (unsentSnapshots > 0 || unsentBytes > MAX_NEWS_BYTES || hungUp) {
         return false;
       }
-      ping(nowNs, PING_NS);
       long leastTripNs = Math.min(leastNs, leastBeforeNs);
       return firstUnseen == nextSent
           || leastTripNs == Long.MAX_VALUE && nextSent - firstUnseen < WINDOW
@@ -336,6 +335,7 @@ final class WebLink extends ThinLink {
       counters().datagramsOut.incrementAndGet();
       counters().datagramBytesOut.addAndGet(bytes.length());
       send(bytes.view(), binary == null, true);
+      ping(System.nanoTime(), PING_NS);
       return bytes.length();
     }
   }

@@ -1,6 +1,8 @@
 package carom.net.kryo.server;
 
 import carom.net.transport.NetworkCounter;
+import carom.net.transport.SurvivedErrors;
+import carom.net.transport.Troubles;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 
@@ -49,19 +51,10 @@ public final class KryoServerCounters {
   /** Number of datagrams dropped because their link sent too many. */
   public final AtomicLong excessDatagrams = new AtomicLong();
 
-  /**
-   * Number of unexpected errors on the network thread, which it survived. See {@link #lastError}.
-   */
-  public final AtomicLong errors = new AtomicLong();
-
-  private volatile Throwable lastError;
+  /** Unexpected errors on the network thread, which it survived. */
+  public final SurvivedErrors errors = new SurvivedErrors();
 
   KryoServerCounters() {}
-
-  /** Returns the newest unexpected error, or null if there was none. */
-  public Throwable lastError() {
-    return lastError;
-  }
 
   /** Returns all of them with what they count. */
   List<NetworkCounter> all() {
@@ -95,10 +88,10 @@ public final class KryoServerCounters {
             "datagrams.excess",
             "Datagrams dropped because their link sent too many.",
             excessDatagrams),
-        counter(
+        new NetworkCounter(
             "errors",
             "Unexpected errors on the network thread, which it survived. Each is a bug.",
-            errors));
+            errors::get));
   }
 
   private static NetworkCounter counter(String name, String help, AtomicLong value) {
@@ -107,28 +100,16 @@ public final class KryoServerCounters {
 
   /** Returns the values that should be 0 and aren't, in words. */
   public String troubles() {
-    StringBuilder text = new StringBuilder();
-    append(text, refused, "refused");
-    append(text, evicted, "gave way before they had opened");
-    append(text, expired, "never finished the handshake");
-    append(text, expelled, "expelled");
-    append(text, strangeDatagrams, "datagrams from unknown addresses");
-    append(text, forgedDatagrams, "forged datagrams");
-    append(text, malformedDatagrams, "malformed datagrams");
-    append(text, excessDatagrams, "excess datagrams");
-    append(text, errors, "errors");
-    return text.toString();
-  }
-
-  private static void append(StringBuilder text, AtomicLong value, String meaning) {
-    long count = value.get();
-    if (count > 0) {
-      text.append(text.length() == 0 ? "" : ", ").append(count).append(' ').append(meaning);
-    }
-  }
-
-  void error(Throwable error) {
-    lastError = error;
-    errors.incrementAndGet();
+    return new Troubles()
+        .add(refused.get(), "refused")
+        .add(evicted.get(), "gave way before they had opened")
+        .add(expired.get(), "never finished the handshake")
+        .add(expelled.get(), "expelled")
+        .add(strangeDatagrams.get(), "datagrams from unknown addresses")
+        .add(forgedDatagrams.get(), "forged datagrams")
+        .add(malformedDatagrams.get(), "malformed datagrams")
+        .add(excessDatagrams.get(), "excess datagrams")
+        .add(errors.get(), "errors")
+        .toString();
   }
 }

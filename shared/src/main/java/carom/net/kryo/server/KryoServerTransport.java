@@ -22,7 +22,6 @@ public final class KryoServerTransport implements ServerTransport {
   private final ServerNetwork network;
   private final int tcpPort;
   private final int udpPort;
-  private long nextErrorCount = 1;
 
   /** Opens the ports with {@link KryoLimits#DEFAULT} and starts to listen. */
   public KryoServerTransport(int tcpPort, int udpPort) {
@@ -113,11 +112,7 @@ public final class KryoServerTransport implements ServerTransport {
 
   @Override
   public Throwable nextError() {
-    if (counters().errors.get() < nextErrorCount) {
-      return null;
-    }
-    nextErrorCount *= 10;
-    return counters().lastError();
+    return counters().errors.take();
   }
 
   @Override

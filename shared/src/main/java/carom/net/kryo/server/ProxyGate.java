@@ -1,5 +1,6 @@
 package carom.net.kryo.server;
 
+import carom.net.admission.AddressGroup;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -133,8 +134,7 @@ final class ProxyGate implements AutoCloseable {
 
   private void refuse(SocketChannel channel, String why) {
     InetAddress host = channel.socket().getInetAddress();
-    String from =
-        host == null ? "nobody" : host.getHostAddress() + ":" + channel.socket().getPort();
+    String from = host == null ? "nobody" : AddressGroup.remote(host, channel.socket().getPort());
     try {
       channel.close();
     } catch (IOException e) {

@@ -147,7 +147,7 @@ final class ServerNetwork implements Runnable {
     try {
       datagrams =
           new DatagramPort(
-              addresses, udp, Frame.SERVER_BUFFER_BYTES, this::datagram, counters::error);
+              addresses, udp, Frame.SERVER_BUFFER_BYTES, this::datagram, counters.errors::add);
     } catch (IOException x) {
       acceptor.close();
       throw x;
@@ -177,7 +177,7 @@ final class ServerNetwork implements Runnable {
           try {
             work.run();
           } catch (RuntimeException | Error x) {
-            counters.error(x);
+            counters.errors.add(x);
           }
         });
   }
@@ -197,7 +197,7 @@ final class ServerNetwork implements Runnable {
       }
       server.dispose();
     } catch (IOException x) {
-      counters.error(x);
+      counters.errors.add(x);
     }
   }
 
@@ -262,7 +262,7 @@ final class ServerNetwork implements Runnable {
     try {
       server.stop();
     } catch (RuntimeException x) {
-      counters.error(x);
+      counters.errors.add(x);
     }
     dispose();
   }
@@ -281,7 +281,7 @@ final class ServerNetwork implements Runnable {
       entrance.sort();
       return now + SWEEP_NANOS;
     } catch (Throwable x) { // whatever the error, the other connections go on
-      counters.error(x);
+      counters.errors.add(x);
       LockSupport.parkNanos(1_000_000L);
       return nextSweep;
     } finally {
@@ -293,7 +293,7 @@ final class ServerNetwork implements Runnable {
     try {
       acceptor.acceptWaiting();
     } catch (IOException x) { // too many open files: connections must close before the next comes
-      counters.error(x);
+      counters.errors.add(x);
       LockSupport.parkNanos(1_000_000L);
     }
   }
@@ -310,7 +310,7 @@ final class ServerNetwork implements Runnable {
       try {
         action.accept(connections.get(i));
       } catch (RuntimeException x) {
-        counters.error(x);
+        counters.errors.add(x);
       }
     }
   }
@@ -333,7 +333,7 @@ final class ServerNetwork implements Runnable {
       connection.closeNow("connection lost");
       return false;
     }
-    connection.remote(text(remote));
+    connection.remote(AddressGroup.remote(remote.getAddress(), remote.getPort()));
     connection.origin(AddressGroup.of(remote.getAddress()));
     String host = connection.origin().host();
     if (open.get() >= limits.maxConnections() * 3 / 4) {
@@ -374,11 +374,6 @@ final class ServerNetwork implements Runnable {
   private void evict(ServerConnection connection) {
     counters.evicted.incrementAndGet();
     connection.dismiss("too many are connecting to this server; try again in a moment");
-  }
-
-  private static String text(InetSocketAddress remote) {
-    String address = remote.getAddress().getHostAddress();
-    return (address.indexOf(':') < 0 ? address : "[" + address + "]") + ":" + remote.getPort();
   }
 
   /** Takes a datagram that came in by UDP. Called on the port's thread. */
@@ -526,7 +521,7 @@ final class ServerNetwork implements Runnable {
       try {
         return ((ServerConnection) connection).readFrame(buffer);
       } catch (Throwable x) {
-        counters.error(x);
+        counters.errors.add(x);
         return FrameCodec.HANDLED;
       } finally {
         buffer.position(buffer.limit());

@@ -18,7 +18,7 @@ export class Controls {
     this.canPlay = canPlay;
     this.onGlass = onGlass;
     addEventListener('keydown', e => {
-      if (KEYS[e.code] && canPlay()) { this.held.add(KEYS[e.code]); this.mouse.aims &&= !['left', 'right', 'up', 'down'].includes(KEYS[e.code]) || this.mouse.moved; e.preventDefault(); }
+      if (KEYS[e.code] && canPlay()) { this.held.add(KEYS[e.code]); e.preventDefault(); }
     });
     addEventListener('keyup', e => this.held.delete(KEYS[e.code]));
     addEventListener('blur', () => this.release());
@@ -26,11 +26,11 @@ export class Controls {
     canvas.addEventListener('contextmenu', e => e.preventDefault());
     canvas.addEventListener('pointermove', e => {
       if (e.pointerType === 'touch') return;
-      Object.assign(this.mouse, {x: e.offsetX, y: e.offsetY, aims: true, moved: true});
+      Object.assign(this.mouse, {x: e.offsetX, y: e.offsetY, aims: true});
     });
     canvas.addEventListener('pointerdown', e => {
       if (e.pointerType === 'touch') { onGlass(); return; }
-      Object.assign(this.mouse, {x: e.offsetX, y: e.offsetY, aims: true, moved: true});
+      Object.assign(this.mouse, {x: e.offsetX, y: e.offsetY, aims: true});
       this.mouse[e.button === 2 ? 'right' : 'left'] = true;
     });
     addEventListener('pointerup', e => { if (e.pointerType !== 'touch') this.mouse[e.button === 2 ? 'right' : 'left'] = false; });

@@ -94,7 +94,7 @@ export class Picture {
     }
     g.setTransform(...this.view);
     this.joints(g, shown);
-    this.flash_(g, nowMs);
+    this.rings(g, nowMs);
     g.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.labels(g, shown, own, nowMs);
   }
@@ -189,7 +189,7 @@ export class Picture {
     }
   }
 
-  flash_(g, nowMs) {
+  rings(g, nowMs) {
     this.flashes = this.flashes.filter(f => nowMs - f.ms < 1000 * LABEL_S);
     for (const {look, x, y, ms} of this.flashes) {
       const left = 1 - (nowMs - ms) / 1000 / RING_S;
