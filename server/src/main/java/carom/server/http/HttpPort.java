@@ -227,11 +227,17 @@ public final class HttpPort implements AutoCloseable {
     return ((InetSocketAddress) listeners.get(0).getLocalAddress()).getPort();
   }
 
-  /** Returns where browsers and other programs find this, such as {@code http://127.0.0.1:8090}. */
+  /**
+   * Returns where browsers and other programs of this machine find this, such as {@code
+   * http://127.0.0.1:8090}.
+   */
   public String url() {
     InetSocketAddress address = (InetSocketAddress) listeners.get(0).getLocalAddress();
-    return (encrypted ? "https://" : "http://")
-        + AddressGroup.remote(address.getAddress(), address.getPort());
+    String place =
+        address.getAddress().isAnyLocalAddress()
+            ? "localhost:" + address.getPort()
+            : AddressGroup.remote(address.getAddress(), address.getPort());
+    return (encrypted ? "https://" : "http://") + place;
   }
 
   /** Runs a task again and again, on the thread that reads and writes sockets. */
