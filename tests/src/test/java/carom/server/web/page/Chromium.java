@@ -36,6 +36,7 @@ public final class Chromium implements AutoCloseable {
       List.of("chromium", "chromium-browser", "google-chrome", "chrome");
   private static final Pattern LISTENING = Pattern.compile("DevTools listening on ws://([^/]+)/");
   private static final Pattern ANSWER = Pattern.compile("\\{\"id\":(\\d+)");
+  private static final Pattern LINE_BREAK = Pattern.compile("(?<!\\\\)((?:\\\\\\\\)*)\\\\[nrt]");
   private static final String DATA = "\"data\":\"";
   private static final long ANSWER_S = 60;
 
@@ -160,7 +161,9 @@ public final class Chromium implements AutoCloseable {
   }
 
   private Json call(String method, String params) throws Exception {
-    Json message = Json.parse(ask(method, params).getBytes(StandardCharsets.UTF_8));
+    // Errors of the page have several lines; the reader of settings refuses texts of several lines.
+    String answer = LINE_BREAK.matcher(ask(method, params)).replaceAll("$1 ");
+    Json message = Json.parse(answer.getBytes(StandardCharsets.UTF_8));
     if (message.fields.containsKey("error")) {
       throw new IOException(method + ": " + string(message, "error", "message"));
     }
@@ -244,20 +247,23 @@ public final class Chromium implements AutoCloseable {
     return string(result, "result", "value");
   }
 
-  /** Waits until an expression of the page is true, at most 20 s. */
+  /** Waits until an expression of the page is true, at most 20 s. One that throws isn't yet. */
   public void await(String condition) throws Exception {
+    String asked =
+        "(() => { try { return Boolean(" + condition + "); } catch (e) { return e; } })()";
     long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
-    while (!evaluate("Boolean(" + condition + ")").equals("true")) {
+    for (String is; !(is = evaluate(asked)).equals("true"); Thread.sleep(50)) {
       if (System.nanoTime() > endNs) {
         throw new AssertionError(
             "never: "
                 + condition
+                + ", it is "
+                + is
                 + "; errors: "
                 + errors
                 + "; page: "
                 + evaluate("document.body.innerText.slice(0, 2000).replace(/\\s+/g, ' ')"));
       }
-      Thread.sleep(50);
     }
   }
 
