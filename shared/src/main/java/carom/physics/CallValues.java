@@ -4,7 +4,6 @@ import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.MassData;
 import carom.physics.rows.JointDefRow;
-import carom.physics.settings.MixingRule;
 
 /**
  * Passes the arguments of calls that are objects through an archive: definitions, values of edits,
@@ -124,20 +123,6 @@ final class CallValues {
 
   /** Passes all constants of a world. When reading, the given ones are ignored. */
   static WorldDef passDef(Archive a, WorldDef given) {
-    WorldDef d = a.reads() ? new WorldDef() : given;
-    int integrators = Integrator.values().length;
-    int substeps = a.integer("substeps", d.substeps(), 1, Integer.MAX_VALUE);
-    float speculative = a.number("speculative distance", d.speculativeDistance(), 0, MOST);
-    int integrator = a.integer("integrator", d.integrator().ordinal(), 0, integrators - 1);
-    MixingRule[] rules = MixingRule.values();
-    int friction = a.integer("friction mixing", d.frictionMixing().ordinal(), 0, rules.length - 1);
-    int restitution =
-        a.integer("restitution mixing", d.restitutionMixing().ordinal(), 0, rules.length - 1);
-    return d.withSubsteps(substeps)
-        .withFrictionMixing(rules[friction])
-        .withRestitutionMixing(rules[restitution])
-        .withSpeculativeDistance(speculative)
-        .withIntegrator(Integrator.values()[integrator])
-        .passChangeable(a);
+    return (a.reads() ? new WorldDef() : given).passed(a, true).passed(a, false);
   }
 }

@@ -141,7 +141,7 @@ public final class WorldState {
     long constants = a.bits("constants of the world", first.hash());
     a.require(constants == first.hash(), "the world was made with another WorldDef than this one");
     if (a.flag("constants were changed", def != first)) {
-      WorldDef passed = (a.reads() ? first : def).passChangeable(a);
+      WorldDef passed = (a.reads() ? first : def).passed(a, false);
       def = a.reads() ? passed : def;
     }
     dynamics.passSlots(a);

@@ -60,7 +60,7 @@ final class ArchitectureTest {
         "carom.physics.broadphase.index",
         "carom.physics.broadphase.kd");
     allow("carom.physics.simd");
-    allow("carom.physics.settings");
+    allow("carom.physics.settings", "carom.physics.math", "carom.physics.archive");
     allow("carom.physics.profile");
     // The one layout of exact rows: the physics, the simulation and what carries rows over the wire
     // see it, and it sees none of them.

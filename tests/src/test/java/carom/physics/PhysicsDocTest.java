@@ -2,8 +2,7 @@ package carom.physics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import carom.physics.settings.Settings;
-import java.lang.reflect.Field;
+import carom.physics.settings.Constant;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,8 +15,8 @@ class PhysicsDocTest {
   void constantsAreThoseOfTheCode() throws Exception {
     List<String> expected = new ArrayList<>();
     WorldDef def = new WorldDef();
-    for (Field field : Settings.class.getDeclaredFields()) {
-      String name = field.getName().replace("explicitEuler", "integrator");
+    for (Constant constant : Constant.values()) {
+      String name = constant.label();
       String value = String.valueOf(WorldDef.class.getMethod(name).invoke(def));
       expected.add(name + " = " + (value.endsWith(".0") ? value.replace(".0", "") : value));
     }
