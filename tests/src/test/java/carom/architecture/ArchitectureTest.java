@@ -312,7 +312,12 @@ final class ArchitectureTest {
     game("platformer");
     game("rockets");
     allow("carom.net.codec", "carom.physics.simd");
-    allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
+    allow("carom.net.snapshot.ledger", "carom.net.codec");
+    allow(
+        "carom.net.snapshot.event",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.ledger");
     allow(
         "carom.net.snapshot.frame",
         "carom.net.codec",
@@ -333,18 +338,21 @@ final class ArchitectureTest {
         "carom.net.codec",
         "carom.net.protocol",
         "carom.net.snapshot.frame",
+        "carom.net.snapshot.ledger",
         "carom.net.snapshot.relay",
         "carom.physics.rows"); // codes rows field by field, and sees no world
     allow(
         "carom.net.snapshot.table",
         "carom.net.codec",
         "carom.net.snapshot.frame",
+        "carom.net.snapshot.ledger",
         "carom.physics.rows"); // what a joint was made with
     allow(
         "carom.net.snapshot.selection",
         "carom.net.codec",
         "carom.net.protocol",
         "carom.net.snapshot.frame",
+        "carom.net.snapshot.ledger",
         "carom.net.snapshot.record");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows", "carom.text");

@@ -37,9 +37,6 @@ final class ExactUpdate {
   /** An update that takes longer is given up: the client forgets the base's tick, ticks. */
   private static final int MAX_AGE = 60;
 
-  /** The line counts as one that loses datagrams for this long after a loss, ticks. */
-  private static final int LOSSY_TICKS = 600;
-
   private final Simulation simulation;
   private final InterferenceLog interference;
   private final UpdateRows rows;
@@ -60,7 +57,7 @@ final class ExactUpdate {
   /** True if the last update was given up before all of it arrived. */
   private boolean givenUp;
 
-  private int lossTick = -LOSSY_TICKS;
+  private boolean lossy;
   private int sentTick = -1;
 
   ExactUpdate(Simulation simulation, int viewer) {
@@ -191,7 +188,7 @@ final class ExactUpdate {
 
   /** Returns whether the line has lost datagrams lately. */
   boolean isLossy() {
-    return simulation.tick() - lossTick < LOSSY_TICKS;
+    return lossy;
   }
 
   /**
@@ -222,9 +219,7 @@ final class ExactUpdate {
    * @return whether the last part of the update has arrived, which ends it
    */
   boolean acknowledge(SnapshotEncoder encoder) {
-    if (encoder.hasLost()) {
-      lossTick = simulation.tick();
-    }
+    lossy = encoder.ledger().isLossy(simulation.tick());
     delivery.acknowledgeEarlier(encoder);
     boolean arrived = underWay && delivery.acknowledge(encoder);
     underWay &= !arrived;

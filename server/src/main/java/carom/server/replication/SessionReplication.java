@@ -327,8 +327,8 @@ public final class SessionReplication {
         : new LinkFigures(
             sender.roundTripMs(),
             sender.bytesSent(),
-            sender.datagramsSettled(),
-            sender.encoder().ackedDatagrams(),
+            sender.encoder().ledger().settledDatagrams(),
+            sender.encoder().ledger().ackedDatagrams(),
             predictedTicks,
             mispredictions);
   }

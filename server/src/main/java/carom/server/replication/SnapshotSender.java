@@ -1,6 +1,5 @@
 package carom.server.replication;
 
-import carom.net.codec.Sequence;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.SnapshotEncoder;
@@ -8,6 +7,7 @@ import carom.net.snapshot.event.EventRing;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.ledger.DatagramLedger;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -62,6 +62,7 @@ public final class SnapshotSender {
   private final SessionView view;
   private final FieldAudience audience;
   private final SnapshotEncoder encoder;
+  private final DatagramLedger ledger;
   private final Counters counters;
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
   private final int tickRateHz;
@@ -84,8 +85,6 @@ public final class SnapshotSender {
   private int answerTicks;
 
   private boolean due;
-  private long datagramsSent;
-  private long datagramsSettled;
   private long bytesSent;
 
   /** Smoothed ticks from sending a snapshot to its acknowledgement; negative before the first. */
@@ -112,6 +111,7 @@ public final class SnapshotSender {
     this.audience = new FieldAudience(capture, new JointAudience(capture, view), player);
     this.encoder = new SnapshotEncoder(capture.deltas(), epoch, view, capture.tables(), audience);
     audience.of(encoder);
+    this.ledger = encoder.ledger();
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);
@@ -166,20 +166,12 @@ public final class SnapshotSender {
     }
     ticksSinceHeard = 0;
     encoder.receiveAck(ackSequence, ackBits);
-    settle(ackSequence);
-    int delay = encoder.ackDelayTicks();
+    int delay = ledger.ackDelayTicks();
     if (delay >= 0) {
       pace.acked(delay);
       float smooth = roundTripTicks + ROUND_TRIP_WEIGHT * (delay - roundTripTicks);
       roundTripTicks = roundTripTicks < 0 ? delay : smooth;
     }
-  }
-
-  /** Notes how many datagrams have arrived or were overtaken by one that has. */
-  private void settle(int ackSequence) {
-    // Numbers begin at 0; what was never sent counts as the newest one.
-    long newest = Sequence.expand(ackSequence, (int) datagramsSent) + 1L;
-    datagramsSettled = Math.max(datagramsSettled, Math.min(datagramsSent, newest));
   }
 
   /** Takes over what the client says it shows; see {@link SessionView#look}. */
@@ -210,7 +202,7 @@ public final class SnapshotSender {
     }
     bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
     pace.tick(
-        encoder.ackedBytes() + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES * encoder.ackedDatagrams());
+        ledger.ackedBytes() + ProtocolLimits.DATAGRAM_OVERHEAD_BYTES * ledger.ackedDatagrams());
   }
 
   /**
@@ -322,7 +314,6 @@ public final class SnapshotSender {
       counters.add(Counter.SNAPSHOT_BYTES, length);
       datagrams++;
       bytes += length;
-      datagramsSent++;
       bytesSent += length;
     }
     shareOut(bytes - encoder.aheadBytes());
@@ -345,11 +336,6 @@ public final class SnapshotSender {
   /** Returns the payload bytes sent over the link. */
   public long bytesSent() {
     return bytesSent;
-  }
-
-  /** Returns how many datagrams have arrived or were overtaken by one that has. */
-  public long datagramsSettled() {
-    return datagramsSettled;
   }
 
   /** Returns the estimated capacity of the client's line, bytes per second, headers included. */

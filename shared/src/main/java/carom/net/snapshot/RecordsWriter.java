@@ -5,7 +5,6 @@ import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.QuantizedPose;
 import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.record.RecordCodec;
-import carom.net.snapshot.record.SentLog;
 import carom.net.snapshot.selection.BaselineReason;
 import carom.net.snapshot.selection.ClientKnowledge;
 import carom.net.snapshot.selection.Selection;
@@ -35,7 +34,6 @@ final class RecordsWriter {
   private final Deltas deltas;
   private final Selection selection;
   private final ClientKnowledge client;
-  private final SentLog sent;
   private final RangeEncoder range;
   private final RecordCodec records = new RecordCodec();
   private final QuantizedPose actual = new QuantizedPose();
@@ -50,16 +48,10 @@ final class RecordsWriter {
    *
    * @param range what it writes into
    */
-  RecordsWriter(
-      Deltas deltas,
-      Selection selection,
-      ClientKnowledge client,
-      SentLog sent,
-      RangeEncoder range) {
+  RecordsWriter(Deltas deltas, Selection selection, ClientKnowledge client, RangeEncoder range) {
     this.deltas = deltas;
     this.selection = selection;
     this.client = client;
-    this.sent = sent;
     this.range = range;
   }
 
@@ -92,7 +84,6 @@ final class RecordsWriter {
       int after = range.bits();
       if (fits(after)) {
         written++;
-        sent.add(slot >> 6, 1L << slot);
         selection.wroteSingle(slot, frame.tick(), after - before);
       } else {
         passOver();
@@ -144,7 +135,6 @@ final class RecordsWriter {
       return false;
     }
     written += Long.bitCount(slots);
-    sent.add(word, slots);
     selection.wroteRun(word, slots, frame.tick(), after - before);
     return true;
   }

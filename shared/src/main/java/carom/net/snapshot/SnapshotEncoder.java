@@ -9,9 +9,9 @@ import carom.net.snapshot.exact.OwnAcks;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.ledger.DatagramLedger;
 import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.record.RecordSizes;
-import carom.net.snapshot.record.SentLog;
 import carom.net.snapshot.selection.BaselineReason;
 import carom.net.snapshot.selection.ClientKnowledge;
 import carom.net.snapshot.selection.Interest;
@@ -38,9 +38,6 @@ import java.util.function.LongConsumer;
  * <p>One thread, no allocation in the steady state.
  */
 public final class SnapshotEncoder {
-  /** Number of younger datagrams that may overtake one before it counts as lost. */
-  private static final int OVERTAKING = 3;
-
   /** Size of the largest datagram, and of the array for {@link #next}, bytes. */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
@@ -61,7 +58,7 @@ public final class SnapshotEncoder {
   private final RangeEncoder range = new RangeEncoder();
   private final NearRowCodec nearRows = new NearRowCodec();
   private final DatagramHead head = new DatagramHead();
-  private final SentLog sent = new SentLog();
+  private final DatagramLedger ledger = new DatagramLedger();
   private final BitWriter writer = new BitWriter();
 
   private final ClientKnowledge client;
@@ -72,7 +69,6 @@ public final class SnapshotEncoder {
   private final TableOutbox tables;
 
   private final InputFeedback feedback = new InputFeedback();
-  private boolean hasLost;
 
   private boolean sendOwn;
   private boolean news;
@@ -87,9 +83,6 @@ public final class SnapshotEncoder {
   private int aheadBytes;
   private int nearBytes;
 
-  private int ackDelayTicks = -1;
-  private long ackedBytes;
-  private long ackedDatagrams;
   private int beganTick = -1;
 
   /**
@@ -115,13 +108,13 @@ public final class SnapshotEncoder {
   public SnapshotEncoder(
       Deltas deltas, int epoch, Interest interest, Tables tables, RowAudience audience) {
     ring = deltas.ring();
-    events = new EventOutbox(ring.events(), SentLog.SIZE);
-    this.tables = new TableOutbox(tables, audience, SentLog.SIZE);
+    events = new EventOutbox(ring.events(), ledger);
+    this.tables = new TableOutbox(tables, audience, ledger);
     RecordSizes sizes = new RecordSizes();
-    client = new ClientKnowledge(ring, interest, sizes, deltas.bestStride());
+    client = new ClientKnowledge(ring, ledger, interest, sizes, deltas.bestStride());
     selection = new Selection(ring, interest, sizes, client);
-    records = new RecordsWriter(deltas, selection, client, sent, range);
-    own = new OwnAcks(ring);
+    records = new RecordsWriter(deltas, selection, client, range);
+    own = new OwnAcks(ring, ledger);
     mark = DatagramMark.ofState(epoch);
   }
 
@@ -133,8 +126,7 @@ public final class SnapshotEncoder {
     client.reset();
     selection.reset();
     own.reset();
-    hasLost = false;
-    sent.forget();
+    ledger.forget();
     events.clear();
     tables.reset();
   }
@@ -188,39 +180,7 @@ public final class SnapshotEncoder {
    * @param ackBits bit i = datagram {@code ackSequence - 1 - i} was received
    */
   public void receiveAck(int ackSequence, long ackBits) {
-    ackDelayTicks = -1;
-    take(ackSequence, 0);
-    for (long bits = ackBits; bits != 0; bits &= bits - 1) {
-      take(ackSequence, Long.numberOfTrailingZeros(bits) + 1);
-    }
-    if (ackDelayTicks >= 0) {
-      events.ackTook(ackDelayTicks);
-      tables.ackTook(ackDelayTicks);
-    }
-    // What came before the client could read it doesn't count.
-    hasLost = ackedDatagrams >= 2 * Long.SIZE && ~ackBits >>> OVERTAKING != 0;
-  }
-
-  private void take(int sequence, int before) {
-    int at = sent.take(sequence, before);
-    if (at < 0) {
-      return;
-    }
-    int tick = sent.tickAt(at);
-    ackedBytes += sent.bytesAt(at);
-    ackedDatagrams++;
-    if (sent.newsAt(at)) { // others the client acks when it happens to write
-      int delay = ring.newest().tick() - tick;
-      ackDelayTicks = ackDelayTicks < 0 ? delay : Math.min(ackDelayTicks, delay);
-    }
-    for (int i = 0; i < sent.countAt(at); i++) {
-      client.ack(sent.wordAt(at, i), sent.slotsAt(at, i), tick);
-    }
-    events.ack(at);
-    tables.ack(at, tick);
-    if (sent.ownAt(at)) {
-      own.ack(tick);
-    }
+    ledger.receive(ackSequence, ackBits, ring.newest() == null ? 0 : ring.newest().tick());
   }
 
   /** Makes the slot's next record absolute, whatever was acked. */
@@ -308,7 +268,7 @@ public final class SnapshotEncoder {
     boolean withOwn = first && sendOwn;
     BitWriter w = writer;
     w.reset(out, 0, MAX_DATAGRAM_BYTES);
-    writeHeader(w, sent.begin(frame.tick(), withOwn, news), withOwn);
+    writeHeader(w, ledger.begin(frame.tick(), news), withOwn);
     int header = w.bytes();
     int room = 8 * (Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - header);
     range.reset(out, header, MAX_DATAGRAM_BYTES - header);
@@ -321,7 +281,7 @@ public final class SnapshotEncoder {
     headerBytes = first ? header + rowBytes : headerBytes;
     records.write(frame, room - RecordsWriter.END_BITS);
     int length = header + range.finish();
-    sent.end(length);
+    ledger.end(length);
     budget -= length;
     first = false;
     return length;
@@ -345,8 +305,8 @@ public final class SnapshotEncoder {
       nearBytes = own.write(w, head.ownAge);
     }
     int share = Math.min(budget, MAX_DATAGRAM_BYTES) * Byte.SIZE / SHARE;
-    events.write(w, frame.tick(), sequence, share);
-    tables.write(w, frame.tick(), sequence, share);
+    events.write(w, frame.tick(), share);
+    tables.write(w, frame.tick(), share);
   }
 
   /**
@@ -454,14 +414,6 @@ public final class SnapshotEncoder {
     return news;
   }
 
-  /**
-   * Returns the ticks from sending to ack of the quickest datagram with news that the last {@link
-   * #receiveAck} was the first to ack, or -1 when it acked none.
-   */
-  public int ackDelayTicks() {
-    return ackDelayTicks;
-  }
-
   /** Returns the newest tick of which the client has acked the own section, or -1. */
   public int ownAckedTick() {
     return own.ackedTick();
@@ -472,26 +424,13 @@ public final class SnapshotEncoder {
     return own.hasAcked(tick);
   }
 
-  /**
-   * Returns whether the client's last acks show a lost datagram among the last {@value Long#SIZE}.
-   * The newest ones may yet arrive and don't count.
-   */
-  public boolean hasLost() {
-    return hasLost;
-  }
-
-  /** Returns the payload bytes of all datagrams acked. */
-  public long ackedBytes() {
-    return ackedBytes;
-  }
-
-  /** Returns the number of datagrams acked. */
-  public long ackedDatagrams() {
-    return ackedDatagrams;
+  /** Returns the ledger of the datagrams written, with figures of the line. For reading only. */
+  public DatagramLedger ledger() {
+    return ledger;
   }
 
   /** Returns the sequence number of the last datagram written, 16 bits. */
   public int sequence() {
-    return sent.sequence();
+    return ledger.sequence();
   }
 }

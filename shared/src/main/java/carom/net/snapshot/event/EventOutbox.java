@@ -1,13 +1,14 @@
 package carom.net.snapshot.event;
 
 import carom.net.codec.BitWriter;
-import java.util.Arrays;
+import carom.net.snapshot.ledger.DatagramLedger;
+import carom.net.snapshot.ledger.Resend;
 import java.util.function.LongConsumer;
 
 /**
  * Sends events to one client, reliably and in order over datagrams that get lost. Each event gets
- * the session's next sequence number. It is written into two snapshots in a row, and again whenever
- * an ack should have come, until a datagram that held it is acked.
+ * the session's next sequence number. It is sent as {@link #RESEND} says, until a datagram that
+ * held it is acknowledged.
  *
  * <p>At most {@value #CAPACITY} events wait, of which the oldest {@value #WINDOW} are sent. The
  * outbox drops the oldest beyond that, and those that have left the {@link EventRing}, and counts
@@ -15,26 +16,19 @@ import java.util.function.LongConsumer;
  *
  * <p>One thread; allocates only until as many events have waited at once as ever will.
  */
-public final class EventOutbox {
+public final class EventOutbox implements DatagramLedger.Section {
   /** Number of events that may wait for their ack. */
   static final int CAPACITY = 512;
 
   private static final int WINDOW = EventCodec.WINDOW;
 
-  /** Number of bits that events may take of a datagram. */
-  private static final int MAX_BITS = 2_400;
+  /** An event goes out twice, so that a single loss costs no round trip. */
+  private static final Resend RESEND = new Resend(2, 2, Resend.Again.WHEN_OVERDUE);
 
-  /** Number of snapshots in a row that hold a new event, before its ack is waited for. */
-  private static final int QUICK_SENDS = 2;
-
-  /** Time beyond the quickest ack that an ack is waited for, ticks. */
-  private static final int PATIENCE = 3;
-
-  private static final int MAX_WAIT = 60;
   private static final int FIRST_ROOM = 16;
 
   private final EventRing ring;
-  private final int datagrams;
+  private final DatagramLedger ledger;
   private final EventCodec codec = new EventCodec();
 
   // By the lowest bits of the event's number here: a ring that grows.
@@ -44,28 +38,23 @@ public final class EventOutbox {
   private int[] sends = {};
   private boolean[] acked = {};
 
-  // By datagram: which events it had. Nothing before the first event.
-  private long[] sentBase = {};
-  private long[] sentSet = {};
-
   private long base;
 
   /** The first event that happened in the tick of the one before {@link #base}. */
   private long kept;
 
   private long next;
-  private int waitTicks = MAX_WAIT / 2;
   private long lost;
 
   /**
    * Creates an empty outbox.
    *
    * @param ring the room's events
-   * @param datagrams how many are remembered until their ack comes, a power of two
+   * @param ledger of the datagrams that events are written into
    */
-  public EventOutbox(EventRing ring, int datagrams) {
+  public EventOutbox(EventRing ring, DatagramLedger ledger) {
     this.ring = ring;
-    this.datagrams = datagrams;
+    this.ledger = ledger;
   }
 
   /** Adds an event of the ring to those that are sent. */
@@ -85,8 +74,7 @@ public final class EventOutbox {
   }
 
   private void grow() {
-    int size = numbers.length;
-    int roomy = Math.max(FIRST_ROOM, 2 * size);
+    int roomy = Math.max(FIRST_ROOM, 2 * numbers.length);
     long[] roomyNumbers = new long[roomy];
     int[] roomyTicks = new int[roomy];
     int[] roomySentTick = new int[roomy];
@@ -105,10 +93,6 @@ public final class EventOutbox {
     sentTick = roomySentTick;
     sends = roomySends;
     acked = roomyAcked;
-    if (size == 0) {
-      sentBase = new long[datagrams];
-      sentSet = new long[datagrams];
-    }
   }
 
   /**
@@ -179,30 +163,22 @@ public final class EventOutbox {
   }
 
   private boolean isDue(int at, int tick) {
-    return !acked[at]
-        && (sends[at] == 0
-            || (sends[at] < QUICK_SENDS && tick > sentTick[at])
-            || tick - sentTick[at] >= waitTicks);
+    return !acked[at] && ledger.isDue(RESEND, sends[at], sentTick[at], tick);
   }
 
   /**
-   * Writes the event section of a datagram.
+   * Writes the event section of the datagram begun last.
    *
    * @param tick the datagram's
-   * @param datagram its sequence number
    * @param budgetBits for the events; one is written anyway if it fits the writer
    */
-  public void write(BitWriter w, int tick, int datagram, int budgetBits) {
+  public void write(BitWriter w, int tick, int budgetBits) {
     forgetLost();
-    if (sentBase.length > 0) {
-      sentBase[datagram & datagrams - 1] = base;
-      sentSet[datagram & datagrams - 1] = 0;
-    }
     codec.begin(w, tick, (int) base, waiting());
     if (!hasUnacked()) {
       return;
     }
-    int room = Math.min(Math.min(budgetBits, MAX_BITS), w.room() - EventCodec.END_BITS);
+    int room = Math.min(budgetBits, w.room() - EventCodec.END_BITS);
     int begin = w.bits();
     long set = 0;
     for (long i = base; i < Math.min(next, base + WINDOW); i++) {
@@ -221,7 +197,9 @@ public final class EventOutbox {
       sentTick[at] = tick;
     }
     codec.next(w, false, 0, null);
-    sentSet[datagram & datagrams - 1] = set;
+    if (set != 0) {
+      ledger.append(this, (int) base, set);
+    }
   }
 
   /** Drops the oldest events that are acked, or that the ring no longer holds. */
@@ -232,13 +210,10 @@ public final class EventOutbox {
     }
   }
 
-  /** Takes the ack of a datagram. */
-  public void ack(int datagram) {
-    if (sentBase.length == 0) {
-      return;
-    }
-    long from = sentBase[datagram & datagrams - 1];
-    for (long set = sentSet[datagram & datagrams - 1]; set != 0; set &= set - 1) {
+  @Override
+  public void acknowledged(int tick, int sentBase, long sent) {
+    long from = base + (sentBase - (int) base);
+    for (long set = sent; set != 0; set &= set - 1) {
       long i = from + Long.numberOfTrailingZeros(set);
       if (i >= base && i < next) {
         acked[at(i)] = true;
@@ -247,17 +222,11 @@ public final class EventOutbox {
     forgetLost();
   }
 
-  /** Takes how long the quickest ack took, ticks. */
-  public void ackTook(int ticks) {
-    waitTicks = Math.max(PATIENCE, Math.min(MAX_WAIT, ticks + PATIENCE));
-  }
-
   /** Forgets everything: the client begins anew. */
   public void clear() {
     base = 0;
     kept = 0;
     next = 0;
-    Arrays.fill(sentSet, 0);
   }
 
   /** Returns the number of events that were dropped. */

@@ -4,6 +4,7 @@ import carom.net.codec.BitWriter;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.PlayerSet;
+import carom.net.snapshot.ledger.DatagramLedger;
 import carom.net.snapshot.relay.RelayCodec;
 import java.util.Arrays;
 
@@ -11,10 +12,11 @@ import java.util.Arrays;
  * The own sections that were sent to one client, and the newest one that it has acked. The acked
  * one is the baseline of the next. One thread, no allocation in the steady state.
  */
-public final class OwnAcks {
+public final class OwnAcks implements DatagramLedger.Section {
   private static final int MASK = FrameRing.SIZE - 1;
 
   private final FrameRing ring;
+  private final DatagramLedger ledger;
   private final RelayCodec relay = new RelayCodec();
   private final OwnState[] sent = new OwnState[FrameRing.SIZE];
   private final OwnState now = new OwnState();
@@ -29,9 +31,11 @@ public final class OwnAcks {
    * Creates a history without acks.
    *
    * @param ring the room's frames
+   * @param ledger of the datagrams that own sections are written into
    */
-  public OwnAcks(FrameRing ring) {
+  public OwnAcks(FrameRing ring, DatagramLedger ledger) {
     this.ring = ring;
+    this.ledger = ledger;
     for (int i = 0; i < sent.length; i++) {
       sent[i] = new OwnState();
     }
@@ -44,8 +48,8 @@ public final class OwnAcks {
     Arrays.fill(ackedTicks, -1);
   }
 
-  /** Records the ack of a datagram that held the own section of a tick. */
-  public void ack(int tick) {
+  @Override
+  public void acknowledged(int tick, int key, long bits) {
     ackedTicks[tick & MASK] = tick;
     if (tick > ackedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
       acked.setBaseline(sent[tick & MASK]);
@@ -115,6 +119,7 @@ public final class OwnAcks {
    * @return bytes of the near section, rounded
    */
   public int write(BitWriter w, int age) {
+    ledger.append(this, 0, 0);
     nothing.setWords(now.words());
     OwnState baseline = age > 0 ? acked : nothing;
     OwnCodec.code(w, baseline, now);

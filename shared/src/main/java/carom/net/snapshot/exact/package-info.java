@@ -3,8 +3,8 @@
  * that the client can't compute, bit for bit.
  *
  * <p>May import {@code carom.net.codec}, {@code carom.net.protocol}, {@code snapshot.frame}, {@code
- * snapshot.relay}, and {@code carom.physics.rows} for what a row holds. Read first: {@link
- * carom.net.snapshot.exact.OwnState}, {@link carom.net.snapshot.exact.NearState}, {@link
- * carom.net.snapshot.exact.NearRowCodec}.
+ * snapshot.ledger}, {@code snapshot.relay}, and {@code carom.physics.rows} for what a row holds.
+ * Read first: {@link carom.net.snapshot.exact.OwnState}, {@link
+ * carom.net.snapshot.exact.NearState}, {@link carom.net.snapshot.exact.NearRowCodec}.
  */
 package carom.net.snapshot.exact;

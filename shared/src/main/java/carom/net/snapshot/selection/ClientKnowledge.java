@@ -4,6 +4,7 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.SlotSet;
 import carom.net.snapshot.frame.SlotTicks;
+import carom.net.snapshot.ledger.DatagramLedger;
 import carom.net.snapshot.record.HeldTicks;
 import carom.net.snapshot.record.RecordSizes;
 import java.util.Arrays;
@@ -24,11 +25,12 @@ import java.util.Arrays;
  *
  * <p>One thread, no allocation in the steady state.
  */
-public final class ClientKnowledge {
+public final class ClientKnowledge implements DatagramLedger.Section {
   private static final int MIN_LENGTH = 64;
   private static final int UNKNOWN = -1;
 
   private final FrameRing ring;
+  private final DatagramLedger ledger;
   private final Interest interest;
   private final RecordSizes sizes;
   private final SlotSet inSight = new SlotSet();
@@ -70,12 +72,15 @@ public final class ClientKnowledge {
    * Creates the knowledge of a client that knows nothing yet.
    *
    * @param ring the room's frames
+   * @param ledger of the datagrams that records are written into
    * @param interest what the client looks at
    * @param sizes estimates of records' sizes
    * @param bestStride stride of baselines to try first, ticks
    */
-  public ClientKnowledge(FrameRing ring, Interest interest, RecordSizes sizes, int bestStride) {
+  public ClientKnowledge(
+      FrameRing ring, DatagramLedger ledger, Interest interest, RecordSizes sizes, int bestStride) {
     this.ring = ring;
+    this.ledger = ledger;
     this.interest = interest;
     this.sizes = sizes;
     heldTicks = new HeldTicks(ring, acked, bestStride);
@@ -142,8 +147,8 @@ public final class ClientKnowledge {
 
   // ---- what was sent, and what has arrived
 
-  /** Takes an ack: the client has received what was written of some slots of a word at a tick. */
-  public void ack(int word, long slots, int tick) {
+  @Override
+  public void acknowledged(int tick, int word, long slots) {
     long meant = slots;
     if (tick < newestSightTick[word]) {
       for (long rest = slots; rest != 0; rest &= rest - 1) {
@@ -181,8 +186,9 @@ public final class ClientKnowledge {
     return rest;
   }
 
-  /** Notes that records of some slots of a word were written at a tick. */
+  /** Notes that the datagram begun last holds records of some slots of a word at a tick. */
   void wrote(int word, long slots, int tick) {
+    ledger.append(this, word, slots);
     mayShow.addWord(word, slots);
     lastSent.raise(word, slots, tick);
     forced.removeWord(word, slots);

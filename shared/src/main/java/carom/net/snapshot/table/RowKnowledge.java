@@ -1,6 +1,8 @@
 package carom.net.snapshot.table;
 
 import carom.net.snapshot.frame.SlotSet;
+import carom.net.snapshot.ledger.DatagramLedger;
+import carom.net.snapshot.ledger.Resend;
 import java.util.Arrays;
 
 /**
@@ -12,9 +14,18 @@ import java.util.Arrays;
 final class RowKnowledge {
   private static final int NEVER = -1;
 
+  /**
+   * How a row is sent that prediction depends on, so that each datagram tells the present state.
+   */
+  private static final Resend URGENT = new Resend(1, 1, Resend.Again.EACH_SNAPSHOT);
+
+  private static final Resend RESEND = new Resend(1, 1, Resend.Again.WHEN_OVERDUE);
+
   private final Table table;
   private final int place;
   private final RowAudience audience;
+  private final DatagramLedger ledger;
+  private final Resend resend;
 
   /** Keys of which the client has everything it may know, unless they changed since. */
   private final SlotSet known = new SlotSet();
@@ -39,10 +50,12 @@ final class RowKnowledge {
   private int unacked;
   private int cursor;
 
-  RowKnowledge(Table table, int place, RowAudience audience) {
+  RowKnowledge(Table table, int place, RowAudience audience, DatagramLedger ledger) {
     this.table = table;
     this.place = place;
     this.audience = audience;
+    this.ledger = ledger;
+    resend = table.layout().isUrgent() ? URGENT : RESEND;
   }
 
   /** Forgets everything: the client knows nothing but the start. */
@@ -87,9 +100,8 @@ final class RowKnowledge {
    * Finds out which rows are due.
    *
    * @param tick the tick of the table's state
-   * @param waitTicks how long a row that was sent is waited for before it is sent again
    */
-  void look(int tick, int waitTicks) {
+  void look(int tick) {
     ensure(table.room());
     due.clear();
     unacked = 0;
@@ -104,7 +116,7 @@ final class RowKnowledge {
       long inSight = audience.inSight(place, block, some);
       known.removeWord(block, some & ~inSight); // when it comes back, its audience may be another
       for (long rest = inSight & ~known.word(block); rest != 0; rest &= rest - 1) {
-        look((block << 6) + Long.numberOfTrailingZeros(rest), tick, waitTicks);
+        look((block << 6) + Long.numberOfTrailingZeros(rest), tick);
       }
     }
     lookedTick = tick;
@@ -119,7 +131,7 @@ final class RowKnowledge {
     }
   }
 
-  private void look(int key, int tick, int waitTicks) {
+  private void look(int key, int tick) {
     int as = audience.of(place, key);
     if (as == RowAudience.NOBODY || table.layout().known(key, as) == 0) {
       known.add(key);
@@ -140,8 +152,7 @@ final class RowKnowledge {
     }
     unacked++;
     boolean onItsWay = sentTick[key] >= Math.max(0, table.rowTick(key));
-    int wait = table.layout().isUrgent() ? 1 : waitTicks;
-    if (!onItsWay || tick - sentTick[key] >= wait) {
+    if (ledger.isDue(resend, onItsWay ? 1 : 0, sentTick[key], tick)) {
       due.add(key);
     }
   }

@@ -1,7 +1,7 @@
 package carom.net.snapshot.table;
 
 import carom.net.codec.BitWriter;
-import java.util.Arrays;
+import carom.net.snapshot.ledger.DatagramLedger;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 
@@ -15,20 +15,8 @@ import java.util.stream.IntStream;
  *
  * <p>One thread; allocates only to grow with the highest key.
  */
-public final class TableOutbox {
-  /** Rows that may be on their way; of more, the oldest count as lost. A power of two. */
-  private static final int LOG = 1 << 12;
-
-  private static final int MASK = LOG - 1;
+public final class TableOutbox implements DatagramLedger.Section {
   private static final int KEY_BITS = 16;
-
-  /** Bits that rows may take of a datagram, unless the first one is longer. */
-  private static final int MAX_BITS = 2_400;
-
-  /** Time beyond the quickest ack that an ack is waited for, ticks. */
-  private static final int PATIENCE = 3;
-
-  private static final int MAX_WAIT = 60;
 
   private final Tables tables;
   private final RowKnowledge[] known;
@@ -37,33 +25,25 @@ public final class TableOutbox {
   private final int[] order;
 
   private final TableCodec codec;
-
-  // By datagram: the rows that it had, as places in the log.
-  private final long[] start;
-  private final int[] count;
-
-  /** Table and key of each row that was sent; nothing before the first row. */
-  private int[] log = {};
-
-  private long written;
+  private final DatagramLedger ledger;
   private int tick = -1;
   private boolean stale = true;
   private int unacked;
-  private int waitTicks = MAX_WAIT / 2;
 
   /**
    * Creates the outbox of a client that knows nothing but the rows at the start.
    *
    * @param tables the room's tables
    * @param audience what this client may know of them
-   * @param datagrams how many are remembered until their ack comes, a power of two
+   * @param ledger of the datagrams that rows are written into
    */
-  public TableOutbox(Tables tables, RowAudience audience, int datagrams) {
+  public TableOutbox(Tables tables, RowAudience audience, DatagramLedger ledger) {
     this.tables = tables;
+    this.ledger = ledger;
     codec = new TableCodec(tables.layouts());
     known = new RowKnowledge[tables.count()];
     for (int i = 0; i < known.length; i++) {
-      known[i] = new RowKnowledge(tables.get(i), i, audience);
+      known[i] = new RowKnowledge(tables.get(i), i, audience, ledger);
     }
     order =
         IntStream.range(0, known.length)
@@ -71,8 +51,6 @@ public final class TableOutbox {
             .sorted(Comparator.comparing(i -> !tables.get(i).layout().isUrgent()))
             .mapToInt(i -> i)
             .toArray();
-    start = new long[datagrams];
-    count = new int[datagrams];
   }
 
   /** Forgets all acks: the client knows nothing but the start. */
@@ -80,7 +58,6 @@ public final class TableOutbox {
     for (RowKnowledge of : known) {
       of.reset();
     }
-    Arrays.fill(count, 0);
     stale = true;
   }
 
@@ -137,32 +114,29 @@ public final class TableOutbox {
     stale = false;
     unacked = 0;
     for (RowKnowledge of : known) {
-      of.look(now, waitTicks);
+      of.look(now);
       unacked += of.unacked();
     }
   }
 
   /**
-   * Writes the table section of a datagram.
+   * Writes the table section of the datagram begun last.
    *
    * @param now tick of the tables' state, the datagram's
-   * @param datagram its sequence number
    * @param budgetBits for the rows; one is written anyway if it fits the writer
    */
-  public void write(BitWriter w, int now, int datagram, int budgetBits) {
+  public void write(BitWriter w, int now, int budgetBits) {
     look(now);
-    int at = datagram & start.length - 1;
-    start[at] = written;
-    count[at] = 0;
-    int room = Math.min(Math.min(budgetBits, MAX_BITS), w.room() - TableCodec.END_BITS);
+    int room = Math.min(budgetBits, w.room() - TableCodec.END_BITS);
     int begin = w.bits();
+    boolean first = true;
     codec.begin();
     for (int table : order) {
       RowKnowledge of = known[table];
       for (int key; (key = of.nextDue()) >= 0; ) {
         of.describe(key, now, codec);
         int most = codec.mostBits(table);
-        boolean first = count[at] == 0 && most + TableCodec.END_BITS <= w.room();
+        first &= most + TableCodec.END_BITS <= w.room();
         if (!first && w.bits() - begin + most > room) {
           codec.next(w, false, 0);
           return;
@@ -170,7 +144,8 @@ public final class TableOutbox {
         codec.next(w, true, table);
         writeWords(w, tables.get(table).rows(), key);
         of.wrote(key, now);
-        note(at, table, key);
+        ledger.append(this, table << KEY_BITS | key, 0);
+        first = false;
       }
     }
     codec.next(w, false, 0);
@@ -183,35 +158,9 @@ public final class TableOutbox {
     }
   }
 
-  private void note(int at, int table, int key) {
-    if (log.length == 0) {
-      log = new int[LOG];
-    }
-    log[(int) written++ & MASK] = table << KEY_BITS | key;
-    count[at]++;
-  }
-
-  /**
-   * Takes the ack of a datagram.
-   *
-   * @param datagram its sequence number
-   * @param datagramTick its tick
-   */
-  public void ack(int datagram, int datagramTick) {
-    int at = datagram & start.length - 1;
-    if (count[at] == 0 || written - start[at] > LOG) {
-      return;
-    }
-    for (long i = start[at]; i < start[at] + count[at]; i++) {
-      int row = log[(int) i & MASK];
-      known[row >>> KEY_BITS].ack(row & (1 << KEY_BITS) - 1, datagramTick);
-    }
-    count[at] = 0;
+  @Override
+  public void acknowledged(int datagramTick, int row, long bits) {
+    known[row >>> KEY_BITS].ack(row & (1 << KEY_BITS) - 1, datagramTick);
     stale = true;
-  }
-
-  /** Takes how long the quickest ack took, ticks. */
-  public void ackTook(int ticks) {
-    waitTicks = Math.max(PATIENCE, Math.min(MAX_WAIT, ticks + PATIENCE));
   }
 }

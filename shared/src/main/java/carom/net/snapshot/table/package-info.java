@@ -20,8 +20,9 @@
  * since the tick that the client acked. Rows are never queued: a lost one is healed by its newest
  * words.
  *
- * <p>Sees arrays, no world. May import {@code carom.net.codec}, {@code snapshot.frame} and {@code
- * carom.physics.rows}. Read first: {@link carom.net.snapshot.table.TableLayout}, {@link
- * carom.net.snapshot.table.Table}, {@link carom.net.snapshot.table.TableOutbox}.
+ * <p>Sees arrays, no world. May import {@code carom.net.codec}, {@code snapshot.frame}, {@code
+ * snapshot.ledger} and {@code carom.physics.rows}. Read first: {@link
+ * carom.net.snapshot.table.TableLayout}, {@link carom.net.snapshot.table.Table}, {@link
+ * carom.net.snapshot.table.TableOutbox}.
  */
 package carom.net.snapshot.table;

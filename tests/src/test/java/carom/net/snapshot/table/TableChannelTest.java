@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
+import carom.net.snapshot.ledger.DatagramLedger;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -18,7 +19,6 @@ import org.junit.jupiter.api.Test;
  * time.
  */
 class TableChannelTest {
-  private static final int DATAGRAMS = 64;
   private static final int DELAY = 5;
   private static final int BUDGET_BITS = 400;
 
@@ -51,6 +51,7 @@ class TableChannelTest {
   private static final class Channel implements RowAudience {
     final Tables tables;
     final byte[][] classes;
+    final DatagramLedger ledger = new DatagramLedger();
     final TableOutbox outbox;
     final TableInbox inbox;
     final Random random;
@@ -72,7 +73,7 @@ class TableChannelTest {
         classes[i] = new byte[layouts[i].keys()];
         Arrays.fill(classes[i], (byte) 1);
       }
-      outbox = new TableOutbox(tables, this, DATAGRAMS);
+      outbox = new TableOutbox(tables, this, ledger);
       inbox = new TableInbox(layouts);
     }
 
@@ -102,7 +103,8 @@ class TableChannelTest {
         byte[] bytes = new byte[1_200];
         BitWriter w = new BitWriter();
         w.reset(bytes, 0, bytes.length);
-        outbox.write(w, tick, datagram, BUDGET_BITS);
+        ledger.begin(tick, false);
+        outbox.write(w, tick, BUDGET_BITS);
         assertFalse(w.overflow());
         bits += w.bits();
         sent++;
@@ -127,9 +129,7 @@ class TableChannelTest {
         }
       }
       for (Flight f : take(up, tick)) {
-        if (datagram - f.datagram < DATAGRAMS) {
-          outbox.ack(f.datagram, f.tick);
-        }
+        ledger.receive(f.datagram & 0xffff, 0, tick);
       }
     }
 

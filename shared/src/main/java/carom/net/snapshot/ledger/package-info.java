@@ -1,0 +1,18 @@
+/**
+ * The ledger of what one client was sent, and of what it got.
+ *
+ * <pre>
+ *   section ── append(what) ──► DatagramLedger ◄── receive(acknowledgements)
+ *           ◄─ acknowledged / lost, once for each thing appended ──┘
+ *
+ *   section                  appends for a datagram         sends again what has not arrived
+ *   records: ClientKnowledge 64 neighbouring slots          newest state, in each snapshot
+ *   own section: OwnAcks     that it is there               newest state, in each snapshot
+ *   events: EventOutbox      which events                   WHEN_OVERDUE, 2 copies at once
+ *   tables: TableOutbox      each row                       WHEN_OVERDUE; urgent EACH_SNAPSHOT
+ * </pre>
+ *
+ * <p>Imports nothing of Carom but {@code carom.net.codec}. Read first: {@link
+ * carom.net.snapshot.ledger.DatagramLedger}, {@link carom.net.snapshot.ledger.Resend}.
+ */
+package carom.net.snapshot.ledger;
