@@ -74,8 +74,8 @@ final class ScriptedServer {
       } else if (message instanceof ClientMessage.Ready) {
         ready = true;
         player = simulation.join(hello.name());
-        near = capture.predictedSet(player, e -> true);
         encoder = new SnapshotEncoder(ring, EPOCH, 60);
+        near = capture.predictedSet(player, encoder, e -> true);
       } else if (message instanceof ClientMessage.Leave) {
         closed = true;
       }
@@ -159,7 +159,6 @@ final class ScriptedServer {
     void snapshot() {
       capture.capture(player, e -> true, own);
       if (datagram.near != InputDatagram.NEAR_NONE) {
-        near.acknowledge(encoder);
         near.capture(player, false, disagreedTick, Integer.MAX_VALUE, own);
       }
       feedback.margin = Math.max(-32, Math.min(31, newestInput - simulation.tick()));

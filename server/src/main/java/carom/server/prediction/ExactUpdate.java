@@ -1,7 +1,10 @@
 package carom.server.prediction;
 
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.exact.UpdateDelivery;
+import carom.net.snapshot.ledger.DatagramLedger;
 import carom.sim.Simulation;
 import carom.sim.ruling.InterferenceLog;
 
@@ -22,25 +25,23 @@ import carom.sim.ruling.InterferenceLog;
  *                    └─────────────┘                 └────────────┘   │ last row sent
  *                      │         │                     │  part lost   │
  *     an entity of the │         │ older than          │ ┌────────────┴───┐
- *     list is gone     ▼         │ MAX_AGE ticks       └►│ RESENDING      │
+ *     list is gone     ▼         │ MOST_AGE ticks       └►│ RESENDING      │
  *                    NONE        ▼                       │ list may change│
  *                    NONE, half as many                  └────────────────┘
  *                    entities may be near
  *
- *   SENT, RESENDING: begin starts another update, which replaces this one. Older than MAX_AGE,
+ *   SENT, RESENDING: begin starts another update, which replaces this one. Older than MOST_AGE,
  *   SENT ends in NONE, and RESENDING as SENDING does.
  * </pre>
  *
  * <p>The room's thread; allocates only to grow.
  */
 final class ExactUpdate {
-  /** An update that takes longer is given up: the client forgets the base's tick, ticks. */
-  private static final int MAX_AGE = 60;
-
   private final Simulation simulation;
   private final InterferenceLog interference;
   private final UpdateRows rows;
-  private final UpdateDelivery delivery = new UpdateDelivery();
+  private final UpdateDelivery delivery;
+  private final DatagramLedger ledger;
 
   /** The list that this update, or the last one, belongs to. */
   private final KeyList members = new KeyList();
@@ -57,11 +58,10 @@ final class ExactUpdate {
   /** True if the last update was given up before all of it arrived. */
   private boolean givenUp;
 
-  private boolean lossy;
-  private int sentTick = -1;
-
-  ExactUpdate(Simulation simulation, int viewer) {
+  ExactUpdate(Simulation simulation, int viewer, SnapshotEncoder encoder) {
     rows = new UpdateRows(viewer);
+    delivery = encoder.updates();
+    ledger = encoder.ledger();
     this.simulation = simulation;
     interference = simulation.interference();
   }
@@ -96,7 +96,7 @@ final class ExactUpdate {
 
   /** Returns whether the update under way is too old to be of use. */
   boolean isTooOld() {
-    return underWay && simulation.tick() - baseTick > MAX_AGE;
+    return underWay && simulation.tick() - baseTick > NearState.MOST_AGE;
   }
 
   /**
@@ -109,7 +109,7 @@ final class ExactUpdate {
 
   /** Returns the tick at which the last update was sent as a whole, or -1. */
   int sentTick() {
-    return sentTick;
+    return delivery.sentTick();
   }
 
   /** Returns the number of rows that are still to be sent, lost ones included. */
@@ -125,10 +125,9 @@ final class ExactUpdate {
 
   /** Ends the update and forgets what the client knows. */
   void reset() {
-    delivery.skip();
+    delivery.clear();
     members.clear();
     known.clear();
-    delivery.forgetEarlier();
     underWay = false;
     givenUp = false;
   }
@@ -174,7 +173,7 @@ final class ExactUpdate {
 
   /** Returns whether a part of the last update may be lost: the next one should tell it again. */
   private boolean isDoubtful() {
-    return givenUp || (underWay && (isLossy() || delivery.isDue()));
+    return givenUp || (underWay && (ledger.isLossy(simulation.tick()) || delivery.isDue()));
   }
 
   private void noteUnconfirmed(boolean repeats) {
@@ -184,11 +183,6 @@ final class ExactUpdate {
         unconfirmed.add(members.get(rows.told(i)));
       }
     }
-  }
-
-  /** Returns whether the line has lost datagrams lately. */
-  boolean isLossy() {
-    return lossy;
   }
 
   /**
@@ -207,21 +201,14 @@ final class ExactUpdate {
 
   /** Notes that the snapshot prepared last was sent. */
   void sent() {
-    if (delivery.sent(simulation.tick(), isLossy())) {
-      sentTick = simulation.tick();
+    if (delivery.sentTick() == simulation.tick()) {
       known.set(members);
     }
   }
 
-  /**
-   * Takes over which snapshots have arrived and which are lost.
-   *
-   * @return whether the last part of the update has arrived, which ends it
-   */
-  boolean acknowledge(SnapshotEncoder encoder) {
-    lossy = encoder.ledger().isLossy(simulation.tick());
-    delivery.acknowledgeEarlier(encoder);
-    boolean arrived = underWay && delivery.acknowledge(encoder);
+  /** Ends the update if all of it has arrived; returns whether it did. */
+  boolean endIfArrived() {
+    boolean arrived = underWay && delivery.hasArrived();
     underWay &= !arrived;
     return arrived;
   }

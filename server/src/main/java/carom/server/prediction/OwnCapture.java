@@ -1,5 +1,6 @@
 package carom.server.prediction;
 
+import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.physics.math.Aabb;
@@ -30,10 +31,12 @@ public final class OwnCapture {
    * Creates the predicted set of one player's client.
    *
    * @param viewer the player
+   * @param encoder that of the client's snapshots
    * @param mayKnow returns whether the game lets that player know of an entity, at present
    */
-  public PredictedSet predictedSet(Player viewer, Predicate<Entity> mayKnow) {
-    return new PredictedSet(simulation, viewer, marks, mayKnow);
+  public PredictedSet predictedSet(
+      Player viewer, SnapshotEncoder encoder, Predicate<Entity> mayKnow) {
+    return new PredictedSet(simulation, viewer, encoder, marks, mayKnow);
   }
 
   /** Returns the number of words in each own section. */

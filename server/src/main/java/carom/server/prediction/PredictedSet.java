@@ -3,6 +3,7 @@ package carom.server.prediction;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.exact.RulingDelivery;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
@@ -40,7 +41,7 @@ public final class PredictedSet {
   private final InterferenceLog interference;
   private final PredictedSetChooser chooser;
   private final ExactUpdate update;
-  private final RulingDelivery rulings = new RulingDelivery();
+  private final RulingDelivery rulings;
   private final UpdateLimits limits = new UpdateLimits();
   private final RelayChooser relayChooser;
   private final Neighbourhood state;
@@ -59,13 +60,19 @@ public final class PredictedSet {
   private long updates;
   private long disagreements;
 
-  PredictedSet(Simulation simulation, Player viewer, EntityMarks marks, Predicate<Entity> mayKnow) {
+  PredictedSet(
+      Simulation simulation,
+      Player viewer,
+      SnapshotEncoder encoder,
+      EntityMarks marks,
+      Predicate<Entity> mayKnow) {
     state = new Neighbourhood(viewer.id());
     this.simulation = simulation;
     this.viewer = viewer.id();
     interference = simulation.interference();
     chooser = new PredictedSetChooser(simulation, marks, mayKnow);
-    update = new ExactUpdate(simulation, viewer.id());
+    update = new ExactUpdate(simulation, viewer.id(), encoder);
+    rulings = encoder.rulings();
     relayChooser = new RelayChooser(mayKnow);
   }
 
@@ -81,6 +88,9 @@ public final class PredictedSet {
    * @param out receives the set; has the own body already
    */
   public void capture(Player player, boolean all, int disagreedTick, int rowBits, OwnState out) {
+    if (update.endIfArrived()) {
+      limits.arrived();
+    }
     if (player.body() == null) {
       captureNothing(out);
       return;
@@ -125,19 +135,21 @@ public final class PredictedSet {
     nextRuling = log.next();
     int bits = 0;
     for (long n = first; n < nextRuling; n++) {
-      bits += isChosen(log.get(n)) ? RulingDelivery.bits(log.get(n)) : 0;
+      Ruling r = log.get(n);
+      bits += isChosen(r) ? RulingDelivery.bits(r.mask, r.joint) : 0;
     }
     if (bits > RulingDelivery.MOST_BITS) {
       mustTellAll = true; // an update is shorter
       rulings.clear();
       return;
     }
-    int copies = update.isLossy() ? 2 : 1; // an input may have a ruling in each tick
+    int tick = simulation.tick();
     for (long n = first; n < nextRuling; n++) {
-      if (isChosen(log.get(n))) {
-        noteInput(log.get(n));
-        boolean isInput = log.get(n).moment == Ruling.Moment.INPUT;
-        mustTellAll |= !rulings.add(log.get(n), isInput ? copies + 1 : copies);
+      Ruling r = log.get(n);
+      if (isChosen(r)) {
+        noteInput(r);
+        mustTellAll |=
+            !rulings.add(tick, r.tick, r.moment.ordinal(), r.key, r.joint, r.mask, r.row);
         toldRulings++;
       }
     }
@@ -235,7 +247,7 @@ public final class PredictedSet {
     for (int i = 0; i < members.count(); i++) {
       near.add(members.get(i));
     }
-    int rulingBits = rulings.write(simulation.tick(), members, rowBits, near);
+    int rulingBits = rulings.write(simulation.tick(), rowBits, near);
     update.write(rowBits - rulingBits, out);
     limits.listed(near.listBits(), members.count());
   }
@@ -261,15 +273,6 @@ public final class PredictedSet {
   /** Notes that the set captured last is sent. */
   public void sent() {
     update.sent();
-    rulings.sent(simulation.tick());
-  }
-
-  /** Looks which parts of the update have arrived, and which are lost and must be sent again. */
-  public void acknowledge(SnapshotEncoder encoder) {
-    rulings.acknowledge(encoder);
-    if (update.acknowledge(encoder)) {
-      limits.arrived();
-    }
   }
 
   /**

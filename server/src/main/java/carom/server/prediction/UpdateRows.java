@@ -1,6 +1,7 @@
 package carom.server.prediction;
 
 import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.UpdateDelivery;
 import carom.physics.rows.ContactRow;
 import carom.physics.rows.FieldRow;
 import carom.physics.rows.JointRow;
@@ -18,7 +19,7 @@ import java.util.Arrays;
  *
  * <p>The room's thread; allocates only to grow.
  */
-final class UpdateRows {
+final class UpdateRows implements UpdateDelivery.Content {
   private final Neighbourhood base;
 
   /** By place in the list: whether the entity is told. */
@@ -156,33 +157,30 @@ final class UpdateRows {
     return counts.total();
   }
 
-  /** Returns the number of rows by kind. The counts are live. */
-  RowCounts counts() {
+  @Override
+  public RowCounts counts() {
     return counts;
   }
 
-  /** Returns the number of told entities. Their rows come first. */
-  int toldCount() {
+  @Override
+  public int toldCount() {
     return toldCount;
   }
 
-  /** Returns the place in the list of a told entity. */
-  int told(int index) {
+  @Override
+  public int told(int index) {
     return told[index];
   }
 
-  /** Returns the kind of a row. */
-  RowKind kind(int row) {
-    return counts.kind(row);
+  @Override
+  public int[] source(int row) {
+    return base.rows().of(counts.kind(row)).ints();
   }
 
-  /** Returns the array that holds a row, from {@link #at} on. */
-  int[] source(int row) {
-    return base.rows().of(kind(row)).ints();
-  }
-
-  /** Returns where a row begins in {@link #source}. */
-  int at(int row) {
-    return base.rows().of(kind(row)).at(row < toldCount ? told[row] : others[row - toldCount]);
+  @Override
+  public int at(int row) {
+    return base.rows()
+        .of(counts.kind(row))
+        .at(row < toldCount ? told[row] : others[row - toldCount]);
   }
 }

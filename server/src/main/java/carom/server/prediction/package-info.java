@@ -6,8 +6,8 @@
  *   PredictedSet ──► PredictedSetChooser   which entities are near
  *        ├─────────► ExactUpdate           exact state of newcomers and of what the game moved
  *        │               ├──► UpdateRows       what an update holds
- *        │               └──► UpdateDelivery   which of it is sent, lost, acknowledged
- *        ├─────────► RulingDelivery        what the game's rules did to near bodies
+ *        │               └──► UpdateDelivery   which of it is sent, lost, acknowledged ┐ of the
+ *        ├─────────► RulingDelivery        what the game's rules did to near bodies       ┘ encoder
  *        ├─────────► UpdateLimits          how many entities, how often
  *        └─────────► RelayChooser         whose inputs are relayed
  * </pre>

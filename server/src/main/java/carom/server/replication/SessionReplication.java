@@ -251,7 +251,7 @@ public final class SessionReplication {
     sender.tick();
     capture.capture(player, mayKnow, own);
     if (wanted != InputDatagram.NEAR_NONE && predictedSet == null) {
-      predictedSet = capture.predictedSet(player, mayKnow);
+      predictedSet = capture.predictedSet(player, sender.encoder(), mayKnow);
       audit = audit == null ? new PredictionAudit(own.words()) : audit;
     }
     if (audit != null) {
@@ -277,7 +277,6 @@ public final class SessionReplication {
     } else if (wanted == InputDatagram.NEAR_NONE) {
       predictedSet.captureNothing(own);
     } else {
-      predictedSet.acknowledge(sender.encoder());
       long updates = predictedSet.updates();
       long disagreements = predictedSet.disagreements();
       boolean all = wanted == InputDatagram.NEAR_ALL;

@@ -7,6 +7,8 @@ import carom.net.snapshot.event.EventOutbox;
 import carom.net.snapshot.exact.NearRowCodec;
 import carom.net.snapshot.exact.OwnAcks;
 import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.exact.RulingDelivery;
+import carom.net.snapshot.exact.UpdateDelivery;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.ledger.DatagramLedger;
@@ -65,6 +67,8 @@ public final class SnapshotEncoder {
   private final Selection selection;
   private final RecordsWriter records;
   private final OwnAcks own;
+  private final UpdateDelivery updates = new UpdateDelivery(ledger);
+  private final RulingDelivery rulings = new RulingDelivery(ledger);
   private final EventOutbox events;
   private final TableOutbox tables;
 
@@ -126,6 +130,8 @@ public final class SnapshotEncoder {
     client.reset();
     selection.reset();
     own.reset();
+    updates.clear();
+    rulings.clear();
     ledger.forget();
     events.clear();
     tables.reset();
@@ -155,6 +161,16 @@ public final class SnapshotEncoder {
   /** Returns what the client is told of the room's tables. */
   public TableOutbox tables() {
     return tables;
+  }
+
+  /** Returns what brings the client the exact update that {@link #begin} is given parts of. */
+  public UpdateDelivery updates() {
+    return updates;
+  }
+
+  /** Returns what brings the client the rulings that {@link #begin} is given. */
+  public RulingDelivery rulings() {
+    return rulings;
   }
 
   /** Returns those of 64 neighbouring slots, from 64 {@code word} on, that the client sees. */
@@ -303,6 +319,8 @@ public final class SnapshotEncoder {
     head.code(w, frame.tick());
     if (withOwn) {
       nearBytes = own.write(w, head.ownAge);
+      updates.wrote(frame.tick());
+      rulings.wrote();
     }
     int share = Math.min(budget, MAX_DATAGRAM_BYTES) * Byte.SIZE / SHARE;
     events.write(w, frame.tick(), share);
@@ -412,16 +430,6 @@ public final class SnapshotEncoder {
    */
   public boolean hasNews() {
     return news;
-  }
-
-  /** Returns the newest tick of which the client has acked the own section, or -1. */
-  public int ownAckedTick() {
-    return own.ackedTick();
-  }
-
-  /** Returns whether the client has acked the own section of one of the last 64 ticks. */
-  public boolean hasAckedOwn(int tick) {
-    return own.hasAcked(tick);
   }
 
   /** Returns the ledger of the datagrams written, with figures of the line. For reading only. */

@@ -7,8 +7,8 @@ import java.util.function.LongConsumer;
 
 /**
  * Sends events to one client, reliably and in order over datagrams that get lost. Each event gets
- * the session's next sequence number. It is sent as {@link #RESEND} says, until a datagram that
- * held it is acknowledged.
+ * the session's next sequence number. It is sent twice, and again whenever its acknowledgement is
+ * overdue, until a datagram that held it is acknowledged.
  *
  * <p>At most {@value #CAPACITY} events wait, of which the oldest {@value #WINDOW} are sent. The
  * outbox drops the oldest beyond that, and those that have left the {@link EventRing}, and counts

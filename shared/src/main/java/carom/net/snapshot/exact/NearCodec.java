@@ -95,7 +95,7 @@ public final class NearCodec {
   }
 
   /** Returns how many bits a ruling takes at most. */
-  public static int rulingBits(int mask, boolean ofJoint) {
+  static int rulingBits(int mask, boolean ofJoint) {
     return PLACE_BITS
         + FrameRing.AGE_BITS
         + NearState.MOMENT_BITS

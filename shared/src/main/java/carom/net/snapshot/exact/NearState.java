@@ -37,6 +37,12 @@ public final class NearState {
   /** Largest number of rulings in one snapshot. */
   public static final int MAX_RULINGS = 63;
 
+  /**
+   * Largest age at which the base of an update, or a ruling, is of use, ticks. The client forgets
+   * its states of older ticks.
+   */
+  public static final int MOST_AGE = 60;
+
   /** Number of moments of a tick at which a ruling is made. */
   static final int MOMENTS = 3;
 
@@ -296,12 +302,17 @@ public final class NearState {
 
   /** Returns whether the list has an entity, told by slot and generation. */
   public boolean lists(int key) {
+    return find(key) >= 0;
+  }
+
+  /** Returns the place of an entity in the list, or -1. */
+  int find(int key) {
     for (int i = 0; i < count; i++) {
       if (keys[i] == key) {
-        return true;
+        return i;
       }
     }
-    return false;
+    return -1;
   }
 
   /** Returns the slot and generation of an entity: {@code slot | generation << 16}. */

@@ -6,7 +6,6 @@ import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.ledger.DatagramLedger;
 import carom.net.snapshot.relay.RelayCodec;
-import java.util.Arrays;
 
 /**
  * The own sections that were sent to one client, and the newest one that it has acked. The acked
@@ -24,9 +23,6 @@ public final class OwnAcks implements DatagramLedger.Section {
   private final OwnState nothing = new OwnState();
   private int ackedTick = -1;
 
-  /** The last tick whose own section was acked, indexed by the lowest bits of the tick. */
-  private final int[] ackedTicks = new int[FrameRing.SIZE];
-
   /**
    * Creates a history without acks.
    *
@@ -39,32 +35,19 @@ public final class OwnAcks implements DatagramLedger.Section {
     for (int i = 0; i < sent.length; i++) {
       sent[i] = new OwnState();
     }
-    Arrays.fill(ackedTicks, -1);
   }
 
   /** Forgets all acks. */
   public void reset() {
     ackedTick = -1;
-    Arrays.fill(ackedTicks, -1);
   }
 
   @Override
   public void acknowledged(int tick, int key, long bits) {
-    ackedTicks[tick & MASK] = tick;
     if (tick > ackedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
       acked.setBaseline(sent[tick & MASK]);
       ackedTick = tick;
     }
-  }
-
-  /** Returns the newest tick of which the client has acked the own section, or -1. */
-  public int ackedTick() {
-    return ackedTick;
-  }
-
-  /** Returns whether the client has acked the own section of one of the last 64 ticks. */
-  public boolean hasAcked(int tick) {
-    return tick >= 0 && ackedTicks[tick & MASK] == tick;
   }
 
   /**

@@ -8,7 +8,9 @@
  *   section                  appends for a datagram         sends again what has not arrived
  *   records: ClientKnowledge 64 neighbouring slots          newest state, in each snapshot
  *   own section: OwnAcks     that it is there               newest state, in each snapshot
- *   events: EventOutbox      which events                   WHEN_OVERDUE, 2 copies at once
+ *   updates: UpdateDelivery  a range of rows                WHEN_LOST; two copies if the line loses
+ *   rulings: RulingDelivery  each ruling                    WHEN_LOST; one copy more if it does
+ *   events: EventOutbox      which events                   WHEN_OVERDUE; two copies at first
  *   tables: TableOutbox      each row                       WHEN_OVERDUE; urgent EACH_SNAPSHOT
  * </pre>
  *

@@ -15,7 +15,7 @@ final class RowKnowledge {
   private static final int NEVER = -1;
 
   /**
-   * How a row is sent that prediction depends on, so that each datagram tells the present state.
+   * Rule of tables that prediction depends on, so that each datagram tells the state at its tick.
    */
   private static final Resend URGENT = new Resend(1, 1, Resend.Again.EACH_SNAPSHOT);
 

@@ -1,16 +1,11 @@
-package carom.server.prediction;
+package carom.net.snapshot.exact;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.snapshot.InputFeedback;
-import carom.net.snapshot.SnapshotEncoder;
-import carom.net.snapshot.exact.NearState;
-import carom.net.snapshot.exact.OwnState;
-import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.ledger.DatagramLedger;
 import carom.physics.rows.BodyRow;
-import carom.sim.ruling.Ruling;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -20,49 +15,52 @@ import org.junit.jupiter.api.Test;
 class RulingDeliveryTest {
   private static final int KEY = 5;
   private static final int MUCH = 10_000;
+  private static final int BEFORE_STEP = 0;
+  private static final int INPUT = 1;
 
-  private final FrameRing ring = new FrameRing(16);
-  private final SnapshotEncoder encoder = new SnapshotEncoder(ring, 1, 60);
-  private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
-  private final RulingDelivery delivery = new RulingDelivery();
-  private final KeyList members = new KeyList();
+  private final DatagramLedger ledger = new DatagramLedger();
+  private final RulingDelivery delivery = new RulingDelivery(ledger);
   private final NearState near = new OwnState().near();
   private int tick;
 
-  RulingDeliveryTest() {
-    members.add(KEY);
-  }
-
-  private Ruling push(int key) {
-    Ruling ruling = new Ruling();
-    ruling.tick = tick + 1;
-    ruling.key = key;
-    ruling.mask = 1 << BodyRow.FORCE_X - BodyRow.MOTION;
-    ruling.row[BodyRow.FORCE_X] = Float.floatToRawIntBits(3.5f);
-    return ruling;
+  private boolean push(int key, int moment) {
+    int[] row = new int[BodyRow.INTS];
+    row[BodyRow.FORCE_X] = Float.floatToRawIntBits(3.5f);
+    int mask = 1 << BodyRow.FORCE_X - BodyRow.MOTION;
+    return delivery.add(tick, tick + 1, moment, key, -1, mask, row);
   }
 
   /** Sends the snapshot of the next tick; returns how many rulings it has. */
   private int sendTick(int room) {
-    ring.begin(++tick);
-    ring.end();
+    tick++;
     near.begin(0);
     near.add(KEY);
-    delivery.write(tick, members, room, near);
-    encoder.begin(new InputFeedback(), new OwnState(), 10_000);
-    encoder.next(buffer);
-    delivery.sent(tick);
+    delivery.write(tick, room, near);
+    ledger.begin(tick, true);
+    delivery.wrote();
     return near.rulings();
   }
 
   private void acknowledgeNewest() {
-    encoder.receiveAck(encoder.sequence(), 0);
-    delivery.acknowledge(encoder);
+    ledger.receive(ledger.sequence(), 0, tick);
+  }
+
+  /** Sends and acknowledges until losses count, and loses one datagram. */
+  private void loseOnTheLine() {
+    for (int i = 0; i < 150; i++) {
+      sendTick(MUCH);
+      acknowledgeNewest();
+    }
+    for (int i = 0; i <= DatagramLedger.LOST_TICKS; i++) {
+      sendTick(MUCH);
+    }
+    acknowledgeNewest();
+    assertTrue(ledger.isLossy(tick));
   }
 
   @Test
   void aRulingIsSentOnceWithItsTickAndItsNumbers() {
-    delivery.add(push(KEY), 1);
+    push(KEY, BEFORE_STEP);
     assertEquals(0, sendTick(20), "there is no room");
     assertEquals(1, sendTick(MUCH));
     assertEquals(1, near.rulingAge(0));
@@ -74,8 +72,10 @@ class RulingDeliveryTest {
 
   @Test
   void aLostOneIsSentAgain() {
-    delivery.add(push(KEY), 1);
+    push(KEY, BEFORE_STEP);
+    assertTrue(delivery.isBehind());
     assertEquals(1, sendTick(MUCH));
+    assertFalse(delivery.isBehind());
     for (int i = 0; i < 3; i++) {
       assertEquals(0, sendTick(MUCH));
     }
@@ -87,8 +87,8 @@ class RulingDeliveryTest {
   }
 
   @Test
-  void ofTwoCopiesOneIsEnough() {
-    delivery.add(push(KEY), 2);
+  void oneOfAnInputGoesOutTwiceAndOneCopyIsEnough() {
+    push(KEY, INPUT);
     assertEquals(1, sendTick(MUCH));
     assertEquals(1, sendTick(MUCH));
     acknowledgeNewest();
@@ -99,10 +99,25 @@ class RulingDeliveryTest {
   }
 
   @Test
+  void onALineWithLossesThereIsACopyMoreAndItIsSentAgainWhenAllAreLost() {
+    loseOnTheLine();
+    push(KEY, BEFORE_STEP);
+    assertEquals(1, sendTick(MUCH));
+    assertEquals(1, sendTick(MUCH));
+    for (int i = 0; i < 2; i++) {
+      assertEquals(0, sendTick(MUCH));
+    }
+    acknowledgeNewest();
+    assertEquals(0, sendTick(MUCH), "the first copy is lost, the second may come");
+    acknowledgeNewest();
+    assertEquals(1, sendTick(MUCH));
+  }
+
+  @Test
   void whatIsNotListedOrTooOldIsNotSent() {
-    delivery.add(push(KEY + 1), 1);
+    push(KEY + 1, BEFORE_STEP);
     assertEquals(0, sendTick(MUCH));
-    delivery.add(push(KEY), 1);
+    push(KEY, BEFORE_STEP);
     tick += 70;
     assertEquals(0, sendTick(MUCH));
   }
@@ -110,9 +125,9 @@ class RulingDeliveryTest {
   @Test
   void thereIsAnEndToTheirNumber() {
     for (int i = 0; i < RulingDelivery.MOST; i++) {
-      assertTrue(delivery.add(push(KEY), 1));
+      assertTrue(push(KEY, BEFORE_STEP));
     }
-    assertFalse(delivery.add(push(KEY), 1));
+    assertFalse(push(KEY, BEFORE_STEP));
     assertEquals(NearState.MAX_RULINGS, sendTick(MUCH));
   }
 }
