@@ -4,7 +4,6 @@ import carom.client.events.EventListener;
 import carom.client.events.RepeatedEventFilter;
 import carom.client.link.Connection;
 import carom.client.link.ConnectionListener;
-import carom.client.link.ConnectionPhase;
 import carom.client.link.RoomListing;
 import carom.client.link.ServerAddress;
 import carom.client.message.MessageExchange;
@@ -489,8 +488,8 @@ public final class GameClient implements AutoCloseable {
   }
 
   /**
-   * Returns whether a new client might get in where this one {@linkplain ConnectionPhase#ENDED
-   * ended}: the server was full, busy or out of reach, but not at odds with this client.
+   * Returns whether a new client might get in where this one ended: the server was full, busy or
+   * out of reach, but not at odds with this client.
    */
   public boolean isRetryUseful() {
     return connection.isRetryUseful();

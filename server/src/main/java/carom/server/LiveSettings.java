@@ -1,6 +1,5 @@
 package carom.server;
 
-import carom.options.BadFlag;
 import carom.server.access.AccessLists;
 import carom.server.command.CommandException;
 import carom.server.command.ReloadCommand;

@@ -75,9 +75,6 @@ import org.slf4j.LoggerFactory;
  *
  * <p>{@link #close} tells the players, ends all threads and closes the transport, which the server
  * owns.
- *
- * <p><b>Length.</b> One idea: what a server is made of, and what may be asked of it. It stays
- * whole, because the parts begin and end in one order. Each job is a class of its own.
  */
 public final class Server implements AutoCloseable, RoomKeeper {
   private static final Logger LOG = LoggerFactory.getLogger(Server.class);

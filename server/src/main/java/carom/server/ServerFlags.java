@@ -39,9 +39,6 @@ import picocli.CommandLine.TypeConversionException;
 /**
  * The flags of {@code carom-server}. Picocli fills them in, {@link #check} refuses flags that don't
  * fit together, and {@link #config} turns the rest into the server's settings.
- *
- * <p><b>Length.</b> One idea: the options of one command, each with its text for people. It stays
- * whole, because {@link #check} compares options with each other, and the settings are made of all.
  */
 final class ServerFlags {
   private static final int MAX_SPECTATOR_DELAY_S = 3_600;

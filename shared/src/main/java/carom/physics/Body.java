@@ -30,9 +30,6 @@ import java.util.function.Consumer;
  * <p>Forces and impulses add up, act in the next step, and are then cleared. They do nothing on
  * static, kinematic and disabled bodies.
  *
- * <p><b>Length.</b> One idea: the properties of a body, each a getter and a setter of a few lines
- * with its unit and range. It stays whole, because users look for every property of a body here.
- *
  * @param <T> the user's type
  */
 public final class Body<T> {

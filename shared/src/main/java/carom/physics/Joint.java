@@ -18,9 +18,6 @@ import carom.physics.math.Trig;
  * <p>A new value acts from the next step on, and wakes the bodies if it differs from the old one.
  * Joints are solved in the order of their indices.
  *
- * <p><b>Length.</b> One idea: the properties of a joint, each a getter and a setter of a few lines
- * with its unit and range. It stays whole, because users look for every property of a joint here.
- *
  * @param <T> the user's type of {@link Body#user()}
  */
 public final class Joint<T> {

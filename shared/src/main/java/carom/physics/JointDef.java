@@ -17,10 +17,6 @@ import carom.physics.math.Trig;
  *   world.createJoint(JointDef.revolute(car, flap, 2, 1).limits(-0.5f, 0.5f).motor(1, 20))
  * </pre>
  *
- * <p><b>Length.</b> One idea: the definition of a joint, with one short method per type and
- * property, its unit and its range. It stays whole, because users chain these calls, and the type
- * decides which properties are allowed.
- *
  * @param <T> the user's type of {@link Body#user()}
  */
 public final class JointDef<T> {

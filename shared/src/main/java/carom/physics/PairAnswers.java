@@ -1,7 +1,5 @@
 package carom.physics;
 
-import carom.physics.dynamics.contact.ContactKey;
-
 /**
  * The last answer of a {@link CollisionFilter} about each pair of shapes: every pair may meet until
  * it is refused. Recorder and replay keep one each; a recording has only the changes. So a
@@ -18,7 +16,7 @@ final class PairAnswers {
   /**
    * Sets the answer about a pair.
    *
-   * @param key as {@link ContactKey} makes it, with numbers of shapes for those of parts
+   * @param key as {@code ContactKey} makes it, with numbers of shapes for those of parts
    * @return whether it was another before
    */
   boolean set(long key, boolean refused) {

@@ -35,9 +35,6 @@ import java.util.Arrays;
  * visitor. Only one thread may use the object at a time. A query allocates nothing unless its
  * answer is larger than all before. Coordinates are m, world axes.
  *
- * <p><b>Length.</b> One idea: a search of the trees whose candidates are then tested exactly. It
- * stays whole, because all queries share that search and its scratch memory.
- *
  * @param <T> the world's user type
  */
 public final class Queries<T> {

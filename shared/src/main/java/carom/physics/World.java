@@ -1,6 +1,5 @@
 package carom.physics;
 
-import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.broadphase.index.CellVisitor;
 import carom.physics.broadphase.index.IntVisitor;
@@ -41,10 +40,8 @@ import java.util.function.IntFunction;
  * order give equal bits on every JVM, and {@link #stateHash} proves it. Only one thread may use a
  * world at a time. A steady {@link #step} allocates nothing.
  *
- * <p><b>Length.</b> One idea: the face of a world, with one short method per operation. It stays
- * whole, because users look for every operation here. The work is elsewhere: {@code dynamics}
- * steps, {@link Queries} answers, {@code EditQueue} changes bodies, {@code Handles} keeps their
- * objects.
+ * <p>The work is elsewhere: {@code dynamics} steps, {@link Queries} answers, {@code EditQueue}
+ * changes bodies, {@code Handles} keeps their objects.
  *
  * @param <T> the type of the objects that bodies stand for in the using program, see {@link
  *     Body#user()}

@@ -23,9 +23,6 @@ import java.util.zip.Inflater;
  * off. It trusts nothing. Whatever the bytes are, it returns an event or throws a {@link
  * RecordingException} that says what is wrong at which byte. It takes less than about 12 MiB of
  * memory, or 100 MiB with a state. Use it from one thread.
- *
- * <p><b>Length.</b> One idea: a file of blocks is read, event by event. It stays whole, because
- * each kind of block is a few checks at the position that all share, and that an error names.
  */
 public final class RecordingReader implements AutoCloseable {
   /** Longest name of a player in UTF-8 bytes. */

@@ -1,6 +1,5 @@
 package carom.sim;
 
-import carom.sim.entity.Player;
 import carom.sim.message.PlayerRole;
 
 /**
@@ -31,8 +30,8 @@ public interface Journal {
 
   /**
    * Receives the simulation before a step. The step will handle the messages that {@link
-   * Simulation#forEachReceived} passes on, and read {@link Player#input} and {@link
-   * Player#viewDelay} of every participant as they are now. {@link Simulation#tick} is the tick
+   * Simulation#forEachReceived} passes on, and read {@code Player.input} and {@code
+   * Player.viewDelay} of every participant as they are now. {@link Simulation#tick} is the tick
    * before.
    */
   void stepping(Simulation s);

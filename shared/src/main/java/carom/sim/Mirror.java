@@ -1,13 +1,9 @@
 package carom.sim;
 
-import carom.physics.Body;
 import carom.physics.Joint;
-import carom.physics.World;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
-import carom.sim.entity.WorldSeal;
 import carom.sim.field.EntityRef;
-import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.ruling.Rulings;
 import carom.sim.spawn.Origin;
@@ -114,12 +110,12 @@ public final class Mirror {
   /**
    * Mirrors a joint of the server. Joints must be mirrored in ascending order of their keys.
    *
-   * @param key as the server's {@link JointTable} has it
-   * @param root id of the root of its assembly, or as {@link JointTable#root} says
+   * @param key as the server's {@code JointTable} has it
+   * @param root id of the root of its assembly, or as {@code JointTable.root} says
    * @param number which joint of it
    * @param a null for the world
    * @param b another entity
-   * @param definition what it is made with, see {@link World#createJoint(Body, Body, int[], int)}
+   * @param definition what it is made with, see {@code World.createJoint(Body, Body, int[], int)}
    * @param at where that begins
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    * @throws IllegalArgumentException if the definition is damaged; no joint is made then
@@ -161,7 +157,7 @@ public final class Mirror {
     parts.entities.setOrigin(entity, origin);
   }
 
-  /** Lets a call of the world pass that is refused to games, see {@link WorldSeal#permit}. */
+  /** Lets a call of the world pass that is refused to games, see {@code WorldSeal.permit}. */
   public void permit(String call) {
     parts.calls.requirePrediction("permit");
     parts.seal.permit(call);

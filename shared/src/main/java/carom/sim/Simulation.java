@@ -23,7 +23,6 @@ import carom.sim.field.Scope;
 import carom.sim.finding.Findings;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
-import carom.sim.joint.AssemblyDef;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
@@ -41,7 +40,6 @@ import carom.sim.outbox.Outbox;
 import carom.sim.pool.Pools;
 import carom.sim.random.SimRandom;
 import carom.sim.ruling.InterferenceLog;
-import carom.sim.spawn.Origin;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -63,9 +61,6 @@ import java.util.List;
  *
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
- *
- * <p><b>Length.</b> One idea: what games call, in methods of one line. It stays whole, because
- * games hold this one object and look for every call here. What the calls do is in the parts.
  */
 public final class Simulation extends FieldHolder<Entity, Player> {
   /** Most players at a time; ids are 0..1,023. */
@@ -372,7 +367,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * Returns a joint of an assembly by its name; both roles.
    *
    * @param member any entity of the assembly
-   * @param name as the {@link AssemblyDef} gives it
+   * @param name as the {@code AssemblyDef} gives it
    * @return null if it broke or was destroyed, or if this client doesn't simulate it
    * @throws IllegalArgumentException if the assembly has no joint of that name
    */
@@ -385,7 +380,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * and find none whose joints are all gone.
    *
    * @param member any entity of the assembly
-   * @param name as the {@link AssemblyDef} gives it
+   * @param name as the {@code AssemblyDef} gives it
    * @return null if it was despawned, or if this client doesn't know it
    * @throws IllegalArgumentException if the assembly has no body of that name
    */

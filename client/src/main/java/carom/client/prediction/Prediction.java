@@ -3,18 +3,15 @@ package carom.client.prediction;
 import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
-import carom.client.interpolation.VisualError;
 import carom.client.prediction.received.PlayerInputs;
 import carom.client.prediction.received.ReceivedRulings;
 import carom.client.prediction.received.SnapshotRecords;
 import carom.client.prediction.received.SpawnMatches;
 import carom.net.snapshot.SnapshotDecoder;
-import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
-import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.joint.Assembly;
 import carom.sim.level.Archetype;
@@ -26,11 +23,11 @@ import java.util.function.LongSupplier;
  * Simulates the own body and the bodies near it ahead of the server, and reconciles them with the
  * server's states.
  *
- * <p>The server chooses the predicted set ({@link NearState}) and sends a hash of its exact state.
+ * <p>The server chooses the predicted set ({@code NearState}) and sends a hash of its exact state.
  * A body that enters the set comes once with its exact state. From then on both sides compute the
  * same bits from the same inputs: the own ones, and those of other players, which the server
- * relays. Until an input is relayed, the player's last one is repeated, fading tick by tick ({@link
- * Input#faded}).
+ * relays. Until an input is relayed, the player's last one is repeated, fading tick by tick ({@code
+ * Input.faded}).
  *
  * <p>What happens when the server's state after tick T arrives:
  *
@@ -44,7 +41,7 @@ import java.util.function.LongSupplier;
  *       records where these disagree. The client reports that the hash differed, and the server
  *       sends an update of everything.
  *   <li>If anything changed, the ticks since T are resimulated. The jump of the picture becomes a
- *       {@link VisualError}, which fades; the state itself is never blended.
+ *       {@code VisualError}, which fades; the state itself is never blended.
  * </ol>
  *
  * <pre>

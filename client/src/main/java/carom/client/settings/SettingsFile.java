@@ -72,10 +72,7 @@ public final class SettingsFile {
     return Path.of(config, "carom", FILE);
   }
 
-  /**
-   * Returns the lines of the file. It stays whole, because it is one table: a line for each
-   * setting, with how it is written and read.
-   */
+  /** Returns the lines of the file. */
   private static List<Line> lines() {
     List<Line> lines = new ArrayList<>();
     lines.add(new Line("name", "name in games", s -> s.name(), (s, v) -> s.withName(v)));

@@ -39,8 +39,7 @@ public final class ClientMessageCodec {
   private ClientMessageCodec() {}
 
   /**
-   * Writes a message. It stays whole, because it is one table: the bytes of each kind of message,
-   * as docs/PROTOCOL.md has them.
+   * Writes a message.
    *
    * @param message a message within {@link ProtocolLimits}
    * @param out at least {@link ProtocolLimits#MAX_CLIENT_MESSAGE_BYTES} from {@code offset} on

@@ -9,7 +9,6 @@ import carom.net.protocol.DatagramMark;
 import carom.net.snapshot.event.EventInbox;
 import carom.net.snapshot.exact.OwnInbox;
 import carom.net.snapshot.exact.OwnState;
-import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.QuantizedPose;
 import carom.net.snapshot.frame.ReceivedPoses;
@@ -114,7 +113,7 @@ public final class SnapshotDecoder {
    * Takes over the entities of the level file, before the first datagram. Each has its place in the
    * level as its state of tick 0 until the server says otherwise.
    *
-   * @param state the same as the server's {@link FrameRing#level}
+   * @param state the same as the server's {@code FrameRing.level}
    */
   public void level(FrameState state) {
     for (int slot = 0; slot < state.slotLimit(); slot++) {
@@ -129,7 +128,7 @@ public final class SnapshotDecoder {
   /**
    * Sets gravity, m/s^2, before the first datagram; it is zero until then.
    *
-   * @param x the same as the server's {@link FrameRing#gravity}
+   * @param x the same as the server's {@code FrameRing.gravity}
    */
   public void gravity(float x, float y) {
     predictor.gravity(x, y);

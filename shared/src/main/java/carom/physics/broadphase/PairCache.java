@@ -3,7 +3,6 @@ package carom.physics.broadphase;
 import carom.physics.broadphase.index.AabbArray;
 import carom.physics.broadphase.index.IntVisitor;
 import carom.physics.broadphase.index.PairVisitor;
-import carom.physics.broadphase.index.SpatialIndex;
 import carom.physics.broadphase.kd.KdTree;
 
 /**
@@ -25,11 +24,7 @@ import carom.physics.broadphase.kd.KdTree;
  * larger rooms one by one. When that makes a list about twice as long as when it was made, its
  * rooms are made anew. For boxes that move their own size in a tick, the tree alone is faster.
  *
- * <p><b>Length.</b> One idea: lists of pairs that stay right while boxes stay in their rooms. It
- * stays whole, because both lists and both kinds of rooms form one invariant, which every method
- * keeps.
- *
- * <p><b>Order, ownership, threads, errors</b> as for every {@link SpatialIndex}. <b>Cost.</b> O(n +
+ * <p><b>Order, ownership, threads, errors</b> as for every {@code SpatialIndex}. <b>Cost.</b> O(n +
  * pairs) in most ticks. Boxes are kept in the order of the tree, so that memory access is local.
  */
 public final class PairCache {

@@ -50,11 +50,7 @@ final class BoxCollider {
     return ofCorners;
   }
 
-  /**
-   * Computes the manifold of two boxes, as {@link Collider#collide} does. It stays whole, because
-   * its forty numbers stay in registers: a part of its own would take most of them as arguments, or
-   * write them to fields.
-   */
+  /** Computes the manifold of two boxes, as {@link Collider#collide} does. */
   void collide(Box a, Transform ta, Box b, Transform tb, float speculative, Manifold out) {
     ofCorners = false;
     float worldX = tb.x - ta.x;

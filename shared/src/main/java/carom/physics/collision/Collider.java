@@ -44,10 +44,8 @@ import carom.physics.math.Transform;
  * of a chain touches only what is in front of it, and at joints that aren't outward corners with
  * its own normal only; the point of a circle has id 0 here, too.
  *
- * <p><b>Length.</b> One idea: the manifold of two convex shapes. It stays whole, because its steps
- * share a dozen numbers in its fields; parts would pass these as arguments in the hottest loop of
- * the engine. Round shapes and pairs of boxes have classes of their own: {@link RoundCollider},
- * {@link BoxCollider}.
+ * <p>Round shapes and pairs of boxes have classes of their own: {@link RoundCollider}, {@link
+ * BoxCollider}.
  */
 public final class Collider {
   /**
@@ -369,8 +367,7 @@ public final class Collider {
 
   /**
    * Computes the manifold of two polygons: moves B into A's frame, finds the best face of each, and
-   * clips against the better one. It stays whole, because what its first half finds is what its
-   * second half takes, a dozen numbers that would otherwise go through fields.
+   * clips against the better one.
    */
   private void polygons(
       Convex a, Transform ta, Convex b, Transform tb, float speculative, Manifold out) {
@@ -620,8 +617,7 @@ public final class Collider {
   /**
    * Builds the manifold from the reference edge v1 v2 of polygon R, with its normal, and the edge
    * w1 w2 of polygon I that faces it. Everything is in A's frame. If {@code flipped}, R is B and I
-   * is A. It stays whole, because both of its ends, corner beside corner and edge along edge, need
-   * nearly all positions that it computes first.
+   * is A.
    */
   private void clip(
       float[] rx,

@@ -318,8 +318,7 @@ final class RoundCollider {
 
   /**
    * Clips the edge of core i that lies against edge v1 of core r, as {@link Collider} does. If
-   * {@code flipped}, r is B. It stays whole, because both of its ends, corner beside corner and
-   * edge along edge, need nearly all positions that it computes first.
+   * {@code flipped}, r is B.
    */
   private void clip(
       Core r,

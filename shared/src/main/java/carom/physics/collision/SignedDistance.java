@@ -1,11 +1,10 @@
 package carom.physics.collision;
 
-import carom.physics.collision.distance.Distance;
 import carom.physics.geometry.Convex;
 
 /**
  * The signed distance of a point to a convex shape, and the direction out of it. It is computed in
- * float, for frequent use such as particles. {@link Distance} is more exact, but has no distance
+ * float, for frequent use such as particles. {@code Distance} is more exact, but has no distance
  * inside.
  *
  * <p>Outside: the distance to the nearest point of the surface, rounding included. Inside: minus

@@ -1,7 +1,6 @@
 package carom.physics.dynamics;
 
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.contact.ContactColumns;
 import carom.physics.dynamics.contact.ContactTable;
 import java.util.Arrays;
 
@@ -54,8 +53,8 @@ public final class ContactOverrides {
    * Sets one of the mixed numbers of a row for this step.
    *
    * @param row one that {@link #decides}
-   * @param place {@link ContactColumns#FRICTION}, {@link ContactColumns#RESTITUTION} or {@link
-   *     ContactColumns#SURFACE}
+   * @param place {@code ContactColumns.FRICTION}, {@code ContactColumns.RESTITUTION} or {@code
+   *     ContactColumns.SURFACE}
    * @param value in the unit of that place
    */
   public void set(int row, int place, float value) {

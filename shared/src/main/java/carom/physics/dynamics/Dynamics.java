@@ -5,7 +5,6 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.BodyContacts;
 import carom.physics.dynamics.contact.ContactEvents;
-import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.SleepingContacts;
 import carom.physics.dynamics.continuous.ContinuousCollision;
@@ -55,7 +54,7 @@ import carom.physics.threads.Workers;
  * between steps have their rows in no table until {@link Sleeping#mergeWoken}; therefore every
  * method here that hands out or reads contacts calls it first.
  *
- * <p><b>Order of constraints.</b> Contacts are always visited by ascending {@link ContactKey},
+ * <p><b>Order of constraints.</b> Contacts are always visited by ascending {@code ContactKey},
  * joints by ascending slot; the solver's colours follow from that order. Everything else in a step
  * is independent per body. So the result depends on the state alone, never on the shape of a tree
  * or on when a pair was found.
@@ -64,10 +63,6 @@ import carom.physics.threads.Workers;
  * Sleeping}.
  *
  * <p>One thread at a time. A steady step allocates nothing.
- *
- * <p><b>Length.</b> One idea: the order of the stages, and the state that they share. It stays
- * whole, because that order must be read and kept in one place. The stages themselves are
- * elsewhere.
  */
 public final class Dynamics {
   /**

@@ -76,11 +76,7 @@ final class Substeps {
     stages = listener;
   }
 
-  /**
-   * Does all substeps of a step of some seconds.
-   *
-   * <p>It stays whole, because its lines are the order of the stages, which decides the bits.
-   */
+  /** Does all substeps of a step of some seconds. */
   void run(float dt) {
     int substeps = settings.substeps();
     float h = dt / substeps;

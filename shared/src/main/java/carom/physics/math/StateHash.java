@@ -1,15 +1,12 @@
 package carom.physics.math;
 
-import carom.physics.dynamics.contact.ContactHash;
-import carom.physics.dynamics.store.ColumnHash;
-
 /**
  * 64-bit hash of numbers by their bits. Equal states give equal hashes, and one changed bit changes
  * about half of the hash.
  *
  * <p>Each word is multiplied by an odd constant, rotated and multiplied again, as in Austin
  * Appleby's MurmurHash3 (public domain). Zero and minus zero differ. Each word waits for the one
- * before it, so {@link ColumnHash} and {@link ContactHash} are better for thousands of numbers.
+ * before it, so {@code ColumnHash} and {@code ContactHash} are better for thousands of numbers.
  */
 public final class StateHash {
   /** Start value of a hash. */

@@ -36,10 +36,6 @@ import carom.physics.math.Limits;
  * it finds, and computes with {@code + - * /} and square roots. Moves allocate nothing once they
  * have met as many parts as they will. The state is {@link #INTS} ints.
  *
- * <p><b>Length.</b> One idea: how a capsule moves once. It stays whole, because walking, sliding,
- * stepping up and landing are one algorithm over the same position, planes and velocity. What it
- * measures and solves is in classes of their own.
- *
  * @param <T> the world's user type
  */
 public final class Mover<T> {

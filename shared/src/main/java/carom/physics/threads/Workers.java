@@ -1,12 +1,10 @@
 package carom.physics.threads;
 
-import carom.physics.dynamics.domain.DomainPhases;
-
 /**
  * Threads that carry out parts of a step side by side; given to a world by {@code World.workers}.
  * The engine makes no threads and decides nothing by them: every result is the same, bit for bit,
  * for any number of workers, whichever does a task, and when. Tasks of one run touch nothing in
- * common, or else decide themselves which one touches it first ({@link DomainPhases}). No task
+ * common, or else decide themselves which one touches it first ({@code DomainPhases}). No task
  * needs another one to be under way.
  *
  * <p>A step makes some ten to a hundred runs, many of a few microseconds: an implementation should

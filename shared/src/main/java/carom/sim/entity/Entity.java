@@ -5,7 +5,6 @@ import carom.physics.math.Transform;
 import carom.sim.field.EntityRef;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
-import carom.sim.joint.Assembly;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
@@ -159,8 +158,8 @@ public final class Entity extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Returns the root of the {@linkplain Assembly assembly} that the entity belongs to. It is the
-   * entity itself if it is the root, belongs to none, or if the root is gone.
+   * Returns the root of the {@code assembly} that the entity belongs to. It is the entity itself if
+   * it is the root, belongs to none, or if the root is gone.
    */
   public Entity root() {
     Entity root = rootId == NO_ROOT ? null : table.get(rootId);

@@ -26,9 +26,6 @@ import java.util.function.IntSupplier;
 /**
  * The entities of a simulation by id, their bodies, and their part of its state. A free id keeps
  * its generation, so that its next entity gets another one.
- *
- * <p><b>Length.</b> One idea: which entities there are. It stays whole, because all that brings
- * entities into the table, takes them out and saves them keeps the same few arrays in step.
  */
 public final class EntityTable
     implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {

@@ -1,8 +1,6 @@
 package carom.sim.event;
 
-import carom.sim.Game;
-
-/** The players who are told about an entity or an event, see {@link Game#audience}. */
+/** The players who are told about an entity or an event, see {@code Game.audience}. */
 public enum Audience {
   /** Players who look at the place where it is. */
   NEAR,
@@ -12,6 +10,6 @@ public enum Audience {
   TEAM,
   /** The player it belongs to, and no other. */
   OWNER,
-  /** The players who {@linkplain Game#seesAll see everything}, and no others. */
+  /** The players who see everything, and no others. */
   NOBODY
 }

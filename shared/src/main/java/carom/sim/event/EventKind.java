@@ -1,10 +1,7 @@
 package carom.sim.event;
 
-import carom.sim.Game;
-import carom.sim.outbox.Event;
-
 /**
- * A kind of {@link Event}, such as a hit or a goal, registered in {@link Game#setUp} with {@link
+ * A kind of {@code Event}, such as a hit or a goal, registered in {@code Game.setUp} with {@link
  * EventKinds#add}. It says how the event looks and sounds, and never matters to the simulation.
  */
 public final class EventKind {
@@ -64,7 +61,7 @@ public final class EventKind {
   }
 
   /**
-   * Returns the {@link Event#strength} from which on the sound is loudest, or 0 if it always is.
+   * Returns the {@code Event.strength} from which on the sound is loudest, or 0 if it always is.
    */
   public float fullStrength() {
     return fullStrength;

@@ -1,7 +1,5 @@
 package carom.sim.event;
 
-import carom.sim.Game;
-import carom.sim.outbox.Event;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -25,14 +23,14 @@ public final class EventKinds {
   }
 
   /**
-   * Registers a kind. Call it in {@link Game#setUp} only.
+   * Registers a kind. Call it in {@code Game.setUp} only.
    *
    * @param name for logs and tests
    * @param rgb colour of its flash, 0xrrggbb
    * @param radius of its flash, metres, 0..100; 0 for no flash
    * @param label short text that rises from where it happens; empty for none
    * @param sound its sound
-   * @param fullStrength {@link Event#strength} from which on the sound is loudest, finite, 0 and
+   * @param fullStrength {@code Event.strength} from which on the sound is loudest, finite, 0 and
    *     above; 0 if it always is
    * @throws IllegalStateException after set-up, or beyond {@value #MAX}
    * @throws IllegalArgumentException when radius or fullStrength is outside its range

@@ -8,7 +8,6 @@ import carom.physics.archive.Archive;
 import carom.physics.math.StateHash;
 import carom.physics.math.Transform;
 import carom.physics.rows.JointDefRow;
-import carom.physics.rows.JointRow;
 import carom.sim.level.Level;
 import carom.sim.level.LevelJoint;
 import java.util.Arrays;
@@ -104,7 +103,7 @@ public final class JointTable<T> {
      * Visits a joint, by ascending indices from 0 on.
      *
      * @param index in the server's world; the generation is 0
-     * @param endA as in {@link JointRow}, with the key of an entity for a place
+     * @param endA as in {@code JointRow}, with the key of an entity for a place
      * @param endB as {@code endA}
      * @param definition what it is made with; must not be changed
      */

@@ -1,12 +1,11 @@
 package carom.sim.level;
 
-import carom.sim.Game;
 import java.util.ArrayList;
 import java.util.List;
 
 /**
  * The archetypes of one simulation, in the order they were added: the level's statics and bodies in
- * file order, then those that {@link Game#setUp} adds. No archetype can be added after set-up.
+ * file order, then those that {@code Game.setUp} adds. No archetype can be added after set-up.
  */
 public final class Archetypes {
   /** Most archetypes of a simulation. An index fits 12 bits. */
@@ -19,7 +18,7 @@ public final class Archetypes {
   public Archetypes() {}
 
   /**
-   * Registers an archetype. Call it in {@link Game#setUp} only.
+   * Registers an archetype. Call it in {@code Game.setUp} only.
    *
    * @throws IllegalStateException after set-up, or beyond {@value #MAX}
    * @throws IllegalArgumentException when the definition has no shape

@@ -1,7 +1,5 @@
 package carom.sim.level;
 
-import carom.physics.rows.JointDefRow;
-
 /**
  * A joint that the level places. Its definition is in the frames of its bodies, so that server and
  * clients make the same joint, to the bit, without a byte on the wire. Immutable.
@@ -40,7 +38,7 @@ public final class LevelJoint {
     return b;
   }
 
-  /** Returns {@link JointDefRow#INTS} ints: the live array, which must not be changed. */
+  /** Returns {@code JointDefRow.INTS} ints: the live array, which must not be changed. */
   public int[] definition() {
     return definition;
   }

@@ -147,10 +147,7 @@ final class LevelJointReader {
     };
   }
 
-  /**
-   * Returns the definition of a joint of a type. It stays whole, because it is one table: a case
-   * for each type, with the fields that the type has.
-   */
+  /** Returns the definition of a joint of a type. */
   private JointDef<Object> def(String type, Json node, Body<Object> a, Body<Object> b)
       throws JsonException {
     switch (type) {

@@ -5,7 +5,6 @@ import carom.physics.rows.ExactRows;
 import carom.physics.rows.FieldRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
-import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
@@ -171,7 +170,7 @@ public final class Neighbourhood {
    * simulation lacks join it. From then on the simulation continues as the one that was read, as
    * long as the inputs are the same and nothing else comes near.
    *
-   * @param s of role {@link Role#PREDICTION}, of the same level and game
+   * @param s of role {@code Role.PREDICTION}, of the same level and game
    * @param who gives owners and definitions of joints
    */
   public void write(Simulation s, Identity who) {

@@ -1,6 +1,5 @@
 package carom.sim.pool;
 
-import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import java.util.List;

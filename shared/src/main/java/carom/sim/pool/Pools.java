@@ -2,7 +2,6 @@ package carom.sim.pool;
 
 import carom.physics.Body;
 import carom.physics.World;
-import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;

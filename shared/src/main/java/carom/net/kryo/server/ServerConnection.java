@@ -3,7 +3,6 @@ package carom.net.kryo.server;
 import carom.net.admission.AddressGroup;
 import carom.net.admission.Entrance;
 import carom.net.datagram.DatagramPath;
-import carom.net.datagram.DatagramPort;
 import carom.net.datagram.FloodMeter;
 import carom.net.datagram.MoveLimit;
 import carom.net.datagram.TokenBucket;
@@ -31,16 +30,12 @@ import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * One connection of an unknown client, and later its link. KryoNet calls it on the network thread,
- * {@link DatagramPort} on its own thread, and the link's owner and other senders on theirs.
+ * {@code DatagramPort} on its own thread, and the link's owner and other senders on theirs.
  *
  * <p>These rules keep the network thread and the other players' games alive. Nothing here throws.
  * Reading never returns null. A connection closes on the network thread only, because KryoNet
  * otherwise keeps dead connections. A message is sent only if it fits. A datagram that can't be
  * sent is lost and closes nothing.
- *
- * <p><b>Length.</b> One idea: the steps of one connection from an unknown client to an open link.
- * They stay together, because each step checks and changes the same phase, keys and addresses, on
- * threads that must agree about them.
  */
 final class ServerConnection extends Connection implements Entrance.Guest {
 

@@ -1,7 +1,5 @@
 package carom.net.snapshot.selection;
 
-import carom.net.snapshot.SnapshotEncoder;
-
 /** Says what an entity's record is coded against, and why. */
 public enum BaselineReason {
   /** Nothing is sent: the client has the present state, and the server knows it. */
@@ -21,7 +19,7 @@ public enum BaselineReason {
    * teleport.
    */
   IDENTITY,
-  /** The state is sent whole because {@link SnapshotEncoder#force} asked for it. */
+  /** The state is sent whole because {@code SnapshotEncoder.force} asked for it. */
   FORCED,
   /** The slot is free and the client may still see an entity there. */
   GONE,

@@ -1,12 +1,11 @@
 package carom.net.snapshot.selection;
 
-import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.frame.FrameState;
 
 /**
- * Decides which entities one client sees, and which of them matter most. A {@link SnapshotEncoder}
- * asks about each entity that changed and that the client knows, or that was offered by {@link
- * SnapshotEncoder#notice}. Called on the room's thread; must not allocate.
+ * Decides which entities one client sees, and which of them matter most. A {@code SnapshotEncoder}
+ * asks about each entity that changed and that the client knows, or that was offered by {@code
+ * SnapshotEncoder.notice}. Called on the room's thread; must not allocate.
  */
 public interface Interest {
 
@@ -36,7 +35,7 @@ public interface Interest {
 
   /**
    * Returns whether {@link #sees} should be asked about every entity that changes. If not, the
-   * encoder asks about unknown entities only after {@link SnapshotEncoder#notice}, so that the cost
+   * encoder asks about unknown entities only after {@code SnapshotEncoder.notice}, so that the cost
    * of a client grows with what it sees.
    */
   boolean everything();

@@ -2,7 +2,6 @@ package carom.physics.broadphase.kd;
 
 import carom.physics.broadphase.index.CastVisitor;
 import carom.physics.broadphase.index.MovingBox;
-import carom.physics.broadphase.index.SpatialIndex;
 
 /**
  * Moves a box through a {@link KdTree} and visits near nodes before far ones. Only one cast may run
@@ -24,7 +23,7 @@ final class KdCast {
     this.tree = tree;
   }
 
-  /** Runs a cast as {@link SpatialIndex#cast} describes. */
+  /** Runs a cast as {@code SpatialIndex.cast} describes. */
   void run(
       float minX,
       float minY,

@@ -40,9 +40,8 @@ import java.util.Arrays;
  *       [ ]   [ ]   [ ]   [ ]       up to {@value #SLOTS} boxes side by side, ids beside them
  * </pre>
  *
- * <p><b>Length.</b> One idea: a tree in arrays. It stays whole, because each of its methods keeps
- * all of these arrays consistent. Work that only reads or replaces them is in classes of its own:
- * {@link KdBuilder}, {@link KdRefit}, {@link KdJoin}, {@link KdCast}, {@link KdBounds}.
+ * <p>Work that only reads or replaces the arrays is in classes of its own: {@link KdBuilder},
+ * {@link KdRefit}, {@link KdJoin}, {@link KdCast}, {@link KdBounds}.
  *
  * <p><b>Threads.</b> As for every {@link SpatialIndex}; in addition, {@link #query} only reads, so
  * between updates any number of threads may query.

@@ -41,10 +41,6 @@ import java.util.Arrays;
  *   damping gravityScale sleepSpeed cold   nobody                     Body
  * </pre>
  *
- * <p><b>Length.</b> One idea: the bodies as arrays, each with its unit. It stays whole, because
- * holders in between would cost every kernel a load per array, and the pose of a body isn't used
- * without its velocity and mass.
- *
  * <p>In a step, workers write different slots side by side; that is why methods below that find
  * nothing to do write nothing.
  */

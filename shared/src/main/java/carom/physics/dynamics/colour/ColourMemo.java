@@ -2,8 +2,6 @@ package carom.physics.dynamics.colour;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
-import carom.physics.dynamics.domain.Domains;
-import carom.physics.dynamics.jointtree.JointTrees;
 import java.util.Arrays;
 
 /**
@@ -26,10 +24,10 @@ public final class ColourMemo {
   private int rows;
   private int slots;
 
-  /** {@link Domains#edition}. */
+  /** {@code Domains.edition}. */
   private int edition;
 
-  /** {@link JointTrees#edition}. */
+  /** {@code JointTrees.edition}. */
   private int treeEdition;
 
   private long[] key = new long[0];

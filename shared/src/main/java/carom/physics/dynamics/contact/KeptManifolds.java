@@ -217,8 +217,7 @@ public final class KeptManifolds {
   }
 
   /**
-   * Finds where two polygons touch. It stays whole, because it is a ladder of ways out, the most
-   * frequent one first, and each step needs the pose of B in A's frame.
+   * Finds where two polygons touch.
    *
    * @param row where to keep it
    * @param a A's part

@@ -1,8 +1,6 @@
 package carom.physics.dynamics.joint;
 
-import carom.physics.dynamics.Dynamics;
-
-/** Receives what {@link Dynamics#step} has to tell about joints. */
+/** Receives what {@code Dynamics.step} has to tell about joints. */
 @FunctionalInterface
 public interface JointEvents {
   /**

@@ -18,10 +18,6 @@ import java.util.Arrays;
  *
  * <p>What a step changes, impulses and forces, is copied whenever the state is; all else only if
  * something of it changed; the code that writes it must call {@link #coldChanged}.
- *
- * <p><b>Length.</b> One idea: the joints as columns, each with its unit. It stays whole, because a
- * joint is made, grown and copied in all columns at once, and a column that another class kept
- * would be forgotten there.
  */
 public final class JointStore {
   /** Type of a free slot. */

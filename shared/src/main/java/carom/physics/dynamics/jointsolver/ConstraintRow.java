@@ -43,8 +43,6 @@ import static carom.physics.dynamics.solverbody.SolverBodies.VX;
 import static carom.physics.dynamics.solverbody.SolverBodies.VY;
 import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
-import carom.physics.dynamics.solver.ContactSolver;
-import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.math.Trig;
 
 /**
@@ -59,7 +57,7 @@ import carom.physics.math.Trig;
  * the angle of a slider) are one block with a 2x2 mass.
  *
  * <p><b>Rigid</b> coordinates (q = 0) are a rigid row. Before positions move, the error is fed back
- * into the velocity as in contacts (see {@link ContactSolver}), {@code p = -m M (q' + b q) - I P},
+ * into the velocity as in contacts (see {@code ContactSolver}), {@code p = -m M (q' + b q) - I P},
  * with the joint's own hertz; after that the row is solved again without (relax), so that no energy
  * enters.
  *
@@ -115,7 +113,7 @@ abstract class ConstraintRow {
   /** Joints to visit. */
   final JointRecords joints;
 
-  /** State of the bodies: {@link SolverBodies#state}. */
+  /** State of the bodies: {@code SolverBodies.state}. */
   float[] v = new float[0];
 
   /** Length of a substep, s. */

@@ -10,7 +10,6 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointTrees;
 import carom.physics.dynamics.jointtree.TreeResponse;
-import carom.physics.dynamics.solverbody.SolverBodies;
 import java.util.Arrays;
 import java.util.function.IntPredicate;
 
@@ -66,7 +65,7 @@ final class JointGroups {
   /** Per body: its group. */
   private int[] groupOf = new int[0];
 
-  /** Per body: its slot in {@link SolverBodies}. */
+  /** Per body: its slot in {@code SolverBodies}. */
   private int[] place = new int[0];
 
   private double[] mass = new double[0];

@@ -2,8 +2,6 @@ package carom.physics.dynamics.jointsolver;
 
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointFrame;
-import carom.physics.dynamics.jointtree.TreeSolver;
-import carom.physics.dynamics.solverbody.SolverBodies;
 
 /**
  * The joints that aren't plain revolutes as the solver visits them: in the order of their colours,
@@ -132,12 +130,12 @@ final class JointRecords {
   /** Per joint: its slot. */
   int[] joint = new int[0];
 
-  /** Per joint: offsets of its bodies in {@link SolverBodies#state}. */
+  /** Per joint: offsets of its bodies in {@code SolverBodies.state}. */
   int[] bodyA = new int[0];
 
   int[] bodyB = new int[0];
 
-  /** Per joint: whether {@link TreeSolver} solves its point. */
+  /** Per joint: whether {@code TreeSolver} solves its point. */
   boolean[] inTree = new boolean[0];
 
   /** Records of all joints. */

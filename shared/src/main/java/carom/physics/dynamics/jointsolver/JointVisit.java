@@ -55,9 +55,6 @@ import carom.physics.math.Trig;
  *
  * <p>Lever arms turn with the bodies in each substep, other than those of contacts: a pendulum
  * turns much between two ticks.
- *
- * <p><b>Length.</b> One idea: one joint is solved. It stays whole, because a type of joint is a
- * choice among the same rows, and all rows work on the joint that is loaded in the fields.
  */
 final class JointVisit extends ConstraintRow {
   // What the step is about.

@@ -11,7 +11,6 @@ import static carom.physics.dynamics.solverbody.SolverBodies.W;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointFrame;
 import carom.physics.dynamics.parallel.ParallelFor;
-import carom.physics.dynamics.solver.ContactBlocks;
 import carom.physics.simd.VectorModule;
 import java.util.Arrays;
 
@@ -26,7 +25,7 @@ import java.util.Arrays;
  * substep find them where it left them, with the inverse of the mass; in the first substep {@link
  * #ready} did.
  *
- * <p>Laid out as {@link ContactBlocks} lays out contacts: all quantities of a block follow each
+ * <p>Laid out as {@code ContactBlocks} lays out contacts: all quantities of a block follow each
  * other, each for all its lanes.
  */
 public final class RevoluteSolver {

@@ -4,7 +4,6 @@ import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
-import carom.physics.dynamics.solverbody.SolverBodies;
 
 /** A joint and its two bodies as a step begins: the scratch of one worker that packs joints. */
 public final class JointFrame {
@@ -14,7 +13,7 @@ public final class JointFrame {
   /** Slot of body B. */
   public int bodyB;
 
-  /** Offsets of the bodies in {@link SolverBodies#state}, 0 for the world. */
+  /** Offsets of the bodies in {@code SolverBodies.state}, 0 for the world. */
   public int offsetA;
 
   public int offsetB;

@@ -6,7 +6,6 @@ import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
-import carom.physics.dynamics.solverbody.SolverBodies;
 
 /**
  * The numbers that {@link TreeSolver} computes with: a record of {@value #JOINT} doubles for each
@@ -101,7 +100,7 @@ final class TreeRecords {
   private final JointTrees trees;
   private final JointFrame frame = new JointFrame();
 
-  /** Per joint: offset of A in {@link SolverBodies#state}. */
+  /** Per joint: offset of A in {@code SolverBodies.state}. */
   int[] bodyA = new int[0];
 
   /** Per joint: offset of B. */

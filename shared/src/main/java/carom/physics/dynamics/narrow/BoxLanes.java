@@ -1,12 +1,11 @@
 package carom.physics.dynamics.narrow;
 
-import carom.physics.dynamics.contact.KeptManifolds;
 import carom.physics.simd.VectorKernels;
 import carom.physics.simd.VectorModule;
 
 /**
  * A kernel that finds the manifolds of {@link #LANES} pairs of boxes side by side. Its results are
- * bit for bit those of {@link KeptManifolds#collide} for one pair after the other; it keeps no
+ * bit for bit those of {@code KeptManifolds.collide} for one pair after the other; it keeps no
  * manifolds.
  *
  * <p>All work is on a scratch array that holds one quantity after the other, each for all lanes.

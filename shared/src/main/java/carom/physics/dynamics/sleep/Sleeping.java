@@ -23,9 +23,6 @@ import carom.physics.settings.Settings;
  * when its velocity, forces, pose or joints change, and when what it touches moves or changes.
  *
  * <p>The contacts of a body that wakes are in no table until {@link #mergeWoken}.
- *
- * <p><b>Length.</b> One idea: who sleeps. It stays whole, because falling asleep, waking and
- * restoring change the same lists.
  */
 public final class Sleeping {
   private final Settings settings;

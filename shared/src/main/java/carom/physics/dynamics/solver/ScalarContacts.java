@@ -119,8 +119,7 @@ final class ScalarContacts {
 
   /**
    * Visits a contact once: friction, then the normals with their springs. The gaps are those of the
-   * last {@link #relax}. It stays whole, because it mirrors the vector kernel line by line, and the
-   * velocities that it changes stay in registers.
+   * last {@link #relax}.
    */
   void applyBiasedImpulses(int block, int i) {
     float[] d = blocks.data;
@@ -196,10 +195,7 @@ final class ScalarContacts {
     applyImpulse(lane, at, normal, tangent, wa, wb);
   }
 
-  /**
-   * Visits a contact once after the bodies have moved: the normals, rigid, then friction. It stays
-   * whole, because it mirrors the vector kernel line by line, as {@link #applyBiasedImpulses} does.
-   */
+  /** Visits a contact once after the bodies have moved: the normals, rigid, then friction. */
   void relax(int block, int i) {
     float[] d = blocks.data;
     int lane = block * LANES + i;

@@ -26,9 +26,6 @@ import java.util.Arrays;
  * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs
  * whatever is added to it (which is zero). Moving bodies follow, see {@link SolverSlots}. Positions
  * are differences, so the solver works with small numbers wherever in the world it is.
- *
- * <p><b>Length.</b> One idea: the packed bodies of the solver. It stays whole, because loading,
- * integrating and storing are loops over the same eight numbers of a body, which are declared here.
  */
 public final class SolverBodies {
   /** Floats per slot. */

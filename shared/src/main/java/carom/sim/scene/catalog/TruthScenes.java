@@ -37,7 +37,7 @@ final class TruthScenes {
 
   private TruthScenes() {}
 
-  /** Returns the scenes. It stays whole, because it is a table: each scene is a row. */
+  /** Returns the scenes. */
   static List<Scene> all() {
     return List.of(
         new Scene(

@@ -20,9 +20,6 @@ import jdk.incubator.vector.VectorSpecies;
  *
  * <p>Where these choose, both are worked out and blended. Small methods that pass each other
  * arrays, never vectors: these would be boxed.
- *
- * <p><b>Length.</b> One idea: the manifolds of several pairs of boxes at once. It stays whole,
- * because its kernels pass each other values in one private scratch layout.
  */
 public final class VectorBoxes extends BoxLanes {
   private static final VectorSpecies<Float> LANE =

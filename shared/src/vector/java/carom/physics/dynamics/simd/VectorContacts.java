@@ -67,9 +67,6 @@ import jdk.incubator.vector.VectorSpecies;
  * <p>The methods are small and pass each other arrays, never vectors, and call the Vector API
  * without helpers in between. The JIT compiler boxes a vector that crosses a call which it didn't
  * inline (40 MB per step of the 5,050-box pyramid, and no gain).
- *
- * <p><b>Length.</b> One idea: the contacts of a block, solved at once. It stays whole, because its
- * kernels pass each other values in one private scratch layout.
  */
 public final class VectorContacts extends ContactLanes {
   private static final VectorSpecies<Float> LANE =
