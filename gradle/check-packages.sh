@@ -31,7 +31,7 @@ for zip in "$plain" "$runtime"; do
     for file in bin/carom bin/carom-bots bin/carom-client bin/carom-prepare bin/carom-server; do
         check "$zip has an executable $file" has "$work/list" "^-rwx.* carom-$version/$file\$"
     done
-    for file in LICENSE carom.cdx.json bin/carom-server.bat docs/OPERATIONS.md "lib/server-$version.jar" "lib/launcher-$version.jar"; do
+    for file in LICENSE carom.cdx.json bin/carom-server.bat docs/server/OPERATIONS.md "lib/server-$version.jar" "lib/launcher-$version.jar"; do
         check "$zip has $file" has "$work/list" " carom-$version/$file\$"
     done
     unzip -Z1 "$zip" >"$work/names"

@@ -2,7 +2,7 @@
 //!
 //! Arguments: the scene's name, the file that describes it, and the file to which the poses at the
 //! end are written. `SceneFile` in `carom.lab.bench` tells the format of both files, and
-//! docs/BENCHMARKS.md how entrants take turns.
+//! docs/lab/BENCHMARKS.md how entrants take turns.
 //!
 //! `box2d-v3 sleep STEPS SCENE...` instead prints the step at which all bodies of each scene sleep.
 

@@ -32,7 +32,7 @@ class HillGameTest {
       SimulatedClient ann = world.join("Ann", BAD, new Bot(1));
       world.join("Bob", BAD, new Bot(2));
       world.run(10);
-      assertEquals(List.of(), world.findings()); // breaks no rule of docs/GAMES.md
+      assertEquals(List.of(), world.findings()); // breaks no rule of docs/games/GAMES.md
       assertTrue(ann.rightPercent() > 95, world.describe());
       assertTrue(ann.corrections() < 10, world.describe());
     }

@@ -7,6 +7,6 @@
  *
  * <p>Allowed imports: {@code carom.sim..}, {@code carom.physics..}.
  *
- * <p>Read first: {@link carom.game.Games}; {@code docs/GAMES.md} is the tutorial.
+ * <p>Read first: {@link carom.game.Games}; {@code docs/games/GAMES.md} is the tutorial.
  */
 package carom.game;

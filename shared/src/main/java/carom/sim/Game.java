@@ -21,7 +21,7 @@ import java.util.List;
 
 /**
  * The rules of a game. Implement it, name it in a level file and list it as a service, and it is a
- * multiplayer game. {@code docs/GAMES.md} is the tutorial.
+ * multiplayer game. {@code docs/games/GAMES.md} is the tutorial.
  *
  * <p>One instance serves one simulation. Variables may hold what {@link #setUp} found (archetypes,
  * zones, scratch objects). Everything that changes while playing belongs into {@link #fields} or

@@ -58,7 +58,7 @@ final class EngineExamplesTest {
     StringBuilder source = new StringBuilder(HEAD);
     int examples = 0;
     for (String page : PAGES) {
-      Matcher example = EXAMPLE.matcher(Files.readString(Path.of("..", "docs", page)));
+      Matcher example = EXAMPLE.matcher(Files.readString(Path.of("..", "docs", "engine", page)));
       while (example.find()) {
         String name = page.replace(".md", "") + examples++;
         source.append("  void ").append(name).append("() {\n").append(example.group(1));

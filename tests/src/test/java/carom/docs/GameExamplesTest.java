@@ -27,7 +27,12 @@ import org.junit.jupiter.api.io.TempDir;
  */
 final class GameExamplesTest {
   private static final List<String> PAGES =
-      List.of("GAMES.md", "PLAYERS.md", "SHARED.md", "TESTING.md", "REPLAY.md");
+      List.of(
+          "games/GAMES.md",
+          "games/PLAYERS.md",
+          "games/SHARED.md",
+          "games/TESTING.md",
+          "server/REPLAY.md");
 
   private static final String HEAD =
       """
@@ -144,7 +149,7 @@ final class GameExamplesTest {
       int number = 0;
       for (String example : blocks(page, "java")) {
         if (!example.startsWith("package ")) { // the game of GAMES.md, see TutorialTest
-          String name = page.replace(".md", "") + ++number;
+          String name = page.replaceAll(".*/|[.]md", "") + ++number;
           classes.append(exampleClass(name, example, imports));
           examples++;
         }
@@ -193,7 +198,7 @@ final class GameExamplesTest {
   @Test
   void everyPieceOfALevelLoads() throws Exception {
     int pieces = 0;
-    for (String block : blocks("LEVELS.md", "json")) {
+    for (String block : blocks("games/LEVELS.md", "json")) {
       if (block.startsWith("{ \"type\"")) { // shapes, one a line
         for (String shape : block.lines().toList()) {
           load("\"statics\": [{ \"at\": [0, 0], \"shape\": " + shape + " }]");

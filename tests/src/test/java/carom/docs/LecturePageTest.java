@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Every class that docs/LECTURE.md names in the last column of its tables exists in the engine. */
+/** Every class that docs/engine/LECTURE.md names in the last column of its tables exists in the engine. */
 final class LecturePageTest {
   private static final Path ROOT = Path.of("..");
   private static final Pattern CLASS = Pattern.compile("`([A-Z]\\w+)`");
@@ -28,7 +28,7 @@ final class LecturePageTest {
     }
     TreeSet<String> missing = new TreeSet<>();
     int named = 0;
-    for (String line : Files.readAllLines(ROOT.resolve("docs/LECTURE.md"))) {
+    for (String line : Files.readAllLines(ROOT.resolve("docs/engine/LECTURE.md"))) {
       if (line.startsWith("|")) {
         Matcher found = CLASS.matcher(line.substring(line.lastIndexOf('|', line.length() - 2)));
         for (; found.find(); named++) {

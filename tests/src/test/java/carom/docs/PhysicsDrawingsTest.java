@@ -18,7 +18,7 @@ final class PhysicsDrawingsTest {
 
   private static Path docs() {
     Path directory = Path.of("").toAbsolutePath();
-    while (!Files.exists(directory.resolve("docs/PHYSICS.md"))) {
+    while (!Files.exists(directory.resolve("docs/engine/PHYSICS.md"))) {
       directory = directory.getParent();
     }
     return directory.resolve("docs");
@@ -28,7 +28,7 @@ final class PhysicsDrawingsTest {
   void thePagesShowEveryFigureAsItIsDrawn() throws IOException {
     String pages = "";
     for (String page : new String[] {"PHYSICS.md", "SHAPES.md", "JOINTS.md", "MOVER.md"}) {
-      pages += Files.readString(docs().resolve(page));
+      pages += Files.readString(docs().resolve("engine").resolve(page));
     }
     for (Map.Entry<String, String> figure : PhysicsDrawings.all().entrySet()) {
       Path file = docs().resolve("images").resolve(figure.getKey());

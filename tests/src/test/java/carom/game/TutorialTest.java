@@ -16,20 +16,20 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Goal: what {@code docs/GAMES.md} shows compiles and plays. */
+/** Goal: what {@code docs/games/GAMES.md} shows compiles and plays. */
 class TutorialTest {
   private static final String SOURCE = "tests/src/test/java/carom/game/tag/TagGame.java";
 
   private static Path root() {
     Path here = Path.of("").toAbsolutePath();
-    while (!Files.exists(here.resolve("docs/GAMES.md"))) {
+    while (!Files.exists(here.resolve("docs/games/GAMES.md"))) {
       here = here.getParent();
     }
     return here;
   }
 
   private static String block(String language) throws IOException {
-    String manual = Files.readString(root().resolve("docs/GAMES.md"));
+    String manual = Files.readString(root().resolve("docs/games/GAMES.md"));
     int start = manual.indexOf("```" + language + "\n") + language.length() + 4;
     return manual.substring(start, manual.indexOf("```", start));
   }

@@ -56,7 +56,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: {@code docs/PROTOCOL.md} and the code say the same. Method: the page is parsed and
+ * Goal: {@code docs/protocol/PROTOCOL.md} and the code say the same. Method: the page is parsed and
  * compared.
  */
 class ProtocolDocTest {
@@ -67,12 +67,12 @@ class ProtocolDocTest {
 
   private static String read() {
     Path directory = Path.of("").toAbsolutePath();
-    while (directory != null && !Files.exists(directory.resolve("docs/PROTOCOL.md"))) {
+    while (directory != null && !Files.exists(directory.resolve("docs/protocol/PROTOCOL.md"))) {
       directory = directory.getParent();
     }
-    assertNotNull(directory, "docs/PROTOCOL.md not found above the working directory");
+    assertNotNull(directory, "docs/protocol/PROTOCOL.md not found above the working directory");
     try {
-      return Files.readString(directory.resolve("docs/PROTOCOL.md"));
+      return Files.readString(directory.resolve("docs/protocol/PROTOCOL.md"));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** {@code docs/PHYSICS.md} names every constant of a world with its default. */
+/** {@code docs/engine/PHYSICS.md} names every constant of a world with its default. */
 class PhysicsDocTest {
   @Test
   void constantsAreThoseOfTheCode() throws Exception {
@@ -34,9 +34,9 @@ class PhysicsDocTest {
 
   private static Path page() {
     Path directory = Path.of("").toAbsolutePath();
-    while (!Files.exists(directory.resolve("docs/PHYSICS.md"))) {
+    while (!Files.exists(directory.resolve("docs/engine/PHYSICS.md"))) {
       directory = directory.getParent();
     }
-    return directory.resolve("docs/PHYSICS.md");
+    return directory.resolve("docs/engine/PHYSICS.md");
   }
 }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A message from a thin client to the server, see docs/THIN.md. Each door decodes it in its own
+ * A message from a thin client to the server, see docs/protocol/THIN.md. Each door decodes it in its own
  * form and checks sizes; what the values mean is checked where they are used.
  */
 public sealed interface ThinClientMessage {

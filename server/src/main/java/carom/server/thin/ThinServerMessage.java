@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A message from the server to a thin client, sent reliably and in order, see docs/THIN.md. Each
+ * A message from the server to a thin client, sent reliably and in order, see docs/protocol/THIN.md. Each
  * door encodes it in its own form. Snapshots are {@link ThinSnapshot}s instead.
  */
 public sealed interface ThinServerMessage {

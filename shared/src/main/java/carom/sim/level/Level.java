@@ -12,7 +12,7 @@ import java.util.List;
 
 /**
  * A level: static geometry, bodies, spawn points, zones and colours, read from a JSON file.
- * Immutable. {@code docs/LEVELS.md} describes the format.
+ * Immutable. {@code docs/games/LEVELS.md} describes the format.
  */
 public final class Level {
   /** Owner id of everything that the level places: no player. */

@@ -1,5 +1,5 @@
 /**
  * Attacks on a real server process over loopback, and the honest players that come meanwhile. See
- * docs/RELIABILITY.md.
+ * docs/server/RELIABILITY.md.
  */
 package carom.lab.attack;

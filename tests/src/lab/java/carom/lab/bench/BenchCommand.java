@@ -80,7 +80,7 @@ public final class BenchCommand implements Callable<Integer> {
       paramLabel = "NAME=PROGRAM",
       description =
           "A program that measures another engine, for instance a native one: it gets the scene's"
-              + " name and files, and takes its turns as docs/BENCHMARKS.md tells. Repeatable.")
+              + " name and files, and takes its turns as docs/lab/BENCHMARKS.md tells. Repeatable.")
   private Map<String, Path> external = Map.of();
 
   @Option(

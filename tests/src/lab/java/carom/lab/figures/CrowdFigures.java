@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 
 /**
  * Measures a server process and a process with 500 bots over loopback sockets in real time, with
- * the flags of docs/BENCHMARKS.md, "A crowd", and the JVM flags of the start scripts.
+ * the flags of docs/lab/BENCHMARKS.md, "A crowd", and the JVM flags of the start scripts.
  */
 final class CrowdFigures {
   private static final int BOTS = 500;

@@ -607,7 +607,7 @@ class LevelTest {
 
   @Test
   void theManualShowsALevelThatWorks() throws Exception {
-    String manual = manual("LEVELS.md");
+    String manual = manual("games/LEVELS.md");
     int start = manual.indexOf("```json") + 7;
     Level level = parse(manual.substring(start, manual.indexOf("```", start)));
     assertEquals("Yard", level.name());

@@ -1,6 +1,6 @@
 /**
  * The door for programs with stock KryoNet and its Kryo 2.24: a server transport whose links are
- * thin ones. It speaks their bytes by hand, see docs/THIN.md; nothing that a client sends creates
+ * thin ones. It speaks their bytes by hand, see docs/protocol/THIN.md; nothing that a client sends creates
  * an object of a class that the client names.
  *
  * <pre>

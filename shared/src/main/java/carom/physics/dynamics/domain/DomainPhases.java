@@ -6,7 +6,7 @@ import java.util.concurrent.atomic.AtomicIntegerArray;
 
 /**
  * Runs the phases of a step side by side, each worker for its domain of the world. Workers wait for
- * each other only where domains meet. {@code docs/THREADS.md} has a drawing.
+ * each other only where domains meet. {@code docs/engine/THREADS.md} has a drawing.
  *
  * <p>A phase has two parts per domain. The <i>inner</i> part touches nothing that another domain
  * touches in any phase. The <i>border</i> part may touch what others touch in theirs, though not in

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** What a client knows that follows docs/THIN.md: bodies by id, of either form. */
+/** What a client knows that follows docs/protocol/THIN.md: bodies by id, of either form. */
 final class ThinBooks {
   /** A body as it is told, in steps. */
   record Body(int x, int y, int angle, int archetype, int owner) {}

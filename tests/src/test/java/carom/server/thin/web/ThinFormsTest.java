@@ -35,7 +35,7 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Goal: both forms of a snapshot tell the same, in as many bytes as they may take. Method: a game
- * in virtual time; a client decodes what it is told as docs/THIN.md says, and the bytes are
+ * in virtual time; a client decodes what it is told as docs/protocol/THIN.md says, and the bytes are
  * counted.
  */
 final class ThinFormsTest {
@@ -278,7 +278,7 @@ final class ThinFormsTest {
 
   /** Returns the bytes of an example in the page, which begins with a byte. */
   private static byte[] example(String begin) throws Exception {
-    String page = Files.readString(Path.of("../docs/THIN.md"));
+    String page = Files.readString(Path.of("../docs/protocol/THIN.md"));
     Matcher matcher = Pattern.compile("`(" + begin + "( [0-9a-f]{2})+)`").matcher(page);
     assertTrue(matcher.find(), begin);
     return HexFormat.ofDelimiter(" ").parseHex(matcher.group(1));

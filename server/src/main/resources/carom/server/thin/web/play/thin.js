@@ -1,4 +1,4 @@
-// The link to the server: docs/THIN.md in JavaScript. JSON texts, snapshots and inputs in the binary form.
+// The link to the server: docs/protocol/THIN.md in JavaScript. JSON texts, snapshots and inputs in the binary form.
 
 const SNAPSHOT = 1, INPUT = 2, POSITION = 1 / 512, TURN = 2 * Math.PI / 1024;
 const SILENCE_MS = 12_000, FIRST_WAIT_MS = 500, LONGEST_WAIT_MS = 8_000;
