@@ -1,7 +1,6 @@
 package carom.net;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.kryo.KryoMessageCodec;
@@ -56,26 +55,38 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: {@code docs/protocol/PROTOCOL.md} and the code say the same. Method: the page is parsed and
+ * Goal: the pages of {@code docs/protocol} and the code say the same. Method: they are parsed and
  * compared.
  */
 class ProtocolDocTest {
 
   private static final Pattern GOLDEN = Pattern.compile("(?ms)^```golden (\\S+)$(.*?)^```$");
 
+  /** The pages of the protocol. */
+  private static final List<String> PAGES =
+      List.of(
+          "README",
+          "LINK",
+          "SESSIONS",
+          "MESSAGES",
+          "DATAGRAMS",
+          "EXACT",
+          "CODING",
+          "REPLICATION");
+
   private final String page = read();
 
+  /** Returns all pages, one after the other. */
   private static String read() {
-    Path directory = Path.of("").toAbsolutePath();
-    while (directory != null && !Files.exists(directory.resolve("docs/protocol/PROTOCOL.md"))) {
-      directory = directory.getParent();
+    StringBuilder text = new StringBuilder();
+    for (String name : PAGES) {
+      try {
+        text.append(Files.readString(Path.of("..", "docs", "protocol", name + ".md")));
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
     }
-    assertNotNull(directory, "docs/protocol/PROTOCOL.md not found above the working directory");
-    try {
-      return Files.readString(directory.resolve("docs/protocol/PROTOCOL.md"));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return text.toString();
   }
 
   private Map<String, byte[]> goldenOfThePage() {

@@ -4,7 +4,7 @@ package carom.net.protocol;
 public final class Protocol {
 
   /**
-   * Version of everything in {@code docs/protocol/PROTOCOL.md}. A change of one byte on the wire raises it,
+   * Version of all that {@code docs/protocol} defines. A change of one byte on the wire raises it,
    * also between two releases, because builds that don't understand each other must refuse each
    * other.
    */

@@ -1,7 +1,7 @@
 package carom.net.protocol;
 
 /**
- * State of a session as the server sees it. The table in {@code docs/protocol/PROTOCOL.md} lists the legal
+ * State of a session as the server sees it. The table in {@code docs/protocol/SESSIONS.md} lists the legal
  * transitions; a test compares the two.
  */
 public enum SessionState {

@@ -11,7 +11,7 @@ import carom.net.snapshot.frame.QuantizedPose;
 /**
  * The form of a datagram's records but for what deltas tell, described once: with a {@link
  * carom.net.codec.RangeEncoder} the same lines write that with a {@link
- * carom.net.codec.RangeDecoder} read. {@code docs/protocol/PROTOCOL.md} has the same as tables.
+ * carom.net.codec.RangeDecoder} read. {@code docs/protocol/CODING.md} has the same as tables.
  *
  * <p>Deltas come in <em>runs</em>: some of 64 neighbouring slots, all against the same tick. What a
  * run is has nodes in a small table of probabilities. As a datagram must be decodable alone, each
