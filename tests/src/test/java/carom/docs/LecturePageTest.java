@@ -12,7 +12,10 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Every class that docs/engine/LECTURE.md names in the last column of its tables exists in the engine. */
+/**
+ * Every class that docs/engine/LECTURE.md names in the last column of its tables exists in the
+ * engine.
+ */
 final class LecturePageTest {
   private static final Path ROOT = Path.of("..");
   private static final Pattern CLASS = Pattern.compile("`([A-Z]\\w+)`");

@@ -25,7 +25,8 @@ import org.junit.jupiter.api.Test;
  */
 final class LinksTest {
   private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
-  private static final Pattern LINK = Pattern.compile("]\\((?!\\w+:)([^)#\\s]*)(?:#([^)\\s]+))?\\)");
+  private static final Pattern LINK =
+      Pattern.compile("]\\((?!\\w+:)([^)#\\s]*)(?:#([^)\\s]+))?\\)");
   private static final Pattern NAMED_PAGE = Pattern.compile("(?<![\\w/])docs/[\\w/.-]+\\.md");
   private static final Set<String> NOT_OURS = Set.of("build", ".git", ".gradle", "target");
 

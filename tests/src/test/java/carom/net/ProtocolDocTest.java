@@ -65,14 +65,7 @@ class ProtocolDocTest {
   /** The pages of the protocol. */
   private static final List<String> PAGES =
       List.of(
-          "README",
-          "LINK",
-          "SESSIONS",
-          "MESSAGES",
-          "DATAGRAMS",
-          "EXACT",
-          "CODING",
-          "REPLICATION");
+          "README", "LINK", "SESSIONS", "MESSAGES", "DATAGRAMS", "EXACT", "CODING", "REPLICATION");
 
   private final String page = read();
 

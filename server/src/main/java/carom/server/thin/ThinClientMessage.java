@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A message from a thin client to the server, see docs/protocol/THIN.md. Each door decodes it in its own
- * form and checks sizes; what the values mean is checked where they are used.
+ * A message from a thin client to the server, see docs/protocol/THIN.md. Each door decodes it in
+ * its own form and checks sizes; what the values mean is checked where they are used.
  */
 public sealed interface ThinClientMessage {
   /** The largest number of inputs in an {@link Input}. */

@@ -4,8 +4,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A message from the server to a thin client, sent reliably and in order, see docs/protocol/THIN.md. Each
- * door encodes it in its own form. Snapshots are {@link ThinSnapshot}s instead.
+ * A message from the server to a thin client, sent reliably and in order, see
+ * docs/protocol/THIN.md. Each door encodes it in its own form. Snapshots are {@link ThinSnapshot}s
+ * instead.
  */
 public sealed interface ThinServerMessage {
   /**

@@ -1,8 +1,8 @@
 package carom.net.protocol;
 
 /**
- * State of a session as the server sees it. The table in {@code docs/protocol/SESSIONS.md} lists the legal
- * transitions; a test compares the two.
+ * State of a session as the server sees it. The table in {@code docs/protocol/SESSIONS.md} lists
+ * the legal transitions; a test compares the two.
  */
 public enum SessionState {
   /** The link is open; the server waits for {@code Hello}. */

@@ -22,9 +22,9 @@
  * └─────────────────────┴───────────────────────────────────────────────────────────────┘
  * </pre>
  *
- * <p>{@code docs/protocol/DATAGRAMS.md} has the bytes and the rules. {@code frame} is what the sections
- * describe. All of it sees arrays and bytes, no worlds and no transport. Read first: {@link
- * carom.net.snapshot.SnapshotEncoder}, {@link carom.net.snapshot.SnapshotDecoder}, {@link
+ * <p>{@code docs/protocol/DATAGRAMS.md} has the bytes and the rules. {@code frame} is what the
+ * sections describe. All of it sees arrays and bytes, no worlds and no transport. Read first:
+ * {@link carom.net.snapshot.SnapshotEncoder}, {@link carom.net.snapshot.SnapshotDecoder}, {@link
  * carom.net.snapshot.selection.ClientKnowledge}, {@link carom.net.snapshot.selection.Selection}.
  */
 package carom.net.snapshot;

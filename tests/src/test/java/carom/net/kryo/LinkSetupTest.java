@@ -32,8 +32,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * Goal: docs/protocol/LINK.md is all that a client needs to open a link. Method: one that was written
- * from the page, with nothing of Carom's own code, and joins a real server.
+ * Goal: docs/protocol/LINK.md is all that a client needs to open a link. Method: one that was
+ * written from the page, with nothing of Carom's own code, and joins a real server.
  */
 @Alone("sockets")
 @Timeout(30)

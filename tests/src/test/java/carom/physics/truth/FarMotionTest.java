@@ -16,8 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * How true motion is far from the origin, as {@code docs/engine/PHYSICS.md} states it. A step adds to a
- * coordinate what its float can hold, always rounded the same way.
+ * How true motion is far from the origin, as {@code docs/engine/PHYSICS.md} states it. A step adds
+ * to a coordinate what its float can hold, always rounded the same way.
  */
 final class FarMotionTest {
   @ParameterizedTest

@@ -1,7 +1,7 @@
 /**
  * The door for programs with stock KryoNet and its Kryo 2.24: a server transport whose links are
- * thin ones. It speaks their bytes by hand, see docs/protocol/THIN.md; nothing that a client sends creates
- * an object of a class that the client names.
+ * thin ones. It speaks their bytes by hand, see docs/protocol/THIN.md; nothing that a client sends
+ * creates an object of a class that the client names.
  *
  * <pre>
  *   PlainDoor ──► PlainConnection ──► PlainDecoder ──► PlainLink: lobby and rooms

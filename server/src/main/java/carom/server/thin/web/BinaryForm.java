@@ -5,9 +5,9 @@ import carom.server.thin.ThinSnapshot;
 import java.util.Arrays;
 
 /**
- * The compact form of snapshots and inputs, see docs/protocol/THIN.md. On a stream, what was sent last is
- * what the client has, so a pose is told as the difference to the last one of the same body. One
- * instance for each link; its lock guards it.
+ * The compact form of snapshots and inputs, see docs/protocol/THIN.md. On a stream, what was sent
+ * last is what the client has, so a pose is told as the difference to the last one of the same
+ * body. One instance for each link; its lock guards it.
  */
 final class BinaryForm {
   /** First byte of a snapshot. */

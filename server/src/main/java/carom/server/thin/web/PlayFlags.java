@@ -19,7 +19,8 @@ public final class PlayFlags {
       paramLabel = "N",
       description =
           "Port for HTTP and WebSocket at which browsers play (/play) and thin clients of any"
-              + " language (/thin, see docs/protocol/THIN.md), 0..65535, 0 = any free one (closed).")
+              + " language (/thin, see docs/protocol/THIN.md), 0..65535, 0 = any free one"
+              + " (closed).")
   private Integer playPort;
 
   @Option(

@@ -7,8 +7,8 @@ import carom.net.snapshot.frame.QuantizedPose;
 /**
  * Codes the content of a delta: whether the body stands still, and how far its pose is from the
  * predicted one. Described once: with a {@link carom.net.codec.SliceWriter} the same lines write
- * that with a {@link carom.net.codec.RangeDecoder} read. {@code docs/protocol/CODING.md} has the same as
- * tables.
+ * that with a {@link carom.net.codec.RangeDecoder} read. {@code docs/protocol/CODING.md} has the
+ * same as tables.
  *
  * <p>Of a body that stands still at the baseline, the ticks for which it went on resting come
  * first. Then it is predicted to stay, and the client learns when it began to move.

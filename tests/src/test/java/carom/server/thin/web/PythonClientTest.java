@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Goal: a client in another language plays by docs/protocol/THIN.md alone. Method: the example of docs/thin,
- * with the Python package websockets as pip installs it, joins a real server's arena.
+ * Goal: a client in another language plays by docs/protocol/THIN.md alone. Method: the example of
+ * docs/thin, with the Python package websockets as pip installs it, joins a real server's arena.
  */
 @Timeout(400)
 @Alone("sockets")

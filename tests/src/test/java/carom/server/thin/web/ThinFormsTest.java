@@ -35,8 +35,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Goal: both forms of a snapshot tell the same, in as many bytes as they may take. Method: a game
- * in virtual time; a client decodes what it is told as docs/protocol/THIN.md says, and the bytes are
- * counted.
+ * in virtual time; a client decodes what it is told as docs/protocol/THIN.md says, and the bytes
+ * are counted.
  */
 final class ThinFormsTest {
   private static final long TICK_NS = 16_666_667;
