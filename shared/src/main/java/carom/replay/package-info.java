@@ -1,6 +1,6 @@
 /**
  * Recordings: files from which any machine computes a game again, bit for bit. {@code
- * docs/server/REPLAY.md} describes the format.
+ * docs/protocol/RECORDING.md} describes the format.
  *
  * <p>A {@link carom.replay.Recorder} is a {@link carom.sim.Journal}. It turns the inputs of a
  * simulation and fingerprints of the results into blocks. A {@link carom.replay.BlockWriter} writes

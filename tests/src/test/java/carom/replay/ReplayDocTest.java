@@ -29,7 +29,7 @@ import java.util.zip.Inflater;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: the bytes in {@code docs/server/REPLAY.md} are those of a recording. Method: the page's
+ * Goal: the bytes in {@code docs/protocol/RECORDING.md} are those of a recording. Method: the page's
  * blocks marked {@code golden} are compared with what a {@link Recorder} makes of the page's level
  * and two ticks, and the whole block of the page is taken apart.
  */
@@ -40,12 +40,12 @@ final class ReplayDocTest {
 
   private static String read() {
     Path directory = Path.of("").toAbsolutePath();
-    while (directory != null && !Files.exists(directory.resolve("docs/server/REPLAY.md"))) {
+    while (directory != null && !Files.exists(directory.resolve("docs/protocol/RECORDING.md"))) {
       directory = directory.getParent();
     }
-    assertNotNull(directory, "docs/server/REPLAY.md not found above the working directory");
+    assertNotNull(directory, "docs/protocol/RECORDING.md not found above the working directory");
     try {
-      return Files.readString(directory.resolve("docs/server/REPLAY.md"));
+      return Files.readString(directory.resolve("docs/protocol/RECORDING.md"));
     } catch (IOException e) {
       throw new java.io.UncheckedIOException(e);
     }
