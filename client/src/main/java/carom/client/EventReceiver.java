@@ -8,7 +8,7 @@ import carom.client.stats.NetStatsRecorder;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.event.EventInbox;
 import carom.net.snapshot.event.EventRecord;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.event.EventKind;
 import carom.sim.outbox.Event;
 import carom.sim.spawn.Origin;
@@ -18,7 +18,7 @@ import carom.sim.spawn.Origin;
  * their kinds, and converts their units. One stay's; one thread.
  */
 final class EventReceiver {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final RepeatedEventFilter repeats;
   private final NetStatsRecorder stats;
   private final EventReconciler reconciler;
@@ -32,7 +32,7 @@ final class EventReceiver {
    * @param listener receives each event once
    */
   EventReceiver(
-      Simulation simulation,
+      SimulationHost simulation,
       int playerId,
       Prediction prediction,
       RepeatedEventFilter repeats,

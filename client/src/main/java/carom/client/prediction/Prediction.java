@@ -12,10 +12,10 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.joint.Assembly;
 import carom.sim.level.Archetype;
 import carom.sim.near.Neighbourhood;
@@ -61,8 +61,8 @@ public final class Prediction {
   /** States for which the exact state of a new own machine is waited for; its joints may break. */
   private static final int MOST_WAITED = 30;
 
-  private final Simulation simulation;
-  private final Player player;
+  private final SimulationHost simulation;
+  private final HostPlayer player;
   private final SnapshotRecords records;
   private final OwnWords words;
   private final MatchWords match;
@@ -102,7 +102,7 @@ public final class Prediction {
    *     compare the hashes; for developers, takes ten times as long
    */
   public Prediction(
-      Simulation simulation,
+      SimulationHost simulation,
       int playerId,
       String name,
       int maxRollbackTicks,
@@ -150,7 +150,7 @@ public final class Prediction {
   }
 
   /** Returns the predicted simulation, for debug drawing. Do not change it. */
-  public Simulation simulation() {
+  public SimulationHost simulation() {
     return simulation;
   }
 
@@ -316,7 +316,7 @@ public final class Prediction {
     if (origin == Origin.NONE || !records.spawns().wasPredicted(origin)) {
       return false;
     }
-    Entity entity = simulation.entity(id);
+    HostEntity entity = simulation.entity(id);
     boolean isPredicted = entity != null && entity.generation() == generation;
     return !isPredicted && records.spawns().key(origin) != key;
   }
@@ -360,7 +360,7 @@ public final class Prediction {
   }
 
   /** Returns the own player, as predicted. Do not change it. */
-  public Player player() {
+  public HostPlayer player() {
     return player;
   }
 

@@ -8,7 +8,7 @@ import carom.server.metrics.TurnStage;
 import carom.server.room.match.Match;
 import carom.server.room.match.RoomContext;
 import carom.server.session.Session;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.match.MatchClock;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -23,7 +23,7 @@ import org.slf4j.LoggerFactory;
  *   Departures          sessions end, or begin their grace period
  *   RoomMoves           players see the other rooms, and go there
  *   Session             one input per player
- *   Simulation.step
+ *   SimulationHost.step
  *   FrameCapture        the frame state, quantised once for all sessions
  *   SnapshotRound       each session's snapshot
  *   Post                messages of the game, which Session collected before the step
@@ -70,7 +70,7 @@ final class RoomTick {
 
   /** Lets other threads see the tick and phase of the present match. */
   void show() {
-    Simulation simulation = context.simulation();
+    SimulationHost simulation = context.simulation();
     tick = simulation.tick();
     phase = simulation.game().clock() == null ? "" : MatchClock.phase(simulation).text();
   }
@@ -120,7 +120,7 @@ final class RoomTick {
     parts.departures.serve(nowNs);
     parts.moves.serve(nowNs);
     Match match = context.match();
-    Simulation simulation = match.simulation();
+    SimulationHost simulation = match.simulation();
     takeInputs(simulation.tick() + 1);
     stages.end(TurnStage.INPUTS);
     boolean stepped = step(simulation);
@@ -160,7 +160,7 @@ final class RoomTick {
   }
 
   /** Returns false when the step itself threw; the callbacks of the game can't. */
-  private boolean step(Simulation simulation) {
+  private boolean step(SimulationHost simulation) {
     try {
       simulation.step();
       return true;
