@@ -5,7 +5,6 @@ import carom.physics.Joint;
 import carom.physics.World;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
-import carom.sim.entity.WorldSeal;
 import carom.sim.field.EntityRef;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
@@ -159,12 +158,6 @@ public final class Mirror {
         EntityRef.word(origin, 0), EntityRef.word(entity.id(), entity.generation()));
     entity.fieldValues().spawner(parts.players.get(entity.ownerId()));
     parts.entities.setOrigin(entity, origin);
-  }
-
-  /** Lets a call of the world pass that is refused to games, see {@link WorldSeal#permit}. */
-  public void permit(String call) {
-    parts.calls.requirePrediction("permit");
-    parts.seal.permit(call);
   }
 
   /**

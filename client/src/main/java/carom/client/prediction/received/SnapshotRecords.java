@@ -113,7 +113,6 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
         if (endA >= 0 && endB >= 0 && (a == null) != (b == null)) {
           Body<HostEntity> body = (a == null ? b : a).body();
           if (body.type() == BodyType.DYNAMIC) {
-            s.mirror().permit("setType");
             body.setType(BodyType.KINEMATIC);
           }
         }
