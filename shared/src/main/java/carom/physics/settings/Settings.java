@@ -16,14 +16,17 @@ import java.util.List;
 public abstract class Settings implements Cloneable {
   private static final Constant[] CONSTANTS = Constant.values();
   private static final MixingRule[] RULES = MixingRule.values();
-  private static final List<Constant> HASHED = new ArrayList<>(List.of(CONSTANTS));
-
-  static {
-    HASHED.remove(Constant.HIT_SPEED); // hashes have it elsewhere than archives
-    HASHED.add(HASHED.indexOf(Constant.AABB_MARGIN) + 1, Constant.HIT_SPEED);
-  }
+  private static final Constant[] HASHED = hashed();
 
   private float[] values = new float[CONSTANTS.length];
+
+  /** Returns the order in which hashes have the constants: hits elsewhere than in archives. */
+  private static Constant[] hashed() {
+    List<Constant> all = new ArrayList<>(List.of(CONSTANTS));
+    all.remove(Constant.HIT_SPEED);
+    all.add(all.indexOf(Constant.AABB_MARGIN) + 1, Constant.HIT_SPEED);
+    return all.toArray(new Constant[0]); // whose walk allocates nothing
+  }
 
   /** Starts with the defaults. */
   protected Settings() {
