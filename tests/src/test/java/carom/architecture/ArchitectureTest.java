@@ -356,10 +356,9 @@ final class ArchitectureTest {
         "carom.net.snapshot.record");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows", "carom.text");
-    allow("carom.values");
     allow("carom.text");
     allow("carom.json", "carom.text");
-    allow("carom.net.transport", "carom.net.protocol", "carom.values");
+    allow("carom.net.transport", "carom.net.protocol");
     allow("carom.net.admission");
     allow("carom.net.seal", "carom.text");
     allow("carom.net.datagram");
@@ -381,8 +380,7 @@ final class ArchitectureTest {
         "carom.net.datagram",
         "carom.net.admission",
         "carom.net.frame",
-        "carom.net.codec",
-        "carom.values");
+        "carom.net.codec");
     allow(
         "carom.net.kryo.server",
         "carom.net.kryo",
@@ -391,8 +389,7 @@ final class ArchitectureTest {
         "carom.net.seal",
         "carom.net.datagram",
         "carom.net.admission",
-        "carom.net.frame",
-        "carom.values");
+        "carom.net.frame");
     allow("carom.options", "carom.net.transport", "carom.text");
     allow(
         "carom.warmup",
@@ -417,7 +414,6 @@ final class ArchitectureTest {
         "carom.net..",
         "carom.options",
         "carom.warmup",
-        "carom.values",
         "carom.text",
         "carom.json", // what pages in browsers send
         "carom.replay",
@@ -430,7 +426,6 @@ final class ArchitectureTest {
         "carom.json",
         "carom.net..",
         "carom.options",
-        "carom.values",
         "carom.text",
         "carom.replay",
         "carom.sim..",
