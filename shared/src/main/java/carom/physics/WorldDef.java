@@ -21,92 +21,98 @@ public final class WorldDef extends Settings {
   /** Makes a definition with gravity (0, -10) and the other defaults. */
   public WorldDef() {}
 
-  /** Returns a copy with this {@link Constant#GRAVITY_X} and {@link Constant#GRAVITY_Y}, m/s^2. */
+  /**
+   * Returns a copy with this {@link Constant#GRAVITY_X} and {@link Constant#GRAVITY_Y}, -1e4..1e4
+   * m/s^2; default (0, -10).
+   */
   public WorldDef withGravity(float x, float y) {
     return with(Constant.GRAVITY_X, x).with(Constant.GRAVITY_Y, y);
   }
 
-  /** Returns a copy with this {@link Constant#SUBSTEPS}. */
+  /** Returns a copy with this number of {@link Constant#SUBSTEPS}, 1..32; default 4. */
   public WorldDef withSubsteps(int count) {
     return with(Constant.SUBSTEPS, count);
   }
 
-  /** Returns a copy with this {@link Constant#CONTACT_HERTZ}, 1/s. */
+  /** Returns a copy with this {@link Constant#CONTACT_HERTZ}, 1..1000 1/s; default 34. */
   public WorldDef withContactHertz(float hertz) {
     return with(Constant.CONTACT_HERTZ, hertz);
   }
 
-  /** Returns a copy with this {@link Constant#CONTACT_DAMPING_RATIO}. */
+  /** Returns a copy with this {@link Constant#CONTACT_DAMPING_RATIO}, 0.1..100; default 10. */
   public WorldDef withContactDampingRatio(float ratio) {
     return with(Constant.CONTACT_DAMPING_RATIO, ratio);
   }
 
-  /** Returns a copy with this {@link Constant#RESTITUTION_THRESHOLD}, m/s. */
+  /** Returns a copy with this {@link Constant#RESTITUTION_THRESHOLD}, 0..1e5 m/s; default 1. */
   public WorldDef withRestitutionThreshold(float speed) {
     return with(Constant.RESTITUTION_THRESHOLD, speed);
   }
 
-  /** Returns a copy with this {@link Constant#MAX_PUSH_SPEED}, m/s. */
+  /** Returns a copy with this {@link Constant#MAX_PUSH_SPEED}, 0..1000 m/s; default 3. */
   public WorldDef withMaxPushSpeed(float speed) {
     return with(Constant.MAX_PUSH_SPEED, speed);
   }
 
-  /** Returns a copy with this {@link Constant#SLOP}, m. */
+  /** Returns a copy with this {@link Constant#SLOP}, 0..1 m; default 0.002. */
   public WorldDef withSlop(float metres) {
     return with(Constant.SLOP, metres);
   }
 
-  /** Returns a copy with this {@link Constant#SPECULATIVE_DISTANCE}, m. */
+  /** Returns a copy with this {@link Constant#SPECULATIVE_DISTANCE}, 0..1 m; default 0.02. */
   public WorldDef withSpeculativeDistance(float metres) {
     return with(Constant.SPECULATIVE_DISTANCE, metres);
   }
 
-  /** Returns a copy with this {@link Constant#AABB_MARGIN}, m. */
+  /** Returns a copy with this {@link Constant#AABB_MARGIN}, 0..10 m; default 0.05. */
   public WorldDef withAabbMargin(float metres) {
     return with(Constant.AABB_MARGIN, metres);
   }
 
-  /** Returns a copy with this {@link Constant#MAX_SPEED}, m/s. */
+  /** Returns a copy with this {@link Constant#MAX_SPEED}, 1..1e5 m/s; default 2000. */
   public WorldDef withMaxSpeed(float speed) {
     return with(Constant.MAX_SPEED, speed);
   }
 
-  /** Returns a copy with this {@link Constant#MAX_ANGULAR_SPEED}, rad/s. */
+  /** Returns a copy with this {@link Constant#MAX_ANGULAR_SPEED}, 1..1e5 rad/s; default 250. */
   public WorldDef withMaxAngularSpeed(float speed) {
     return with(Constant.MAX_ANGULAR_SPEED, speed);
   }
 
-  /** Returns a copy with this {@link Constant#JOINT_HERTZ}, 1/s. */
+  /** Returns a copy with this {@link Constant#JOINT_HERTZ}, 1..1000 1/s; default 60. */
   public WorldDef withJointHertz(float hertz) {
     return with(Constant.JOINT_HERTZ, hertz);
   }
 
-  /** Returns a copy with this {@link Constant#JOINT_DAMPING_RATIO}. */
+  /** Returns a copy with this {@link Constant#JOINT_DAMPING_RATIO}, 0.1..100; default 5. */
   public WorldDef withJointDampingRatio(float ratio) {
     return with(Constant.JOINT_DAMPING_RATIO, ratio);
   }
 
-  /** Returns a copy in which bodies at rest fall asleep or not, see {@link Constant#SLEEPING}. */
+  /**
+   * Returns a copy in which bodies at rest fall asleep or not, see {@link Constant#SLEEPING};
+   * default true.
+   */
   public WorldDef withSleeping(boolean allowed) {
     return with(Constant.SLEEPING, allowed ? 1 : 0);
   }
 
-  /** Returns a copy with this {@link Constant#SLEEP_SPEED}, m/s. */
+  /** Returns a copy with this {@link Constant#SLEEP_SPEED}, 0..1000 m/s; default 0.05. */
   public WorldDef withSleepSpeed(float speed) {
     return with(Constant.SLEEP_SPEED, speed);
   }
 
-  /** Returns a copy with this {@link Constant#SLEEP_DELAY}, s. */
+  /** Returns a copy with this {@link Constant#SLEEP_DELAY}, 0.001..1000 s; default 0.5. */
   public WorldDef withSleepDelay(float seconds) {
     return with(Constant.SLEEP_DELAY, seconds);
   }
 
-  /** Returns a copy with {@link Constant#CONTINUOUS} collision, or without. */
+  /** Returns a copy with {@link Constant#CONTINUOUS} collision, or without; default true. */
   public WorldDef withContinuous(boolean allowed) {
     return with(Constant.CONTINUOUS, allowed ? 1 : 0);
   }
 
-  /** Returns a copy with this {@link Constant#HIT_SPEED}, m/s. */
+  /** Returns a copy with this {@link Constant#HIT_SPEED}, 0..1e5 m/s; default 1. */
   public WorldDef withHitSpeed(float speed) {
     return with(Constant.HIT_SPEED, speed);
   }

@@ -3,6 +3,7 @@ package carom.architecture;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.lab.house.Sources;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -27,19 +28,9 @@ final class HouseTest {
   /** The one package of the product that has a class of the laboratory, which reads its heads. */
   private static final String LOOKED_INTO_BY_THE_LABORATORY = "carom/net/snapshot";
 
-  private static final List<String> ROOTS =
-      List.of(
-          "shared/src/main/java",
-          "shared/src/vector/java",
-          "server/src/main/java",
-          "client/src/main/java",
-          "launcher/src/main/java",
-          "testkit/src/main/java",
-          "plain/src/main/java");
-
   /** Returns the sources of the product by package, as a path. */
   private static Map<String, List<Path>> sources() {
-    return sources(ROOTS);
+    return sources(Sources.ROOTS);
   }
 
   private static Map<String, List<Path>> sources(List<String> roots) {
@@ -69,7 +60,7 @@ final class HouseTest {
             (name, files) -> {
               boolean said = files.stream().anyMatch(f -> f.endsWith("package-info.java"));
               boolean elsewhere =
-                  ROOTS.stream()
+                  Sources.ROOTS.stream()
                       .anyMatch(
                           root ->
                               Files.exists(
@@ -91,7 +82,7 @@ final class HouseTest {
   void packagesAreInOneModule() {
     Map<String, String> owners = new TreeMap<>();
     Set<String> split = new TreeSet<>();
-    List<String> roots = new ArrayList<>(ROOTS);
+    List<String> roots = new ArrayList<>(Sources.ROOTS);
     roots.addAll(List.of("tests/src/main/java", "tests/src/lab/java", "tests/src/peers/java"));
     for (String root : roots) {
       String module = root.replace("/vector/", "/main/");

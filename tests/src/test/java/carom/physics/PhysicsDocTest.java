@@ -1,12 +1,15 @@
 package carom.physics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.settings.Constant;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
 /** {@code docs/engine/PHYSICS.md} names every constant of a world with its default. */
@@ -30,6 +33,30 @@ class PhysicsDocTest {
       }
     }
     assertEquals(expected, actual);
+  }
+
+  /** Goal: who reads a method of {@code WorldDef} sees the range that the row has. */
+  @Test
+  void methodsSayTheRangesOfTheRows() throws Exception {
+    String source =
+        Files.readString(
+            page().resolve("../../../shared/src/main/java/carom/physics/WorldDef.java"));
+    int ranges = 0;
+    for (Constant constant : Constant.values()) {
+      Class<?> type = WorldDef.class.getMethod(constant.label()).getReturnType();
+      if (type == boolean.class || type.isEnum()) {
+        continue; // has no range
+      }
+      Matcher said =
+          Pattern.compile(
+                  "#" + constant.name() + "}[^.]*?(-?[\\d.e-]+?)\\.\\.([\\de]+)", Pattern.DOTALL)
+              .matcher(source);
+      assertTrue(said.find(), constant.name());
+      assertEquals(constant.min(), Float.parseFloat(said.group(1)), constant.name());
+      assertEquals(constant.max(), Float.parseFloat(said.group(2)), constant.name());
+      ranges++;
+    }
+    assertTrue(ranges > 15, "ranges=" + ranges);
   }
 
   private static Path page() {

@@ -29,9 +29,9 @@ import java.util.zip.Inflater;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: the bytes in {@code docs/protocol/RECORDING.md} are those of a recording. Method: the page's
- * blocks marked {@code golden} are compared with what a {@link Recorder} makes of the page's level
- * and two ticks, and the whole block of the page is taken apart.
+ * Goal: the bytes in {@code docs/protocol/RECORDING.md} are those of a recording. Method: the
+ * page's blocks marked {@code golden} are compared with what a {@link Recorder} makes of the page's
+ * level and two ticks, and the whole block of the page is taken apart.
  */
 final class ReplayDocTest {
   private static final Pattern GOLDEN = Pattern.compile("(?ms)^```golden (\\S+)$(.*?)^```$");

@@ -25,7 +25,7 @@ import carom.sim.ruling.InterferenceLog;
  *                    └─────────────┘                 └────────────┘   │ last row sent
  *                      │         │                     │  part lost   │
  *     an entity of the │         │ older than          │ ┌────────────┴───┐
- *     list is gone     ▼         │ MOST_AGE ticks       └►│ RESENDING      │
+ *     list is gone     ▼         │ MOST_AGE ticks      └►│ RESENDING      │
  *                    NONE        ▼                       │ list may change│
  *                    NONE, half as many                  └────────────────┘
  *                    entities may be near

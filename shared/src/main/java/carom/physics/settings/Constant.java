@@ -194,4 +194,14 @@ public enum Constant {
   public String label() {
     return label;
   }
+
+  /** Returns the least value that is allowed, in the unit of the constant; 0 for switches. */
+  public float min() {
+    return min;
+  }
+
+  /** Returns the largest value that is allowed, in the unit of the constant; 1 for switches. */
+  public float max() {
+    return max;
+  }
 }

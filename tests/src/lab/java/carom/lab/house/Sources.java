@@ -20,7 +20,8 @@ import java.util.stream.Stream;
  * there.
  */
 public final class Sources {
-  private static final List<String> ROOTS =
+  /** Folders of the product's Java sources, seen from the project's. */
+  public static final List<String> ROOTS =
       List.of(
           "shared/src/main/java",
           "shared/src/vector/java",
