@@ -40,7 +40,9 @@ class PhysicsDocTest {
   void methodsSayTheRangesOfTheRows() throws Exception {
     String source =
         Files.readString(
-            page().resolve("../../../shared/src/main/java/carom/physics/WorldDef.java"));
+            page()
+                .resolve("../../../shared/src/main/java/carom/physics/WorldDef.java")
+                .normalize());
     int ranges = 0;
     for (Constant constant : Constant.values()) {
       Class<?> type = WorldDef.class.getMethod(constant.label()).getReturnType();

@@ -72,6 +72,9 @@ public final class HttpPort implements AutoCloseable {
   /** Connections that may wait to be accepted. */
   private static final int BACKLOG = 128;
 
+  /** Time that a visitor has to read why its request is refused, ms. */
+  private static final int LINGER_MS = 250;
+
   /** Time for which a request that hangs may hold the server's stop, ms. */
   private static final int STOP_MS = 1_000;
 
@@ -257,19 +260,26 @@ public final class HttpPort implements AutoCloseable {
     }
   }
 
-  /** Answers a request that would change something or goes on behind its head, and hangs up. */
+  /**
+   * Answers a request that would change something or goes on behind its head, and hangs up. The
+   * answer says its length, and the connection ends a moment later: what is left unread would
+   * otherwise make the system reset the connection, and the visitor lose the answer.
+   */
   private static void refuseBody(HttpServerExchange exchange, boolean isRead) {
+    String text = isRead ? "no body\n" : "only GET\n";
     exchange.setPersistent(false);
+    exchange.setResponseContentLength(text.length());
     exchange.setStatusCode(
         isRead ? StatusCodes.REQUEST_ENTITY_TOO_LARGE : StatusCodes.METHOD_NOT_ALLOWED);
     exchange
         .getResponseSender()
         .send(
-            isRead ? "no body\n" : "only GET\n",
+            text,
             new IoCallback() {
               @Override
               public void onComplete(HttpServerExchange done, Sender sender) {
-                hangUp(done);
+                done.getIoThread()
+                    .executeAfter(() -> hangUp(done), LINGER_MS, TimeUnit.MILLISECONDS);
               }
 
               @Override

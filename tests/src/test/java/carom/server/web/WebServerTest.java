@@ -28,6 +28,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -82,11 +83,24 @@ final class WebServerTest {
     assertEquals("the server stops\n", get("/readyz").body());
     assertEquals(200, get("/healthz").statusCode());
     assertEquals(404, get("/").statusCode());
-    HttpRequest post =
-        HttpRequest.newBuilder(URI.create(web.url() + "/healthz"))
-            .POST(HttpRequest.BodyPublishers.ofString("x"))
-            .build();
-    assertEquals(405, client.send(post, HttpResponse.BodyHandlers.discarding()).statusCode());
+  }
+
+  /** Goal: who is refused learns why, however much it sends that nobody reads. */
+  @Test
+  void aRequestWithABodyGetsItsAnswer() throws Exception {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    Random dice = new Random(seed);
+    for (int i = 0; i < 60; i++) {
+      int bytes = 1 + dice.nextInt(dice.nextBoolean() ? 4 : 64_000);
+      HttpRequest post =
+          HttpRequest.newBuilder(URI.create(web.url() + "/healthz"))
+              .POST(HttpRequest.BodyPublishers.ofByteArray(new byte[bytes]))
+              .build();
+      HttpResponse<String> answer = client.send(post, HttpResponse.BodyHandlers.ofString());
+      String about = "seed=" + seed + " bytes=" + bytes;
+      assertEquals(405, answer.statusCode(), about);
+      assertEquals("only GET\n", answer.body(), about);
+    }
   }
 
   @Test
