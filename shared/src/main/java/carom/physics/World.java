@@ -24,6 +24,7 @@ import carom.physics.profile.StageListener;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ExactRows;
 import carom.physics.rows.JointDefRow;
+import carom.physics.rows.PhysicsVersion;
 import carom.physics.settings.Settings;
 import carom.physics.threads.Workers;
 import java.util.ArrayList;
@@ -48,11 +49,10 @@ import java.util.function.IntFunction;
  */
 public final class World<T> {
   /**
-   * Version of the simulation's behaviour. It is raised whenever a change makes equal worlds behave
-   * differently. Recordings and connections of another version are refused, states as bytes tell it
-   * ({@link WorldState#physicsVersion}). {@code carom.net.protocol.Protocol} has the same number.
+   * Version of the simulation's arithmetic. Equal worlds of one version behave equally. Recordings
+   * of another version are refused, states as bytes tell it ({@link WorldState#physicsVersion}).
    */
-  public static final int PHYSICS_VERSION = 8;
+  public static final int PHYSICS_VERSION = PhysicsVersion.NUMBER;
 
   private static final JointType[] JOINT_TYPES = JointType.values();
 

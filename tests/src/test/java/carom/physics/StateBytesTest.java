@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.protocol.Protocol;
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
@@ -236,7 +235,6 @@ class StateBytesTest {
     assertEquals(saved.stateHash(), world.stateHash());
     assertEquals(World.PHYSICS_VERSION, world.save(null).physicsVersion());
     assertEquals(World.PHYSICS_VERSION, world.save(state).physicsVersion());
-    assertEquals(Protocol.PHYSICS_VERSION, "carom-physics-" + World.PHYSICS_VERSION);
   }
 
   /** One wrong byte, or several, or an end too early: refused, or a world that can be stepped. */

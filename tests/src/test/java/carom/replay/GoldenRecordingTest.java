@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * <p>If this fails, the simulation, a game or the format has changed. If that was intended, and the
  * commit says why, {@code ./gradlew test --tests GoldenRecordingTest -Dcarom.renew=true} writes the
  * files anew; a change of the format or of the arithmetic raises {@code Block.VERSION} or {@code
- * Protocol.PHYSICS_VERSION}, too.
+ * PhysicsVersion.NUMBER}, too.
  */
 final class GoldenRecordingTest {
   private static final String FOLDER = "tests/src/test/resources/recordings";

@@ -1,5 +1,7 @@
 package carom.net.protocol;
 
+import carom.physics.rows.PhysicsVersion;
+
 /** Versions on which client and server must agree. */
 public final class Protocol {
 
@@ -10,12 +12,8 @@ public final class Protocol {
    */
   public static final int VERSION = 11;
 
-  /**
-   * Version of the simulation's arithmetic. Two builds with the same version step any world to the
-   * same state hash. A change that alters a result of {@code carom.physics}, {@code carom.sim} or a
-   * shipped game raises it.
-   */
-  public static final String PHYSICS_VERSION = "carom-physics-8";
+  /** The version of the simulation's arithmetic, as clients and servers tell it. */
+  public static final String PHYSICS_VERSION = "carom-physics-" + PhysicsVersion.NUMBER;
 
   private Protocol() {}
 
