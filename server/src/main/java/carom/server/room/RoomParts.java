@@ -48,7 +48,7 @@ final class RoomParts {
   final Arrivals arrivals;
   final RoomMoves moves;
   final SnapshotRound snapshots;
-  final Post post;
+  final MessageDelivery messages;
 
   /** Null if the room isn't kept. */
   volatile RoomCheckpoints checkpoints;
@@ -89,7 +89,7 @@ final class RoomParts {
     LoadWarnings warnings = new LoadWarnings(label, counters, config.tickRateHz());
     pace = new TickPace(config.tickRateHz(), config.catchUpTicks(), warnings, counters);
     snapshots = new SnapshotRound(context, clock, sessions, departures, warnings);
-    post = new Post(context, sessions, directory);
+    messages = new MessageDelivery(context, sessions, directory);
   }
 
   private static Match firstMatch(MatchLoader loader) {

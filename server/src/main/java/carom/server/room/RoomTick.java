@@ -26,7 +26,7 @@ import org.slf4j.LoggerFactory;
  *   Simulation.step
  *   FrameCapture        the frame state, quantised once for all sessions
  *   SnapshotRound       each session's snapshot
- *   Post                messages of the game, which Session collected before the step
+ *   MessageDelivery     messages of the game, which Session collected before the step
  *   Announcer           notices of the game
  *   RosterNews          players and scores that changed
  *   Counters, RoomRecording
@@ -156,7 +156,7 @@ final class RoomTick {
       sessions.get(i).consumeInput(next);
       sessions.get(i).tellPace(parts.pace.percent(), parts.pace.viewsAreNarrow());
     }
-    parts.post.collect();
+    parts.messages.collect();
   }
 
   /** Returns false when the step itself threw; the callbacks of the game can't. */
@@ -180,7 +180,7 @@ final class RoomTick {
       late = parts.snapshots.run(beginNs, nowNs);
       stages.end(TurnStage.SNAPSHOTS);
     }
-    parts.post.send();
+    parts.messages.send();
     match.simulation().outbox().drainNotices(sendNotice);
     match.failures().tell(match.simulation().findings());
     parts.roster.send(sessions.bySeat(), nowNs, sendTo);

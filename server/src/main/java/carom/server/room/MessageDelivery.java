@@ -11,13 +11,13 @@ import java.util.function.Consumer;
  * Delivers the messages that the game sends to the sessions they are for. A session without a link
  * gets reliable ones when its client is back. The room's thread.
  */
-final class Post {
+final class MessageDelivery {
   private final RoomContext room;
   private final RoomSessions sessions;
   private final RoomDirectory directory;
   private final Consumer<Delivery> deliver = this::deliver;
 
-  Post(RoomContext room, RoomSessions sessions, RoomDirectory directory) {
+  MessageDelivery(RoomContext room, RoomSessions sessions, RoomDirectory directory) {
     this.room = room;
     this.sessions = sessions;
     this.directory = directory;
