@@ -2,7 +2,7 @@ package carom.sim.field;
 
 import carom.sim.event.Audience;
 import carom.sim.finding.Findings;
-import carom.sim.finding.Habit;
+import carom.sim.finding.RecurrenceMeter;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -22,7 +22,7 @@ public final class FieldUse {
   /** Reads are noted in one tick of so many. */
   private static final int TICKS = 8;
 
-  /** A word that is written at 5 Hz and more is a habit after some seconds. */
+  /** A word that is written at 5 Hz and more is recurrent after some seconds. */
   private static final int RISE = 12;
 
   /** Most words whose writes wait for a reader. */
@@ -40,7 +40,7 @@ public final class FieldUse {
   private final String[][] readers = new String[Scope.values().length][];
 
   /** By scope and word: how often other clients are told what an input did that read it. */
-  private final Habit[][] told = new Habit[Scope.values().length][];
+  private final RecurrenceMeter[][] told = new RecurrenceMeter[Scope.values().length][];
 
   /** By scope and word: whether there is a finding about it. */
   private final boolean[][] isFound = new boolean[Scope.values().length][];
@@ -54,7 +54,7 @@ public final class FieldUse {
     this.owners = owners;
     for (Scope scope : Scope.values()) {
       readers[scope.ordinal()] = new String[schema.words(scope)];
-      told[scope.ordinal()] = new Habit[schema.words(scope)];
+      told[scope.ordinal()] = new RecurrenceMeter[schema.words(scope)];
       isFound[scope.ordinal()] = new boolean[schema.words(scope)];
     }
   }
@@ -118,11 +118,11 @@ public final class FieldUse {
    * @param owner what the input is of
    */
   public void toldInput(Scope scope, int word, FieldValues owner, int tick) {
-    Habit[] habits = told[scope.ordinal()];
-    if (habits[word] == null) {
-      habits[word] = new Habit();
+    RecurrenceMeter[] meters = told[scope.ordinal()];
+    if (meters[word] == null) {
+      meters[word] = new RecurrenceMeter();
     }
-    if (!habits[word].note(tick) || isFound[scope.ordinal()][word]) {
+    if (!meters[word].note(tick) || isFound[scope.ordinal()][word]) {
       return;
     }
     isFound[scope.ordinal()][word] = true;
@@ -133,16 +133,16 @@ public final class FieldUse {
             + name
             + ", which not all players near are told, so their clients learn what it did a round"
             + " trip later; declare it .to(NEAR) if they may know it. First seen at tick "
-            + habits[word].firstTick()
+            + meters[word].firstTick()
             + ", "
             + owners.nameOf(owner)
             + ".");
   }
 
   /** Notes a write that no client can predict. */
-  void wrote(FieldValues values, int word, Habit habit, int tick) {
-    if (habit.note(tick, RISE) && written.size() < MOST_WRITTEN) {
-      written.add(new Written(values, word, callback, habit.firstTick()));
+  void wrote(FieldValues values, int word, RecurrenceMeter meter, int tick) {
+    if (meter.note(tick, RISE) && written.size() < MOST_WRITTEN) {
+      written.add(new Written(values, word, callback, meter.firstTick()));
     }
   }
 

@@ -1,7 +1,7 @@
 package carom.sim.field;
 
 import carom.physics.math.StateHash;
-import carom.sim.finding.Habit;
+import carom.sim.finding.RecurrenceMeter;
 import java.util.Arrays;
 
 /**
@@ -21,7 +21,7 @@ public final class FieldValues {
   private Object spawner;
 
   /** By word: how often rules write it; null where they never did. */
-  private Habit[] habits;
+  private RecurrenceMeter[] meters;
 
   /**
    * Creates values that are as at the start.
@@ -142,24 +142,24 @@ public final class FieldValues {
     if (words[index] != value && store.takes(this, index)) {
       if (store.isRuling(this)) {
         ruled += index < store.schema().toldWords(scope) ? 1 : 0;
-        noteHabit(index);
+        noteWrite(index);
       }
       store.noteWrite(scope, index);
       put(index, value);
     }
   }
 
-  private void noteHabit(int index) {
+  private void noteWrite(int index) {
     if (store.use() == null) {
       return;
     }
-    if (habits == null) {
-      habits = new Habit[words.length];
+    if (meters == null) {
+      meters = new RecurrenceMeter[words.length];
     }
-    if (habits[index] == null) {
-      habits[index] = new Habit();
+    if (meters[index] == null) {
+      meters[index] = new RecurrenceMeter();
     }
-    store.use().wrote(this, index, habits[index], store.tick());
+    store.use().wrote(this, index, meters[index], store.tick());
   }
 
   private void put(int index, int value) {

@@ -3,6 +3,6 @@
  * client can predict it.
  *
  * <p>Allowed imports: the JDK. Read first: {@link carom.sim.finding.Findings}, {@link
- * carom.sim.finding.Habit}.
+ * carom.sim.finding.RecurrenceMeter}.
  */
 package carom.sim.finding;

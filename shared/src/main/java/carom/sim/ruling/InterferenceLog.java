@@ -9,7 +9,7 @@ import carom.sim.entity.PlayerTable;
 import carom.sim.field.FieldStore;
 import carom.sim.field.Scope;
 import carom.sim.finding.Findings;
-import carom.sim.finding.Habit;
+import carom.sim.finding.RecurrenceMeter;
 import java.util.Arrays;
 import java.util.function.IntUnaryOperator;
 
@@ -51,7 +51,7 @@ public final class InterferenceLog {
     int hiddenWord;
     boolean beforeStep;
     JointNotes joints;
-    final Habit habit = new Habit();
+    final RecurrenceMeter meter = new RecurrenceMeter();
   }
 
   private static final int POSE = bits(BodyRow.X, 4);
@@ -386,8 +386,8 @@ public final class InterferenceLog {
     ruling.moment = beforeStep ? Ruling.Moment.BEFORE_STEP : Ruling.Moment.AFTER_STEP;
     ruling.key = entity.id() | entity.generation() << 16;
     rulings.add().set(ruling);
-    if (mark.habit.note(tick)) {
-      find(entity, mark.habit.firstTick(), beforeStep ? "beforeStep" : "afterStep");
+    if (mark.meter.note(tick)) {
+      find(entity, mark.meter.firstTick(), beforeStep ? "beforeStep" : "afterStep");
     }
     return true;
   }
@@ -475,7 +475,7 @@ public final class InterferenceLog {
       mark.lastHiddenTick = -1;
       mark.hiddenScope = null;
       mark.beforeStep = false;
-      mark.habit.clear();
+      mark.meter.clear();
     }
     return mark;
   }

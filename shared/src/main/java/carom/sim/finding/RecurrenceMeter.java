@@ -1,14 +1,16 @@
 package carom.sim.finding;
 
 /**
- * Tells what happens again and again from what happens now and then: a level that rises with each
- * time and sinks with each tick. One thread; no allocation.
+ * Tells what recurs from what happens now and then: a level that rises with each time and sinks
+ * with each tick. One thread; no allocation.
  */
-public final class Habit {
+public final class RecurrenceMeter {
   /** Rise of the level with each time, usually. It sinks by 1 with each tick. */
   private static final int RISE = 4;
 
-  /** The level of a habit: 20 times in as many ticks, or 60 times in every third tick. */
+  /**
+   * The level that counts as recurrent: 20 times in as many ticks, or 60 times in every third tick.
+   */
   private static final int LEVEL = 60;
 
   private int level;
@@ -16,8 +18,8 @@ public final class Habit {
   private int firstTick;
   private boolean told;
 
-  /** Creates a habit of something that never happened. */
-  public Habit() {}
+  /** Creates a meter of something that never happened yet. */
+  public RecurrenceMeter() {}
 
   /** Forgets all. */
   public void clear() {
@@ -29,7 +31,7 @@ public final class Habit {
    * Notes that it happened.
    *
    * @param tick not before the last one
-   * @return whether it is a habit since now; true once
+   * @return whether it has just become recurrent; true once
    */
   public boolean note(int tick) {
     return note(tick, RISE);
@@ -41,7 +43,7 @@ public final class Habit {
    * @param tick not before the last one
    * @param rise how much the level rises, which is the number of ticks after which it has sunk
    *     again
-   * @return whether it is a habit since now; true once
+   * @return whether it has just become recurrent; true once
    */
   public boolean note(int tick, int rise) {
     int sunk = Math.max(0, level - (tick - lastTick));
@@ -49,9 +51,9 @@ public final class Habit {
     boolean again = level > 0 && tick == lastTick;
     level = again ? level : sunk + rise;
     lastTick = tick;
-    boolean isHabit = level >= LEVEL;
-    boolean tells = isHabit && !told;
-    told |= isHabit;
+    boolean isRecurrent = level >= LEVEL;
+    boolean tells = isRecurrent && !told;
+    told |= isRecurrent;
     return tells;
   }
 

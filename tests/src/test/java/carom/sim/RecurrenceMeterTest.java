@@ -5,35 +5,35 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.sim.finding.Findings;
-import carom.sim.finding.Habit;
+import carom.sim.finding.RecurrenceMeter;
 import org.junit.jupiter.api.Test;
 
 /** What a game does all the time is told once; what it does now and then isn't. */
-final class HabitTest {
+final class RecurrenceMeterTest {
   @Test
-  void everyTickIsAHabitAfterATwentiethAndToldOnce() {
-    Habit habit = new Habit();
+  void everyTickIsRecurrentAfterTwentyAndToldOnce() {
+    RecurrenceMeter meter = new RecurrenceMeter();
     int told = 0;
     for (int tick = 100; tick < 200; tick++) {
-      told += habit.note(tick) ? 1 : 0;
+      told += meter.note(tick) ? 1 : 0;
       assertEquals(tick < 119 ? 0 : 1, told, "tick=" + tick);
     }
-    assertEquals(100, habit.firstTick());
+    assertEquals(100, meter.firstTick());
   }
 
   @Test
   void aSecondTimeInATickIsNoOther() {
-    Habit habit = new Habit();
+    RecurrenceMeter meter = new RecurrenceMeter();
     for (int i = 0; i < 100; i++) {
-      assertFalse(habit.note(7));
+      assertFalse(meter.note(7));
     }
   }
 
   @Test
   void everyFifthTickIsNone() {
-    Habit habit = new Habit();
+    RecurrenceMeter meter = new RecurrenceMeter();
     for (int tick = 0; tick < 5_000; tick += 5) {
-      assertFalse(habit.note(tick));
+      assertFalse(meter.note(tick));
     }
   }
 
