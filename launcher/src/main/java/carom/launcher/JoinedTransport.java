@@ -16,7 +16,7 @@ final class JoinedTransport implements ServerTransport {
   /**
    * Joins the two.
    *
-   * @param sockets closed with this; null if nobody else may join
+   * @param sockets closed with this; null if no other client may join
    */
   JoinedTransport(ServerTransport sockets) {
     this.sockets = sockets;

@@ -1,6 +1,6 @@
 package carom.plain;
 
-/** A text that somebody says, in either direction. */
+/** A line of chat, in either direction. */
 public final class Chat {
   /** Id of the player who said it; -1 for the server. */
   public int player = -1;

@@ -81,10 +81,13 @@ public final class Server implements AutoCloseable, RoomKeeper {
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
 
-  /** Nap of the lobby while nobody is there, ns, if the transport doesn't tell of new links. */
+  /** Nap of the lobby without links, ns, if the transport doesn't tell of new links. */
   private static final long LOOKING_NAP_NS = TimeUnit.MILLISECONDS.toNanos(50);
 
-  /** Nap of the lobby while nobody is there and the transport tells, ns: for lines of the log. */
+  /**
+   * Nap of the lobby without links, where the transport tells of new ones, ns: for lines of the
+   * log.
+   */
   private static final long IDLE_NAP_NS = TimeUnit.SECONDS.toNanos(1);
 
   /** Longest time between checkpoints, s. */
@@ -325,7 +328,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
     lobby.redirect(to);
   }
 
-  /** Sets who takes commands that players write into the chat; without it nobody does. */
+  /** Sets who takes commands that players write into the chat; without it no server does. */
   public void chatCommands(ChatCommands commands) {
     directory.chatCommands(commands);
   }

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Finds the flags that somebody probably meant: by words that other programs use for the same, by
+ * Finds the flags that a person probably meant: by words that other programs use for the same, by
  * spelling, and by a part of the name.
  */
 final class FlagSuggestion {

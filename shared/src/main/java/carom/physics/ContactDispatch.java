@@ -35,7 +35,7 @@ final class ContactDispatch<T> implements ContactEvents {
     return lists;
   }
 
-  /** Returns this, or null if nobody wants to know. */
+  /** Returns this, or null if there is no listener. */
   ContactEvents orNull() {
     return listener == null && lists == null ? null : this;
   }

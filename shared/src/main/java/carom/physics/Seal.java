@@ -22,8 +22,8 @@ public interface Seal<T> {
   String refusal(String call, Body<T> body);
 
   /**
-   * Receives that somebody asked by {@link Body#forEachOverlap} and was told of a body. It may
-   * advise, and must change nothing.
+   * Receives that a caller of {@link Body#forEachOverlap} got a body. It may advise, and must
+   * change nothing.
    *
    * @param asked the body that was asked about
    * @param other the one that overlaps it

@@ -132,7 +132,7 @@ public final class World<T> {
    * Returns the constants that this world was made with. Another world that shall {@link #read} its
    * states is made with the same.
    *
-   * @return the constructor's definition, whatever {@link #redefine} changed
+   * @return the constructor's definition, without what {@link #redefine} changed
    */
   public WorldDef firstDef() {
     return firstDef;
@@ -720,7 +720,7 @@ public final class World<T> {
   }
 
   /**
-   * Sets the listener that is told of the stages of a step, to measure them. It is not part of the
+   * Sets the listener that hears of the stages of a step, to measure them. It is not part of the
    * state.
    *
    * @param newListener the listener, null (the default) for none
@@ -1375,7 +1375,7 @@ public final class World<T> {
     }
   }
 
-  /** Returns the receiver of contact events; null if nobody wants to know. */
+  /** Returns the receiver of contact events; null if there is no listener. */
   ContactEvents contactEvents() {
     return events.orNull();
   }

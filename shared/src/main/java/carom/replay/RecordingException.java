@@ -6,9 +6,7 @@ import java.io.IOException;
 public final class RecordingException extends IOException {
   private static final long serialVersionUID = 1;
 
-  /**
-   * Creates an exception with a message that says what is wrong, where, and what would be right.
-   */
+  /** Creates an exception. Its message names the fault, its place, and the valid values. */
   public RecordingException(String message) {
     super(message);
   }

@@ -20,9 +20,9 @@ import java.util.zip.Inflater;
 
 /**
  * Reader that returns a recording event by event, also one that is still being written or was cut
- * off. It trusts nothing. Whatever the bytes are, it returns an event or throws a {@link
- * RecordingException} that says what is wrong at which byte. It takes less than about 12 MiB of
- * memory, or 100 MiB with a state. Use it from one thread.
+ * off. It trusts nothing. For any bytes, it returns an event or throws a {@link RecordingException}
+ * that names the fault and its byte. It takes less than about 12 MiB of memory, or 100 MiB with a
+ * state. Use it from one thread.
  */
 public final class RecordingReader implements AutoCloseable {
   /** Longest name of a player in UTF-8 bytes. */

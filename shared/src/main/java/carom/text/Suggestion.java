@@ -2,7 +2,7 @@ package carom.text;
 
 import java.util.Collection;
 
-/** Finds the known word that somebody probably meant. */
+/** Finds the known word that a person probably meant. */
 public final class Suggestion {
   /** Fewest letters of a beginning that tell which word is meant. */
   private static final int BEGINNING = 3;

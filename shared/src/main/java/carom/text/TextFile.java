@@ -8,8 +8,8 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /**
- * Reads files that people edit. They are UTF-8 whatever the locale is, with or without the byte
- * order mark that some editors write.
+ * Reads files that people edit. They are UTF-8 in every locale, with or without the byte order mark
+ * that some editors write.
  */
 public final class TextFile {
   /** Most bytes of a list or a file of settings: 100,000 bans. */

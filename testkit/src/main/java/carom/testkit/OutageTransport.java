@@ -9,7 +9,7 @@ import java.util.List;
  * Opens links over a line that can be dead for some time, as in a tunnel. Nothing crosses a dead
  * line, in neither direction: datagrams are lost, reliable messages and the ends of links wait for
  * the line, and a link that is opened meanwhile connects only when the line is back. Neither side
- * is told. Wrap it in the simulation of a bad network, not the other way. One thread.
+ * hears of it. Wrap it in the simulation of a bad network, not the other way. One thread.
  */
 public final class OutageTransport implements ClientTransport {
   private final ClientTransport inner;

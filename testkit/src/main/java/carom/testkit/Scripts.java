@@ -15,7 +15,7 @@ public final class Scripts {
 
   /**
    * Returns a source that changes direction, jump and action at random several times a second. It
-   * ignores the view, so equal seeds give equal inputs whatever the client sees.
+   * ignores the view, so equal seeds give equal inputs in any game.
    */
   public static InputSource wander(long seed) {
     SimRandom random = new SimRandom(seed);

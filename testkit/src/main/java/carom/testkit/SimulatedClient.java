@@ -232,8 +232,8 @@ public final class SimulatedClient {
   }
 
   /**
-   * Kills the client's process for good. The system closes its sockets, and the client says no
-   * goodbye.
+   * Kills the client's process, as by {@code kill -9}. The system closes its sockets, and the
+   * client says no goodbye.
    */
   public void kill() {
     dead = true;

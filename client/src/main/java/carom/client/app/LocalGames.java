@@ -22,7 +22,7 @@ public interface LocalGames {
 
   /** A game that runs, with its server in this process. */
   interface LocalGame extends AutoCloseable {
-    /** Returns a transport whose links lead to the server, whatever the address. */
+    /** Returns a transport whose links all lead to the server, for any address. */
     ClientTransport transport();
 
     /** Returns how others can join, in words for the player; empty if they can't. */

@@ -27,7 +27,7 @@ import java.util.Set;
  *
  * <p>Anybody may answer. So at most {@value #MAX_SERVERS} servers are kept and {@value
  * #MAX_PER_ROUND} datagrams are looked at in a round, and an address is asked at most {@value
- * #MAX_PER_ADDRESS} times a round, which makes this useless to flood somebody else.
+ * #MAX_PER_ADDRESS} times a round, which makes this useless for floods.
  */
 public final class LanSearch implements AutoCloseable {
   /** Port at which servers answer unless told otherwise. */

@@ -3,8 +3,8 @@ package carom.client.events;
 /**
  * Drops the events that a new link repeats. The server sends again what it doesn't know to have
  * arrived over the lost link: whole ticks, in the same order. If the new link loses events before
- * the repetition is through, nobody can tell which; the rest of that tick is dropped. One thread;
- * no allocation.
+ * the repetition is through, which ones can't be known; the rest of that tick is dropped. One
+ * thread; no allocation.
  */
 public final class RepeatedEventFilter {
   private String room = "";

@@ -439,7 +439,7 @@ public final class Connection implements LinkHandler {
     }
   }
 
-  /** Leaves the game for good. */
+  /** Leaves the game and ends the session. */
   public void leave() {
     if (stage == Stage.ENDED) {
       return;

@@ -19,7 +19,7 @@ final class LevelDownload {
   /** Pieces that are requested and not yet received; several at once hide the round trip. */
   private static final int PIECES_IN_FLIGHT = 16;
 
-  /** Levels that are kept, and their bytes together; the present one is kept whatever its size. */
+  /** Levels that are kept, and their bytes together; the present one is kept at any size. */
   private static final int MAX_KEPT = 16;
 
   private static final int MAX_KEPT_BYTES = 16 << 20;

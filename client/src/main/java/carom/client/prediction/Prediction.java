@@ -373,7 +373,9 @@ public final class Prediction {
     return result;
   }
 
-  /** Returns whether nobody else is in the predicted set: only own inputs and statics matter. */
+  /**
+   * Returns whether the predicted set holds no other entity: only own inputs and statics matter.
+   */
   public boolean isAlone() {
     return poses.isAlone();
   }

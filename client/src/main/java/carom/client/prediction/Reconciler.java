@@ -270,8 +270,8 @@ final class Reconciler {
   }
 
   /**
-   * Takes the server's words of the own player's fields: its rules wrote them, so they are told and
-   * nobody predicted wrongly. All bodies are equal and stay as they are.
+   * Takes the server's words of the own player's fields: its rules wrote them, so the server sends
+   * them, and it counts as no misprediction. All bodies are equal and stay as they are.
    *
    * @param from the tick of a rollback that has happened, or -1
    */

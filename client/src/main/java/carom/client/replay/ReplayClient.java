@@ -345,7 +345,7 @@ public final class ReplayClient implements AutoCloseable {
     waiting = false;
   }
 
-  /** Makes the camera follow the next player with a body, or nobody after the last one. */
+  /** Makes the camera follow the next player with a body, or none after the last one. */
   public void followNext() {
     Simulation s = replay.simulation();
     for (int id = followed + 1; id < s.playerCapacity(); id++) {
@@ -357,7 +357,7 @@ public final class ReplayClient implements AutoCloseable {
     followed = -1;
   }
 
-  /** Makes the camera follow a player by id, while that player has a body; -1 for nobody. */
+  /** Makes the camera follow a player by id, while that player has a body; -1 for none. */
   public void follow(int playerId) {
     followed = playerId;
   }

@@ -154,7 +154,7 @@ public final class ClientView {
 
   // ---- written by a ViewWriter
 
-  /** Sets what fills in the entities when somebody looks: bots look less often than people. */
+  /** Sets what fills in the entities when they are read: bots look less often than people. */
   void composer(Runnable newComposer) {
     composer = newComposer;
   }
@@ -359,7 +359,7 @@ public final class ClientView {
   }
 
   /**
-   * Returns the body of the {@linkplain #watchedPlayer watched player}, or null if nobody is
+   * Returns the body of the {@linkplain #watchedPlayer watched player}, or null if no player is
    * watched or the body isn't visible. Cost: one pass over the visible entities.
    */
   public Drawn watched() {
@@ -397,7 +397,9 @@ public final class ClientView {
     return players;
   }
 
-  /** Returns what the roster says of a player or spectator, or null if nobody has this id. */
+  /**
+   * Returns what the roster says of a player or spectator, or null if no participant has this id.
+   */
   public RosterEntry participant(int id) {
     return self != null && self.playerId() == id ? self : listed(id);
   }

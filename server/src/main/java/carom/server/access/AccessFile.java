@@ -37,7 +37,7 @@ final class AccessFile {
    * Reads the file, if it is there.
    *
    * @param head first line of a new file, a comment
-   * @param takesNames whether entries may be about names, which anybody can take
+   * @param takesNames whether entries may be about names, which any player can take
    * @throws IOException if it can't be read; the message says what to do
    */
   AccessFile(Path file, String head, boolean takesNames) throws IOException {

@@ -1,6 +1,6 @@
 package carom.server.access;
 
-/** A join token that lets nobody in. The message is for the player. */
+/** Thrown for a join token that isn't valid. The message is for the player. */
 public final class BadTokenException extends Exception {
   private static final long serialVersionUID = 1;
 

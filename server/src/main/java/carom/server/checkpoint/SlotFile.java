@@ -85,7 +85,7 @@ final class SlotFile implements BlockSink {
     written = writer.written();
   }
 
-  /** Writes who plays: at first at the checkpoint, later since somebody came or went. */
+  /** Writes who plays: at first at the checkpoint, later since the last player came or went. */
   void seats(byte[] bytes) {
     Task write =
         hasSeats ? () -> folder.writeLatest(number, bytes) : () -> folder.writeSeats(number, bytes);

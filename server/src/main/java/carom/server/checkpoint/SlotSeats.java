@@ -40,7 +40,7 @@ final class SlotSeats {
     this.bySeat = bySeat;
   }
 
-  /** Begins another slot, whose log has nobody yet. */
+  /** Begins another slot, whose log has no players yet. */
   void clear() {
     written = List.of();
     presentCount = 0;

@@ -57,7 +57,7 @@ public final class CommandRegistry {
   }
 
   /**
-   * Carries out a line. Never throws: whatever goes wrong is the answer. A command that may change
+   * Carries out a line. Never throws: the answer names what went wrong. A command that may change
    * something leaves a line in the log: who gave it, what it was, and the answer.
    *
    * @param line a command and its words; empty and comments (#) have an empty answer

@@ -41,7 +41,7 @@ public final class Quoting {
     return words(line, false);
   }
 
-  /** Returns the words of a line that somebody is still writing: the last quote may be open. */
+  /** Returns the words of an unfinished line: the last quote may be open. */
   public static List<Word> begunWords(String line) {
     return words(line, true);
   }
@@ -100,7 +100,7 @@ public final class Quoting {
     return QUOTE + text.replace("\"", "\"\"") + QUOTE;
   }
 
-  /** Returns a text as somebody would write it: in quotes only where it needs them. */
+  /** Returns a text as a person would write it: in quotes only where it needs them. */
   public static String shown(String text) {
     boolean plain =
         !text.isEmpty()

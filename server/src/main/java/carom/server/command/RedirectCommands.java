@@ -122,7 +122,7 @@ public final class RedirectCommands {
   /**
    * Returns a redirect whose server answers.
    *
-   * @throws CommandException if it doesn't; the message says what was tried, and nobody is sent
+   * @throws CommandException if it doesn't; the message says what was tried, and no player is sent
    *     away
    */
   private ServerMessage.Redirect answering(ServerMessage.Redirect redirect)

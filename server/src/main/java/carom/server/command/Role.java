@@ -1,7 +1,7 @@
 package carom.server.command;
 
 /**
- * A role says how far somebody who gives commands is trusted. It may do what those before it may.
+ * A role says how far a person who gives commands is trusted. It may do what those before it may.
  */
 public enum Role {
   /** A player that an operator has listed as admin: people are removed, muted, banned, let in. */

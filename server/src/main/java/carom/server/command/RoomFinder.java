@@ -60,7 +60,7 @@ public final class RoomFinder {
     return rooms.stream().map(room -> "@" + room.name()).toList();
   }
 
-  /** Returns whether a word is surely an id, such as {@code #3}, whatever names players have. */
+  /** Returns whether a word can only be an id, such as {@code #3}, and never a player's name. */
   public static boolean isId(String word) {
     return ID.matcher(word).matches();
   }

@@ -10,7 +10,7 @@ import java.util.function.UnaryOperator;
 public final class LiveConfig implements Supplier<ServerConfig> {
   private volatile ServerConfig present;
 
-  /** Creates settings that nobody has changed. */
+  /** Creates settings without changes. */
   public LiveConfig(ServerConfig start) {
     present = start;
   }

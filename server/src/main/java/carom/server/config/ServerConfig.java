@@ -56,8 +56,8 @@ import java.util.Objects;
  *     that is too busy tells players only of what they show
  * @param rosterIntervalMs shortest time between two rosters (names and scores), ms, 0..10,000
  * @param statusIntervalS time between two status lines in the log, s, 0..86,400; 0 = none
- * @param pausesIdleRooms whether a room stops ticking while nobody plays or watches and nothing is
- *     recorded. It goes on where it stopped as soon as a player comes
+ * @param pausesIdleRooms whether a room without players, spectators and recording stops ticking. It
+ *     goes on where it stopped as soon as a player comes
  * @param takesAnyCode whether players whose build of a game differs may play, with a warning; for
  *     developers
  * @param welcome what the server says to each player who joins, 0..120 characters; empty for

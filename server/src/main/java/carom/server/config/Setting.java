@@ -18,7 +18,7 @@ import java.util.Locale;
  */
 public record Setting(
     String name, List<String> values, String origin, String defaultValue, String kind, String doc) {
-  /** Origin of a value that nobody set. */
+  /** Origin of a default value. */
   public static final String DEFAULT = "default";
 
   /** Beginning of the names of environment variables. */

@@ -66,8 +66,8 @@ public final class Console implements AutoCloseable {
   }
 
   /**
-   * Carries out line after line until the input ends. Lines are UTF-8, whatever the locale is. One
-   * that isn't, or that is too long, is answered and has no effect.
+   * Carries out line after line until the input ends. Lines are UTF-8 in every locale. One that
+   * isn't, or that is too long, is answered and has no effect.
    *
    * @param out receives the answers
    */

@@ -289,7 +289,7 @@ public final class HttpPort implements AutoCloseable {
             });
   }
 
-  /** Ends a connection whose rest nobody waits for. */
+  /** Ends a connection whose remaining bytes don't matter. */
   private static void hangUp(HttpServerExchange exchange) {
     try {
       exchange.getConnection().close();

@@ -9,7 +9,7 @@ import org.xnio.conduits.StreamSourceConduit;
 
 /**
  * Reads from a connection until it has sent more bytes than it may, and then fails, so that the
- * connection ends. It counts whatever arrives: requests, frames, and what is neither. The thread
+ * connection ends. It counts all that arrives: requests, frames, and what is neither. The thread
  * that reads the connection.
  */
 final class InboundBudget extends AbstractStreamSourceConduit<StreamSourceConduit> {

@@ -52,7 +52,7 @@ public final class Origins {
     return proxies.stream().anyMatch(range -> range.contains(address.getAddress()));
   }
 
-  /** Returns whether a proxy that nobody has named handed on a request. */
+  /** Returns whether a proxy that isn't configured handed on a request. */
   public boolean isByUnknownProxy(HttpServerExchange exchange) {
     return !isProxy(exchange.getSourceAddress().getAddress())
         && TRACES.stream().anyMatch(exchange.getRequestHeaders()::contains);

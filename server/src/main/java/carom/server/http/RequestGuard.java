@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
- * Refuses requests that a browser makes for somebody else's page.
+ * Refuses requests that a browser makes for a foreign page.
  *
  * <ul>
  *   <li><b>Host.</b> A foreign site can have its own name resolve to this machine, and then counts

@@ -139,8 +139,8 @@ final class RoomChooser {
   }
 
   /**
-   * Asks a room to give up a seat that nobody plays in, or one of a network that holds more than
-   * its share. Returns the room that will, or null.
+   * Asks a room to give up an idle seat, or one of a network that holds more than its share.
+   * Returns the room that will, or null.
    *
    * @param account the newcomer's account, or empty
    * @param origin where the newcomer comes from

@@ -405,9 +405,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   }
 
   /**
-   * Asks a room to give up a seat that nobody plays in or that a network holds beyond its share.
+   * Asks a room to give up an idle seat, or one of a network that holds more than its share.
    * Without one, a visitor gives way that loads the level and crowds others out, or stalls. Returns
-   * false if nobody gives way.
+   * false if no seat gives way.
    */
   private boolean askForSeat(Room requested) {
     if (context.nowNs() - askAgainNs < 0) {
@@ -509,7 +509,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     context.partings().add(link, "server error", context.nowNs());
   }
 
-  /** Returns whether the visitor has left the lobby, for a room or for good. */
+  /** Returns whether the visitor has left the lobby, for a room or altogether. */
   boolean isDone() {
     return done;
   }

@@ -10,15 +10,15 @@ public final class GamePassword {
   private final Secret secret;
   private final LoginThrottle throttle;
 
-  /** Creates a password that nobody has tried yet. */
+  /** Creates a password without failed tries. */
   public GamePassword(Secret secret, LoginThrottle throttle) {
     this.secret = secret;
     this.throttle = throttle;
   }
 
   /**
-   * Returns why somebody may not come in, for the player; empty without a password, null if it is
-   * right.
+   * Returns why a player may not come in, as a text for the player; empty without a password, null
+   * if it is right.
    *
    * @param shown the password that was shown, or null for none
    */

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.function.LongSupplier;
 
 /**
- * Limits how often somebody may try to log in. After {@value #MOST} wrong tries an address waits
+ * Limits how often an address may try to log in. After {@value #MOST} wrong tries an address waits
  * until a minute after the first of them; of IPv6, the /64 network counts as one address. When all
  * addresses together have had {@value #MOST_OF_ALL} wrong tries in a minute, those with a wrong one
  * wait. One that has none may always try, so that strangers lock no operator out. Any thread.

@@ -10,7 +10,7 @@ import java.util.function.LongSupplier;
  */
 public record Logins(LoginThrottle page, LoginThrottle rcon) {
   /**
-   * Returns doors at which nobody has tried yet.
+   * Returns doors without failed tries.
    *
    * @param clock monotonic nanoseconds
    */

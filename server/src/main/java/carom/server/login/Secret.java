@@ -22,7 +22,7 @@ import org.slf4j.LoggerFactory;
 
 /** A secret that operators know, from a file that only the server's user may read. Immutable. */
 public final class Secret {
-  /** Least length of a secret that somebody writes into the file, characters. */
+  /** Least length of a secret that a person writes into the file, characters. */
   public static final int LEAST = 12;
 
   private static final Logger LOG = LoggerFactory.getLogger(Secret.class);

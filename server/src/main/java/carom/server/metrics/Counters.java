@@ -63,7 +63,7 @@ public final class Counters {
     total.add(interval);
   }
 
-  /** Reads the tick times interval by interval, whatever other readers there are. Any thread. */
+  /** Reads the tick times interval by interval, independent of other readers. Any thread. */
   public final class TickReader {
     private final Histogram since = new Histogram(LOWEST_NS, HIGHEST_NS, 2);
     private final Histogram seen = new Histogram(LOWEST_NS, HIGHEST_NS, 2);

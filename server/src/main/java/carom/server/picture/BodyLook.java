@@ -12,7 +12,7 @@ import java.util.List;
  * Immutable.
  *
  * @param slot the body's slot in the world; another body gets it when this one is gone
- * @param entity id of its entity, {@link Entity#LEVEL} for what the level placed for good
+ * @param entity id of its entity, {@link Entity#LEVEL} for bodies of the level that are no entities
  * @param owner id of the player that owns it, or {@link Entity#NO_OWNER}
  * @param kind name of its archetype
  * @param type whether and how it moves

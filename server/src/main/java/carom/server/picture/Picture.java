@@ -14,13 +14,13 @@ import java.util.Map;
  * @param awake whether each body is awake
  * @param joints type, both bodies' slots and both anchors (m), {@value #JOINT} values each
  * @param cells edges (m) and depth of the nodes of the broadphase's trees, {@value #CELL} values
- *     each; empty if nobody asked
+ *     each; empty if no viewer asked
  * @param contacts place (m), normal and impulse (N s) of contact points, {@value #CONTACT} values
- *     each; empty if nobody asked
+ *     each; empty if no viewer asked
  * @param priorities by player, the priority that each body's entity has collected since it was sent
  * @param particles the water and sand, a pool each, without empty ones
  * @param playerBodies ids of the players that have a body, and its slot, in pairs
- * @param players the players, or null if nobody asked
+ * @param players the players, or null if no viewer asked
  */
 @SuppressWarnings("ArrayRecordComponent") // Never compared; nobody changes them.
 public record Picture(

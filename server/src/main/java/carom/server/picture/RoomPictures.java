@@ -23,8 +23,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * The pictures of a room. Any thread {@linkplain #ask asks} for one, the room's thread makes it
- * after its next tick, and any thread {@linkplain #poll takes} it. While nobody asks, a room spends
- * one read of a variable per turn on this and allocates nothing.
+ * after its next tick, and any thread {@linkplain #poll takes} it. Without a viewer, this costs a
+ * room one read of a variable per turn and no allocation.
  */
 public final class RoomPictures {
   private static final Logger LOG = LoggerFactory.getLogger(RoomPictures.class);
@@ -45,7 +45,7 @@ public final class RoomPictures {
   private boolean broken;
 
   /**
-   * Creates the pictures of a room that nobody watches.
+   * Creates the pictures of a room without viewers.
    *
    * @param asked runs after each request, on the thread that asks
    */
@@ -71,7 +71,7 @@ public final class RoomPictures {
     return count.getAcquire();
   }
 
-  /** Returns whether somebody waits for a picture. */
+  /** Returns whether a viewer waits for a picture. */
   public boolean isWanted() {
     return wanted.get() != null;
   }

@@ -17,9 +17,10 @@ import java.util.function.Predicate;
  * The entities near one player's body, which its client simulates itself: at most {@value
  * NearState#MAX_ENTITIES}.
  *
- * <p>A client that starts from the same state and has the same inputs computes the same bits. So it
- * is told four things: the list of entities, a hash of their exact state, the inputs of the other
- * players among them, and exact state where it can't know it. An {@link ExactUpdate} begins
+ * <p>A client that starts from the same state and has the same inputs computes the same bits. So
+ * the server sends it four things: the list of entities, a hash of their exact state, the inputs of
+ * the other players among them, and exact state where it can't know it. An {@link ExactUpdate}
+ * begins
  *
  * <ul>
  *   <li>when an entity enters or leaves the set;

@@ -10,7 +10,7 @@ import carom.net.snapshot.exact.NearState;
  *   <li><b>Line speed.</b> An update that doesn't get through in time halves the number of
  *       entities; each one that arrives adds {@value #REGAINED} again.
  *   <li><b>Length of the list.</b> A list of keys that takes too many bits loses a quarter of its
- *       entities, for good.
+ *       entities and stays shorter.
  *   <li><b>Interference.</b> A game that pushes bodies all the time gets one update in {@value
  *       #TICKS_PER_INTERFERENCE} ticks on average. The client finds out about the rest by its hash.
  *   <li><b>Disagreement.</b> A client that disagrees again and again is told everything less and

@@ -7,8 +7,8 @@ import java.util.Arrays;
 /**
  * Limits how many queries are looked at in a second: of one socket, of one host (an IPv4 address or
  * an IPv6 /64 network) and of all. What is beyond a smaller limit doesn't count for a larger one,
- * so that a flood from somewhere uses up nothing of others. Nothing is kept about anybody: senders
- * share {@value #SLOTS} counters by a hash that changes with each run. One thread.
+ * so that a flood from somewhere uses up nothing of others. Nothing is kept about single hosts:
+ * senders share {@value #SLOTS} counters by a hash that changes with each run. One thread.
  */
 final class QueryBudgets {
   /** Most queries of one socket in a second. A client that shows a server sends about six. */
@@ -54,7 +54,7 @@ final class QueryBudgets {
         && ++ofAll <= MOST_OF_ALL;
   }
 
-  /** Returns a counter's place, which nobody without the salt can choose. */
+  /** Returns a counter's place, which can't be chosen without the salt. */
   private int slot(int key) {
     int mixed = (key ^ salt) * 0x9e3779b1;
     mixed = (mixed ^ (mixed >>> 15)) * 0x85ebca6b;

@@ -74,7 +74,7 @@ public final class DelayedRecording implements BlockSink, AutoCloseable {
     return delayTicks != Integer.MAX_VALUE;
   }
 
-  /** Returns whether the recording is for spectators alone: nobody keeps it. */
+  /** Returns whether the recording is for spectators alone: it isn't kept. */
   public boolean isOnlyShown() {
     return temporary && isShown();
   }

@@ -90,8 +90,8 @@ public final class FrameCapture {
   }
 
   /**
-   * Sets whether players are told only of what they show, because the room is too busy for more.
-   * Who {@linkplain carom.sim.Game#seesAll sees all} is told of all.
+   * Sets whether players are told only of what they show, because the room is too busy for more. A
+   * player that {@linkplain carom.sim.Game#seesAll sees all} is sent all.
    */
   public void narrowViews(boolean narrow) {
     index.narrowViews(narrow);

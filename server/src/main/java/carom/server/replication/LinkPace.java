@@ -30,8 +30,9 @@ final class LinkPace {
   private static final int QUEUE_MS = 35;
 
   /**
-   * Of so many acks one is quick on nearly every line without a queue, whatever its jitter: with 40
-   * ms to either side, evenly spread, all six take 35 ms longer than the quickest in 3 % of cases.
+   * Number of acks of which at least one is quick on nearly every line without a queue, even with
+   * jitter: with 40 ms to either side, evenly spread, all six take 35 ms longer than the quickest
+   * in 3 % of cases.
    */
   private static final int ENOUGH_ACKS = 6;
 

@@ -36,7 +36,7 @@ final class Departures {
   private final SeatRequests requests;
 
   /**
-   * Creates an object that has nobody to remove.
+   * Creates an object without players to remove.
    *
    * @param partings takes the links
    */
@@ -185,7 +185,7 @@ final class Departures {
     remove(session, "server error", " was removed", nowNs);
   }
 
-  /** Removes a player, who is told so, for an operator. */
+  /** Removes a player for an operator, and tells the player. */
   void kick(Session session, String text, long nowNs) {
     session.sayGoodbye(GoodbyeReason.KICKED, text);
     String why = text.isEmpty() ? "" : ": " + text;

@@ -76,7 +76,7 @@ public final class Room {
    *
    * @param config returns the present settings of the server
    * @param number 1 for the server's first room
-   * @param label begins each log line; empty for a room that nobody has named
+   * @param label begins each log line; empty for a room without a name
    * @param settings the room's own
    * @param library finds games and levels
    * @param loads runs what builds further matches, on a thread that no tick waits for
@@ -337,8 +337,8 @@ public final class Room {
   }
 
   /**
-   * Closes the room for good: its players go to other rooms that have a seat, and the others are
-   * told goodbye. Waits for the room; any thread but its own.
+   * Closes the room: its players go to other rooms that have a seat, and the others are told
+   * goodbye. Waits for the room; any thread but its own.
    *
    * @param text for the players that find no room, may be empty
    * @return what became of the players, or why the room doesn't answer
@@ -392,7 +392,7 @@ public final class Room {
     return settings.name();
   }
 
-  /** Returns whether somebody has named the room, so that logs and files have its name. */
+  /** Returns whether the operator has named the room, so that logs and files have its name. */
   public boolean isNamed() {
     return !context.label().isEmpty();
   }
@@ -439,8 +439,8 @@ public final class Room {
   }
 
   /**
-   * Returns whether the room doesn't tick because nobody needs it, see {@link
-   * ServerConfig#pausesIdleRooms}; from any thread.
+   * Returns whether the room doesn't tick because no player, spectator or recording needs it, see
+   * {@link ServerConfig#pausesIdleRooms}; from any thread.
    */
   public boolean isPaused() {
     return paused;

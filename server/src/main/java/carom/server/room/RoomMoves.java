@@ -34,7 +34,7 @@ final class RoomMoves {
   private final RoomSessions sessions;
   private final Departures departures;
 
-  /** Creates an object that has nobody to move. */
+  /** Creates an object without players to move. */
   RoomMoves(
       RoomContext room,
       Room self,

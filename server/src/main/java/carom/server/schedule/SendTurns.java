@@ -7,7 +7,7 @@ package carom.server.schedule;
  *
  * <p>When a tick has used up {@value #TIME_PARTS_TO_SEND_IN} of {@value #TIME_PARTS} parts of its
  * time, the rest waits for the next one. So a machine that is too slow sends fewer snapshots, but
- * its ticks stay on time. A quarter of the share is served whatever the time.
+ * its ticks stay on time. A quarter of the share is served even when time is short.
  *
  * <p>The first session that had to wait is the first in the next tick. One thread; no allocation.
  */

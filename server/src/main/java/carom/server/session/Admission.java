@@ -6,7 +6,7 @@ import carom.net.transport.Link;
  * A player on the way to a room: from the lobby, with the level loaded, or from another room.
  *
  * @param seat claimed for the player; the room turns the claim into possession
- * @param link nobody else touches it any more
+ * @param link no other code touches it any more
  * @param epoch that of this link's last Welcome
  * @param match number of the match that it has loaded; perhaps the room plays the next already.
  *     {@link #NO_MATCH} for none

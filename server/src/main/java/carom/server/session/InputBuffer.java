@@ -101,7 +101,7 @@ public final class InputBuffer {
     Arrays.fill(tickOf, lastConsumedTick); // consumed, hence never matched again
   }
 
-  /** Offers the input of a tick. Never throws, whatever the tick. */
+  /** Offers the input of a tick. Takes any tick and never throws. */
   public Arrival offer(int tick, long input) {
     int ahead = tick - lastConsumedTick; // wraps like the ticks themselves
     if (ahead <= 0) {

@@ -26,7 +26,7 @@ public final class Moderator {
   }
 
   /**
-   * Makes a player a spectator, whatever the game says. The player may ask to play again.
+   * Makes a player a spectator without asking the game. The player may ask to play again.
    *
    * @param sessions by seat, null where there is none
    */

@@ -50,7 +50,7 @@ public final class SeatRequests {
   }
 
   /**
-   * Asks for a seat, from any thread. Returns false when nobody would give one up.
+   * Asks for a seat, from any thread. Returns false when no seat would be given up.
    *
    * @param account the newcomer's account, or empty
    * @param origin where the newcomer comes from

@@ -12,8 +12,8 @@ import java.util.function.Function;
  * <p>The seats of a network are those of one IPv4 /24 or IPv6 /64. A network that holds more than
  * its share gives up the newest seat of its busiest address, if it then still holds no fewer seats
  * than the newcomer's network with the newcomer. Among the addresses of the newcomer's own network
- * the same holds. So seats move from those that hold many to those that hold few, and never back.
- * Nobody within the share gives way, whatever the newcomer has.
+ * the same holds. So seats move from those that hold many to those that hold few, and never back. A
+ * network within its share never gives way.
  *
  * <p>A player with an account counts as a network of its own, by the account: the operator's
  * backend knows the player, and a class with accounts is no crowd. Immutable.

@@ -13,7 +13,7 @@ public final class SessionMemory {
   /** Bytes that a session keeps, with what it allocates while it joins. */
   private static final int BYTES_PER_PLACE = 166_000;
 
-  /** Number of players that may come at once without a pause that anybody notices. */
+  /** Number of players that may come at once without a noticeable pause. */
   private static final int FEW_PLACES = 64;
 
   /** Arrays of this size go to the old generation, where sessions live, because no other fits. */

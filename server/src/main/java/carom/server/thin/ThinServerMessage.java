@@ -190,7 +190,7 @@ public sealed interface ThinServerMessage {
       implements ThinServerMessage {}
 
   /**
-   * Tells what somebody said.
+   * A line of chat.
    *
    * @param player who, or -1 for the server
    * @param team whether the player's team alone hears it

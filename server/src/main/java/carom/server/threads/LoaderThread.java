@@ -19,7 +19,7 @@ public final class LoaderThread implements AutoCloseable {
   /** A match that is built when it runs. */
   public interface Load extends Runnable {
     /**
-     * Returns work of which nobody waits for the outcome.
+     * Returns work whose outcome isn't awaited.
      *
      * @param title as {@link #title}
      * @param progress as {@link #progress}
@@ -60,7 +60,7 @@ public final class LoaderThread implements AutoCloseable {
     default void abandoned(String why) {}
 
     /**
-     * Hears that nobody waits for the match any longer; the thread that asks, or that closes.
+     * Hears that the match isn't awaited any longer; the thread that asks, or that closes.
      *
      * @param why for people
      */
@@ -93,7 +93,7 @@ public final class LoaderThread implements AutoCloseable {
   public LoaderThread() {}
 
   /**
-   * Lets matches be built on a thread of their own from now on. The first one starts it.
+   * Begins to build matches on a thread of their own. The first one starts it.
    *
    * @param newWatchdog looks at the thread while it builds
    */

@@ -6,7 +6,7 @@ import java.util.function.IntSupplier;
 /**
  * Watches the thread that begins a server, until it has begun. Games are set up there, play for a
  * moment to warm up, and compute their logs again, before any room has a thread. It hangs if it
- * makes no progress for {@value Watchdog#LOAD_FOUND_MS} ms, in whatever code.
+ * makes no progress for {@value Watchdog#LOAD_FOUND_MS} ms, in any code.
  */
 public final class StartWatch implements AutoCloseable {
   private final Watchdog watchdog;

@@ -13,7 +13,7 @@ import org.slf4j.LoggerFactory;
  * second, but not while all of them take long naps. A thread hangs if it is in the same call of the
  * same callback at each of seven looks, and has computed or waited meanwhile; a thread that the
  * machine gives no time is looked at for longer. A thread that builds matches hangs if it builds
- * the same one for ten seconds of looks, in whatever code.
+ * the same one for ten seconds of looks, in any code.
  *
  * <p>It counts looks, not time: after a pause of the whole process, nothing hangs. Slow ticks
  * outside of a game's code aren't its business.

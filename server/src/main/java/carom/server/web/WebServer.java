@@ -11,8 +11,8 @@ import java.util.Locale;
 
 /**
  * Answers {@code /healthz}, {@code /readyz} and {@code /metrics} and serves the {@link LivePage} on
- * {@linkplain HttpPort a port of its own}. Health is told by the thread that reads and writes
- * sockets, which waits for nobody; metrics, which take longer, by another.
+ * {@linkplain HttpPort a port of its own}. The thread that reads and writes sockets answers for
+ * health, and never waits; metrics, which take longer, by another.
  */
 public final class WebServer implements AutoCloseable {
   private final LivePage page;

@@ -51,7 +51,7 @@ public final class Entrance<T extends Entrance.Guest> {
   private final Consumer<T> evict;
 
   /**
-   * Creates an entrance where nobody waits.
+   * Creates an entrance without waiting connections.
    *
    * @param unprovenPlaces places of guests that have proven nothing, at least 1
    * @param provenPlaces places of guests that have proven something, at least 1

@@ -5,12 +5,12 @@ import java.security.GeneralSecurityException;
 import java.security.MessageDigest;
 
 /**
- * Proof that somebody has computed for a while: a number that, hashed behind a given one, yields a
+ * Proof that a client has computed for a while: a number that, hashed behind a given one, yields a
  * hash that begins with some zero bits. Finding it takes 2^bits hashes on average, checking it one.
  * Use an instance from one thread.
  */
 public final class WorkProof {
-  /** Most bits that anybody may be asked for, about half a second of work. */
+  /** Most bits that a server may ask for, about half a second of work. */
   public static final int MAX_BITS = 20;
 
   private final MessageDigest sha256;
@@ -31,7 +31,7 @@ public final class WorkProof {
    * Returns a solution.
    *
    * @param link the connection that must prove its work
-   * @param token of the connection, so that nobody can work ahead
+   * @param token of the connection, so that no client can work ahead
    * @param bits 0..{@value #MAX_BITS}
    * @throws IllegalArgumentException if the bits are out of their range
    */

@@ -187,8 +187,8 @@ public abstract class FramedLink implements Link {
   }
 
   /**
-   * Changes the state to CLOSED for good. Returns false if the link is closed already; it then
-   * keeps its first reason. Any thread may call it.
+   * Changes the state to CLOSED, which is the last one. Returns false if the link is closed
+   * already; it then keeps its first reason. Any thread may call it.
    */
   public final synchronized boolean finish(String reason) {
     if (state == State.CLOSED) {

@@ -33,7 +33,7 @@ public enum RefusalReason {
   BANNED("You are banned from this server.", false),
   /** The player isn't on the operator's list of those who may play. */
   NOT_ALLOWED("This server is only for invited players.", false),
-  /** The client asked to watch, and the server shows its games to nobody. */
+  /** The client asked to watch, and the server has no spectators. */
   NOT_SHOWN("This server shows its games to nobody.", false),
   /** The operator's backend decides who may join, and the join token doesn't let this player in. */
   TOKEN_INVALID("This server lets in only players that its site sends.", false),

@@ -13,7 +13,7 @@ import javax.crypto.KeyAgreement;
 
 /**
  * A pair of X25519 keys (RFC 7748). Two sides that know each other's public keys compute the same
- * secret, and nobody else can. Immutable; any thread may use it. Creating one and agreeing each
+ * secret, and no third party can. Immutable; any thread may use it. Creating one and agreeing each
  * take about 0.2 ms.
  */
 public final class ExchangeKey {

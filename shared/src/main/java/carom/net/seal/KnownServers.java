@@ -17,7 +17,7 @@ import java.util.Map;
  * use it.
  *
  * <p>The file has a line for each server: the address, a space and the fingerprint. Servers on this
- * machine aren't remembered, because nobody can stand between, and developers start many.
+ * machine aren't remembered, because no attacker can stand between, and developers start many.
  */
 public final class KnownServers {
   private final Path file; // null for none
@@ -38,8 +38,8 @@ public final class KnownServers {
   }
 
   /**
-   * Notes which key a server must have, as somebody trustworthy told it. It counts for this process
-   * and before what the file says.
+   * Notes which key a server must have, as a trusted source told it. It counts for this process and
+   * before what the file says.
    *
    * @param server address and TCP port
    */

@@ -90,7 +90,7 @@ public final class SnapshotEncoder {
   private int beganTick = -1;
 
   /**
-   * Creates the encoder of a client that sees everything, and shares its deltas with nobody.
+   * Creates the encoder of a client that sees everything. No other encoder shares its deltas.
    *
    * @param ring the room's frames
    * @param epoch as in the other constructor
@@ -199,7 +199,7 @@ public final class SnapshotEncoder {
     ledger.receive(ackSequence, ackBits, ring.newest() == null ? 0 : ring.newest().tick());
   }
 
-  /** Makes the slot's next record absolute, whatever was acked. */
+  /** Makes the slot's next record absolute, even if the client acknowledged an earlier one. */
   public void force(int slot) {
     if (slot < 0 || slot >= ring.capacity()) {
       throw new IndexOutOfBoundsException(

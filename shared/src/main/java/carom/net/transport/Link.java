@@ -78,7 +78,7 @@ public interface Link {
 
   /**
    * Returns whether the reason for which this link never opened may be over in a moment: the server
-   * was busy, or the line slow. A name that nobody has, or a port where nobody listens, stays so.
+   * was busy, or the line slow. An unknown name or a closed port stays so.
    */
   default boolean mayPass() {
     return false;

@@ -9,8 +9,8 @@ public interface ServerTransport extends AutoCloseable {
   Link accept();
 
   /**
-   * Sets what tells the server that {@link #accept} has a link, so that it needn't look again and
-   * again while nobody comes.
+   * Sets the callback that tells the server that {@link #accept} has a link, so that it needn't
+   * poll.
    *
    * @param wake runs on any thread and returns at once
    * @return false if the transport doesn't tell, so that the server must look

@@ -238,7 +238,7 @@ public final class BodyEditor {
    * @param removed how many parts go
    * @param shapes what it consists of from now on
    * @param own its mass, null to compute it from the shapes
-   * @param events is told of contacts that end, null for nobody
+   * @param events hears of contacts that end, null for none
    */
   public void reshape(
       int body, int first, int removed, ShapeSpec[] shapes, MassData own, ContactEvents events) {
@@ -278,7 +278,7 @@ public final class BodyEditor {
    * Ends a body's contacts now; what still touches begins again in the next step.
    *
    * @param body the slot
-   * @param events is told, null for nobody
+   * @param events hears of them, null for none
    */
   public void endContacts(int body, ContactEvents events) {
     endContacts(body, 0, BodyStore.MAX_PARTS, events);
@@ -308,7 +308,7 @@ public final class BodyEditor {
    * Removes a body; its touching contacts end first.
    *
    * @param body the slot
-   * @param events is told, null for nobody
+   * @param events hears of them, null for none
    */
   public void destroy(int body, ContactEvents events) {
     endContacts(body, events);

@@ -101,7 +101,7 @@ public final class Dynamics {
   /** Scratch: the bodies of rows that sleep there. */
   private final IntList asleepThere = new IntList();
 
-  /** Null, unless somebody measures. */
+  /** Null, unless a program measures. */
   private StageListener stages;
 
   /**
@@ -248,8 +248,8 @@ public final class Dynamics {
    * Advances the world.
    *
    * @param dt s, checked by the caller
-   * @param events is told what happens, null for nobody
-   * @param jointEvents is told what breaks
+   * @param events hears what happens, null for none
+   * @param jointEvents hears what breaks
    */
   public void step(float dt, ContactEvents events, JointEvents jointEvents) {
     begins(StepStage.BEGIN);
@@ -324,9 +324,9 @@ public final class Dynamics {
   }
 
   /**
-   * Sets what is told of the stages of a step; not part of the state.
+   * Sets the listener of the stages of a step; not part of the state.
    *
-   * @param listener null for nobody, as at the start
+   * @param listener null for none, as at the start
    */
   public void stageListener(StageListener listener) {
     stages = listener;

@@ -8,7 +8,7 @@ import carom.physics.settings.Settings;
 
 /**
  * The stages of a step that call the owner back about its contacts, before and after they are
- * solved. Skipped where nobody listens. Callbacks run on the caller's thread.
+ * solved. Skipped without a listener. Callbacks run on the caller's thread.
  */
 final class EventStage {
   private final Settings settings;

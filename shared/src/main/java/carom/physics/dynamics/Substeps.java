@@ -71,7 +71,7 @@ final class Substeps {
     jointSolver = new JointSolver(RevoluteLanes.FOUND, parallel);
   }
 
-  /** Sets the listener that is told of the stages, null for none. */
+  /** Sets the listener of the stages, null for none. */
   void stageListener(StageListener listener) {
     stages = listener;
   }

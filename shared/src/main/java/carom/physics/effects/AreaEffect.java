@@ -77,7 +77,7 @@ public final class AreaEffect implements Effect {
 
   /**
    * Returns an effect that adds to the world's gravity, as far as a body's gravity scale lets it.
-   * Its direction is that of the world, whatever the frame.
+   * Its direction is in world axes, also in a frame that turns.
    *
    * @param area the area, m; copied
    * @param ax acceleration along x, m/s^2, within 1e5

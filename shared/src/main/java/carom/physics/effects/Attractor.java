@@ -11,7 +11,7 @@ import carom.physics.math.Transform;
  * {@code World.step}.
  *
  * <p>It gives every dynamic body whose centre of mass is within range the same acceleration at the
- * same distance d, whatever its mass:
+ * same distance d, independent of its mass:
  *
  * <ul>
  *   <li>{@link Falloff#CONSTANT}: {@code strength} everywhere;

@@ -78,9 +78,9 @@ public final class Trig {
   /**
    * Returns the angle of the vector (x, y) in radians, counter-clockwise from the x axis.
    *
-   * @return in [-pi, pi] as floats; 0 for the zero vector, whatever the signs of its zeros; for y =
-   *     -0 and x &lt; 0 it is pi, not -pi; NaN when an argument is NaN; infinite arguments are
-   *     treated as very long finite ones
+   * @return in [-pi, pi] as floats; 0 for the zero vector with zeros of any sign; for y = -0 and x
+   *     &lt; 0 it is pi, not -pi; NaN when an argument is NaN; infinite arguments are treated as
+   *     very long finite ones
    */
   public static float atan2(float y, float x) {
     if (Float.isNaN(x) || Float.isNaN(y)) {

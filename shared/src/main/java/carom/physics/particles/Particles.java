@@ -232,7 +232,7 @@ public final class Particles {
     return shrink(kept);
   }
 
-  /** Removes all particles. Their ids become invalid for good. */
+  /** Removes all particles. Their ids stay invalid. */
   public void clear() {
     for (int i = 0; i < store.count; i++) {
       store.release(i);

@@ -84,8 +84,8 @@ public enum Constant {
 
   /**
    * Largest angular speed of a body, rad/s; by default one radian per substep at 60 ticks a second.
-   * Above two radians per substep the rotation can't be followed: angular speeds end there whatever
-   * this value is.
+   * Above two radians per substep the rotation can't be followed: angular speeds end there for
+   * every value.
    */
   MAX_ANGULAR_SPEED("maxAngularSpeed", 250, 1, 1e5f),
 

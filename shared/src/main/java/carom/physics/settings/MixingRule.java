@@ -26,7 +26,7 @@ public enum MixingRule {
     }
   },
 
-  /** The smaller one: ice is slippery whatever stands on it. */
+  /** The smaller one: ice is slippery for every body on it. */
   MIN {
     @Override
     public float mix(float a, float b) {

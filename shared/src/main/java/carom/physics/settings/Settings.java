@@ -52,7 +52,7 @@ public abstract class Settings implements Cloneable {
   }
 
   /**
-   * Sets a constant of a copy that nobody else has yet.
+   * Sets a constant of a copy that isn't shared yet.
    *
    * @throws IllegalArgumentException if the value is NaN or out of range
    */

@@ -10,8 +10,8 @@ import java.util.function.BooleanSupplier;
  * <p>A kernel that isn't compiled is interpreted, hundreds of times slower, and allocates an object
  * for every vector. How often a world would call a kernel depends on what happens in that world, so
  * its calls alone may warm a kernel up in a second or never. Warm-up calls reach all kernels of a
- * set equally often, whatever the world holds. The real work that is granted meanwhile has the
- * callers of the kernels compiled, too.
+ * set equally often, independent of the world's contents. The real work that is granted meanwhile
+ * has the callers of the kernels compiled, too.
  *
  * <pre>
  *   warm-up calls   0       1,000                      40,000                   200,000

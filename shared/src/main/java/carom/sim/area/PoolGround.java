@@ -14,7 +14,7 @@ import java.util.List;
 
 /**
  * The bodies with which the particles of pools collide: the level's statics, and its kinematic
- * bodies, which are on their paths or spin whatever the game does with them. A function of the
+ * bodies, which move on their paths or spin, also after the game changed them. A function of the
  * level and the tick alone, in a world of its own.
  */
 public final class PoolGround {

@@ -200,7 +200,7 @@ public final class FieldStore {
     return hiddenWord;
   }
 
-  /** Returns whether the last {@code Game.input} read a field that no player is told. */
+  /** Returns whether the last {@code Game.input} read a field that is sent to no player. */
   public boolean hasReadUntold() {
     return hasReadUntold;
   }

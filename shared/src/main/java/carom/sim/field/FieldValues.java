@@ -96,7 +96,7 @@ public final class FieldValues {
   }
 
   /**
-   * Sets a word to what the server says, whatever writes are taken now.
+   * Sets a word to what the server says, also where the game must not write now.
    *
    * @throws IllegalArgumentException if the word is outside its field's range
    */

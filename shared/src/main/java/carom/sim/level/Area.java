@@ -155,8 +155,8 @@ public final class Area implements Cloneable {
   }
 
   /**
-   * Returns a point that attracts bodies, whatever their mass, equally strongly at every distance
-   * up to its range.
+   * Returns a point that attracts bodies of any mass equally strongly at every distance up to its
+   * range.
    *
    * @param x the point, metres
    * @param y the point, metres

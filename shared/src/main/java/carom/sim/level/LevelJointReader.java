@@ -28,8 +28,8 @@ import java.util.TreeMap;
 
 /**
  * Reads the {@code joints} of a level file. Each is made once in a world of its own, with its
- * bodies where the level places them; so whatever the engine refuses is refused with its place in
- * the file, and the joint's definition is known.
+ * bodies where the level places them; so what the engine refuses is refused with its place in the
+ * file, and the joint's definition is known.
  */
 final class LevelJointReader {
   static final int MAX_JOINTS = 4096;

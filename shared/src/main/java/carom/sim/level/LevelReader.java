@@ -46,7 +46,7 @@ final class LevelReader {
 
   /**
    * Most convex parts of all placed statics and bodies together: what a level costs in memory and
-   * time before anybody plays, about 30 MB. A file of 4 kB can ask for millions.
+   * time before the first player comes, about 30 MB. A file of 4 kB can ask for millions.
    */
   static final int MAX_PLACED_PARTS = 65_536;
 

@@ -37,7 +37,7 @@ public final class Neighbourhood {
   private int leaks;
   private final NearJoints joints = new NearJoints();
 
-  /** Creates an empty neighbourhood with all fields that any player is told. */
+  /** Creates an empty neighbourhood with all fields that are sent to a player. */
   public Neighbourhood() {
     this(EVERYBODY);
   }

@@ -7,7 +7,7 @@ import java.util.Objects;
 
 /**
  * A message of the game on its way to clients, begun by {@code Simulation.send}. Without a call of
- * {@code to} nobody gets it. It never matters to the simulation.
+ * {@code to} no player gets it. It never matters to the simulation.
  */
 public final class Delivery {
   /** The recipients of a message. */

@@ -5,9 +5,9 @@ import carom.physics.archive.ArchiveWriter;
 import java.util.List;
 
 /**
- * A world whose particles push its bodies and are pushed by them, and on which nobody acts from
- * outside, as a scene that players watch. Its next state follows from the last one and the tick. So
- * a client that has one state of it computes all later ones itself, bit for bit.
+ * A world whose particles push its bodies and are pushed by them, and on which nothing acts from
+ * outside, such as a scene that players watch. Its next state follows from the last one and the
+ * tick. So a client that has one state of it computes all later ones itself, bit for bit.
  */
 public interface ParticleWorld {
   /** A saved state of such a world. */

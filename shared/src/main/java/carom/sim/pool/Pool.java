@@ -20,7 +20,7 @@ public final class Pool {
   /** Mean speed, m/s, below which particles hardly move. */
   private static final float SLOW = 0.06f;
 
-  /** Part of the difference to what a body wants of them that particles take on in a tick. */
+  /** Fraction of the gap to the velocity a body imposes that particles close each tick. */
   private static final float TAKEN_ALONG = 0.3f;
 
   /**

@@ -14,8 +14,8 @@ import java.util.TreeSet;
 
 /**
  * Answers whether an entity is in a sensor of the level. The answer follows from the present pose
- * of the entity and from the level alone, so both roles compute the same one, whatever was
- * predicted or restored before. One thread; a question allocates nothing.
+ * of the entity and from the level alone, so both roles compute the same one, also after
+ * predictions and restores. One thread; a question allocates nothing.
  */
 public final class LevelSensors {
   private final World<Entity> world;

@@ -25,7 +25,7 @@ public final class OverlapUse {
     player = value;
   }
 
-  /** Receives that somebody asked for overlaps and was told of this one. */
+  /** Receives that the game asked for overlaps and got this one. */
   public void read(Entity asked, Entity other) {
     if (player == null || asked == null || other == null) {
       return;

@@ -97,7 +97,7 @@ public final class HudLayout {
     bodyRadius = radius;
   }
 
-  /** Takes a rectangle that somebody draws at a fixed place. */
+  /** Takes a rectangle that is drawn at a fixed place. */
   public void take(float x, float y, float w, float h) {
     taken.take(x, y, w, h);
   }

@@ -18,7 +18,7 @@ public final class PlayerColours {
   private final int[] numbers = new int[ProtocolLimits.MAX_PLAYERS];
   private final boolean[] taken = new boolean[COLOURS];
 
-  /** Creates colours of nobody. The game stays the property of the caller. */
+  /** Creates colours without players. The game stays the property of the caller. */
   public PlayerColours(ShownGame game) {
     this.game = game;
   }

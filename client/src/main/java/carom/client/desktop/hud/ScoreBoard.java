@@ -46,7 +46,7 @@ public final class ScoreBoard {
   }
 
   /**
-   * Draws the table in the middle of the window, or lower; nothing when nobody is here.
+   * Draws the table in the middle of the window, or lower; nothing without players.
    *
    * @param above height at the window's top that stays free, points
    */

@@ -44,7 +44,7 @@ public final class ScoreList {
     this.game = game;
   }
 
-  /** Draws the list, if somebody plays and a corner is free. */
+  /** Draws the list, if there are players and a corner is free. */
   public void draw(ClientView view) {
     rank(view);
     int shown = Math.min(ranking.size(), MOST);

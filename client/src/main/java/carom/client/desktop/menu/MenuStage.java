@@ -144,7 +144,7 @@ final class MenuStage implements Disposable {
     focus(parts.indexOf(actor));
   }
 
-  /** Hands the next key to somebody instead of the menu; Esc only ends that, as key 0. */
+  /** Hands the next key to a listener instead of the menu; Esc only ends that, as key 0. */
   void capture(IntConsumer newCapture) {
     capture = newCapture;
   }

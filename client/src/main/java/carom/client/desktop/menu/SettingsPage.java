@@ -137,7 +137,7 @@ final class SettingsPage implements Page {
     rebuild.run();
   }
 
-  /** Keeps the name, unless nobody may be called so. */
+  /** Keeps the name, unless it isn't allowed. */
   @Override
   public void close() {
     String entered = name == null ? host.playerName() : name.getText().strip();

@@ -32,7 +32,7 @@ public final class ViewCamera {
     return camera;
   }
 
-  /** Returns whether there ever was somebody to follow; spectators have nobody. */
+  /** Returns whether there ever was a body to follow; spectators have none. */
   public boolean hasFollowed() {
     return placed;
   }
@@ -79,7 +79,7 @@ public final class ViewCamera {
     camera.update();
   }
 
-  /** Shows at least a rectangle of metres around a point, whatever the window's shape. */
+  /** Shows at least a rectangle of metres around a point, in a window of any shape. */
   public void fit(
       float x, float y, float widthM, float heightM, int screenWidth, int screenHeight) {
     float aspect = screenWidth / (float) screenHeight;

@@ -4,7 +4,7 @@ import carom.sim.event.Sound;
 
 /** A device that plays sounds. Render thread only. */
 interface Speaker {
-  /** Returns whether anybody can hear it. */
+  /** Returns whether it can be heard. */
   boolean works();
 
   /**

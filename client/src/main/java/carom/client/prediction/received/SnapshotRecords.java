@@ -100,7 +100,7 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
 
   /**
    * Holds the bodies of a simulation that joints tie to bodies it lacks, because there are more
-   * than a predicted set holds. They go on as they move, whatever pulls, until the next exact
+   * than a predicted set holds. They keep their velocity, without forces, until the next exact
    * state.
    */
   public void holdCut(Simulation s) {

@@ -61,7 +61,7 @@ public final class RoomRecording {
     return recorder != null || awaited != null || beside != null && beside.isOn();
   }
 
-  /** Returns whether each tick must be recorded although nobody plays. */
+  /** Returns whether each tick must be recorded even without players. */
   public boolean needsTicks() {
     boolean unseen =
         sink instanceof DelayedRecording delayed

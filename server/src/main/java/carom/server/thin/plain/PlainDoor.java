@@ -163,7 +163,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
     selector.wakeup();
   }
 
-  /** Returns the number of TCP connections, whatever their state; any thread. */
+  /** Returns the number of TCP connections in any state; any thread. */
   int connectionCount() {
     return byId.size();
   }

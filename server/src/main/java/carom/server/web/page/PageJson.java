@@ -43,7 +43,7 @@ final class PageJson {
     return text.toString();
   }
 
-  /** Returns what a viewer is told first, and again once it may see more. */
+  /** Returns the first message to a viewer, which is sent again once it may see more. */
   static String hello(PageConfig config, List<RoomHistory> rooms, boolean admin, boolean watches) {
     return message(
         "hello",

@@ -4,8 +4,8 @@ import carom.net.codec.BitReader;
 import carom.net.codec.Sequence;
 
 /**
- * Receives the server's events, each once and in order, whatever happens to datagrams on the way.
- * Take them with {@link #poll} after each datagram decoded.
+ * Receives the server's events, each once and in order, although datagrams may be lost, repeated or
+ * reordered. Take them with {@link #poll} after each datagram decoded.
  *
  * <p>Any bits are read without harm. One thread; allocates nothing after construction.
  */

@@ -388,8 +388,8 @@ public final class FrameState {
   }
 
   /**
-   * Returns a 64-bit hash of all slots' quantised state. Equal frames have equal hashes, whatever
-   * their tick.
+   * Returns a 64-bit hash of all slots' quantised state. Equal frames have equal hashes, also at
+   * different ticks.
    */
   public long hash() {
     if (!hashed) {

@@ -195,7 +195,7 @@ public final class ClientKnowledge implements DatagramLedger.Section {
     touched = true;
   }
 
-  /** Makes the slot's next record absolute, whatever was acked. */
+  /** Makes the slot's next record absolute, even if the client acknowledged an earlier one. */
   public void force(int slot) {
     ensure(slot + 1);
     forced.add(slot);

@@ -1,6 +1,6 @@
 package carom.physics.broadphase.kd;
 
-/** Finds the k-th smallest of distinct numbers in expected linear time, whatever their order. */
+/** Finds the k-th smallest of distinct numbers in expected linear time, in any order. */
 final class Select {
   /** Number of numbers up to which a sample doesn't pay. */
   private static final int SAMPLED = 400;

@@ -25,7 +25,7 @@ import java.util.Arrays;
  * #coldChanged} in the same method.
  *
  * <p>The arrays are public, because kernels read them by the thousand, and are replaced when the
- * store grows: nobody keeps one across stages. All stages read them. Who writes what, and when:
+ * store grows: no stage keeps one for the next. All stages read them. Who writes what, and when:
  *
  * <pre>
  *   arrays                          kind   written in a step by       between steps by

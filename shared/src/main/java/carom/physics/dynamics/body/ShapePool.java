@@ -8,8 +8,8 @@ import carom.physics.math.StateHash;
  * of vertices, which stays in the processor's cache, and needs less memory.
  *
  * <p>Remembers the last part of each hash value only, so that nothing has to be counted or
- * released; parts that miss each other are merely two objects. Shapes never change and nobody asks
- * for their identity, so results don't depend on it.
+ * released; parts that miss each other are merely two objects. Shapes never change and are never
+ * compared by identity, so results don't depend on it.
  */
 final class ShapePool {
   private static final int PLACES = 256;

@@ -30,7 +30,7 @@ import java.util.Arrays;
  * writes pays. Therefore a method that writes must first call {@link #beginUpdate} (for "touches")
  * or {@link #beginRowChange} (for both); the stages of a step do so once for all rows.
  *
- * <p>The arrays are replaced when the table grows or is copied; nobody keeps one across stages.
+ * <p>The arrays are replaced when the table grows or is copied; no stage keeps one for the next.
  */
 public abstract class ContactColumns {
   /** Flag: the parts touch. Unless one is a sensor, the manifold has points. */

@@ -22,11 +22,11 @@ import carom.physics.math.Transform;
  * whether a manifold was kept or is computed anew shows in no bit. Nothing here needs to be saved,
  * sent or hashed; what is kept may be forgotten at any time.
  *
- * <p>Two corners that face each other with a gap are remembered as such; direction and distance are
- * those of the true pose.
+ * <p>Two corners that face each other with a gap are remembered as a pair of corners; direction and
+ * distance are those of the true pose.
  *
- * <p>Of shapes that are apart, whatever their kind, it is kept how far: until they have moved that
- * far they can't touch.
+ * <p>The distance of shapes of any kind that are apart is kept: until they have moved that far they
+ * can't touch.
  *
  * <p>The idea of using a manifold for several steps is from Box2D v3's contact recycling; there it
  * depends on when the manifold was made.

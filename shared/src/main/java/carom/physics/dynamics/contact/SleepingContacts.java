@@ -151,7 +151,7 @@ public final class SleepingContacts {
     freeRows[freeCount++] = row;
   }
 
-  /** Adds all rows to a hash, whatever their numbers are; without any, returns it as it is. */
+  /** Adds all rows to a hash, independent of their numbers; without any, returns it as it is. */
   public long hash(long h) {
     if (freeCount == slots()) {
       return h;

@@ -46,7 +46,7 @@ public final class DomainPhases implements Workers.Task {
 
   private int phases;
 
-  /** Per domain: how many phases somebody does or has done. */
+  /** Per domain: how many phases have been begun. */
   private AtomicIntegerArray claimed = new AtomicIntegerArray(2 * APART);
 
   /** Per domain: how many phases are done. */

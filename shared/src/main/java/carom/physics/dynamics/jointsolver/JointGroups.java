@@ -516,7 +516,7 @@ final class JointGroups {
   }
 
   /**
-   * Returns whether biased visits have changed so much that groups need more of them.
+   * Returns whether biased visits still change enough for groups to need more of them.
    *
    * @param v state of the bodies
    * @param before velocities before

@@ -30,9 +30,8 @@ import carom.physics.dynamics.parallel.ParallelFor;
 
 /**
  * Solves the points, angles and lengths of {@linkplain JointTrees trees} of joints directly: after
- * a visit all of a tree's joints hold at once, whatever hangs on them. Solved one by one, a load is
- * noticed by one more joint per visit, and a joint is a spring that is as weak as its bodies are
- * light.
+ * a visit all of a tree's joints hold at once, under any load. Solved one by one, a load is noticed
+ * by one more joint per visit, and a joint is a spring that is as weak as its bodies are light.
  *
  * <p><b>Equations.</b> With the masses M, the joints' matrix J and the speeds e at which anchors
  * part too fast, the change of velocities u and the impulses p are

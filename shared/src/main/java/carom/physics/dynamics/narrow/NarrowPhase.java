@@ -35,7 +35,7 @@ public final class NarrowPhase {
   /** Number of rows of boxes below which the kernel would be idle in too many lanes. */
   private static final int FEW_BOXES = 4;
 
-  /** Most gap of shapes that touch whatever their motion, m. */
+  /** Largest gap of shapes that count as touching at any speed, m. */
   static final float TOUCHING = TimeOfImpact.MIN_TARGET;
 
   /** Number of rows in a piece of a worker's work. */
@@ -97,7 +97,7 @@ public final class NarrowPhase {
     /** The updated rows whose points all have a gap that might be closed. */
     private final IntList gaps = new IntList();
 
-    /** Number of them that have been looked at. */
+    /** Number of them that are done. */
     private int looked;
 
     /** The rows of the step that have points in reserve. */

@@ -81,8 +81,8 @@ public final class ParallelFor implements Workers.Task {
   /**
    * Does a stage whose elements touch nothing in common.
    *
-   * @param grain how many elements make a piece: a microsecond or two of work, so that nobody waits
-   *     long for the last one, and taking it costs nothing beside it
+   * @param grain how many elements make a piece: a microsecond or two of work, so that no thread
+   *     waits long for the last one, and taking it costs nothing beside it
    */
   public void run(int from, int to, int grain, Range stage) {
     size = to - from;

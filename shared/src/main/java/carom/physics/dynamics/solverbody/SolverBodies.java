@@ -23,9 +23,9 @@ import java.util.Arrays;
  *                                             velocity  moved  turned
  * </pre>
  *
- * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs
- * whatever is added to it (which is zero). Moving bodies follow, see {@link SolverSlots}. Positions
- * are differences, so the solver works with small numbers wherever in the world it is.
+ * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs what is
+ * added to it (which is zero). Moving bodies follow, see {@link SolverSlots}. Positions are
+ * differences, so the solver works with small numbers wherever in the world it is.
  */
 public final class SolverBodies {
   /** Floats per slot. */

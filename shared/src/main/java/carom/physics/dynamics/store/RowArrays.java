@@ -9,7 +9,7 @@ import java.util.Arrays;
  * world that is saved in every step copies its rows once a step at most, and not at all where rows
  * move anyway.
  *
- * <p>Arrays that nobody needs any longer are used again, so that saving and stepping in turns
+ * <p>Arrays that no copy needs any longer are used again, so that saving and stepping in turns
  * allocates nothing. What is garbage without having been {@linkplain #release released}, as the
  * state of a world that was thrown away, costs a copy more and nothing else.
  *
@@ -67,7 +67,7 @@ public final class RowArrays {
     return least <= capacity ? capacity : Math.max(least, 2 * capacity);
   }
 
-  /** Returns whether a copy has these arrays, too, so that nobody may write. */
+  /** Returns whether a copy shares these arrays, so that they must not be written. */
   public boolean shared() {
     return holders > 1;
   }
