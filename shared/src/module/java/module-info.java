@@ -13,10 +13,7 @@ module carom.physics {
   exports carom.physics;
   exports carom.physics.archive;
   exports carom.physics.broadphase;
-  exports carom.physics.broadphase.index;
-  exports carom.physics.broadphase.kd;
   exports carom.physics.collision;
-  exports carom.physics.collision.distance;
   exports carom.physics.effects;
   exports carom.physics.geometry;
   exports carom.physics.math;

@@ -1,11 +1,11 @@
 package carom.physics;
 
-import carom.physics.broadphase.index.CastVisitor;
-import carom.physics.broadphase.index.IntVisitor;
-import carom.physics.collision.distance.Cast;
-import carom.physics.collision.distance.CastHit;
-import carom.physics.collision.distance.ClosestPoints;
-import carom.physics.collision.distance.Distance;
+import carom.physics.broadphase.CastVisitor;
+import carom.physics.broadphase.IntVisitor;
+import carom.physics.collision.Cast;
+import carom.physics.collision.CastHit;
+import carom.physics.collision.ClosestPoints;
+import carom.physics.collision.Distance;
 import carom.physics.dynamics.PartQueries;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.geometry.Convex;

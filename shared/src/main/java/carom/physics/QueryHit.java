@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.collision.distance.CastHit;
+import carom.physics.collision.CastHit;
 
 /**
  * The hit of a query. It is mutable and reused: the caller creates one, or a visitor receives one.

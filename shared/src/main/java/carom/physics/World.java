@@ -1,8 +1,8 @@
 package carom.physics;
 
 import carom.physics.archive.ArchiveReader;
-import carom.physics.broadphase.index.CellVisitor;
-import carom.physics.broadphase.index.IntVisitor;
+import carom.physics.broadphase.CellVisitor;
+import carom.physics.broadphase.IntVisitor;
 import carom.physics.dynamics.BodyEditor;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.PartQueries;

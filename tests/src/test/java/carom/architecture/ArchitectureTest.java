@@ -42,35 +42,18 @@ final class ArchitectureTest {
   static {
     allow("carom.physics.math");
     allow("carom.physics.archive");
-    allow("carom.physics.geometry.outline");
-    allow(
-        "carom.physics.geometry",
-        "carom.physics.geometry.outline",
-        "carom.physics.math",
-        "carom.physics.archive");
-    allow("carom.physics.collision.distance", "carom.physics.math", "carom.physics.geometry");
-    allow(
-        "carom.physics.collision",
-        "carom.physics.math",
-        "carom.physics.geometry",
-        "carom.physics.collision.distance");
+    allow("carom.physics.geometry", "carom.physics.math", "carom.physics.archive");
+    allow("carom.physics.collision", "carom.physics.math", "carom.physics.geometry");
     allow("carom.physics.threads");
-    allow("carom.physics.broadphase.index", "carom.physics.math");
-    allow("carom.physics.broadphase.kd", "carom.physics.math", "carom.physics.broadphase.index");
-    allow(
-        "carom.physics.broadphase",
-        "carom.physics.math",
-        "carom.physics.broadphase.index",
-        "carom.physics.broadphase.kd");
+    allow("carom.physics.broadphase", "carom.physics.math");
     allow("carom.physics.simd");
     allow("carom.physics.settings", "carom.physics.math", "carom.physics.archive");
     allow("carom.physics.profile");
     // The one layout of exact rows: the physics, the simulation and what carries rows over the wire
     // see it, and it sees none of them.
     allow("carom.physics.rows", "carom.physics.math");
-    stage("store", "archive", "math", "simd", "dynamics.parallel");
-    stage("parallel", "threads");
-    stage("body", "settings", "archive", "math", "geometry", "broadphase.index", "dynamics.store");
+    stage("store", "archive", "math", "simd", "threads");
+    stage("body", "settings", "archive", "math", "geometry", "broadphase", "dynamics.store");
     stage(
         "contact",
         "settings",
@@ -78,20 +61,17 @@ final class ArchitectureTest {
         "math",
         "geometry",
         "collision",
-        "broadphase.index",
+        "broadphase",
         "simd",
         "dynamics.store",
-        "dynamics.parallel",
         "dynamics.body");
     stage(
         "pairs",
         "settings",
         "math",
         "geometry",
-        "broadphase.index",
-        "broadphase.kd",
+        "broadphase",
         "dynamics.store",
-        "dynamics.parallel",
         "dynamics.body",
         "dynamics.contact");
     stage(
@@ -100,56 +80,48 @@ final class ArchitectureTest {
         "math",
         "geometry",
         "collision",
-        "broadphase.index",
+        "broadphase",
         "simd",
-        "dynamics.parallel",
+        "dynamics.store",
+        "dynamics.body",
+        "dynamics.contact");
+    stage(
+        "domain",
+        "threads",
         "dynamics.body",
         "dynamics.contact",
-        "collision.distance",
+        "dynamics.pairs",
+        "settings",
+        "math",
         "dynamics.store");
-    stage("domain", "threads", "dynamics.body", "dynamics.contact", "dynamics.pairs");
     stage(
         "solver",
         "settings",
         "simd",
-        "dynamics.colour",
         "dynamics.jointtree",
-        "dynamics.solverbody",
-        "dynamics.parallel",
         "dynamics.domain",
+        "dynamics.store",
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs");
-    stage(
-        "solverbody",
-        "settings",
-        "math",
-        "dynamics.parallel",
-        "dynamics.domain",
-        "dynamics.body",
-        "dynamics.contact",
-        "dynamics.pairs");
-    stage("colour", "dynamics.domain", "dynamics.body", "dynamics.contact", "dynamics.jointtree");
     stage("joint", "settings", "archive", "math", "rows", "dynamics.store", "dynamics.body");
     stage(
         "jointsolver",
         "settings",
         "math",
         "simd",
-        "dynamics.parallel",
+        "dynamics.store",
         "dynamics.body",
         "dynamics.solver",
-        "dynamics.solverbody",
+        "dynamics.domain",
         "dynamics.joint",
         "dynamics.jointtree");
-    stage(
-        "jointtree", "dynamics.parallel", "dynamics.body", "dynamics.solverbody", "dynamics.joint");
+    stage("jointtree", "dynamics.store", "dynamics.body", "dynamics.domain", "dynamics.joint");
     stage(
         "sleep",
         "settings",
         "math",
-        "broadphase.index",
-        "broadphase.kd",
+        "broadphase",
         "dynamics.store",
         "dynamics.body",
         "dynamics.contact",
@@ -161,14 +133,12 @@ final class ArchitectureTest {
         "math",
         "geometry",
         "collision",
-        "collision.distance",
-        "broadphase.index",
-        "broadphase.kd",
+        "broadphase",
         "dynamics.store",
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs",
-        "dynamics.solverbody");
+        "dynamics.domain");
     stage(
         "simd",
         "math",
@@ -178,7 +148,7 @@ final class ArchitectureTest {
         "dynamics.contact",
         "dynamics.narrow",
         "dynamics.solver",
-        "dynamics.solverbody",
+        "dynamics.domain",
         "dynamics.jointsolver");
     allow(
         "carom.physics.dynamics",

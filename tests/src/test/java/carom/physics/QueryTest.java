@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.physics.collision.distance.Cast;
-import carom.physics.collision.distance.CastHit;
-import carom.physics.collision.distance.ClosestPoints;
-import carom.physics.collision.distance.Distance;
+import carom.physics.collision.Cast;
+import carom.physics.collision.CastHit;
+import carom.physics.collision.ClosestPoints;
+import carom.physics.collision.Distance;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;

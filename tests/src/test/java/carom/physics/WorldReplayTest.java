@@ -296,8 +296,8 @@ class WorldReplayTest {
       return (BodyContactVisitor<String>) (other, x, y, impulse) -> {};
     } else if (type == ContactVisitor.class) {
       return (ContactVisitor) (x, y, nx, ny, separation, impulse) -> {};
-    } else if (type == carom.physics.broadphase.index.CellVisitor.class) {
-      return (carom.physics.broadphase.index.CellVisitor) (minX, minY, maxX, maxY, depth) -> {};
+    } else if (type == carom.physics.broadphase.CellVisitor.class) {
+      return (carom.physics.broadphase.CellVisitor) (minX, minY, maxX, maxY, depth) -> {};
     } else if (type == AabbVisitor.class) {
       return (AabbVisitor) (minX, minY, maxX, maxY) -> {};
     }

@@ -2,9 +2,9 @@ package carom.server.replication;
 
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.frame.FrameState;
-import carom.physics.broadphase.index.AabbArray;
-import carom.physics.broadphase.index.IntVisitor;
-import carom.physics.broadphase.kd.KdTree;
+import carom.physics.broadphase.AabbArray;
+import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.KdTree;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
 import java.util.Arrays;

@@ -8,7 +8,7 @@ import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.selection.Interest;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
-import carom.physics.broadphase.index.IntVisitor;
+import carom.physics.broadphase.IntVisitor;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;

@@ -1,7 +1,5 @@
 package carom.physics.broadphase;
 
-import carom.physics.broadphase.index.AabbArray;
-
 /**
  * Writes the boxes of elements for a {@link SpatialCollection}.
  *

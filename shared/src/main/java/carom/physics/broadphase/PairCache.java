@@ -1,10 +1,5 @@
 package carom.physics.broadphase;
 
-import carom.physics.broadphase.index.AabbArray;
-import carom.physics.broadphase.index.IntVisitor;
-import carom.physics.broadphase.index.PairVisitor;
-import carom.physics.broadphase.kd.KdTree;
-
 /**
  * A cache of the overlapping pairs of many boxes that move a little from tick to tick. It keeps two
  * lists of pairs that may overlap soon.

@@ -1,6 +1,5 @@
 package carom.physics.broadphase;
 
-import carom.physics.broadphase.index.PairVisitor;
 import java.util.Arrays;
 
 /** A growing list of the pairs of ids that a search finds. */

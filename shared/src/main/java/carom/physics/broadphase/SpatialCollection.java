@@ -1,8 +1,5 @@
 package carom.physics.broadphase;
 
-import carom.physics.broadphase.index.AabbArray;
-import carom.physics.broadphase.index.SpatialIndex;
-import carom.physics.broadphase.kd.KdTree;
 import java.util.AbstractCollection;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,7 +1,5 @@
 package carom.physics.collision;
 
-import carom.physics.collision.distance.Core;
-import carom.physics.collision.distance.Gjk;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Transform;

@@ -1,8 +1,8 @@
 package carom.physics.dynamics;
 
-import carom.physics.broadphase.index.CastVisitor;
-import carom.physics.broadphase.index.CellVisitor;
-import carom.physics.broadphase.index.IntVisitor;
+import carom.physics.broadphase.CastVisitor;
+import carom.physics.broadphase.CellVisitor;
+import carom.physics.broadphase.IntVisitor;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.geometry.Convex;

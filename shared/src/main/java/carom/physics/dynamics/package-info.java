@@ -15,8 +15,7 @@
  *   <li>{@code sleep}: islands that come to rest.
  * </ol>
  *
- * <p>{@code store} and {@code parallel} hold what all of them use, {@code simd} the vector kernels.
- * Read first: {@code Dynamics} (the order of a step), {@code Substeps}, {@code
- * ContinuousCollision}.
+ * <p>{@code store} holds what all of them use, {@code simd} the vector kernels. Read first: {@code
+ * Dynamics} (the order of a step), {@code Substeps}, {@code ContinuousCollision}.
  */
 package carom.physics.dynamics;

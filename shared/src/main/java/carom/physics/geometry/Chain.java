@@ -1,6 +1,5 @@
 package carom.physics.geometry;
 
-import carom.physics.geometry.outline.ChainCrossings;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 import carom.physics.math.Transform;

@@ -1,7 +1,5 @@
 package carom.physics.geometry;
 
-import carom.physics.geometry.outline.ConvexDecomposition;
-import carom.physics.geometry.outline.SimpleOutline;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 import carom.physics.math.Transform;

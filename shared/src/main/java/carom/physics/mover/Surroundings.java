@@ -4,10 +4,10 @@ import carom.physics.Body;
 import carom.physics.PartVisitor;
 import carom.physics.QueryFilter;
 import carom.physics.World;
+import carom.physics.collision.Core;
+import carom.physics.collision.Gjk;
 import carom.physics.collision.Mtv;
 import carom.physics.collision.Sat;
-import carom.physics.collision.distance.Core;
-import carom.physics.collision.distance.Gjk;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
@@ -288,7 +288,7 @@ final class Surroundings<T> {
    * beginning stops it only if the motion comes nearer still, by more than {@code slack}.
    *
    * <p>The method is conservative advancement (Mirtich 1996), as in {@link
-   * carom.physics.collision.distance.Cast}. Of equally near hits the first part is taken.
+   * carom.physics.collision.Cast}. Of equally near hits the first part is taken.
    *
    * @return fraction of the way, 0..1; {@link #hit} is the part that ended it, or -1
    */

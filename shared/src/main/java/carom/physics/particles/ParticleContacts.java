@@ -1,9 +1,9 @@
 package carom.physics.particles;
 
 import carom.physics.World;
+import carom.physics.collision.Cast;
+import carom.physics.collision.CastHit;
 import carom.physics.collision.SignedDistance;
-import carom.physics.collision.distance.Cast;
-import carom.physics.collision.distance.CastHit;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Segment;
 import carom.physics.math.Transform;

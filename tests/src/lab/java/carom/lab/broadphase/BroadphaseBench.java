@@ -1,11 +1,11 @@
 package carom.lab.broadphase;
 
 import carom.lab.measure.Stopwatch;
+import carom.physics.broadphase.BruteForce;
+import carom.physics.broadphase.KdTree;
 import carom.physics.broadphase.PairCache;
-import carom.physics.broadphase.index.BruteForce;
-import carom.physics.broadphase.index.PairVisitor;
-import carom.physics.broadphase.index.QuadTree;
-import carom.physics.broadphase.kd.KdTree;
+import carom.physics.broadphase.PairVisitor;
+import carom.physics.broadphase.QuadTree;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;

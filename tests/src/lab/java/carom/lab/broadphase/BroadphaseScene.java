@@ -1,6 +1,6 @@
 package carom.lab.broadphase;
 
-import carom.physics.broadphase.index.AabbArray;
+import carom.physics.broadphase.AabbArray;
 
 /**
  * The moving boxes of the broadphase benchmark: half sizes 0.25 to 0.75 m, up to 3 m/s each way,

@@ -5,7 +5,7 @@ import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Measurement;
 import carom.lab.measure.Stopwatch;
-import carom.physics.broadphase.kd.KdTree;
+import carom.physics.broadphase.KdTree;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -1,13 +1,13 @@
 package carom.lab.broadphase;
 
-import carom.physics.broadphase.index.AabbArray;
+import carom.physics.broadphase.AabbArray;
 import java.util.Arrays;
 
 /**
  * The order of a KD-tree's leaves, found by sorting, as textbooks do: parts are cut at the median
  * of their wider extent until they hold at most {@value #LEAF} boxes. It is compared with {@link
- * carom.physics.broadphase.kd.KdTree}, which never sorts. Both ways give the same order of parts.
- * One thread at a time; allocates only to grow.
+ * carom.physics.broadphase.KdTree}, which never sorts. Both ways give the same order of parts. One
+ * thread at a time; allocates only to grow.
  */
 final class SortedKd {
   static final int LEAF = 8;

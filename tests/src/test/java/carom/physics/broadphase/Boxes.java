@@ -1,6 +1,5 @@
 package carom.physics.broadphase;
 
-import carom.physics.broadphase.index.AabbArray;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 

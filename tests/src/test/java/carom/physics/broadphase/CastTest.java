@@ -5,10 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.broadphase.Boxes.Layout;
-import carom.physics.broadphase.index.BruteForce;
-import carom.physics.broadphase.index.QuadTree;
-import carom.physics.broadphase.index.SpatialIndex;
-import carom.physics.broadphase.kd.KdTree;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;

@@ -1,7 +1,5 @@
 package carom.physics.broadphase;
 
-import carom.physics.broadphase.index.PairVisitor;
-import carom.physics.broadphase.index.SpatialIndex;
 import java.util.Arrays;
 import java.util.function.Consumer;
 

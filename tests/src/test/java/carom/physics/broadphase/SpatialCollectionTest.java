@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.physics.broadphase.index.AabbArray;
-import carom.physics.broadphase.index.SpatialIndex;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -37,7 +35,7 @@ class SpatialCollectionTest {
   }
 
   @ParameterizedTest
-  @MethodSource("carom.physics.broadphase.index.SpatialIndexTest#indexes")
+  @MethodSource("carom.physics.broadphase.SpatialIndexTest#indexes")
   void behavesLikeACollectionThatKnowsPlaces(SpatialIndex index) {
     SpatialCollection<Thing> things = new SpatialCollection<>(index, Thing::write);
     assertEquals("", around(things, -100, 100), "empty");

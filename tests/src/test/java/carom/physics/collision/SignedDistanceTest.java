@@ -3,8 +3,6 @@ package carom.physics.collision;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.physics.collision.distance.ClosestPoints;
-import carom.physics.collision.distance.Distance;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;

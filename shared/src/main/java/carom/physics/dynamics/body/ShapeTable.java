@@ -1,6 +1,6 @@
 package carom.physics.dynamics.body;
 
-import carom.physics.broadphase.index.AabbArray;
+import carom.physics.broadphase.AabbArray;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;

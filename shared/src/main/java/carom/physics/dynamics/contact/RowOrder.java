@@ -2,7 +2,7 @@ package carom.physics.dynamics.contact;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.dynamics.store.RowMoves;
 
 /**

@@ -1,14 +1,14 @@
 package carom.physics.dynamics.continuous;
 
-import carom.physics.broadphase.kd.KdTree;
-import carom.physics.collision.distance.Sweep;
+import carom.physics.broadphase.KdTree;
+import carom.physics.collision.Sweep;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.pairs.PairFinder;
-import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.math.Transform;
 import carom.physics.settings.Settings;
 

@@ -1,10 +1,10 @@
 package carom.physics.dynamics.continuous;
 
-import carom.physics.collision.distance.Sweep;
+import carom.physics.collision.Sweep;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.solverbody.SolverBodies;
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.store.IntList;
 import carom.physics.dynamics.store.KeySorter;
 import carom.physics.geometry.Convex;

@@ -1,6 +1,6 @@
 package carom.physics.dynamics.continuous;
 
-import carom.physics.collision.distance.Sweep;
+import carom.physics.collision.Sweep;
 
 /**
  * The motion of a fast body in a step: one stretch if nothing stopped it, else one up to the impact

@@ -1,13 +1,13 @@
 package carom.physics.dynamics.continuous;
 
-import carom.physics.broadphase.index.CastVisitor;
-import carom.physics.broadphase.index.MovingBox;
-import carom.physics.broadphase.kd.KdTree;
-import carom.physics.collision.distance.Cast;
-import carom.physics.collision.distance.CastHit;
-import carom.physics.collision.distance.Sweep;
-import carom.physics.collision.distance.TimeOfImpact;
-import carom.physics.collision.distance.TimeOfImpact.State;
+import carom.physics.broadphase.CastVisitor;
+import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.MovingBox;
+import carom.physics.collision.Cast;
+import carom.physics.collision.CastHit;
+import carom.physics.collision.Sweep;
+import carom.physics.collision.TimeOfImpact;
+import carom.physics.collision.TimeOfImpact.State;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.pairs.PairFinder;

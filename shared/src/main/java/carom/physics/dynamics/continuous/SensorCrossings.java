@@ -1,11 +1,11 @@
 package carom.physics.dynamics.continuous;
 
-import carom.physics.broadphase.index.IntVisitor;
-import carom.physics.broadphase.kd.KdTree;
+import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.KdTree;
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
-import carom.physics.collision.distance.Sweep;
-import carom.physics.collision.distance.TimeOfImpact;
+import carom.physics.collision.Sweep;
+import carom.physics.collision.TimeOfImpact;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactEvents;

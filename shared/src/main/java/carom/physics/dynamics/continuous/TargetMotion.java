@@ -1,6 +1,6 @@
 package carom.physics.dynamics.continuous;
 
-import carom.physics.collision.distance.Sweep;
+import carom.physics.collision.Sweep;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.math.Transform;

@@ -1,5 +1,12 @@
 package carom.physics.dynamics.jointsolver;
 
+import static carom.physics.dynamics.domain.SolverBodies.COS;
+import static carom.physics.dynamics.domain.SolverBodies.DX;
+import static carom.physics.dynamics.domain.SolverBodies.DY;
+import static carom.physics.dynamics.domain.SolverBodies.SIN;
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.jointsolver.JointRecords.ANGLE_COS;
 import static carom.physics.dynamics.jointsolver.JointRecords.ANGLE_SIN;
 import static carom.physics.dynamics.jointsolver.JointRecords.ANGULAR;
@@ -35,13 +42,6 @@ import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_MASS;
 import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_PULL;
 import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_SHARE;
 import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_SOFT;
-import static carom.physics.dynamics.solverbody.SolverBodies.COS;
-import static carom.physics.dynamics.solverbody.SolverBodies.DX;
-import static carom.physics.dynamics.solverbody.SolverBodies.DY;
-import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.math.Trig;
 

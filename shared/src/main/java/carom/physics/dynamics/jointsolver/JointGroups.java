@@ -1,10 +1,10 @@
 package carom.physics.dynamics.jointsolver;
 
-import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
-import static carom.physics.dynamics.solverbody.SolverBodies.VELOCITY;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
+import static carom.physics.dynamics.domain.SolverBodies.STRIDE;
+import static carom.physics.dynamics.domain.SolverBodies.VELOCITY;
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;

@@ -1,13 +1,13 @@
 package carom.physics.dynamics.jointsolver;
 
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointFrame;
 import carom.physics.dynamics.jointtree.JointTrees;
 import carom.physics.dynamics.jointtree.TreeResponse;
 import carom.physics.dynamics.jointtree.TreeSolver;
-import carom.physics.dynamics.parallel.ParallelFor;
-import carom.physics.dynamics.solverbody.SolverBodies;
+import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.settings.Settings;
 import java.util.Arrays;
 import java.util.function.IntPredicate;

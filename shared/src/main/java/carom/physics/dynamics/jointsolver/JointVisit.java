@@ -1,5 +1,12 @@
 package carom.physics.dynamics.jointsolver;
 
+import static carom.physics.dynamics.domain.SolverBodies.COS;
+import static carom.physics.dynamics.domain.SolverBodies.DX;
+import static carom.physics.dynamics.domain.SolverBodies.DY;
+import static carom.physics.dynamics.domain.SolverBodies.SIN;
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.jointsolver.JointRecords.FIRST_ROW;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_AX;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_AY;
@@ -9,13 +16,6 @@ import static carom.physics.dynamics.jointsolver.JointRecords.POINT_XX;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_XY;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_YY;
 import static carom.physics.dynamics.jointsolver.JointRecords.SECOND_ROW;
-import static carom.physics.dynamics.solverbody.SolverBodies.COS;
-import static carom.physics.dynamics.solverbody.SolverBodies.DX;
-import static carom.physics.dynamics.solverbody.SolverBodies.DY;
-import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;

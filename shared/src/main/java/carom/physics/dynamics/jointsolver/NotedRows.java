@@ -1,5 +1,8 @@
 package carom.physics.dynamics.jointsolver;
 
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.jointsolver.JointRecords.FIRST_ROW;
 import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_A;
 import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_B;
@@ -27,9 +30,6 @@ import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_MASS;
 import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_PULL;
 import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_SHARE;
 import static carom.physics.dynamics.jointsolver.JointRecords.SPRING_SOFT;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.joint.JointStore;
 

@@ -1,16 +1,16 @@
 package carom.physics.dynamics.jointsolver;
 
-import static carom.physics.dynamics.solverbody.SolverBodies.COS;
-import static carom.physics.dynamics.solverbody.SolverBodies.DX;
-import static carom.physics.dynamics.solverbody.SolverBodies.DY;
-import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
+import static carom.physics.dynamics.domain.SolverBodies.COS;
+import static carom.physics.dynamics.domain.SolverBodies.DX;
+import static carom.physics.dynamics.domain.SolverBodies.DY;
+import static carom.physics.dynamics.domain.SolverBodies.SIN;
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointFrame;
-import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.simd.VectorModule;
 import java.util.Arrays;
 

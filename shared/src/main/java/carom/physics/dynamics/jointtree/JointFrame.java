@@ -1,6 +1,6 @@
 package carom.physics.dynamics.jointtree;
 
-import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
+import static carom.physics.dynamics.domain.SolverBodies.STRIDE;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;

@@ -1,5 +1,9 @@
 package carom.physics.dynamics.jointtree;
 
+import static carom.physics.dynamics.domain.SolverBodies.COS;
+import static carom.physics.dynamics.domain.SolverBodies.DX;
+import static carom.physics.dynamics.domain.SolverBodies.DY;
+import static carom.physics.dynamics.domain.SolverBodies.SIN;
 import static carom.physics.dynamics.jointtree.TreeRecords.A;
 import static carom.physics.dynamics.jointtree.TreeRecords.ACROSS;
 import static carom.physics.dynamics.jointtree.TreeRecords.ARM_AX;
@@ -31,10 +35,6 @@ import static carom.physics.dynamics.jointtree.TreeRecords.SXY;
 import static carom.physics.dynamics.jointtree.TreeRecords.SYY;
 import static carom.physics.dynamics.jointtree.TreeRecords.TURNING;
 import static carom.physics.dynamics.jointtree.TreeRecords.Z;
-import static carom.physics.dynamics.solverbody.SolverBodies.COS;
-import static carom.physics.dynamics.solverbody.SolverBodies.DX;
-import static carom.physics.dynamics.solverbody.SolverBodies.DY;
-import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
 
 /**
  * The masses of a tree of bodies, as its joints see them. {@link TreeSolver} finds them once per

@@ -1,5 +1,8 @@
 package carom.physics.dynamics.jointtree;
 
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.jointtree.TreeRecords.BODY;
 import static carom.physics.dynamics.jointtree.TreeRecords.INVERSE;
 import static carom.physics.dynamics.jointtree.TreeRecords.JOINT;
@@ -11,9 +14,6 @@ import static carom.physics.dynamics.jointtree.TreeRecords.SXX;
 import static carom.physics.dynamics.jointtree.TreeRecords.SXY;
 import static carom.physics.dynamics.jointtree.TreeRecords.SYY;
 import static carom.physics.dynamics.jointtree.TreeRecords.Z;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import java.util.Arrays;
 

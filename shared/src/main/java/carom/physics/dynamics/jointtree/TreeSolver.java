@@ -1,5 +1,8 @@
 package carom.physics.dynamics.jointtree;
 
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.jointtree.TreeRecords.BIAS_X;
 import static carom.physics.dynamics.jointtree.TreeRecords.BIAS_Y;
 import static carom.physics.dynamics.jointtree.TreeRecords.BODY;
@@ -20,13 +23,10 @@ import static carom.physics.dynamics.jointtree.TreeRecords.SXX;
 import static carom.physics.dynamics.jointtree.TreeRecords.SXY;
 import static carom.physics.dynamics.jointtree.TreeRecords.SYY;
 import static carom.physics.dynamics.jointtree.TreeRecords.Z;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
-import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.ParallelFor;
 
 /**
  * Solves the points, angles and lengths of {@linkplain JointTrees trees} of joints directly: after

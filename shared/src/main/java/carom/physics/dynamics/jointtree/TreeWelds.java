@@ -1,5 +1,10 @@
 package carom.physics.dynamics.jointtree;
 
+import static carom.physics.dynamics.domain.SolverBodies.COS;
+import static carom.physics.dynamics.domain.SolverBodies.SIN;
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.jointtree.TreeRecords.A;
 import static carom.physics.dynamics.jointtree.TreeRecords.BIAS_X;
 import static carom.physics.dynamics.jointtree.TreeRecords.BIAS_Y;
@@ -19,11 +24,6 @@ import static carom.physics.dynamics.jointtree.TreeRecords.SXX;
 import static carom.physics.dynamics.jointtree.TreeRecords.SXY;
 import static carom.physics.dynamics.jointtree.TreeRecords.SYY;
 import static carom.physics.dynamics.jointtree.TreeRecords.Z;
-import static carom.physics.dynamics.solverbody.SolverBodies.COS;
-import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.joint.JointStore;
 

@@ -1,9 +1,9 @@
 package carom.physics.dynamics.narrow;
 
-import carom.physics.collision.distance.Core;
-import carom.physics.collision.distance.Gjk;
-import carom.physics.collision.distance.Sweep;
-import carom.physics.collision.distance.TimeOfImpact;
+import carom.physics.collision.Core;
+import carom.physics.collision.Gjk;
+import carom.physics.collision.Sweep;
+import carom.physics.collision.TimeOfImpact;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;

@@ -2,13 +2,13 @@ package carom.physics.dynamics.narrow;
 
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
-import carom.physics.collision.distance.TimeOfImpact;
+import carom.physics.collision.TimeOfImpact;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.KeptManifolds;
-import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.store.IntList;
+import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.math.Transform;
 import carom.physics.settings.Settings;
 import java.util.Arrays;

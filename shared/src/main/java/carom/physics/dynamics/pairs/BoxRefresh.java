@@ -1,10 +1,10 @@
 package carom.physics.dynamics.pairs;
 
-import carom.physics.broadphase.kd.KdTree;
+import carom.physics.broadphase.KdTree;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.store.IntList;
+import carom.physics.dynamics.store.ParallelFor;
 import java.util.Arrays;
 
 /**

@@ -1,7 +1,7 @@
 package carom.physics.dynamics.pairs;
 
-import carom.physics.broadphase.index.IntVisitor;
-import carom.physics.broadphase.index.PairVisitor;
+import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.PairVisitor;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.store.KeySorter;
 import java.util.Arrays;

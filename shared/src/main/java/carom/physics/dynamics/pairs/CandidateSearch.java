@@ -1,10 +1,10 @@
 package carom.physics.dynamics.pairs;
 
-import carom.physics.broadphase.index.AabbArray;
-import carom.physics.broadphase.kd.KdTree;
-import carom.physics.broadphase.kd.PairSearch;
+import carom.physics.broadphase.AabbArray;
+import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.PairSearch;
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.ParallelFor;
 import java.util.Arrays;
 
 /**

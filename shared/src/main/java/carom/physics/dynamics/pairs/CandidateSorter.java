@@ -1,8 +1,8 @@
 package carom.physics.dynamics.pairs;
 
 import carom.physics.dynamics.contact.ContactTable;
-import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.store.KeySorter;
+import carom.physics.dynamics.store.ParallelFor;
 
 /**
  * Brings together what the workers found, in the order of the keys. Each worker sorts one range of

@@ -1,6 +1,6 @@
 package carom.physics.dynamics.pairs;
 
-import carom.physics.broadphase.index.AabbArray;
+import carom.physics.broadphase.AabbArray;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;

@@ -1,12 +1,12 @@
 package carom.physics.dynamics.pairs;
 
-import carom.physics.broadphase.kd.KdTree;
+import carom.physics.broadphase.KdTree;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.RowOrder;
-import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.math.Aabb;
 import carom.physics.settings.Settings;
 

@@ -1,11 +1,11 @@
 package carom.physics.dynamics.pairs;
 
-import carom.physics.broadphase.kd.KdRefit;
-import carom.physics.broadphase.kd.KdTree;
+import carom.physics.broadphase.KdRefit;
+import carom.physics.broadphase.KdTree;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.store.IntList;
+import carom.physics.dynamics.store.ParallelFor;
 
 /**
  * The two KD-trees of the parts' fat boxes, and which part is in which of them.

@@ -1,6 +1,6 @@
 package carom.physics.dynamics.sleep;
 
-import carom.physics.broadphase.index.IntVisitor;
+import carom.physics.broadphase.IntVisitor;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.pairs.PairFinder;

@@ -1,19 +1,17 @@
 package carom.physics.dynamics.solver;
 
-import static carom.physics.dynamics.colour.ContactColours.COLOURS;
-import static carom.physics.dynamics.colour.ContactColours.GROUPS;
-import static carom.physics.dynamics.colour.ContactColours.TREES;
+import static carom.physics.dynamics.solver.ContactColours.COLOURS;
+import static carom.physics.dynamics.solver.ContactColours.GROUPS;
+import static carom.physics.dynamics.solver.ContactColours.TREES;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.colour.ColourMemo;
-import carom.physics.dynamics.colour.ContactColours;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.domain.Domains;
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.jointtree.JointTrees;
-import carom.physics.dynamics.parallel.ParallelFor;
-import carom.physics.dynamics.solverbody.SolverBodies;
+import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.simd.VectorModule;
 import java.util.Arrays;
 

@@ -1,5 +1,6 @@
 package carom.physics.dynamics.solver;
 
+import static carom.physics.dynamics.domain.SolverBodies.STRIDE;
 import static carom.physics.dynamics.solver.ContactBlocks.CLOSING_ACCELERATION;
 import static carom.physics.dynamics.solver.ContactBlocks.COEFFICIENT;
 import static carom.physics.dynamics.solver.ContactBlocks.CROSS;
@@ -40,13 +41,12 @@ import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_NORMAL;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_TANGENT;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
 import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
-import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
-import carom.physics.dynamics.solverbody.SolverBodies;
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.settings.Settings;
 
 /**

@@ -1,5 +1,9 @@
 package carom.physics.dynamics.solver;
 
+import static carom.physics.dynamics.domain.SolverBodies.STRIDE;
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.solver.ContactBlocks.CLOSING_ACCELERATION;
 import static carom.physics.dynamics.solver.ContactBlocks.COEFFICIENT;
 import static carom.physics.dynamics.solver.ContactBlocks.CROSS;
@@ -32,14 +36,10 @@ import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_MASS;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_NORMAL;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_TANGENT;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
-import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.domain.DomainPhases;
-import carom.physics.dynamics.parallel.ParallelFor;
-import carom.physics.dynamics.solverbody.SolverBodies;
+import carom.physics.dynamics.domain.SolverBodies;
+import carom.physics.dynamics.store.ParallelFor;
 import java.util.Arrays;
 
 /**

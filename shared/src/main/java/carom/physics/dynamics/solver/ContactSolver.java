@@ -10,10 +10,10 @@ import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.jointtree.JointTrees;
 import carom.physics.dynamics.jointtree.TreeResponse;
-import carom.physics.dynamics.parallel.ParallelFor;
-import carom.physics.dynamics.solverbody.SolverBodies;
+import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.settings.Settings;
 
 /**

@@ -1,5 +1,13 @@
 package carom.physics.dynamics.solver;
 
+import static carom.physics.dynamics.domain.SolverBodies.COS;
+import static carom.physics.dynamics.domain.SolverBodies.DX;
+import static carom.physics.dynamics.domain.SolverBodies.DY;
+import static carom.physics.dynamics.domain.SolverBodies.SIN;
+import static carom.physics.dynamics.domain.SolverBodies.STRIDE;
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.solver.ContactBlocks.CROSS;
 import static carom.physics.dynamics.solver.ContactBlocks.EXTRA;
 import static carom.physics.dynamics.solver.ContactBlocks.FIRST;
@@ -36,17 +44,9 @@ import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_MASS;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_NORMAL;
 import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_TANGENT;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
-import static carom.physics.dynamics.solverbody.SolverBodies.COS;
-import static carom.physics.dynamics.solverbody.SolverBodies.DX;
-import static carom.physics.dynamics.solverbody.SolverBodies.DY;
-import static carom.physics.dynamics.solverbody.SolverBodies.SIN;
-import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.domain.AxisLocks;
-import carom.physics.dynamics.solverbody.SolverBodies;
+import carom.physics.dynamics.domain.SolverBodies;
 
 /**
  * Solves contacts one by one: one visit of one contact per call. The reference for the vector

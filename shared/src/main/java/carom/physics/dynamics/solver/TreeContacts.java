@@ -1,5 +1,9 @@
 package carom.physics.dynamics.solver;
 
+import static carom.physics.dynamics.domain.SolverBodies.STRIDE;
+import static carom.physics.dynamics.domain.SolverBodies.VX;
+import static carom.physics.dynamics.domain.SolverBodies.VY;
+import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.solver.ContactBlocks.EXTRA;
 import static carom.physics.dynamics.solver.ContactBlocks.FIRST;
 import static carom.physics.dynamics.solver.ContactBlocks.FRICTION;
@@ -26,16 +30,12 @@ import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_ARM_A;
 import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_ARM_B;
 import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_IMPULSE;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
-import static carom.physics.dynamics.solverbody.SolverBodies.STRIDE;
-import static carom.physics.dynamics.solverbody.SolverBodies.VX;
-import static carom.physics.dynamics.solverbody.SolverBodies.VY;
-import static carom.physics.dynamics.solverbody.SolverBodies.W;
 
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.jointtree.ResponseRow;
 import carom.physics.dynamics.jointtree.TreeResponse;
-import carom.physics.dynamics.solverbody.SolverBodies;
 
 /**
  * Solves the contacts of bodies of joint trees. A visit does what {@link ScalarContacts} does, but

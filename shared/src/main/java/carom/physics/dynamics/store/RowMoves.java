@@ -1,6 +1,5 @@
 package carom.physics.dynamics.store;
 
-import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;
 
 /**

@@ -5,9 +5,9 @@ import static carom.physics.dynamics.solver.ContactBlocks.MASS_A;
 import static carom.physics.dynamics.solver.ContactBlocks.MASS_B;
 import static carom.physics.dynamics.solver.ContactBlocks.RECORD;
 
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.solver.ContactBlocks;
 import carom.physics.dynamics.solver.ContactSolver;
-import carom.physics.dynamics.solverbody.SolverBodies;
 import carom.physics.simd.VectorKernels;
 
 /**

@@ -25,9 +25,9 @@ import static carom.physics.dynamics.jointsolver.RevoluteSolver.XX;
 import static carom.physics.dynamics.jointsolver.RevoluteSolver.XY;
 import static carom.physics.dynamics.jointsolver.RevoluteSolver.YY;
 
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.jointsolver.RevoluteLanes;
 import carom.physics.dynamics.jointsolver.RevoluteSolver;
-import carom.physics.dynamics.solverbody.SolverBodies;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.WorldDef;
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.dynamics.store.RowMoves;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
