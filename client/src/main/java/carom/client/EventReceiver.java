@@ -1,13 +1,10 @@
 package carom.client;
 
-import carom.client.events.EventListener;
-import carom.client.events.EventReconciler;
-import carom.client.events.RepeatedEventFilter;
 import carom.client.prediction.Prediction;
 import carom.client.stats.NetStatsRecorder;
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.event.EventInbox;
-import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.frame.EventInbox;
+import carom.net.snapshot.frame.EventRecord;
 import carom.sim.Simulation;
 import carom.sim.event.EventKind;
 import carom.sim.outbox.Event;

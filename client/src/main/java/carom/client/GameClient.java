@@ -1,13 +1,9 @@
 package carom.client;
 
-import carom.client.events.EventListener;
-import carom.client.events.RepeatedEventFilter;
 import carom.client.link.Connection;
 import carom.client.link.ConnectionListener;
 import carom.client.link.RoomListing;
 import carom.client.link.ServerAddress;
-import carom.client.message.MessageExchange;
-import carom.client.message.MessageListener;
 import carom.client.stats.NetStats;
 import carom.client.stats.NetStatsRecorder;
 import carom.client.view.ClientView;

@@ -13,9 +13,14 @@
  * above:  app (command line), bots, desktop (window), replay (recordings)
  * </pre>
  *
- * <p>Imports its subpackages {@code link}, {@code stats}, {@code clock}, {@code events}, {@code
- * prediction} and {@code view}, {@code carom.net..}, {@code carom.sim} and {@code carom.game}. One
- * thread. Read first: {@link carom.client.GameClient}, {@link carom.client.JoinedGame}, {@link
+ * <p>What happens besides: {@link carom.client.EventReconciler} fires each event of a game once,
+ * although the prediction may compute it several times and the server sends it, too; {@link
+ * carom.client.MessageExchange} sends and receives messages of the game and chat; {@link
+ * carom.client.PoolFollower} loads water and sand, and follows them with what the server tells.
+ *
+ * <p>Imports its subpackages {@code link}, {@code stats}, {@code clock}, {@code prediction} and
+ * {@code view}, {@code carom.net..}, {@code carom.sim} and {@code carom.game}. One thread. Read
+ * first: {@link carom.client.GameClient}, {@link carom.client.JoinedGame}, {@link
  * carom.client.ClientConfig}.
  */
 package carom.client;

@@ -46,7 +46,7 @@ public final class CaromMain implements Runnable {
         program,
         "test",
         "Plays a game with bots over bad networks and says which rules it breaks; see test --help.",
-        "carom.testkit.trial.TestCommand");
+        "carom.testkit.TestCommand");
     for (Subcommand further : ServiceLoader.load(Subcommand.class)) {
       program.addSubcommand(further.name(), further.command());
     }

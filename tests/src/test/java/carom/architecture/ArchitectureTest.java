@@ -287,22 +287,12 @@ final class ArchitectureTest {
     allow("carom.net.codec", "carom.physics.simd");
     allow("carom.net.snapshot.ledger", "carom.net.codec");
     allow(
-        "carom.net.snapshot.event",
+        "carom.net.snapshot.frame",
         "carom.net.codec",
         "carom.net.protocol",
         "carom.net.snapshot.ledger");
     allow(
-        "carom.net.snapshot.frame",
-        "carom.net.codec",
-        "carom.net.protocol",
-        "carom.net.snapshot.event");
-    allow(
         "carom.net.snapshot.record",
-        "carom.net.codec",
-        "carom.net.protocol",
-        "carom.net.snapshot.frame");
-    allow(
-        "carom.net.snapshot.relay",
         "carom.net.codec",
         "carom.net.protocol",
         "carom.net.snapshot.frame");
@@ -312,7 +302,6 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.snapshot.frame",
         "carom.net.snapshot.ledger",
-        "carom.net.snapshot.relay",
         "carom.physics.rows"); // codes rows field by field, and sees no world
     allow(
         "carom.net.snapshot.table",
@@ -321,13 +310,13 @@ final class ArchitectureTest {
         "carom.net.snapshot.ledger",
         "carom.physics.rows"); // what a joint was made with
     allow(
-        "carom.net.snapshot.selection",
+        "carom.net.snapshot",
         "carom.net.codec",
         "carom.net.protocol",
+        "carom.net.snapshot.*",
         "carom.net.snapshot.frame",
         "carom.net.snapshot.ledger",
         "carom.net.snapshot.record");
-    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows", "carom.text");
     allow("carom.values");
     allow("carom.text");
@@ -344,10 +333,8 @@ final class ArchitectureTest {
         "carom.net.datagram",
         "carom.net.admission",
         "carom.text");
-    allow("carom.net.kryo.message", "carom.net.protocol", "carom.text");
     allow(
         "carom.net.kryo",
-        "carom.net.kryo.message",
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.seal",
@@ -355,7 +342,8 @@ final class ArchitectureTest {
         "carom.net.admission",
         "carom.net.frame",
         "carom.net.codec",
-        "carom.values");
+        "carom.values",
+        "carom.text");
     allow(
         "carom.net.kryo.server",
         "carom.net.kryo",

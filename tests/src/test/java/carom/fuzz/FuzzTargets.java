@@ -1,6 +1,6 @@
 package carom.fuzz;
 
-import carom.client.discovery.StatusAnswerTarget;
+import carom.client.link.StatusAnswerTarget;
 import carom.server.access.JoinTokenTarget;
 import carom.server.checkpoint.SavedRoomTarget;
 import carom.server.query.RemoteConsoleTarget;

@@ -3,11 +3,11 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.EventListener;
 import carom.client.InputSource;
 import carom.client.bots.Bot;
-import carom.client.events.EventListener;
-import carom.net.snapshot.event.EventRecord;
-import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.frame.EventRecord;
+import carom.net.snapshot.frame.EventRing;
 import carom.net.transport.Impairment;
 import carom.server.metrics.Counter;
 import carom.sim.outbox.Event;

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
-import carom.client.message.MessageListener;
+import carom.client.MessageListener;
 import carom.net.transport.Impairment;
 import carom.server.metrics.Counter;
 import carom.sim.message.Emote;

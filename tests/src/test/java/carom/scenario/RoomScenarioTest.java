@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
+import carom.client.MessageListener;
 import carom.client.link.ConnectionPhase;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
-import carom.client.message.MessageListener;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.transport.Impairment;
 import carom.replay.RecordingReader;

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
-import carom.client.message.MessageListener;
+import carom.client.MessageListener;
 import carom.fixtures.DuelGame;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.transport.Impairment;

@@ -3,7 +3,7 @@ package carom.client.desktop;
 import carom.client.app.ClientOptions;
 import carom.client.app.RenderJob;
 import carom.client.app.Window;
-import carom.client.desktop.sound.AudioDevice;
+import carom.client.desktop.game.AudioDevice;
 import carom.client.settings.PlayerSettings;
 import carom.game.GameFault;
 import carom.net.kryo.KryoClientTransport;

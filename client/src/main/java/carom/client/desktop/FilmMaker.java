@@ -1,11 +1,11 @@
 package carom.client.desktop;
 
 import carom.client.app.RenderJob;
+import carom.client.desktop.game.AudioDevice;
+import carom.client.desktop.game.EventSounds;
 import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
-import carom.client.desktop.sound.AudioDevice;
-import carom.client.desktop.sound.EventSounds;
 import carom.client.replay.ReplayClient;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import com.badlogic.gdx.Application;

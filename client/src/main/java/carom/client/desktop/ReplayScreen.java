@@ -1,5 +1,6 @@
 package carom.client.desktop;
 
+import carom.client.desktop.game.EventSounds;
 import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.HudLayout.Panel;
@@ -8,7 +9,6 @@ import carom.client.desktop.hud.TimeBar;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.UiColours;
-import carom.client.desktop.sound.EventSounds;
 import carom.client.replay.ReplayClient;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import com.badlogic.gdx.Gdx;

@@ -2,9 +2,6 @@ package carom.client.prediction;
 
 import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
-import carom.client.prediction.received.NearUpdate;
-import carom.client.prediction.received.OwnAssembly;
-import carom.client.prediction.received.SnapshotRecords;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;

@@ -1,7 +1,5 @@
 package carom.client.prediction;
 
-import carom.client.prediction.received.NearUpdate;
-import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.exact.NearState;
 import carom.physics.rows.JointRow;
 import carom.physics.rows.RowKind;

@@ -1,7 +1,6 @@
 package carom.client.prediction;
 
 import carom.client.interpolation.Pose;
-import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.exact.NearState;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;

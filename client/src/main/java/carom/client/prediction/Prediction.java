@@ -3,10 +3,6 @@ package carom.client.prediction;
 import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
-import carom.client.prediction.received.PlayerInputs;
-import carom.client.prediction.received.ReceivedRulings;
-import carom.client.prediction.received.SnapshotRecords;
-import carom.client.prediction.received.SpawnMatches;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Role;
@@ -33,9 +29,9 @@ import java.util.function.LongSupplier;
  *
  * <ol>
  *   <li>If an input of another player was mispredicted, a {@linkplain ReceivedRulings ruling} of
- *       the game came, or an {@linkplain carom.client.prediction.received.NearUpdate update} of
- *       exact states is complete, the simulation rolls back to the tick before. It applies the
- *       update and resimulates up to T with the real inputs and rulings.
+ *       the game came, or an {@linkplain carom.client.prediction.NearUpdate update} of exact states
+ *       is complete, the simulation rolls back to the tick before. It applies the update and
+ *       resimulates up to T with the real inputs and rulings.
  *   <li>If the hash of T is now the server's, T is right.
  *   <li>Otherwise the own body is corrected from the own section, and others from the quantised
  *       records where these disagree. The client reports that the hash differed, and the server

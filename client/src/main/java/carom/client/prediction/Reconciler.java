@@ -1,8 +1,6 @@
 package carom.client.prediction;
 
 import carom.client.field.OwnWords;
-import carom.client.prediction.received.PlayerInputs;
-import carom.client.prediction.received.ReceivedRulings;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Simulation;

@@ -1,6 +1,5 @@
 package carom.client.prediction;
 
-import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.exact.SpawnList;
 import carom.physics.rows.BodyRow;
 import carom.sim.Simulation;

@@ -1,7 +1,5 @@
 package carom.client.prediction;
 
-import carom.client.prediction.received.PlayerInputs;
-
 /**
  * Checks that rollback is exact: rolls back a few ticks, resimulates them with the same inputs, and
  * compares hashes. For developers; makes each tick about ten times as expensive.

@@ -2,7 +2,6 @@ package carom.client.prediction;
 
 import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
-import carom.client.prediction.received.PlayerInputs;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;

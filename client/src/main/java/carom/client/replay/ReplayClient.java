@@ -1,6 +1,6 @@
 package carom.client.replay;
 
-import carom.client.events.EventListener;
+import carom.client.EventListener;
 import carom.client.field.RecordedFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;

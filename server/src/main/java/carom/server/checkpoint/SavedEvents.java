@@ -1,8 +1,8 @@
 package carom.server.checkpoint;
 
 import carom.net.protocol.ProtocolLimits;
-import carom.net.snapshot.event.EventRecord;
-import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.frame.EventRecord;
+import carom.net.snapshot.frame.EventRing;
 import carom.physics.archive.Archive;
 import carom.server.session.Session;
 import java.util.ArrayList;

@@ -3,7 +3,7 @@ package carom.server.replication;
 import carom.net.codec.Quantizer;
 import carom.net.field.FieldTables;
 import carom.net.protocol.ProtocolLimits;
-import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.frame.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.Ownership;

@@ -1,11 +1,11 @@
 package carom.server.replication;
 
 import carom.net.codec.Quantizer;
+import carom.net.snapshot.Interest;
 import carom.net.snapshot.SnapshotEncoder;
-import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.frame.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.selection.Interest;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.broadphase.IntVisitor;

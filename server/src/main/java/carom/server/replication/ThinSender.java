@@ -1,8 +1,8 @@
 package carom.server.replication;
 
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.event.EventRecord;
-import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.frame.EventRecord;
+import carom.net.snapshot.frame.EventRing;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.server.config.ServerConfig;

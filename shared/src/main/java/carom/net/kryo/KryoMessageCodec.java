@@ -1,8 +1,5 @@
 package carom.net.kryo;
 
-import carom.net.kryo.message.MessageSerializer;
-import carom.net.kryo.message.PoolChunkSerializer;
-import carom.net.kryo.message.RedirectSerializer;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
 import carom.net.protocol.DatagramMark;

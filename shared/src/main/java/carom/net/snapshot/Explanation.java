@@ -1,6 +1,5 @@
 package carom.net.snapshot;
 
-import carom.net.snapshot.selection.BaselineReason;
 import java.util.Locale;
 
 /**

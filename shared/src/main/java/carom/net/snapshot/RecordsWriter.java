@@ -5,9 +5,6 @@ import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.QuantizedPose;
 import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.record.RecordCodec;
-import carom.net.snapshot.selection.BaselineReason;
-import carom.net.snapshot.selection.ClientKnowledge;
-import carom.net.snapshot.selection.Selection;
 
 /**
  * Writes the records section of a datagram: of what {@link Selection} gives, as much as fits. One

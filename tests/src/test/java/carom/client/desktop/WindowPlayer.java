@@ -1,7 +1,7 @@
 package carom.client.desktop;
 
 import carom.client.app.ClientMain;
-import carom.client.desktop.scene.SceneScreen;
+import carom.client.desktop.game.SceneScreen;
 import carom.client.link.ConnectionPhase;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;

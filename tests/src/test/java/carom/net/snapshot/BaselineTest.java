@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.selection.BaselineReason;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;

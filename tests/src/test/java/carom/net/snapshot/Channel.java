@@ -5,11 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.exact.RelayedInputs;
 import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.frame.WaitingInputs;
 import carom.net.snapshot.record.Deltas;
-import carom.net.snapshot.relay.RelayedInputs;
-import carom.net.snapshot.selection.Interest;
 import carom.net.snapshot.table.TableInbox;
 import carom.net.snapshot.table.Tables;
 import java.util.ArrayList;

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.events.RepeatedEventFilter;
-import carom.net.snapshot.event.EventRecord;
-import carom.net.snapshot.event.EventRing;
+import carom.client.RepeatedEventFilter;
+import carom.net.snapshot.frame.EventRecord;
+import carom.net.snapshot.frame.EventRing;
 import carom.net.snapshot.frame.FrameRing;
 import java.util.ArrayDeque;
 import java.util.ArrayList;

@@ -7,8 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.selection.BaselineReason;
-import carom.net.snapshot.selection.Interest;
 import org.junit.jupiter.api.Test;
 
 /**

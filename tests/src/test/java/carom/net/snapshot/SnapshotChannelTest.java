@@ -4,9 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.snapshot.exact.RelayedInputs;
 import carom.net.snapshot.frame.PlayerSet;
-import carom.net.snapshot.relay.RelayedInputs;
-import carom.net.snapshot.selection.BaselineReason;
 import carom.net.snapshot.table.TableInbox;
 import org.junit.jupiter.api.Test;
 

@@ -1,7 +1,7 @@
 package carom.server.checkpoint;
 
 import carom.fuzz.FuzzTarget;
-import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.frame.EventRing;
 import carom.server.session.Session;
 import carom.sim.SimState;
 import carom.sim.match.NextMatch;

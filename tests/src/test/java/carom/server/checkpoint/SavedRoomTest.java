@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.Protocol;
-import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.frame.EventRing;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.SimState;

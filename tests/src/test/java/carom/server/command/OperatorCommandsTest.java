@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.MessageListener;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
-import carom.client.message.MessageListener;
 import carom.fixtures.FieldGame;
 import carom.net.transport.Impairment;
 import carom.server.config.DataFolder;

@@ -1,10 +1,10 @@
 package carom.client.desktop.game;
 
+import carom.client.EventListener;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
-import carom.client.events.EventListener;
 import carom.sim.outbox.Event;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;

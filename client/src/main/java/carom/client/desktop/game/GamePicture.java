@@ -1,5 +1,6 @@
 package carom.client.desktop.game;
 
+import carom.client.EventListener;
 import carom.client.desktop.hud.ClockPanel;
 import carom.client.desktop.hud.GaugePanel;
 import carom.client.desktop.hud.Hud;
@@ -14,8 +15,6 @@ import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
-import carom.client.desktop.sound.EventSounds;
-import carom.client.events.EventListener;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.sim.level.Level;

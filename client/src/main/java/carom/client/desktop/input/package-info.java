@@ -1,9 +1,9 @@
 /**
- * The player's devices: which key does what, and keyboard, mouse and controller as the input of a
- * game.
+ * What the player puts in: which key does what, keyboard, mouse and controller as the input of a
+ * game, and what players say: lines of chat, the line that is being written, emotes.
  *
- * <p>Imports {@code carom.client.settings}, {@code carom.client.desktop.paint}, {@code carom.sim}
- * and libGDX. Render thread only. Read first: {@link carom.client.desktop.input.KeyMap}, {@link
- * carom.client.desktop.input.Controls}.
+ * <p>Imports {@code carom.client..}, {@code carom.client.desktop.paint} and {@code hud}, {@code
+ * carom.sim} and libGDX. Render thread only. Read first: {@link carom.client.desktop.input.KeyMap},
+ * {@link carom.client.desktop.input.Controls}, {@link carom.client.desktop.input.Conversation}.
  */
 package carom.client.desktop.input;

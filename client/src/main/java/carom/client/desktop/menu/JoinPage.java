@@ -1,7 +1,7 @@
 package carom.client.desktop.menu;
 
-import carom.client.discovery.LanSearch;
-import carom.client.discovery.LanServer;
+import carom.client.link.LanSearch;
+import carom.client.link.LanServer;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.settings.PlayerSettings;

@@ -1,9 +1,9 @@
 package carom.client.desktop.menu;
 
-import carom.client.discovery.LanServer;
-import carom.client.discovery.StatusAnswer;
+import carom.client.link.LanServer;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
+import carom.client.link.StatusAnswer;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import java.util.List;

@@ -5,7 +5,6 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.ledger.DatagramLedger;
-import carom.net.snapshot.relay.RelayCodec;
 
 /**
  * The own sections that were sent to one client, and the newest one that it has acked. The acked

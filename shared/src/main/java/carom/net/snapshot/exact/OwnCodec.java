@@ -2,7 +2,6 @@ package carom.net.snapshot.exact;
 
 import carom.net.codec.BitPass;
 import carom.net.codec.Bits;
-import carom.net.snapshot.relay.RelayCodec;
 import java.util.Arrays;
 
 /**

@@ -5,8 +5,6 @@ import carom.net.codec.RangeDecoder;
 import carom.net.protocol.PlayerId;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.PlayerSet;
-import carom.net.snapshot.relay.RelayCodec;
-import carom.net.snapshot.relay.RelayedInputs;
 import java.util.Arrays;
 
 /**

@@ -1,7 +1,6 @@
 package carom.net.snapshot.exact;
 
 import carom.net.snapshot.frame.PlayerSet;
-import carom.net.snapshot.relay.RelayCodec;
 import carom.physics.rows.BodyRow;
 import java.util.Arrays;
 

@@ -1,7 +1,5 @@
 package carom.net.snapshot.frame;
 
-import carom.net.snapshot.event.EventRing;
-
 /**
  * Keeps the last {@link #SIZE} frame states of a room. The server captures each tick like this:
  *

@@ -1,8 +1,10 @@
 /**
- * The quantised state of a room, tick by tick: what all sessions share before anything is coded.
+ * The quantised state of a room, tick by tick: what all sessions share before anything is coded;
+ * and the events section of a datagram: each event reaches each client exactly once and in order.
+ * The ring of frames also keeps the room's events.
  *
- * <p>May import {@code carom.net.codec}, {@code protocol} and {@code snapshot.event}: the ring of
- * frames also keeps the room's events. Read first: {@link carom.net.snapshot.frame.FrameState},
- * {@link carom.net.snapshot.frame.FrameRing}, {@link carom.net.snapshot.record.Predictor}.
+ * <p>May import {@code carom.net.codec}, {@code protocol} and {@code snapshot.ledger}. Read first:
+ * {@link carom.net.snapshot.frame.FrameState}, {@link carom.net.snapshot.frame.FrameRing}, {@link
+ * carom.net.snapshot.record.Predictor}.
  */
 package carom.net.snapshot.frame;

@@ -1,0 +1,150 @@
+package carom.client.prediction;
+
+import carom.net.snapshot.exact.RelayedInputs;
+import carom.sim.Simulation;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
+import java.util.Arrays;
+
+/**
+ * The inputs of all players by tick: the own ones as they were sampled, those of others as the
+ * server relayed them, and predicted ones until it does. One prediction's; allocates once for each
+ * other player.
+ */
+public final class PlayerInputs {
+  /** Time for which a player's last known input is repeated, fading, ticks. */
+  private static final int REPEAT_TICKS = 30;
+
+  private final Simulation simulation;
+  private final Player player;
+  private final SnapshotRecords records;
+  private final int mask;
+  private final long[] own;
+  private final int[] ownTick;
+  private long last;
+  private int first = Integer.MAX_VALUE;
+  private int newest = -1;
+
+  /** By player: the input each tick was simulated with; null for a player that was never near. */
+  private final long[][] used = new long[Simulation.MAX_PLAYERS][];
+
+  /**
+   * Creates an empty history.
+   *
+   * @param player the own one
+   * @param ticks to keep; a power of two
+   */
+  public PlayerInputs(Simulation simulation, Player player, SnapshotRecords records, int ticks) {
+    this.simulation = simulation;
+    this.player = player;
+    this.records = records;
+    mask = ticks - 1;
+    own = new long[ticks];
+    ownTick = new int[ticks];
+    Arrays.fill(ownTick, -1);
+  }
+
+  /** Stores the own input of a tick. */
+  public void put(int tick, long input) {
+    own[tick & mask] = input;
+    ownTick[tick & mask] = tick;
+    last = input;
+    first = Math.min(first, tick);
+    newest = Math.max(newest, tick);
+  }
+
+  /** Returns whether the own input of exactly this tick was sampled. */
+  public boolean has(int tick) {
+    return ownTick[tick & mask] == tick;
+  }
+
+  /** Returns the own input of a tick; for a tick without one, the last input. */
+  public long at(int tick) {
+    return has(tick) ? own[tick & mask] : tick < first ? 0 : last;
+  }
+
+  /** Returns the newest tick with an own input, or -1. */
+  public int newest() {
+    return newest;
+  }
+
+  /**
+   * Sets the inputs of all players for a tick.
+   *
+   * @param input the own one
+   * @param repeat whether others get the inputs with which the tick was simulated before
+   */
+  public void apply(int tick, long input, boolean repeat) {
+    player.input().unpack(input);
+    for (int id = 0; id < simulation.playerCapacity(); id++) {
+      Player other = simulation.player(id);
+      if (other == null || other == player) {
+        continue;
+      }
+      if (used[id] == null) {
+        used[id] = new long[mask + 1];
+      } else if (repeat) {
+        other.input().unpack(used[id][tick & mask]);
+        continue;
+      }
+      long best = relayedOrPredicted(id, tick);
+      other.input().unpack(best);
+      used[id][tick & mask] = best;
+    }
+  }
+
+  /** Returns a relayed input or, before it arrives, the last one known, fading tick by tick. */
+  private long relayedOrPredicted(int id, int tick) {
+    RelayedInputs relayed = records.inputs();
+    if (relayed.knows(id, tick)) {
+      return relayed.at(id, tick);
+    }
+    int known = relayed.newestBefore(id, tick);
+    return known < 0 ? 0 : Input.faded(relayed.at(id, known), tick - known, REPEAT_TICKS);
+  }
+
+  /**
+   * Returns whether a tick was simulated with the real inputs of all players that have a body, as
+   * far as they are known by now: none of them was predicted.
+   */
+  public boolean areConfirmed(int tick) {
+    RelayedInputs relayed = records.inputs();
+    for (int id = 0; id < simulation.playerCapacity(); id++) {
+      Player other = simulation.player(id);
+      if (other == null || other == player || other.body() == null) {
+        continue;
+      }
+      if (used[id] == null
+          || !relayed.knows(id, tick)
+          || relayed.at(id, tick) != used[id][tick & mask]) {
+        return false;
+      }
+    }
+    return has(tick);
+  }
+
+  /**
+   * Returns the first tick that was simulated with a mispredicted input.
+   *
+   * @param after tick before the first one to look at
+   * @param upTo last tick to look at
+   * @return the tick, or {@link Integer#MAX_VALUE} if there is none
+   */
+  public int firstMispredicted(int after, int upTo) {
+    RelayedInputs relayed = records.inputs();
+    int first = Integer.MAX_VALUE;
+    for (int id = 0; id < simulation.playerCapacity(); id++) {
+      if (used[id] == null || simulation.player(id) == null || simulation.player(id) == player) {
+        continue;
+      }
+      int last = Math.min(Math.min(upTo, first - 1), relayed.newestTick(id));
+      for (int tick = after + 1; tick <= last; tick++) {
+        if (relayed.knows(id, tick) && relayed.at(id, tick) != used[id][tick & mask]) {
+          first = tick;
+          break;
+        }
+      }
+    }
+    return first;
+  }
+}

@@ -1,0 +1,71 @@
+package carom.testkit;
+
+import carom.sim.Game;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Supplier;
+
+/** Passes all calls of a game on, and remembers what the game threw. One thread. */
+final class GameWatch implements InvocationHandler {
+  private final Game game;
+  private final Map<String, Integer> failures;
+
+  private GameWatch(Game game, Map<String, Integer> failures) {
+    this.game = game;
+    this.failures = failures;
+  }
+
+  /**
+   * Returns makers of watched games.
+   *
+   * @param failures receives each failure in words, and how often it happened
+   */
+  static Supplier<Game> over(Supplier<Game> games, Map<String, Integer> failures) {
+    // A proxy, so that callbacks that Game gains are passed on, too.
+    return () ->
+        (Game)
+            Proxy.newProxyInstance(
+                Game.class.getClassLoader(),
+                new Class<?>[] {Game.class},
+                new GameWatch(games.get(), failures));
+  }
+
+  /** Returns an empty list of failures, in the order in which they are found. */
+  static Map<String, Integer> failures() {
+    return new LinkedHashMap<>();
+  }
+
+  @Override
+  public Object invoke(Object proxy, Method method, Object[] args) throws Throwable {
+    try {
+      return method.invoke(game, args);
+    } catch (InvocationTargetException e) {
+      failures.merge(words(method.getName(), e.getCause()), 1, Integer::sum);
+      throw e.getCause();
+    }
+  }
+
+  /** Returns the callback, the exception and the line of the game's own code. */
+  private String words(String callback, Throwable failure) {
+    String where = "";
+    for (StackTraceElement line : failure.getStackTrace()) {
+      if (isOfGame(line)) {
+        where = " at " + line.getFileName() + ":" + line.getLineNumber();
+        break;
+      }
+    }
+    return callback + " throws " + failure + where;
+  }
+
+  private boolean isOfGame(StackTraceElement line) {
+    String named = line.getClassName();
+    String ours = game.getClass().getName();
+    return named.equals(ours)
+        || named.startsWith(ours + "$")
+        || named.startsWith(game.getClass().getPackageName() + ".");
+  }
+}

@@ -1,0 +1,210 @@
+package carom.client.desktop.game;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.EventReconciler;
+import carom.game.arena.ArenaGame;
+import carom.sim.Role;
+import carom.sim.SimState;
+import carom.sim.Simulation;
+import carom.sim.entity.Player;
+import carom.sim.event.EventKind;
+import carom.sim.event.Sound;
+import carom.sim.level.Level;
+import carom.sim.outbox.Event;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: events are heard once, by how hard and near they are. Method: a speaker that writes down
+ * what it would play.
+ */
+class EventSoundsTest {
+  private static final float LOUDEST = 0.5f;
+
+  /** A sound that was asked for. */
+  private record Played(Sound sound, float volume, float pan, float pitch) {}
+
+  private final List<Played> played = new ArrayList<>();
+  private final List<Long> stopped = new ArrayList<>();
+  private boolean works = true;
+  private final Speaker speaker =
+      new Speaker() {
+        @Override
+        public boolean works() {
+          return works;
+        }
+
+        @Override
+        public long play(Sound sound, float volume, float pan, float pitch) {
+          played.add(new Played(sound, volume, pan, pitch));
+          return played.size() - 1L;
+        }
+
+        @Override
+        public void stop(Sound sound, long id) {
+          stopped.add(id);
+        }
+      };
+  private final EventSounds sounds = new EventSounds(speaker, LOUDEST);
+  private Simulation arena;
+
+  @BeforeEach
+  void setUp() throws Exception {
+    arena = new Simulation(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
+  }
+
+  private EventKind kind(Sound sound) {
+    for (int i = 0; i < arena.eventKinds().size(); i++) {
+      if (arena.eventKinds().get(i).sound() == sound) {
+        return arena.eventKinds().get(i);
+      }
+    }
+    throw new AssertionError("the arena has no " + sound);
+  }
+
+  private Event event(Sound sound, int tick, float x, float y, float strength) {
+    return new Event().set(kind(sound), tick, 1, Event.NONE, Event.NONE, x, y, strength, 0);
+  }
+
+  private float volume(Event event) {
+    int before = played.size();
+    sounds.listen(0, 0, 10);
+    sounds.happened(event, false);
+    return played.size() == before ? 0 : played.get(before).volume();
+  }
+
+  @Test
+  void whatHappensHereAndIsHardIsAsLoudAsAsked() {
+    assertEquals(LOUDEST, volume(event(Sound.WHOOSH, 1, 0, 0, 0)), 1e-6f);
+    float full = kind(Sound.KNOCK).fullStrength();
+    assertEquals(LOUDEST, volume(event(Sound.KNOCK, 2, 0, 0, full)), 1e-6f);
+    assertEquals(LOUDEST, volume(event(Sound.KNOCK, 3, 0, 0, 100 * full)), 1e-6f);
+  }
+
+  @Test
+  void harderIsLouderAndFartherIsFainter() {
+    float full = kind(Sound.KNOCK).fullStrength();
+    float before = 0;
+    for (int i = 1; i <= 10; i++) {
+      float now = volume(event(Sound.KNOCK, i, 0, 0, full * i / 10));
+      assertTrue(now > before, "strength " + full * i / 10);
+      before = now;
+    }
+    for (int metres = 5; metres <= 40; metres += 5) {
+      float now = volume(event(Sound.KNOCK, 100 + metres, 0, metres, full));
+      assertTrue(now < before, metres + " m");
+      before = now;
+    }
+    assertEquals(0, volume(event(Sound.KNOCK, 200, 500, 0, full)), "not even asked for");
+    assertTrue(volume(event(Sound.FANFARE, 201, 25, 0, 0)) > 0.2f * LOUDEST, "a goal is for all");
+  }
+
+  @Test
+  void aWindowMayStayOpenForMonths() {
+    sounds.listen(0, 0, 10_000_000);
+    sounds.happened(event(Sound.WHOOSH, 1, 0, 0, 0), false);
+    sounds.happened(event(Sound.WHOOSH, 1, 0, 0, 0), false);
+    assertEquals(1, played.size(), "two of a kind at once");
+    for (int frame = 0; frame < 20; frame++) {
+      sounds.listen(0, 0, 1 / 60f);
+    }
+    sounds.happened(event(Sound.WHOOSH, 2, 0, 0, 0), false);
+    assertEquals(2, played.size());
+  }
+
+  @Test
+  void soundsComeFromTheirSide() {
+    sounds.listen(100, 0, 1);
+    sounds.happened(event(Sound.WHOOSH, 1, 100, 5, 0), false);
+    sounds.listen(100, 0, 1);
+    sounds.happened(event(Sound.WHOOSH, 2, 94, 0, 0), false);
+    sounds.listen(100, 0, 1);
+    sounds.happened(event(Sound.WHOOSH, 3, 106, 0, 0), false);
+    assertEquals(0, played.get(0).pan());
+    assertTrue(played.get(1).pan() < -0.2f && played.get(2).pan() > 0.2f, played.toString());
+  }
+
+  @Test
+  void ofManyAtOnceTheLoudestAreHeard() {
+    for (int i = 0; i < 3 * EventSounds.VOICES; i++) {
+      Sound sound = i % 2 == 0 ? Sound.WHOOSH : Sound.ZAP;
+      sounds.listen(0, 0, 0.001f * i); // a little later and nearer each time
+      sounds.happened(event(sound, i, 0, 30 - i, 0), false);
+    }
+    assertTrue(played.size() - stopped.size() <= EventSounds.VOICES, played.size() + " played");
+    assertTrue(!stopped.isEmpty(), "fainter ones make room");
+    int before = played.size();
+    sounds.happened(event(Sound.FANFARE, 99, 0, 100, 0), false);
+    assertEquals(before, played.size(), "fainter than all that play");
+  }
+
+  @Test
+  void aPileUpIsNotLouderThanABlow() {
+    for (int i = 0; i < 20; i++) {
+      sounds.happened(event(Sound.KNOCK, 7, 0, 0, 5), false);
+    }
+    assertEquals(1, played.size());
+    sounds.listen(0, 0, 0.1f);
+    sounds.happened(event(Sound.KNOCK, 13, 0, 0, 5), false);
+    assertEquals(2, played.size());
+  }
+
+  @Test
+  void whatIsPredictedComputedAgainAndToldIsHeardOnce() {
+    EventReconciler reconciler = new EventReconciler(1, true, key -> 0, 60, sounds);
+    Player me = arena.mirror().join(1, "me");
+    arena.addJournal(reconciler);
+    SimState start = arena.save(null);
+    EventKind zap = kind(Sound.ZAP);
+    for (int again = 0; again < 3; again++) {
+      arena.restore(start);
+      arena.emit(zap).by(me);
+      arena.step();
+      sounds.listen(0, 0, 1);
+    }
+    reconciler.receive(event(Sound.ZAP, 1, 0, 0, 0));
+    reconciler.complete(60);
+    reconciler.advance(60);
+    assertEquals(1, played.size());
+    assertEquals(1, reconciler.confirmed());
+    assertTrue(stopped.isEmpty());
+  }
+
+  @Test
+  void whatDidNotHappenFallsSilent() {
+    Event event = event(Sound.FANFARE, 5, 0, 0, 0);
+    sounds.happened(event, true);
+    sounds.retracted(event(Sound.ZAP, 5, 0, 0, 0));
+    assertTrue(stopped.isEmpty());
+    sounds.retracted(event);
+    assertEquals(List.of(0L), stopped);
+    sounds.happened(event(Sound.FANFARE, 9, 0, 0, 0), true);
+    sounds.listen(0, 0, 10);
+    sounds.retracted(event(Sound.FANFARE, 9, 0, 0, 0));
+    assertEquals(List.of(0L), stopped, "it was over");
+  }
+
+  @Test
+  void mutedOrWithoutALoudspeakerNothingIsPlayed() {
+    sounds.happened(event(Sound.FANFARE, 1, 0, 0, 0), false);
+    sounds.mute(true);
+    assertEquals(1, stopped.size());
+    sounds.happened(event(Sound.ZAP, 2, 0, 0, 0), false);
+    assertEquals(1, played.size());
+    sounds.mute(false);
+    sounds.happened(event(Sound.ZAP, 3, 0, 0, 0), false);
+    assertEquals(2, played.size());
+    works = false;
+    assertFalse(sounds.audible());
+    assertEquals(0, volume(event(Sound.ZAP, 4, 0, 0, 0)));
+    EventSounds silent = new EventSounds(speaker, 0);
+    works = true;
+    silent.happened(event(Sound.ZAP, 5, 0, 0, 0), false);
+    assertEquals(2, played.size());
+  }
+}

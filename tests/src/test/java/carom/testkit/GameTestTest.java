@@ -1,0 +1,307 @@
+package carom.testkit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.bots.Bot;
+import carom.client.bots.BotBrain;
+import carom.client.bots.BotBrains;
+import carom.client.bots.Senses;
+import carom.fixtures.PlainGame;
+import carom.game.arena.ArenaGame;
+import carom.options.NetworkConditions.Preset;
+import carom.physics.Body;
+import carom.physics.Material;
+import carom.physics.geometry.Circle;
+import carom.server.CaromMain;
+import carom.sim.Game;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
+import carom.sim.event.Audience;
+import carom.sim.field.Count;
+import carom.sim.field.Field;
+import carom.sim.field.Ratio;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: {@code carom test} finds each kind of broken rule, names it, and finds nothing in a good
+ * game. Method: a small good game, and one that breaks one rule for each kind.
+ */
+class GameTestTest {
+  private static final Ratio NITRO = Field.ratio("nitro").to(Audience.NEAR).startsAt(1);
+  private static final Count LUCK = Field.count("luck", 0, 9).to(Audience.NOBODY);
+
+  /** Breaks no rule: discs that run about. */
+  public static class Good extends PlainGame {
+    private Archetype disc;
+
+    public Good() {
+      super("trial");
+    }
+
+    @Override
+    public List<Field<?>> fields() {
+      return List.of(NITRO, LUCK);
+    }
+
+    @Override
+    public void setUp(Simulation s) {
+      disc =
+          s.archetypes()
+              .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
+    }
+
+    @Override
+    public void join(Simulation s, Player p) {
+      s.spawn(disc, 3 * p.id(), 0, 0, p);
+    }
+
+    @Override
+    public void input(Simulation s, Player p, Input in) {
+      float speed = speed(s, p, in);
+      Body<Entity> body = p.body().body();
+      body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10 * body.mass());
+    }
+
+    float speed(Simulation s, Player p, Input in) {
+      return 5;
+    }
+  }
+
+  /** Writes a field in afterStep that input reads. */
+  public static final class WritesLate extends Good {
+    @Override
+    float speed(Simulation s, Player p, Input in) {
+      return 3 + 4 * p.get(NITRO);
+    }
+
+    @Override
+    public void afterStep(Simulation s) {
+      for (int id = 0; id < s.playerCapacity(); id++) {
+        if (s.player(id) != null) {
+          s.player(id).add(NITRO, s.tick() % 60 < 30 ? -0.02f : 0.02f);
+        }
+      }
+    }
+  }
+
+  /** Pushes bodies in beforeStep. */
+  public static final class PushesEarly extends Good {
+    @Override
+    public void beforeStep(Simulation s) {
+      for (int id = 0; id < s.playerCapacity(); id++) {
+        if (s.player(id) != null) {
+          s.player(id).body().body().applyForce(3, 0);
+        }
+      }
+    }
+  }
+
+  /** Reads what only the server knows. */
+  public static final class ReadsSecret extends Good {
+    @Override
+    float speed(Simulation s, Player p, Input in) {
+      return 5 + p.get(LUCK);
+    }
+  }
+
+  /** Throws now and then. */
+  public static final class Throws extends Good {
+    @Override
+    public void afterStep(Simulation s) {
+      if (s.tick() % 100 == 99) {
+        throw new IllegalStateException("the flag is gone");
+      }
+    }
+  }
+
+  /** Remembers in a variable what it should keep in a field. */
+  public static final class Remembers extends Good {
+    private int calls;
+
+    @Override
+    float speed(Simulation s, Player p, Input in) {
+      calls++;
+      return 4 + calls % 300 / 100f;
+    }
+  }
+
+  /** Rolls dice that no seed repeats. */
+  public static final class RollsDice extends Good {
+    private final Random random = new Random();
+
+    @Override
+    float speed(Simulation s, Player p, Input in) {
+      return 4 + random.nextFloat();
+    }
+  }
+
+  /** Does otherwise on clients. */
+  public static final class KnowsItsRole extends Good {
+    @Override
+    float speed(Simulation s, Player p, Input in) {
+      return s.role() == Role.AUTHORITY ? 5 : 6;
+    }
+  }
+
+  private static GameReport test(Supplier<Game> game) throws Exception {
+    String json =
+        "{\"name\": \"Trial\", \"game\": \"trial\", \"gravity\": [0, 0],"
+            + " \"bounds\": {\"min\": [-50, -50], \"max\": [50, 50]}}";
+    Level level = Level.parse("trial.json", json.getBytes(StandardCharsets.UTF_8));
+    return GameTest.run(game, level, List.of(Preset.TRANSATLANTIC), 2, 6, 1);
+  }
+
+  private static void assertFinds(String text, Supplier<Game> game) throws Exception {
+    GameReport report = test(game);
+    assertTrue(report.broken().stream().anyMatch(rule -> rule.contains(text)), report.text());
+  }
+
+  @Test
+  void aGoodGameBreaksNoRuleAndIsPredictedExactly() throws Exception {
+    GameReport report = test(Good::new);
+    assertEquals(List.of(), report.broken());
+    assertEquals(0, report.correctionsPerMinute(), report.text());
+  }
+
+  @Test
+  void aFieldThatAfterStepWritesAndInputReadsIsNamed() throws Exception {
+    assertFinds("afterStep writes player.nitro, which input reads", WritesLate::new);
+  }
+
+  @Test
+  void aPushInBeforeStepIsNamed() throws Exception {
+    assertFinds("beforeStep pushes entity", PushesEarly::new);
+  }
+
+  @Test
+  void aFieldThatOnlyTheServerKnowsIsNamed() throws Exception {
+    assertFinds("player.luck", ReadsSecret::new);
+  }
+
+  @Test
+  void anExceptionIsToldWithItsLine() throws Exception {
+    assertFinds(
+        "afterStep throws java.lang.IllegalStateException: the flag is gone at GameTestTest.java:",
+        Throws::new);
+  }
+
+  @Test
+  void aVariableThatRollbacksDontRestoreIsTold() throws Exception {
+    assertFinds("after a rollback to tick ", Remembers::new);
+    assertFinds("goes on otherwise in another process", Remembers::new);
+  }
+
+  @Test
+  void diceThatNoSeedRepeatsAreTold() throws Exception {
+    assertFinds("the same seed and the same inputs give another state", RollsDice::new);
+    assertFinds("server and clients with the same seed end in another state", RollsDice::new);
+  }
+
+  @Test
+  void anInputThatDoesOtherwiseOnClientsIsTold() throws Exception {
+    assertFinds("otherwise than the server from the same inputs", KnowsItsRole::new);
+  }
+
+  /** Runs to the right, and holds a button as long as nothing is in the way. */
+  public static final class Runner implements BotBrain {
+    private static int decisions;
+    private static int walls;
+
+    @Override
+    public String game() {
+      return "trial";
+    }
+
+    @Override
+    public void decide(Senses senses, Input out) {
+      decisions++;
+      walls += senses.isWall(3, 0) ? 1 : 0;
+      out.move(1, 0).hold(Input.SECOND, true);
+    }
+  }
+
+  /** Falls over if the bot's keys don't arrive. */
+  public static final class WantsSecond extends Good {
+    private static int pressed;
+
+    @Override
+    float speed(Simulation s, Player p, Input in) {
+      pressed += in.held(Input.SECOND) && in.moveX() == 1 ? 1 : 0;
+      return 5;
+    }
+  }
+
+  @Test
+  void botsPlayByTheBrainOfTheGame() throws Exception {
+    BotBrains.add(Runner::new);
+    try {
+      GameReport report = test(WantsSecond::new);
+      assertEquals(List.of(), report.broken());
+      assertTrue(Runner.decisions > 600, "decisions: " + Runner.decisions);
+      assertTrue(WantsSecond.pressed > 600, "pressed: " + WantsSecond.pressed);
+      assertEquals(0, Runner.walls, "there are no walls");
+    } finally {
+      BotBrains.remove("trial");
+    }
+  }
+
+  @Test
+  void theCommandTestsAGameThatShips() {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    int code =
+        CaromMain.run(
+            new PrintWriter(out),
+            new PrintWriter(err),
+            "test",
+            "platformer",
+            "--network",
+            "wifi",
+            "--players",
+            "2",
+            "--seconds",
+            "3",
+            "--json");
+    assertEquals(0, code, out + "" + err);
+    assertTrue(out.toString().contains("\"game\":\"platformer\""), out.toString());
+    assertTrue(out.toString().contains("\"broken\":[]"), out.toString());
+  }
+
+  @Test
+  void theTestThatThePageShowsHolds() {
+    try (Stepper world = Stepper.of(ArenaGame::new, "arena")) {
+      SimulatedClient ann = world.join("Ann", Preset.MOBILE, new Bot(1));
+      world.run(10);
+      assertEquals(List.of(), world.findings());
+      assertTrue(ann.rightPercent() > 95, world.describe());
+    }
+  }
+
+  @Test
+  void aWrongFlagSaysWhatIsAllowed() {
+    StringWriter err = new StringWriter();
+    int code =
+        CaromMain.run(
+            new PrintWriter(new StringWriter()),
+            new PrintWriter(err),
+            "test",
+            "arena",
+            "--players",
+            "99");
+    assertEquals(2, code);
+    assertTrue(err.toString().contains("--players=99 is outside 1..64"), err.toString());
+  }
+}
