@@ -4,8 +4,6 @@ import carom.options.BadFlag;
 import carom.options.LabCommand;
 import carom.options.Subcommand;
 import carom.options.VectorApi;
-import carom.server.tool.HealthCommand;
-import carom.server.tool.ReplayCommand;
 import java.io.PrintWriter;
 import java.util.ServiceLoader;
 import picocli.CommandLine;

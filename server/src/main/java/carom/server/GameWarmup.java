@@ -29,7 +29,7 @@ import java.util.function.Supplier;
  * milliseconds.
  *
  * <p>It covers the whole server but vector kernels, which take seconds: {@link
- * carom.warmup.KernelWarmupThread} warms those up while the rooms run.
+ * carom.server.KernelWarmupThread} warms those up while the rooms run.
  */
 final class GameWarmup {
   private static final int CLIENTS = 4;

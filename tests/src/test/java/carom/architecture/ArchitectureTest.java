@@ -356,12 +356,6 @@ final class ArchitectureTest {
         "carom.values");
     allow("carom.options", "carom.net.transport", "carom.text");
     allow(
-        "carom.warmup",
-        "carom.physics",
-        "carom.physics.geometry",
-        "carom.physics.simd",
-        "carom.net.codec");
-    allow(
         "carom.replay",
         "carom.text",
         "carom.sim",
@@ -377,7 +371,6 @@ final class ArchitectureTest {
         "carom.server..",
         "carom.net..",
         "carom.options",
-        "carom.warmup",
         "carom.values",
         "carom.text",
         "carom.json", // what pages in browsers send

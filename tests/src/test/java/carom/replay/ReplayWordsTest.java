@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.net.protocol.Protocol;
-import carom.server.tool.ReplayCommand;
+import carom.server.ReplayCommand;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.level.Level;

@@ -1,11 +1,11 @@
 package carom.server.query;
 
 import carom.options.Sockets;
+import carom.server.access.LoginThrottle;
+import carom.server.access.Secret;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
-import carom.server.login.LoginThrottle;
-import carom.server.login.Secret;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.util.Collections;

@@ -1,11 +1,11 @@
 package carom.server.query;
 
 import carom.net.transport.AddressFamily;
+import carom.server.access.LoginThrottle;
+import carom.server.access.Secret;
 import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
 import carom.server.command.Role;
-import carom.server.login.LoginThrottle;
-import carom.server.login.Secret;
 import carom.server.threads.LastingThread;
 import java.io.DataInputStream;
 import java.io.EOFException;

@@ -3,7 +3,7 @@
  * server lists and local networks find a server, and Source RCON over TCP, a remote console.
  *
  * <p>Allowed imports: {@code carom.net.admission}, {@code carom.net.protocol}, {@code
- * carom.server.command}, {@code carom.server.config}, {@code carom.server.login}, {@code
+ * carom.server.command}, {@code carom.server.config}, {@code carom.server.access}, {@code
  * carom.server.room}, {@code carom.server.session}, picocli, slf4j, the JDK. Read first: {@link
  * carom.server.query.StatusQuery}, {@link carom.server.query.StatusAnswers}, {@link
  * carom.server.query.RemoteConsole}.

@@ -14,7 +14,6 @@ import carom.server.metrics.Counter;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
 import carom.server.room.match.RoomContext;
-import carom.server.room.recording.RoomRecording;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;
 import carom.server.threads.LoaderThread;

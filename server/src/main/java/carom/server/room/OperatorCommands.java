@@ -9,7 +9,6 @@ import carom.server.replication.SentReport;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
 import carom.server.room.match.RoomContext;
-import carom.server.room.recording.RoomRecording;
 import carom.server.session.Moderator;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;

@@ -10,13 +10,12 @@ import carom.server.metrics.StageTimes;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
 import carom.server.room.match.RoomContext;
-import carom.server.room.recording.RoomRecording;
-import carom.server.schedule.LoadWarnings;
-import carom.server.schedule.TickPace;
 import carom.server.session.PartingLinks;
 import carom.server.session.RosterNews;
 import carom.server.session.Seats;
+import carom.server.threads.LoadWarnings;
 import carom.server.threads.LoaderThread;
+import carom.server.threads.TickPace;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 

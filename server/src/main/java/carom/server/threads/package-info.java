@@ -1,8 +1,11 @@
 /**
- * The threads of a server: those of the lobby and the rooms, and the one that builds matches.
+ * The threads of a server: those of the lobby and the rooms, the one that builds matches, and the
+ * watchdog; when ticks are due, which sessions a tick sends snapshots to, and warnings when there
+ * is no time.
  *
- * <p>Allowed imports: the JDK.
+ * <p>Allowed imports: {@code carom.server.metrics}, slf4j, the JDK.
  *
- * <p>Read first: {@link carom.server.threads.Worker}.
+ * <p>Read first: {@link carom.server.threads.Worker}, {@link carom.server.threads.TickLoop}, {@link
+ * carom.server.threads.SendTurns}.
  */
 package carom.server.threads;

@@ -2,7 +2,7 @@ package carom.server.web;
 
 import carom.net.protocol.Protocol;
 import carom.net.transport.NetworkCounter;
-import carom.server.login.LoginThrottle;
+import carom.server.access.LoginThrottle;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.ProcessFigures;

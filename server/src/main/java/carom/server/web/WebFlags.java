@@ -2,13 +2,11 @@ package carom.server.web;
 
 import carom.options.Sockets;
 import carom.server.access.AddressRange;
+import carom.server.access.Secret;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
 import carom.server.console.LogTail;
-import carom.server.login.Secret;
-import carom.server.web.page.LivePage;
-import carom.server.web.page.PageConfig;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;

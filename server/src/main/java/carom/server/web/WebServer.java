@@ -1,7 +1,6 @@
 package carom.server.web;
 
 import carom.server.http.HttpPort;
-import carom.server.web.page.LivePage;
 import io.undertow.server.HttpServerExchange;
 import io.undertow.util.Headers;
 import io.undertow.util.StatusCodes;

@@ -1,7 +1,7 @@
 package carom.server.web;
 
 import carom.net.transport.NetworkCounter;
-import carom.server.login.Logins;
+import carom.server.access.Logins;
 import carom.server.room.Room;
 import java.util.List;
 

@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.server.access.LoginThrottle;
+import carom.server.access.Secret;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
-import carom.server.login.LoginThrottle;
-import carom.server.login.Secret;
 import carom.suite.Alone;
 import java.io.DataInputStream;
 import java.io.IOException;

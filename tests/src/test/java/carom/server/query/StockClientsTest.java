@@ -5,12 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.transport.Impairment;
 import carom.outside.Python;
+import carom.server.access.LoginThrottle;
+import carom.server.access.Secret;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
 import carom.server.config.DataFolder;
-import carom.server.login.LoginThrottle;
-import carom.server.login.Secret;
 import carom.suite.Alone;
 import carom.testkit.Stepper;
 import java.net.InetAddress;

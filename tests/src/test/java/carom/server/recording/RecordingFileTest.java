@@ -148,7 +148,7 @@ final class RecordingFileTest {
   @Test
   void aDiskThatWasTooSlowForAMomentLeavesAGapBetweenTwoFiles() throws Exception {
     List<RecordingFile> made = new ArrayList<>();
-    Logger log = (Logger) LoggerFactory.getLogger("carom.server.room.recording.RoomRecording");
+    Logger log = (Logger) LoggerFactory.getLogger("carom.server.room.RoomRecording");
     ListAppender<ILoggingEvent> lines = new ListAppender<>();
     lines.start();
     log.addAppender(lines);

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.protocol.Protocol;
 import carom.net.transport.NetworkCounter;
 import carom.server.CaromMain;
-import carom.server.login.Logins;
+import carom.server.access.Logins;
 import carom.server.metrics.Counter;
 import carom.server.metrics.TurnStage;
 import carom.suite.Alone;

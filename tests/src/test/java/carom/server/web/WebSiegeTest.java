@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.transport.NetworkCounter;
+import carom.server.access.Logins;
 import carom.server.http.HttpPort;
-import carom.server.login.Logins;
 import carom.suite.Alone;
 import carom.testkit.Stepper;
 import java.io.IOException;

@@ -1,13 +1,11 @@
 package carom.server.web;
 
 import carom.fuzz.FuzzTarget;
+import carom.server.access.Logins;
+import carom.server.access.Secret;
 import carom.server.command.CommandRegistry;
 import carom.server.console.LogTail;
-import carom.server.login.Logins;
-import carom.server.login.Secret;
 import carom.server.room.Room;
-import carom.server.web.page.LivePage;
-import carom.server.web.page.PageConfig;
 import carom.testkit.Stepper;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.IOException;

@@ -67,8 +67,8 @@ public final class PlayPort implements ServerTransport {
               "play/controls.js",
               "play/sounds.js",
               "play/qr.js",
-              "/carom/server/web/page/painter.js",
-              "/carom/server/web/page/icon.svg"));
+              "/carom/server/web/painter.js",
+              "/carom/server/web/icon.svg"));
   private final boolean encrypted;
   private final RequestGuard guard;
   private final Origins origins;

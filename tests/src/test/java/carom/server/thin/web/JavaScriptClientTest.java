@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import carom.server.web.page.Chromium;
+import carom.server.web.Chromium;
 import carom.suite.Alone;
 import com.sun.net.httpserver.HttpServer;
 import java.awt.image.BufferedImage;

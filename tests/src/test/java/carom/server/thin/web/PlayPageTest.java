@@ -9,7 +9,7 @@ import carom.server.Server;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;
-import carom.server.web.page.Chromium;
+import carom.server.web.Chromium;
 import carom.suite.Alone;
 import java.net.InetAddress;
 import java.nio.file.Path;
