@@ -19,7 +19,7 @@ import java.util.List;
  * The messages of the game between this client and the server, over all links of a session. One
  * thread; allocates for messages only.
  */
-public final class MessageExchange {
+final class MessageExchange {
   private final Connection connection;
   private final NetStatsRecorder stats;
   private final MessageDatagram incoming = new MessageDatagram();

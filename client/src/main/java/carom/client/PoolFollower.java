@@ -16,7 +16,7 @@ import carom.sim.pool.Pools;
  * and then computes each tick as soon as the client's clock has come to it and the rows for it are
  * here. One stay's; one thread; allocates only while it loads a state.
  */
-public final class PoolFollower {
+final class PoolFollower {
   /** Ticks that are computed at once at most, so that catching up takes bounded time. */
   private static final int MOST_STEPS = 4;
 

@@ -35,7 +35,7 @@ import picocli.CommandLine.Spec;
       ""
     },
     footer = {"", "Exit codes: 0 well, 1 unwell or no answer, 2 bad flag."})
-public final class HealthCommand implements Callable<Integer> {
+final class HealthCommand implements Callable<Integer> {
   private static final int UNWELL = 1;
   private static final int MOST_ANSWER_BYTES = 4096;
   private static final String NOT_A_SERVER =

@@ -18,7 +18,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
  * kernels and with those that call them. The thread is a daemon of the lowest priority and ends
  * after some seconds of work. {@code docs/lab/kernels.md} has the measurements.
  */
-public final class KernelWarmupThread {
+final class KernelWarmupThread {
   /** Steps without allocation, in a row, after which the callers are compiled. */
   private static final int STILL_STEPS = 40;
 

@@ -24,7 +24,7 @@ import java.util.Locale;
  * @param lateInputPercent share of the inputs of playing bots that were sampled later than their
  *     tick, because the bots' own process was too slow to look after each of them in each tick
  */
-public record BotReport(
+record BotReport(
     int joined,
     int disconnects,
     int errors,

@@ -18,7 +18,7 @@ import java.util.Arrays;
  *                                        └────────── add (newer base tick) ───────┘
  * </pre>
  */
-public final class NearUpdate {
+final class NearUpdate {
   private int baseTick = -1;
   private final int[] keys = new int[NearState.MAX_ENTITIES];
 

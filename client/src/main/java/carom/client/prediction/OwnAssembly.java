@@ -18,7 +18,7 @@ import java.util.Arrays;
  * quantised records. A car would lose its wheels otherwise until the first update comes. Used when
  * a prediction begins; allocates.
  */
-public final class OwnAssembly {
+final class OwnAssembly {
   private static final int MOST = 64;
 
   private final SnapshotRecords records;

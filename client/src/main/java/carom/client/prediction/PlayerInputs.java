@@ -11,7 +11,7 @@ import java.util.Arrays;
  * server relayed them, and predicted ones until it does. One prediction's; allocates once for each
  * other player.
  */
-public final class PlayerInputs {
+final class PlayerInputs {
   /** Time for which a player's last known input is repeated, fading, ticks. */
   private static final int REPEAT_TICKS = 30;
 

@@ -18,7 +18,7 @@ import java.util.function.Consumer;
  * predicted simulation asks for it in every step, also when it computes a tick again. One
  * prediction's; allocates only to grow.
  */
-public final class ReceivedRulings implements Rulings {
+final class ReceivedRulings implements Rulings {
   /** Value of {@link #takeFirst} if there is nothing new. */
   public static final int NONE = Integer.MAX_VALUE;
 

@@ -24,7 +24,7 @@ import carom.sim.near.Neighbourhood;
  * Gives a prediction the content of decoded snapshots: the identity of entities, their quantised
  * states, and the relayed inputs of other players. One prediction's; allocates nothing.
  */
-public final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions {
+final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions {
   /** Longest time that the newest state is extrapolated in a straight line, ticks. */
   private static final int MAX_EXTRAPOLATION_TICKS = 9;
 

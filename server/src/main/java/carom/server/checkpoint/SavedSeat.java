@@ -22,7 +22,7 @@ import carom.server.session.Seats;
  *     of; never changed
  */
 @SuppressWarnings("ArrayRecordComponent") // Never compared.
-public record SavedSeat(
+record SavedSeat(
     int id,
     String wantedName,
     String name,

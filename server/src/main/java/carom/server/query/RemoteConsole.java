@@ -35,7 +35,7 @@ import org.slf4j.LoggerFactory;
  * one that has waited longest without the password gives way. RCON sends the password and all
  * commands unencrypted.
  */
-public final class RemoteConsole implements AutoCloseable {
+final class RemoteConsole implements AutoCloseable {
   /** Most connections at once. */
   static final int MAX_CONNECTIONS = 8;
 

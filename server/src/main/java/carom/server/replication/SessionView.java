@@ -28,7 +28,7 @@ import carom.sim.near.Neighbourhood;
  *
  * <p>The room's thread; no allocation after construction.
  */
-public final class SessionView implements Interest {
+final class SessionView implements Interest {
   /** Leaving takes a view this much larger than entering. */
   private static final float STAY = 1.25f;
 

@@ -27,7 +27,7 @@ import java.util.function.Supplier;
  *
  * <p>The room's thread; no allocation after construction.
  */
-public final class SnapshotSender {
+final class SnapshotSender {
   /** Depth of the token bucket: the full datagrams that may leave at once after a quiet time. */
   private static final int BURST_DATAGRAMS = 4;
 

@@ -18,7 +18,7 @@ import java.util.function.Function;
  * <p>A player with an account counts as a network of its own, by the account: the operator's
  * backend knows the player, and a class with accounts is no crowd. Immutable.
  */
-public final class SeatShares {
+final class SeatShares {
   /** Seats that a network may always hold: those of a household. */
   public static final int LEAST = 2;
 

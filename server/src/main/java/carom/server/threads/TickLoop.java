@@ -14,7 +14,7 @@ import java.util.Locale;
  *
  * <p>One thread; no allocation.
  */
-public final class TickLoop {
+final class TickLoop {
   private static final long NS_PER_S = 1_000_000_000L;
 
   private static final long HUNDRED_S = 100 * NS_PER_S;

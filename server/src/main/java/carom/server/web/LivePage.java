@@ -45,7 +45,7 @@ import org.slf4j.LoggerFactory;
  * The page: its files, its WebSocket at {@value #SOCKET}, and two threads. {@code carom-page} sends
  * pictures and figures; {@code carom-page-commands} carries out commands, which may take seconds.
  */
-public final class LivePage implements AutoCloseable {
+final class LivePage implements AutoCloseable {
   /** Most pages that may be open at once without the secret. */
   static final int MAX_VIEWERS = 32;
 

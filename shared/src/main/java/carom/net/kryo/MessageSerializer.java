@@ -17,7 +17,7 @@ import java.util.Objects;
  *
  * @param <T> the message
  */
-public abstract class MessageSerializer<T> extends Serializer<T> {
+abstract class MessageSerializer<T> extends Serializer<T> {
   /** Creates a serializer. */
   protected MessageSerializer() {
     super(false, true);

@@ -6,7 +6,7 @@ import com.esotericsoftware.kryo.io.Input;
 import com.esotericsoftware.kryo.io.Output;
 
 /** Serializer of {@link PoolChunk}. */
-public final class PoolChunkSerializer extends MessageSerializer<PoolChunk> {
+final class PoolChunkSerializer extends MessageSerializer<PoolChunk> {
   /** Creates a serializer. */
   public PoolChunkSerializer() {}
 

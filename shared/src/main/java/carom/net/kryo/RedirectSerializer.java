@@ -6,7 +6,7 @@ import com.esotericsoftware.kryo.io.Input;
 import com.esotericsoftware.kryo.io.Output;
 
 /** Serializer of {@link Redirect}. */
-public final class RedirectSerializer extends MessageSerializer<Redirect> {
+final class RedirectSerializer extends MessageSerializer<Redirect> {
   /** Creates a serializer. */
   public RedirectSerializer() {}
 

@@ -25,7 +25,7 @@ import java.util.Arrays;
  *
  * <p>One thread, no allocation in the steady state.
  */
-public final class ClientKnowledge implements DatagramLedger.Section {
+final class ClientKnowledge implements DatagramLedger.Section {
   private static final int MIN_LENGTH = 64;
   private static final int UNKNOWN = -1;
 

@@ -14,7 +14,7 @@ import java.util.Arrays;
  *
  * <p>One thread, no allocation in the steady state.
  */
-public final class Selection {
+final class Selection {
   /** Classes of weight for sorting: eight to an octave, from 2^-8 to 2^24. */
   private static final int CLASSES = 256;
 

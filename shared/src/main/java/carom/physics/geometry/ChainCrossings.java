@@ -3,7 +3,7 @@ package carom.physics.geometry;
 import java.util.Arrays;
 
 /** Looks whether a line crosses itself or turns back on itself, which a chain must not. */
-public final class ChainCrossings {
+final class ChainCrossings {
   /** Most comparisons for one line, 0.3 s; ground of 200,000 segments needs a hundredth. */
   private static final long MOST_WORK = 100_000_000;
 

@@ -14,7 +14,7 @@ import java.util.List;
  * <p>Corners of parts are corners of the outline. The result depends on the outline alone. Costs
  * time in proportion to the square of the number of points, mostly.
  */
-public final class ConvexDecomposition {
+final class ConvexDecomposition {
   /** Sine of the turn of a corner that is clearly convex. */
   private static final double CLEARLY = 1e-3;
 

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * without points on the line through their neighbours. Making one refuses outlines that cross or
  * touch themselves, and names the edges.
  */
-public final class SimpleOutline {
+final class SimpleOutline {
   /** Points nearer than this, in sizes of the outline, are one. */
   private static final double DUPLICATE = 1e-6;
 

@@ -5,7 +5,7 @@ import java.net.Inet6Address;
 import java.net.InetAddress;
 
 /** Tells addresses that only machines nearby can have from those of the whole internet. */
-public final class PrivateNetworks {
+final class PrivateNetworks {
   private PrivateNetworks() {}
 
   /**

@@ -35,7 +35,7 @@ import org.slf4j.LoggerFactory;
  * Files that can't be used leave those before in force, as a renewal may be half done. New
  * connections get the newest; any thread.
  */
-public final class Certificates {
+final class Certificates {
   private static final Logger LOG = LoggerFactory.getLogger(Certificates.class);
   private static final String ALIAS = "play";
   private static final int MAX_FILE_BYTES = 1 << 20;

@@ -22,7 +22,7 @@ import java.util.List;
  * way in for another listener, so this class reaches two private members of its only version. One
  * thread.
  */
-public final class Acceptor {
+final class Acceptor {
   /**
    * Connections that the system keeps until they are accepted; many systems keep fewer. A flood
    * that is faster than the server fills any queue: 4,096 made each wait for longer than its client

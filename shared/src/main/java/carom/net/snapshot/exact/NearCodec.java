@@ -10,7 +10,7 @@ import carom.physics.rows.RowKind;
  * part of an update. One description serves writing and reading. {@link NearRowCodec} codes the
  * rows of the part, which follow after all plain sections.
  */
-public final class NearCodec {
+final class NearCodec {
   private static final int PART_BITS = 6;
   private static final int PLACE_BITS = 8;
   private static final int RULING_BITS = 6;

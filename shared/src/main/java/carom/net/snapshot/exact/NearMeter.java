@@ -8,7 +8,7 @@ import carom.physics.rows.Rows;
  * Measures how many bits of a datagram the rows of a near update take, before they are sent. One
  * thread, no allocation.
  */
-public final class NearMeter {
+final class NearMeter {
   private static final int UNIT = 256;
 
   private final NearRowCodec codec = new NearRowCodec();

@@ -9,7 +9,7 @@ import java.util.Arrays;
  * player's own body, the words of the player's fields, the set of relayed players and the list of
  * spawned entities. One description serves writing and reading.
  */
-public final class OwnCodec {
+final class OwnCodec {
   private static final int SLOT_BITS = 16;
   private static final int GENERATION_BITS = 8;
   static final int ARCHETYPE_BITS = 12;

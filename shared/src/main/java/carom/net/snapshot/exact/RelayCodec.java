@@ -16,7 +16,7 @@ import java.util.Arrays;
  *
  * <p>One thread; allocates nothing.
  */
-public final class RelayCodec {
+final class RelayCodec {
   /** Oldest baseline that inputs are coded against, ticks; else only the newest ones are sent. */
   public static final int MAX_WINDOW = 16;
 

@@ -32,7 +32,7 @@ import java.util.Arrays;
  *
  * <p>The arrays are replaced when the table grows or is copied; no stage keeps one for the next.
  */
-public abstract class ContactColumns {
+abstract class ContactColumns {
   /** Flag: the parts touch. Unless one is a sensor, the manifold has points. */
   public static final byte TOUCHING = 1;
 

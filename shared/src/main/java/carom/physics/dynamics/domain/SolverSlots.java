@@ -17,7 +17,7 @@ import java.util.Arrays;
  * share lines only where bodies are at borders. No bit of a result depends on slots. One thread at
  * a time.
  */
-public final class SolverSlots {
+final class SolverSlots {
   /**
    * Unused slots between what different threads write to: two cache lines, as they come in pairs.
    */

@@ -13,7 +13,7 @@ import java.util.Arrays;
  * everything that colouring reads is equal, number by number; so nothing of it is saved, hashed or
  * sent, and no bit depends on which steps came before. Comparing costs a tenth of colouring.
  */
-public final class ColourMemo {
+final class ColourMemo {
   /** Flags of rows that aren't solved, or only look so. Steps with any aren't remembered. */
   private static final int REFUSED = ContactTable.DORMANT | ContactTable.VETOED;
 

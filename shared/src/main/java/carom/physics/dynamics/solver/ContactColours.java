@@ -38,7 +38,7 @@ import java.util.Arrays;
  * colours depend on the touching contacts of this step alone, so there is no history to save or to
  * hash. One thread; allocates only when there are more contacts or bodies than ever before.
  */
-public final class ContactColours {
+final class ContactColours {
   /** The last colour among moving bodies, and with static ones; it takes what found no other. */
   public static final int LAST_COLOUR = 63;
 
