@@ -12,7 +12,7 @@
  *      |--- BruteForce                the oracle of the tests
  *      \--- QuadTree                  for comparison
  *   PairSearch                        pairs of one or two KD-trees, in pieces, for several threads
- *   SpatialCollection, PairCache      for users of boxes: elements with boxes, pairs from tick to tick
+ *   SpatialCollection                 for users of boxes: elements with boxes
  * </pre>
  *
  * <p>The engine's own search of pairs is {@code dynamics.pairs}; it uses the KD-tree directly. The

@@ -3,7 +3,6 @@ package carom.lab.broadphase;
 import carom.lab.measure.Stopwatch;
 import carom.physics.broadphase.BruteForce;
 import carom.physics.broadphase.KdTree;
-import carom.physics.broadphase.PairCache;
 import carom.physics.broadphase.PairVisitor;
 import carom.physics.broadphase.QuadTree;
 import com.sun.management.ThreadMXBean;

@@ -9,6 +9,7 @@ import carom.physics.broadphase.Boxes.Layout;
 import carom.physics.threads.WorkerThreads;
 import java.util.Arrays;
 import java.util.function.LongPredicate;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -117,13 +118,17 @@ class PairSearchTest {
     long[] expected = found(search, null, 1);
     try (WorkerThreads threads = new WorkerThreads(3)) {
       for (int round = 0; round < 20; round++) {
-        PairList[] lists = {new PairList(), new PairList(), new PairList()};
+        LongStream.Builder[] lists = {
+          LongStream.builder(), LongStream.builder(), LongStream.builder()
+        };
         int pieces = search.begin(null, 3);
-        threads.run(pieces, (piece, worker) -> search.run(piece, worker, lists[worker]));
+        threads.run(
+            pieces,
+            (piece, worker) ->
+                search.run(piece, worker, (a, b) -> lists[worker].add((long) a << 32 | b)));
         search.end();
         long[] all =
-            Arrays.stream(lists).flatMapToLong(l -> Arrays.stream(l.list, 0, l.count)).toArray();
-        Arrays.sort(all);
+            Arrays.stream(lists).flatMapToLong(LongStream.Builder::build).sorted().toArray();
         assertArrayEquals(expected, all, "round=" + round);
       }
     }

@@ -1,17 +1,18 @@
-package carom.physics.broadphase;
+package carom.lab.broadphase;
 
+import carom.physics.broadphase.PairVisitor;
 import java.util.Arrays;
 
 /** A growing list of the pairs of ids that a search finds. */
-public final class PairList implements PairVisitor {
+final class PairList implements PairVisitor {
   private static final int MOST = 1 << 30;
 
   /**
    * The pairs, idA in the upper 32 bits and idB in the lower; the first {@link #count} are valid.
    */
-  public long[] list = new long[64];
+  long[] list = new long[64];
 
-  public int count;
+  int count;
 
   void clear() {
     count = 0;

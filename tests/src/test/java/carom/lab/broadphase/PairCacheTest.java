@@ -1,4 +1,4 @@
-package carom.physics.broadphase;
+package carom.lab.broadphase;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -6,8 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.fixtures.Allocations;
-import carom.lab.broadphase.BroadphaseScene;
+import carom.physics.broadphase.Boxes;
 import carom.physics.broadphase.Boxes.Layout;
+import carom.physics.broadphase.BruteForce;
+import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.PairVisitor;
+import carom.physics.broadphase.Pairs;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;

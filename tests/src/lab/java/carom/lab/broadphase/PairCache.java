@@ -1,4 +1,9 @@
-package carom.physics.broadphase;
+package carom.lab.broadphase;
+
+import carom.physics.broadphase.AabbArray;
+import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.PairVisitor;
 
 /**
  * A cache of the overlapping pairs of many boxes that move a little from tick to tick. It keeps two
