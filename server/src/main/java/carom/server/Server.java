@@ -50,7 +50,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
@@ -129,8 +128,6 @@ public final class Server implements AutoCloseable, RoomKeeper {
   private CheckpointLock checkpointLock;
   private Path checkpoints;
   private int checkpointS;
-  private Consumer<Room> roomBegins = room -> {};
-  private Consumer<Room> roomEnds = room -> {};
   private volatile boolean gaveUp;
   private final List<Worker> workers = new CopyOnWriteArrayList<>();
   private final Map<Room, Worker> roomWorkers = new ConcurrentHashMap<>();
@@ -446,7 +443,6 @@ public final class Server implements AutoCloseable, RoomKeeper {
             hanging.abandon(room, worker, callback, stack);
           }
         });
-    roomBegins.accept(room);
   }
 
   /** Puts another room in the place of one, from its last checkpoint if there is one. */
@@ -605,7 +601,6 @@ public final class Server implements AutoCloseable, RoomKeeper {
       }
       String answer = room.dissolve(text);
       limitLinks(RoomConfig.places(rooms.stream().map(Room::settings).toList()));
-      roomEnds.accept(room);
       if (worker != null) {
         worker.stop(); // when the links have said goodbye
       }
@@ -701,19 +696,6 @@ public final class Server implements AutoCloseable, RoomKeeper {
     public void closeLinks() {
       lobby.closeLinks();
     }
-  }
-
-  /**
-   * Sets who hears of each room that gets a thread: all by {@link #start}, and later those that
-   * take the place of a room whose game hangs. Before {@link #start}.
-   */
-  public void roomBegins(Consumer<Room> listener) {
-    roomBegins = listener;
-  }
-
-  /** Sets who hears of each room that is removed. Before {@link #start}. */
-  public void roomEnds(Consumer<Room> listener) {
-    roomEnds = listener;
   }
 
   /** Waits until the server has ended, because of {@link #close} or a failure. */

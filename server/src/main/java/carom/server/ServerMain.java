@@ -28,8 +28,6 @@ import carom.server.console.LogFiles;
 import carom.server.console.LogLimit;
 import carom.server.console.LogTail;
 import carom.server.console.ReadyLine;
-import carom.server.jmx.CommandInspector;
-import carom.server.jmx.RoomInspector;
 import carom.server.metrics.Counter;
 import carom.server.query.StatusFacts;
 import carom.server.thin.plain.PlainDoor;
@@ -344,9 +342,6 @@ public final class ServerMain implements Callable<Integer> {
       Signals.register("INT", ServerMain::stopSoon); // another code would be a failed build
     }
     CommandRegistry commands = commands(server);
-    CommandInspector.show(commands);
-    server.roomBegins(RoomInspector::show);
-    server.roomEnds(RoomInspector::hide);
     // Beside the first tick: the libraries load for as long as all the rest.
     FutureTask<WebServer> ports = new FutureTask<>(() -> openPorts(server, commands));
     new Thread(ports, "carom-ports").start();

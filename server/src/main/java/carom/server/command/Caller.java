@@ -11,9 +11,6 @@ public record Caller(Role role, String way, String name) {
   /** The server's own console, and programs that write to its standard input. */
   public static final Caller CONSOLE = new Caller(Role.CONSOLE, "console", "");
 
-  /** Tools of the JVM. They may come from another machine, so they name no files. */
-  public static final Caller JMX = new Caller(Role.OPERATOR, "jmx", "");
-
   /** The server itself, which does what a signal asks for. */
   public static final Caller SIGNAL = new Caller(Role.CONSOLE, "signal", "");
 

@@ -1,6 +1,6 @@
 /**
- * The commands of an operator. One registry holds them all; the console, JMX and whatever else an
- * operator uses pass it lines, with who gives them, and show its answers.
+ * The commands of an operator. One registry holds them all; the console, the page, RCON and chat
+ * pass it lines, with who gives them, and show its answers.
  *
  * <p>Allowed imports: {@code carom.server.config}, {@code carom.server.room}, {@code carom.game},
  * {@code carom.values}, {@code carom.server.metrics}, {@code carom.sim.level}, the JDK. Read first:
