@@ -131,13 +131,16 @@ public final class GameClient implements AutoCloseable {
     this.stopwatch = stopwatch;
     connection =
         new Connection(
-            new ServerAddress(config.host(), config.tcpPort(), config.udpPort()),
-            config.name(),
-            config.room(),
-            config.game(),
-            config.token(),
-            config.password(),
-            config.reconnect(),
+            new ServerAddress(
+                config.get(ClientConfig.SERVER).host(),
+                config.get(ClientConfig.SERVER).tcpPort(),
+                config.get(ClientConfig.SERVER).udpPort()),
+            config.get(ClientConfig.NAME),
+            config.get(ClientConfig.ROOM),
+            config.get(ClientConfig.GAME),
+            config.get(ClientConfig.TOKEN),
+            config.get(ClientConfig.PASSWORD),
+            config.get(ClientConfig.RECONNECT),
             transport,
             new ConnectionHandler(),
             stats);
@@ -278,10 +281,12 @@ public final class GameClient implements AutoCloseable {
       return difference;
     }
     gameDigest =
-        config.prediction() == PredictionMode.NONE ? GameDigest.UNKNOWN : GameDigest.of(rules);
+        config.get(ClientConfig.PREDICTION) == PredictionMode.NONE
+            ? GameDigest.UNKNOWN
+            : GameDigest.of(rules);
     difference = welcome.codeDifference(gameDigest);
     if (difference != null) {
-      if (!welcome.takesAnyCode() && !config.takesAnyCode()) {
+      if (!welcome.takesAnyCode() && !config.get(ClientConfig.DEV)) {
         return difference + " Use the same build, or --dev to play all the same.";
       }
       LOG.warn("{} Predictions may be wrong.", difference);

@@ -83,8 +83,9 @@ final class InputSender {
     this.prediction = prediction;
     this.stats = stats;
     this.connection = connection;
-    ticksPerDatagram = config.ticksPerInputDatagram();
-    near = prediction == null ? InputDatagram.NEAR_NONE : config.prediction().near();
+    ticksPerDatagram = config.get(ClientConfig.TICKS_PER_INPUT_DATAGRAM);
+    near =
+        prediction == null ? InputDatagram.NEAR_NONE : config.get(ClientConfig.PREDICTION).near();
     Arrays.fill(sentSequence, -1);
   }
 

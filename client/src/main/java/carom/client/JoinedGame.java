@@ -120,18 +120,18 @@ final class JoinedGame {
     inbox = new SnapshotInbox(decoder, stats);
     clock = new TickClock(tickRate);
     renderClock = new RenderClock(tickRate);
-    renderClock.leastDelay(config.minInterpolationMs() / 1_000.0);
+    renderClock.leastDelay(config.get(ClientConfig.MIN_INTERPOLATION_MS) / 1_000.0);
     prediction =
-        config.prediction() == PredictionMode.NONE
+        config.get(ClientConfig.PREDICTION) == PredictionMode.NONE
             ? null
             : new Prediction(
                 simulation,
                 welcome.playerId(),
-                config.name(),
-                config.maxRollbackTicks(),
-                config.maxReplayMs() * 1_000_000L,
+                config.get(ClientConfig.NAME),
+                config.get(ClientConfig.MAX_ROLLBACK_TICKS),
+                config.get(ClientConfig.MAX_REPLAY_MS) * 1_000_000L,
                 stopwatch,
-                config.syncTest());
+                config.get(ClientConfig.SYNC_TEST));
     events =
         new EventReceiver(simulation, welcome.playerId(), prediction, repeats, stats, listener);
     repeats.beginLink(welcome.room(), welcome.match(), welcome.incarnation(), welcome.courseTick());

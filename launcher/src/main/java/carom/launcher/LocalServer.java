@@ -6,6 +6,7 @@ import carom.client.bots.BotFarm;
 import carom.net.transport.ClientTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.Server;
+import carom.server.config.ServerConfig;
 import carom.server.query.StatusFacts;
 import carom.server.query.StatusQuery;
 import java.io.IOException;
@@ -45,7 +46,7 @@ final class LocalServer implements LocalGames.LocalGame {
 
   /** Lets the local network find this game. Returns null if another server answers there. */
   private StatusQuery answerQueries() {
-    String name = server.config().serverName();
+    String name = server.config().get(ServerConfig.NAME);
     try {
       return new StatusQuery(
           null,

@@ -46,7 +46,10 @@ public final class LocalServers implements LocalGames {
     JoinedTransport transport = new JoinedTransport(open(choice, tcpPort, udpPort));
     try {
       String game = MatchLibrary.INSTALLED.level(choice.level()).level().gameName();
-      ServerConfig config = ServerConfig.defaults().withGameName(game).withStatusIntervalS(0);
+      ServerConfig config =
+          ServerConfig.defaults()
+              .with(ServerConfig.GAME, game)
+              .with(ServerConfig.STATUS_INTERVAL, 0);
       Server server =
           new Server(
               config,

@@ -55,9 +55,12 @@ final class GameChoice {
   GameChoice(ServerFlags flags) {
     this.flags = flags;
     flags.checkRooms();
-    named = flags.rooms.stream().map(this::named).toList();
-    rotation = flags.levels == null ? List.of() : rotation(flags.levels);
-    Scene scene = flags.scene == null ? null : chooseScene();
+    named = flags.get(ServerConfig.ROOM).stream().map(this::named).toList();
+    rotation =
+        flags.get(ServerConfig.LEVELS) == null
+            ? List.of()
+            : rotation(flags.get(ServerConfig.LEVELS));
+    Scene scene = flags.get(ServerConfig.SCENE) == null ? null : chooseScene();
     levelName = scene == null ? chooseLevelName() : "";
     level = scene == null ? load("--level=" + levelName, levelName) : SceneGame.level(scene);
     gameName = chooseGame().name();
@@ -106,7 +109,7 @@ final class GameChoice {
     Map<String, Map<String, String>> metadata = new LinkedHashMap<>();
     rooms.forEach(room -> metadata.put(room.name(), new LinkedHashMap<>()));
     try {
-      flags.roomInfo.forEach(info -> RoomFlag.readInfo(info, metadata));
+      flags.get(ServerConfig.ROOM_INFO).forEach(info -> RoomFlag.readInfo(info, metadata));
       return rooms.stream().map(room -> room.withMetadata(metadata.get(room.name()))).toList();
     } catch (IllegalArgumentException e) {
       throw flags.bad(e.getMessage());
@@ -126,8 +129,8 @@ final class GameChoice {
               room.name(),
               "",
               room.levels(),
-              room.places() == 0 ? config.maxPlayers() : room.places(),
-              config.seed() + rooms.size(),
+              room.places() == 0 ? config.get(ServerConfig.MAX_PLAYERS) : room.places(),
+              config.get(ServerConfig.SEED) + rooms.size(),
               Map.of()));
     }
     return List.copyOf(rooms);
@@ -135,7 +138,7 @@ final class GameChoice {
 
   /** Returns where the rooms find their games and levels. */
   MatchLibrary library() {
-    return flags.scene == null
+    return flags.get(ServerConfig.SCENE) == null
         ? MatchLibrary.in(flags.dataFolder(), MatchLibrary.INSTALLED)
         : new HandedInMatch(this::newGame, level);
   }
@@ -160,7 +163,7 @@ final class GameChoice {
    * warm-up may last, so the default level of the game replaces it.
    */
   Level warmUpLevel() {
-    if (level.bodies().size() <= MAX_WARM_UP_BODIES || flags.scene != null) {
+    if (level.bodies().size() <= MAX_WARM_UP_BODIES || flags.get(ServerConfig.SCENE) != null) {
       return level;
     }
     try {
@@ -172,11 +175,11 @@ final class GameChoice {
 
   /** Returns the scene of {@code --scene}. A scene runs at its own tick rate only. */
   private Scene chooseScene() {
-    String scene = flags.scene;
-    if (flags.game != null || flags.level != null) {
+    String scene = flags.get(ServerConfig.SCENE);
+    if (flags.get(ServerConfig.GAME) != null || flags.get(ServerConfig.LEVEL) != null) {
       throw flags.bad(
           "--scene and %s exclude each other: a scene is a world of its own"
-              .formatted(flags.game != null ? "--game" : "--level"));
+              .formatted(flags.get(ServerConfig.GAME) != null ? "--game" : "--level"));
     }
     if (!Scenes.names().contains(scene)) {
       throw flags.bad(
@@ -184,12 +187,12 @@ final class GameChoice {
               .formatted(scene, Suggestion.didYouMean(scene, Scenes.names())));
     }
     Scene chosen = Scenes.get(scene);
-    if (flags.tickRate != chosen.tickRate()) {
+    if (flags.get(ServerConfig.TICK_RATE) != chosen.tickRate()) {
       throw flags.bad(
           String.format(
               Locale.ROOT,
               "--tick-rate=%d doesn't fit --scene=%s, which runs at %d Hz",
-              flags.tickRate,
+              flags.get(ServerConfig.TICK_RATE),
               scene,
               chosen.tickRate()));
     }
@@ -204,9 +207,11 @@ final class GameChoice {
     if (!rotation.isEmpty()) {
       return rotation.get(0);
     }
-    return flags.level != null
-        ? flags.level
-        : createGame(flags.game == null ? DEFAULT_GAME : flags.game).defaultLevel();
+    return flags.get(ServerConfig.LEVEL) != null
+        ? flags.get(ServerConfig.LEVEL)
+        : createGame(
+                flags.get(ServerConfig.GAME) == null ? DEFAULT_GAME : flags.get(ServerConfig.GAME))
+            .defaultLevel();
   }
 
   private Level load(String flag, String wanted) {
@@ -236,7 +241,9 @@ final class GameChoice {
   }
 
   private Game chooseGame() {
-    Game chosen = createGame(flags.game == null ? level.gameName() : flags.game);
+    Game chosen =
+        createGame(
+            flags.get(ServerConfig.GAME) == null ? level.gameName() : flags.get(ServerConfig.GAME));
     if (!chosen.name().equals(level.gameName())) {
       throw flags.bad(
           ("--game=%s doesn't fit level %s, which is made for game %s; "

@@ -46,7 +46,12 @@ final class GameWarmup {
    * @param games gives an instance, which is thrown away afterwards
    */
   static void play(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
-    new GameWarmup().run(config.withRooms(1).withStatusIntervalS(0), games, level, codec);
+    new GameWarmup()
+        .run(
+            config.with(ServerConfig.ROOMS, 1).with(ServerConfig.STATUS_INTERVAL, 0),
+            games,
+            level,
+            codec);
   }
 
   private void run(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
@@ -54,7 +59,7 @@ final class GameWarmup {
     Schema schema = Simulation.schemaOf(games.get());
     InProcessNetwork network = new InProcessNetwork(codec);
     try (Server server = new Server(config, games, level, network.server(), () -> virtualNs)) {
-      Extra[] extras = new Extra[Math.min(CLIENTS, config.maxPlayers())];
+      Extra[] extras = new Extra[Math.min(CLIENTS, config.get(ServerConfig.MAX_PLAYERS))];
       for (int i = 0; i < extras.length; i++) {
         extras[i] = new Extra(network.client().connect("", 0, 0), i, level, schema);
       }

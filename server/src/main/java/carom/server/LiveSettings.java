@@ -1,5 +1,7 @@
 package carom.server;
 
+import carom.options.BadFlag;
+import carom.options.Setting;
 import carom.server.access.AccessLists;
 import carom.server.command.CommandException;
 import carom.server.command.ReloadCommand;
@@ -8,6 +10,7 @@ import carom.server.config.EffectiveSettings;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.room.Room;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
@@ -67,29 +70,25 @@ final class LiveSettings implements ReloadCommand.Reader {
    * @param logLevel takes the name of a level of the log
    */
   Map<String, Consumer<String>> consumers(AccessLists access, Consumer<String> logLevel) {
-    Consumer<String> all = text -> server.configure(next.config());
-    return Map.of(
-        "allow-list",
-        text -> access.onlyAllowed(Boolean.parseBoolean(text)),
-        "log-level",
-        logLevel,
-        "name",
-        all,
-        "welcome",
-        all,
-        "max-load",
-        all,
-        "budget",
-        all,
-        "snapshot-rate",
-        all,
-        "max-players",
+    Map<String, Consumer<String>> consumers = new HashMap<>();
+    for (Setting<?> row : ServerConfig.ROWS.all()) {
+      if (row.isLive()) {
+        consumers.put(row.name(), text -> server.configure(next.config()));
+      }
+    }
+    consumers.put(
+        ServerConfig.ALLOW_LIST.name(),
+        text -> access.onlyAllowed(next.config().get(ServerConfig.ALLOW_LIST)));
+    consumers.put(ServerConfig.LOG_LEVEL.name(), logLevel);
+    consumers.put(
+        ServerConfig.MAX_PLAYERS.name(),
         text -> {
           change(RoomConfig::places, RoomConfig::withPlaces);
-          all.accept(text);
-        },
-        "levels",
-        text -> change(RoomConfig::levels, RoomConfig::withLevels));
+          server.configure(next.config());
+        });
+    consumers.put(
+        ServerConfig.LEVELS.name(), text -> change(RoomConfig::levels, RoomConfig::withLevels));
+    return consumers;
   }
 
   /** Changes something of the rooms for which the settings say another thing than before. */

@@ -3,6 +3,7 @@ package carom.server;
 import carom.physics.threads.WorkerThreads;
 import carom.server.config.LiveConfig;
 import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counters;
 import carom.server.room.Room;
@@ -32,7 +33,7 @@ record RoomBuilder(
    */
   Room build(RoomConfig own, int number, Counters counters) {
     Seats seats = new Seats(own.places(), random::nextLong);
-    boolean named = config.get().rooms() > 1 || !own.name().equals("1");
+    boolean named = config.get().get(ServerConfig.ROOMS) > 1 || !own.name().equals("1");
     String label = named ? "room " + own.name() + ": " : "";
     Room room =
         new Room(config, number, label, own, library, loads, clock, seats, directory, counters);

@@ -89,9 +89,6 @@ public final class Server implements AutoCloseable, RoomKeeper {
    */
   private static final long IDLE_NAP_NS = TimeUnit.SECONDS.toNanos(1);
 
-  /** Longest time between checkpoints, s. */
-  public static final int MAX_CHECKPOINT_S = 600;
-
   private static final long JOIN_MS = 1_000;
   private static final long TROUBLES_GAP_NS = TimeUnit.SECONDS.toNanos(10);
 
@@ -186,7 +183,9 @@ public final class Server implements AutoCloseable, RoomKeeper {
     this.transport = transport;
     this.clock = clock;
     this.helpers =
-        config.threads() == 1 ? null : new WorkerThreads(config.threads(), System::nanoTime);
+        config.get(ServerConfig.THREADS) == 1
+            ? null
+            : new WorkerThreads(config.get(ServerConfig.THREADS), System::nanoTime);
     directory = new RoomDirectory();
     builder =
         new RoomBuilder(
@@ -208,13 +207,13 @@ public final class Server implements AutoCloseable, RoomKeeper {
    * {@link #start}, and before the rooms are recorded.
    *
    * @param folder gets a folder for each room; no other server may use it meanwhile
-   * @param seconds time between checkpoints, 1..{@value #MAX_CHECKPOINT_S} s
+   * @param seconds time between checkpoints, 1..{@value ServerConfig#MAX_CHECKPOINT_S} s
    * @throws IOException if the folder can't be used; the message says why
    */
   public void checkpoint(Path folder, int seconds) throws IOException {
-    if (seconds < 1 || seconds > MAX_CHECKPOINT_S) {
+    if (seconds < 1 || seconds > ServerConfig.MAX_CHECKPOINT_S) {
       throw new IllegalArgumentException(
-          "seconds=" + seconds + " is outside 1.." + MAX_CHECKPOINT_S);
+          "seconds=" + seconds + " is outside 1.." + ServerConfig.MAX_CHECKPOINT_S);
     }
     checkpointLock = CheckpointLock.of(folder);
     checkpoints = folder;
@@ -312,7 +311,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
         recorder.begin(room);
       }
     }
-    spectatorDelayTicks = delaySeconds * config().tickRateHz();
+    spectatorDelayTicks = delaySeconds * config().get(ServerConfig.TICK_RATE);
     recordings.values().forEach(recording -> recording.delay(spectatorDelayTicks));
     lobby.allowSpectators(recordings::get, delaySeconds);
   }
@@ -373,12 +372,13 @@ public final class Server implements AutoCloseable, RoomKeeper {
       LOG.error("the network thread survived an error; {}", transport.troubles(), error);
     }
     logTroubles(nowNs);
-    if (config().statusIntervalS() > 0 && (!statusScheduled || nowNs - nextStatusNs >= 0)) {
+    if (config().get(ServerConfig.STATUS_INTERVAL) > 0
+        && (!statusScheduled || nowNs - nextStatusNs >= 0)) {
       if (statusScheduled) {
         status.next(nowNs).forEach(line -> LOG.info("status: {}", line));
       }
       statusScheduled = true;
-      nextStatusNs = nowNs + TimeUnit.SECONDS.toNanos(config().statusIntervalS());
+      nextStatusNs = nowNs + TimeUnit.SECONDS.toNanos(config().get(ServerConfig.STATUS_INTERVAL));
     }
     return work;
   }
@@ -542,7 +542,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
         throw new IllegalArgumentException(
             "this server records to one file, which has one room; give --record a folder");
       }
-      RoomConfig seeded = own.withSeed(config().seed() + numbers);
+      RoomConfig seeded = own.withSeed(config().get(ServerConfig.SEED) + numbers);
       int places = RoomConfig.places(settingsWith(null, seeded));
       own.levels().forEach(this::requireLevel);
       AddedRoom added = new AddedRoom(seeded);
@@ -624,7 +624,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
 
   @Override
   public int usualPlaces() {
-    return config().maxPlayers();
+    return config().get(ServerConfig.MAX_PLAYERS);
   }
 
   /** Throws an IllegalArgumentException if a level or its game isn't there. */
@@ -638,7 +638,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
 
   /** Puts those settings in force that may change while the server runs. Any thread. */
   public void configure(ServerConfig next) {
-    config.change(present -> present.withLiveValuesOf(next));
+    config.change(present -> present.withLiveOf(next, ServerConfig.ROWS));
   }
 
   private void giveUp() {

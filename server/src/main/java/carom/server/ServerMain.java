@@ -3,6 +3,7 @@ package carom.server;
 import carom.game.GuardedGame;
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
+import carom.options.Flags;
 import carom.options.VectorApi;
 import carom.physics.simd.VectorModule;
 import carom.server.access.AccessCommands;
@@ -29,11 +30,13 @@ import carom.server.console.LogLimit;
 import carom.server.console.LogTail;
 import carom.server.console.ReadyLine;
 import carom.server.metrics.Counter;
+import carom.server.query.ProtocolFlags;
 import carom.server.query.StatusFacts;
 import carom.server.thin.plain.PlainDoor;
 import carom.server.thin.web.PlayPort;
 import carom.server.threads.StartWatch;
 import carom.server.threads.ThreadStack;
+import carom.server.web.WebFlags;
 import carom.server.web.WebServer;
 import carom.server.web.WebSubject;
 import carom.sim.scene.SceneRun;
@@ -46,10 +49,8 @@ import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -62,10 +63,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
 
 /**
  * Starts the dedicated server.
@@ -96,15 +97,26 @@ import picocli.CommandLine.TypeConversionException;
 public final class ServerMain implements Callable<Integer> {
   private static final String LOG_CONFIG_PROPERTY = "logback.configurationFile";
   private static final String LOG_CONFIG = "carom-server-logback.xml";
-  private static final Set<String> ONLY_EXPLAIN = Set.of("--help", "-h", "--version", "-V");
   private static final int FAILED = 1;
 
   @Spec private CommandSpec spec;
 
-  @Mixin private final ServerFlags flags = new ServerFlags();
+  @Option(
+      names = {"-h", "--help"},
+      usageHelp = true,
+      description = "Shows this text.")
+  @SuppressWarnings("unused") // picocli shows the help
+  private boolean help;
 
-  private List<String> words;
+  @Option(
+      names = {"-V", "--version"},
+      versionHelp = true,
+      description = "Shows the version.")
+  @SuppressWarnings("unused") // picocli shows the version
+  private boolean version;
+
   private SettingsLayers layers;
+  private ServerFlags flags;
   private AccessLists access;
   private LogTail logTail;
   private KernelWarmupThread kernels;
@@ -149,71 +161,54 @@ public final class ServerMain implements Callable<Integer> {
   }
 
   private static CommandLine commandLine(ServerMain program) {
-    CommandLine commandLine = BadFlag.explainedBy(CaromMain.withBench(new CommandLine(program)));
-    commandLine.registerConverter(int.class, ServerMain::wholeNumber);
-    commandLine.registerConverter(Long.class, ServerMain::longNumber);
-    commandLine.registerConverter(ServerFlags.LogLevel.class, ServerFlags.LogLevel::of);
-    commandLine.setCaseInsensitiveEnumValuesAllowed(true);
-    return commandLine;
+    CommandLine commandLine = new CommandLine(program);
+    Flags.add(commandLine.getCommandSpec(), ServerConfig.ROWS);
+    Flags.add(commandLine.getCommandSpec(), ServerConfig.ONLY_FLAGS);
+    return BadFlag.explainedBy(CaromMain.withBench(commandLine));
   }
 
-  /** Runs the program with the settings of all layers, unless it only explains itself. */
   private int execute(CommandLine commandLine, String[] args) {
-    words = List.of(args);
-    if (!Collections.disjoint(words, ONLY_EXPLAIN)
-        || (!words.isEmpty() && commandLine.getSubcommands().containsKey(words.get(0)))) {
-      return commandLine.execute(args);
-    }
-    try {
-      layers = new SettingsLayers(commandLine.getCommandSpec(), words, System.getenv());
-    } catch (BadSettingException e) {
-      loggingSoon.join().stop();
-      commandLine.getErr().println("carom-server: " + e.getMessage());
-      return commandLine.getCommandSpec().exitCodeOnInvalidInput();
-    }
     CommandLine.IParameterExceptionHandler usual = commandLine.getParameterExceptionHandler();
     commandLine.setParameterExceptionHandler(
         (e, all) -> {
           int status = usual.handleParseException(e, all);
-          String origins = layers.origins(e.getMessage());
+          String origins = layers == null ? "" : layers.origins(e.getMessage());
           if (!origins.isEmpty()) {
             commandLine.getErr().println("carom-server: " + origins);
           }
           return status;
         });
-    return commandLine.execute(layers.arguments());
+    return commandLine.execute(args);
   }
 
-  private static int wholeNumber(String text) {
-    long number = longNumber(text);
-    if (number != (int) number) {
-      throw new TypeConversionException("'" + text + "' is too large");
-    }
-    return (int) number;
-  }
-
-  private static long longNumber(String text) {
-    try {
-      return Long.parseLong(text);
-    } catch (NumberFormatException e) {
-      throw new TypeConversionException("'" + text + "' is not a whole number");
-    }
+  private static SettingsLayers read(ParseResult parsed, Map<String, String> set)
+      throws BadSettingException {
+    Map<String, List<String>> given = Flags.given(parsed, ServerConfig.ROWS);
+    given.putAll(Flags.given(parsed, ServerConfig.ONLY_FLAGS));
+    return new SettingsLayers(given, System.getenv(), set);
   }
 
   @Override
   public Integer call() throws InterruptedException {
     LoggerContext logging = loggingSoon.join();
-    if (flags.printConfig) {
-      logging.stop();
-      spec.commandLine().getOut().print(settings().file());
-      spec.commandLine().getOut().flush();
-      return 0;
-    }
+    ParseResult parsed = spec.commandLine().getParseResult();
     try {
+      layers = read(parsed, Map.of());
+      flags = new ServerFlags(spec.commandLine(), layers.settings());
+      if (parsed.hasMatchedOption("--" + ServerConfig.PRINT_CONFIG.name())) {
+        logging.stop();
+        spec.commandLine().getOut().print(flags.settings().file());
+        spec.commandLine().getOut().flush();
+        return 0;
+      }
       return run(open(logging), logging);
     } catch (BadFlag e) {
       logging.stop();
       throw e;
+    } catch (BadSettingException e) {
+      logging.stop();
+      spec.commandLine().getErr().println("carom-server: " + e.getMessage());
+      return spec.exitCodeOnInvalidInput();
     } catch (StartFailure e) {
       logging.stop();
       PrintWriter err = spec.commandLine().getErr();
@@ -238,7 +233,7 @@ public final class ServerMain implements Callable<Integer> {
     StartWatch watch = new StartWatch(GuardedGame.class, start::progress, ServerMain::hangs);
     try {
       start.warmUp();
-      root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
+      root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.get(ServerConfig.LOG_LEVEL).name()));
       logStart(log, config, choice.rooms(config));
       Server server = start.open();
       play = start.play();
@@ -260,7 +255,8 @@ public final class ServerMain implements Callable<Integer> {
 
   private AccessLists openAccess() throws StartFailure {
     try {
-      return new AccessLists(flags.dataFolder(), flags.allowList, InstantSource.system());
+      return new AccessLists(
+          flags.dataFolder(), flags.get(ServerConfig.ALLOW_LIST), InstantSource.system());
     } catch (IOException e) {
       throw new StartFailure(e.getMessage(), e);
     }
@@ -275,9 +271,9 @@ public final class ServerMain implements Callable<Integer> {
     DataFolder data = flags.dataFolder();
     try {
       data.create();
-      LogFiles.begin(logging, data.logs(), flags.logKeep);
+      LogFiles.begin(logging, data.logs(), flags.get(ServerConfig.LOG_KEEP));
     } catch (IOException e) {
-      if (settings().find(SettingsLayers.DATA).orElseThrow().isSet()) {
+      if (flags.isSet(ServerConfig.DATA)) {
         throw new StartFailure(e.getMessage(), e);
       }
       log.warn("nothing is kept in files: {}", e.getMessage());
@@ -287,10 +283,10 @@ public final class ServerMain implements Callable<Integer> {
   private void logStart(Logger log, ServerConfig config, List<RoomConfig> rooms) {
     log.info(
         "start: {} {}, {} Hz, seed {}, Java {}",
-        config.serverName(),
+        config.get(ServerConfig.NAME),
         version(),
-        config.tickRateHz(),
-        config.seed(),
+        config.get(ServerConfig.TICK_RATE),
+        config.get(ServerConfig.SEED),
         Runtime.version().feature());
     log.info("engine: {}", VectorModule.describe());
     layers.warnings().forEach(log::warn);
@@ -301,8 +297,8 @@ public final class ServerMain implements Callable<Integer> {
       log.info(
           "room {}: {}, {} places", room.name(), String.join(", ", room.levels()), room.places());
     }
-    if (flags.scene != null) {
-      SceneRun run = Scenes.get(flags.scene).start();
+    if (flags.get(ServerConfig.SCENE) != null) {
+      SceneRun run = Scenes.get(flags.get(ServerConfig.SCENE)).start();
       log.info(
           "scene: players watch {} bodies and {} joints; {} kinds of particles aren't sent",
           run.world().bodyCount(),
@@ -360,7 +356,7 @@ public final class ServerMain implements Callable<Integer> {
     boolean onlyHere = !bound.isEmpty() && bound.stream().allMatch(InetAddress::isLoopbackAddress);
     String playUrl = play == null ? null : play.url();
     ReadyLine.printHints(System.out, server.tcpPort(), page, playUrl, onlyHere);
-    if (flags.console) {
+    if (flags.get(ServerConfig.CONSOLE)) {
       console.set(Console.start(commands, flags.dataFolder().root().resolve("console.history")));
     } else { // with a console, the signal says that its terminal is gone
       Signals.register(
@@ -394,9 +390,8 @@ public final class ServerMain implements Callable<Integer> {
     LiveSettings settings = new LiveSettings(this::startNow, server, choice.rooms(server.config()));
     Map<String, Consumer<String>> live = settings.consumers(access, ServerMain::logLevel);
     Supplier<EffectiveSettings> present =
-        ReloadCommand.add(commands, settings(), settings, live, access::reload);
-    ServerCommands.add(
-        commands, server::status, present, live.keySet(), recordings(), ServerMain::replay);
+        ReloadCommand.add(commands, flags.settings(), settings, live, access::reload);
+    ServerCommands.add(commands, server::status, present, recordings(), ServerMain::replay);
     RoomChangeCommands.add(commands, server, server.rooms(), flags.dataFolder());
     return commands;
   }
@@ -420,22 +415,30 @@ public final class ServerMain implements Callable<Integer> {
     DataFolder data = flags.dataFolder();
     StatusFacts facts =
         new StatusFacts(
-            () -> server.config().serverName(),
+            () -> server.config().get(ServerConfig.NAME),
             version(),
             server.tcpPort(),
             server.udpPort(),
             server.rooms());
     try {
       Logins logins = Logins.begin(System::nanoTime);
-      flags.protocols.open(flags.bindAddresses(), data, settings(), commands, facts, logins.rcon());
+      ProtocolFlags.open(
+          server.config(),
+          flags.bindAddresses(),
+          data,
+          flags.settings(),
+          commands,
+          facts,
+          logins.rcon());
       WebSubject subject =
           new WebSubject(
-              server.config().serverName(),
+              server.config().get(ServerConfig.NAME),
               version(),
               server.rooms(),
               server.networkCounters(),
               logins);
-      return flags.web.open(subject, data, recordings(), settings(), commands, logTail);
+      return WebFlags.open(
+          server.config(), subject, data, recordings(), flags.settings(), commands, logTail);
     } catch (IOException e) {
       throw new StartFailure(e.getMessage(), e);
     }
@@ -467,19 +470,13 @@ public final class ServerMain implements Callable<Integer> {
 
   /** Returns what the server would be if it started now. */
   private LiveSettings.Next startNow(Map<String, String> set) throws BadSettingException {
-    ServerMain next = new ServerMain(loggingSoon);
-    CommandLine commandLine = commandLine(next);
-    SettingsLayers all =
-        new SettingsLayers(commandLine.getCommandSpec(), words, System.getenv(), set);
-    EffectiveSettings settings = all.settings(commandLine.parseArgs(all.arguments()));
-    GameChoice choice = new GameChoice(next.flags);
-    next.flags.check();
-    ServerConfig config = next.flags.config(choice.gameName());
+    CommandLine program = spec.commandLine();
+    EffectiveSettings settings = read(program.getParseResult(), set).settings();
+    ServerFlags next = new ServerFlags(program, settings);
+    GameChoice choice = new GameChoice(next);
+    next.check();
+    ServerConfig config = next.config(choice.gameName());
     return new LiveSettings.Next(settings, config, choice.rooms(config));
-  }
-
-  private EffectiveSettings settings() {
-    return layers.settings(spec.commandLine().getParseResult());
   }
 
   private static String version() {

@@ -24,6 +24,8 @@ import carom.server.metrics.Counter;
 import carom.server.recording.RotationLimit;
 import carom.server.session.SessionMemory;
 import carom.server.thin.plain.PlainDoor;
+import carom.server.thin.plain.PlainFlags;
+import carom.server.thin.web.PlayFlags;
 import carom.server.thin.web.PlayPort;
 import carom.text.FileErrors;
 import java.io.IOException;
@@ -100,13 +102,16 @@ final class ServerStart {
     all.add(openOwnPorts(rooms));
     int places = RoomConfig.places(rooms);
     try {
-      plain = flags.plain.open(flags.bindAddresses());
+      plain = PlainFlags.open(config, flags.bindAddresses());
       if (plain != null) {
         all.add(plain);
       }
       play =
-          flags.play.open(
-              flags.bindAddresses(), Lobby.mostLinks(places), Lobby.mostLinksOfAddress(places));
+          PlayFlags.open(
+              config,
+              flags.bindAddresses(),
+              Lobby.mostLinks(places),
+              Lobby.mostLinksOfAddress(places));
       if (play != null) {
         all.add(play);
       }
@@ -135,8 +140,8 @@ final class ServerStart {
       transport =
           new KryoServerTransport(
               flags.bindAddresses(),
-              flags.tcpPort,
-              flags.udpPort,
+              flags.get(ServerConfig.TCP_PORT),
+              flags.get(ServerConfig.UDP_PORT),
               limits,
               identity(),
               impairment == null ? Impairment.NONE : impairment,
@@ -167,11 +172,12 @@ final class ServerStart {
   /** Returns the key in the data folder and whether links are encrypted, and logs both. */
   private ServerIdentity identity() throws StartFailure {
     try {
-      ServerIdentity identity = flags.dataFolder().identity(flags.encryption);
+      ServerIdentity identity = flags.dataFolder().identity(flags.get(ServerConfig.ENCRYPTION));
       String fingerprint = identity.fingerprint();
       Secret.warnIfShared(flags.dataFolder().serverKey());
-      access.demandTokens(flags.joinKey, fingerprint, flags.tokenUses);
-      String meaning = flags.encryption.meaning();
+      access.demandTokens(
+          flags.get(ServerConfig.JOIN_KEY), fingerprint, flags.get(ServerConfig.TOKEN_USES));
+      String meaning = flags.get(ServerConfig.ENCRYPTION).meaning();
       log.info("identity: players know this server by {}; {}", fingerprint, meaning);
       return identity;
     } catch (IOException e) {
@@ -196,26 +202,26 @@ final class ServerStart {
   }
 
   private void demandPassword() throws StartFailure {
-    if (flags.passwordFile == null) {
+    if (flags.get(ServerConfig.PASSWORD_FILE) == null) {
       return;
     }
     try {
-      Secret secret = Secret.of(flags.passwordFile);
+      Secret secret = Secret.of(flags.get(ServerConfig.PASSWORD_FILE));
       server.demand(new GamePassword(secret, new LoginThrottle(System::nanoTime)));
-      log.info("password: players must know what is in {}", flags.passwordFile);
+      log.info("password: players must know what is in {}", flags.get(ServerConfig.PASSWORD_FILE));
     } catch (IOException e) {
       throw new StartFailure("--password-file: " + e.getMessage(), e);
     }
   }
 
   private void keep() throws StartFailure {
-    if (flags.checkpointS == 0) {
+    if (flags.get(ServerConfig.CHECKPOINT) == 0) {
       return;
     }
     Path folder = flags.dataFolder().checkpoints();
     try {
-      server.checkpoint(folder, flags.checkpointS);
-      log.info("checkpoints: {}, every {} s", folder, flags.checkpointS);
+      server.checkpoint(folder, flags.get(ServerConfig.CHECKPOINT));
+      log.info("checkpoints: {}, every {} s", folder, flags.get(ServerConfig.CHECKPOINT));
     } catch (IOException e) {
       throw new StartFailure("--checkpoint: " + FileErrors.reason(e), e);
     }
@@ -232,7 +238,7 @@ final class ServerStart {
         Files.createDirectories(target);
       }
       if (rotation.rotates()) {
-        server.recordRotating(target, rotation, flags.recordKeep);
+        server.recordRotating(target, rotation, flags.get(ServerConfig.RECORD_KEEP));
         log.info("recording: {}, another file every {}", target, rotation);
       } else {
         server.record(target).forEach(file -> log.info("recording: {}", file));
@@ -248,12 +254,12 @@ final class ServerStart {
   }
 
   private void show() throws StartFailure {
-    if (flags.spectatorDelayS == 0) {
+    if (flags.get(ServerConfig.SPECTATOR_DELAY) == 0) {
       return;
     }
     try {
-      server.allowSpectators(flags.spectatorDelayS);
-      log.info("spectators: let in, {} s late", flags.spectatorDelayS);
+      server.allowSpectators(flags.get(ServerConfig.SPECTATOR_DELAY));
+      log.info("spectators: let in, {} s late", flags.get(ServerConfig.SPECTATOR_DELAY));
     } catch (IOException e) {
       throw new StartFailure(
           "--spectator-delay: no file for the recording: " + FileErrors.reason(e), e);

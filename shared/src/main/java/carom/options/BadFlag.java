@@ -5,6 +5,7 @@ import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
@@ -44,8 +45,10 @@ public final class BadFlag extends ParameterException {
     String name = program.getCommandSpec().qualifiedName();
     PrintWriter err = program.getErr();
     String flag = unknownFlag(e);
-    err.println(name + ": " + (flag == null ? e.getMessage() : "unknown flag '" + flag + "'"));
-    if (!(e instanceof BadFlag)) {
+    boolean told = e.getCause() instanceof TypeConversionException; // by the row of a switch
+    String message = told ? e.getCause().getMessage() : e.getMessage();
+    err.println(name + ": " + (flag == null ? message : "unknown flag '" + flag + "'"));
+    if (!(e instanceof BadFlag) && !told) {
       if (flag == null) {
         UnmatchedArgumentException.printSuggestions(e, err);
       } else {

@@ -2,7 +2,6 @@ package carom.options;
 
 import carom.net.transport.Impairment;
 import java.util.Locale;
-import picocli.CommandLine.Option;
 
 /**
  * Flags of every program that simulate a bad network: {@code --network NAME} chooses a preset, and
@@ -10,9 +9,8 @@ import picocli.CommandLine.Option;
  * link. Equal seed and traffic give each datagram the same fate.
  */
 public final class NetworkConditions {
-  private static final double MAX_DELAY_MS = 10_000;
-  private static final double MAX_BURST = 1_000;
-  private static final double MAX_KBIT = 1_000_000;
+  /** The flags. */
+  public static final Rows ROWS = Rows.ofFlags();
 
   /** A typical network. Delays and losses are one way. */
   public enum Preset {
@@ -60,117 +58,63 @@ public final class NetworkConditions {
     }
   }
 
-  @Option(
-      names = "--network",
-      paramLabel = "NAME",
-      description = {
-        "Simulate a bad network on every link, each way: ${COMPLETION-CANDIDATES} (none).",
-        "The flags that follow change single conditions of it."
-      })
-  private Preset preset = Preset.NONE;
+  static final Setting<Preset> NETWORK =
+      ROWS.choice("network", "NAME", Preset.NONE)
+          .text(
+              "Simulate a bad network on every link, each way: {choices} ({default}). The flags"
+                  + " that follow change single conditions of it.");
 
-  @Option(
-      names = "--loss",
-      paramLabel = "PERCENT",
-      description = "Drop this share of the datagrams, 0..100.")
-  private Double loss;
+  static final Setting<Double> LOSS =
+      ROWS.number("loss", "PERCENT", 0, 100, null)
+          .text("Drop this share of the datagrams, {range}.");
 
-  @Option(
-      names = "--burst",
-      paramLabel = "N",
-      description = "Lose that many datagrams in a row on average, 1..1000.")
-  private Double burst;
+  static final Setting<Double> BURST =
+      ROWS.number("burst", "N", 1, 1000, null)
+          .text("Lose that many datagrams in a row on average, {range}.");
 
-  @Option(
-      names = "--latency",
-      paramLabel = "MS",
-      description = "Delay everything by this, 0..10000.")
-  private Double latency;
+  static final Setting<Double> LATENCY =
+      ROWS.number("latency", "MS", 0, 10000, null).text("Delay everything by this, {range}.");
 
-  @Option(
-      names = "--jitter",
-      paramLabel = "MS",
-      description = "Vary the delay by plus or minus this, 0..10000.")
-  private Double jitter;
+  static final Setting<Double> JITTER =
+      ROWS.number("jitter", "MS", 0, 10000, null)
+          .text("Vary the delay by plus or minus this, {range}.");
 
-  @Option(
-      names = "--reorder",
-      paramLabel = "PERCENT",
-      description = "Hold back this share of the datagrams, so that others overtake, 0..100.")
-  private Double reorder;
+  static final Setting<Double> REORDER =
+      ROWS.number("reorder", "PERCENT", 0, 100, null)
+          .text("Hold back this share of the datagrams, so that others overtake, {range}.");
 
-  @Option(
-      names = "--duplicate",
-      paramLabel = "PERCENT",
-      description = "Deliver this share of the datagrams twice, 0..100.")
-  private Double duplicate;
+  static final Setting<Double> DUPLICATE =
+      ROWS.number("duplicate", "PERCENT", 0, 100, null)
+          .text("Deliver this share of the datagrams twice, {range}.");
 
-  @Option(
-      names = "--bandwidth",
-      paramLabel = "KBIT",
-      description = "Carry that many kbit/s, 1..1000000; 0 = any amount.")
-  private Double bandwidth;
+  static final Setting<Double> BANDWIDTH =
+      ROWS.number("bandwidth", "KBIT", 0, 1000000, null)
+          .text("Carry that many kbit/s, 1..1000000; 0 = any amount.")
+          .checked(rate -> rate > 0 && rate < 1 ? "is outside 1..1000000 kbit" : null);
 
-  @Option(
-      names = "--network-seed",
-      paramLabel = "N",
-      description = "Start of the bad network's random numbers (${DEFAULT-VALUE}).",
-      defaultValue = "1")
-  private long seed = 1;
+  static final Setting<Long> NETWORK_SEED =
+      ROWS.seed("network-seed", 1).text("Start of the bad network's random numbers ({default}).");
 
-  /** Creates the default flags, which the command line then fills in. */
-  public NetworkConditions() {}
-
-  /**
-   * Returns what is wrong with the flags, in words that name flag, value and range, or null if
-   * nothing is wrong.
-   */
-  public String problem() {
-    String[] problems = {
-      outside("--loss", loss, 0, 100),
-      outside("--burst", burst, 1, MAX_BURST),
-      outside("--latency", latency, 0, MAX_DELAY_MS),
-      outside("--jitter", jitter, 0, MAX_DELAY_MS),
-      outside("--reorder", reorder, 0, 100),
-      outside("--duplicate", duplicate, 0, 100),
-      bandwidth != null && bandwidth == 0 ? null : outside("--bandwidth", bandwidth, 1, MAX_KBIT)
-    };
-    for (String problem : problems) {
-      if (problem != null) {
-        return problem;
-      }
-    }
-    return null;
-  }
-
-  private static String outside(String flag, Double value, double min, double max) {
-    return value == null || (value >= min && value <= max)
-        ? null
-        : String.format(Locale.ROOT, "%s=%s is outside %.0f..%.0f", flag, value, min, max);
-  }
+  private NetworkConditions() {}
 
   /**
    * Returns the requested network, or {@link Impairment#NONE} with the seed if the flags request
    * none.
-   *
-   * @throws IllegalArgumentException when there is a {@link #problem}
    */
-  public Impairment impairment() {
-    Impairment base = preset.impairment();
-    return base.withSeed(seed)
-        .withBursts(or(loss, base.lossPercent()), or(burst, base.burst()))
-        .withLatency(or(latency, base.latencyMs()), or(jitter, base.jitterMs()))
-        .withReorder(or(reorder, base.reorderPercent()), or(duplicate, base.duplicatePercent()))
-        .withBandwidth(or(bandwidth, base.bandwidthKbit()));
+  public static Impairment impairment(Settings<?> flags) {
+    Impairment base = flags.get(NETWORK).impairment();
+    return base.withSeed(flags.get(NETWORK_SEED))
+        .withBursts(flags.get(LOSS, base.lossPercent()), flags.get(BURST, base.burst()))
+        .withLatency(flags.get(LATENCY, base.latencyMs()), flags.get(JITTER, base.jitterMs()))
+        .withReorder(
+            flags.get(REORDER, base.reorderPercent()),
+            flags.get(DUPLICATE, base.duplicatePercent()))
+        .withBandwidth(flags.get(BANDWIDTH, base.bandwidthKbit()));
   }
 
   /** Returns whether the flags request any impairment. */
-  public boolean isBad() {
-    Impairment asked = impairment();
-    return !asked.equals(Impairment.NONE.withSeed(seed).withBursts(0, asked.burst()));
-  }
-
-  private static double or(Double value, double otherwise) {
-    return value == null ? otherwise : value;
+  public static boolean isBad(Settings<?> flags) {
+    Impairment asked = impairment(flags);
+    return !asked.equals(Impairment.NONE.withSeed(asked.seed()).withBursts(0, asked.burst()));
   }
 }

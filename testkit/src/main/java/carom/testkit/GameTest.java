@@ -109,7 +109,7 @@ public final class GameTest {
   }
 
   private void play(Preset network, int players) {
-    try (Stepper world = Stepper.of(level, ServerConfig.defaults().withSeed(seed))) {
+    try (Stepper world = Stepper.of(level, ServerConfig.defaults().with(ServerConfig.SEED, seed))) {
       world.expectGameFailures();
       List<SimulatedClient> clients = new ArrayList<>();
       for (int i = 0; i < players; i++) {

@@ -56,7 +56,7 @@ public final class SimulatedClient {
       Impairment impairment,
       InputSource script,
       LongSupplier clock) {
-    this.name = config.name();
+    this.name = config.get(ClientConfig.NAME);
     this.impairment = impairment;
     this.script = script;
     line = new OutageTransport(transport);

@@ -68,7 +68,8 @@ public final class Stepper implements AutoCloseable {
   private Stepper(Wire wire, ServerConfig config, Level level, long startNs) {
     this.wire = wire;
     this.nowNs = startNs;
-    ServerConfig settings = config.withStatusIntervalS(0).withGameName(level.gameName());
+    ServerConfig settings =
+        config.with(ServerConfig.STATUS_INTERVAL, 0).with(ServerConfig.GAME, level.gameName());
     servers =
         transport ->
             new Server(
@@ -84,7 +85,7 @@ public final class Stepper implements AutoCloseable {
       Wire wire, ServerConfig config, List<RoomConfig> rooms, MatchLibrary library, long startNs) {
     this.wire = wire;
     this.nowNs = startNs;
-    ServerConfig settings = config.withStatusIntervalS(0);
+    ServerConfig settings = config.with(ServerConfig.STATUS_INTERVAL, 0);
     servers = transport -> new Server(settings, rooms, library, transport, this::lookAtServerClock);
     startServer();
   }

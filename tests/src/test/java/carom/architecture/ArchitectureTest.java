@@ -318,10 +318,9 @@ final class ArchitectureTest {
         "carom.net.snapshot.ledger",
         "carom.net.snapshot.record");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows", "carom.text");
-    allow("carom.values");
     allow("carom.text");
     allow("carom.json", "carom.text");
-    allow("carom.net.transport", "carom.net.protocol", "carom.values");
+    allow("carom.net.transport", "carom.net.protocol");
     allow("carom.net.admission");
     allow("carom.net.seal", "carom.text");
     allow("carom.net.datagram");
@@ -342,7 +341,6 @@ final class ArchitectureTest {
         "carom.net.admission",
         "carom.net.frame",
         "carom.net.codec",
-        "carom.values",
         "carom.text");
     allow(
         "carom.net.kryo.server",
@@ -352,8 +350,7 @@ final class ArchitectureTest {
         "carom.net.seal",
         "carom.net.datagram",
         "carom.net.admission",
-        "carom.net.frame",
-        "carom.values");
+        "carom.net.frame");
     allow("carom.options", "carom.net.transport", "carom.text");
     allow(
         "carom.replay",
@@ -371,7 +368,6 @@ final class ArchitectureTest {
         "carom.server..",
         "carom.net..",
         "carom.options",
-        "carom.values",
         "carom.text",
         "carom.json", // what pages in browsers send
         "carom.replay",
@@ -384,7 +380,6 @@ final class ArchitectureTest {
         "carom.json",
         "carom.net..",
         "carom.options",
-        "carom.values",
         "carom.text",
         "carom.replay",
         "carom.sim..",

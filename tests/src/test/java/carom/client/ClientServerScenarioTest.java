@@ -45,7 +45,9 @@ final class ClientServerScenarioTest {
     Level level = Level.builtIn(game);
     server =
         new Server(
-            ServerConfig.defaults().withGameName(game).withStatusIntervalS(0),
+            ServerConfig.defaults()
+                .with(ServerConfig.GAME, game)
+                .with(ServerConfig.STATUS_INTERVAL, 0),
             () -> Games.create(game),
             level,
             network.server(),

@@ -36,7 +36,9 @@ final class ConnectionTest {
 
   private GameClient client(boolean reconnect) {
     return new GameClient(
-        ClientConfig.of("tester").withServer("memory", 0, 0).withReconnect(reconnect),
+        ClientConfig.of("tester")
+            .withServer("memory", 0, 0)
+            .with(ClientConfig.RECONNECT, reconnect),
         network.client(),
         InputSource.IDLE);
   }

@@ -134,7 +134,7 @@ final class EndingWordsTest {
   private static Server real(int places) throws Exception {
     Server real =
         new Server(
-            ServerConfig.defaults().withMaxPlayers(places),
+            ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, places),
             () -> Games.create("arena"),
             Level.builtIn("arena"),
             new KryoServerTransport(0, 0),

@@ -30,7 +30,7 @@ final class FrameAllocationTest {
     ScriptedServer server = new ScriptedServer(network.server(), Level.builtIn("arena"));
     GameClient client =
         new GameClient(
-            ClientConfig.of("a").withServer("memory", 0, 0).withPrediction(mode),
+            ClientConfig.of("a").withServer("memory", 0, 0).with(ClientConfig.PREDICTION, mode),
             network.client(),
             new Bot(1));
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -232,7 +232,9 @@ final class HostileServerTest {
 
   private static GameClient client(KryoClientTransport transport, int tcpPort, int udpPort) {
     return new GameClient(
-        ClientConfig.of("tester").withServer("127.0.0.1", tcpPort, udpPort).withReconnect(false),
+        ClientConfig.of("tester")
+            .withServer("127.0.0.1", tcpPort, udpPort)
+            .with(ClientConfig.RECONNECT, false),
         transport,
         InputSource.IDLE);
   }

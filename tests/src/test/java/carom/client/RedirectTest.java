@@ -52,7 +52,9 @@ final class RedirectTest {
     }
     client =
         new GameClient(
-            ClientConfig.of("tester").withServer("a.example.org", 1, 0).withToken("for-a"),
+            ClientConfig.of("tester")
+                .withServer("a.example.org", 1, 0)
+                .with(ClientConfig.TOKEN, "for-a"),
             transport,
             InputSource.IDLE);
     run(1);

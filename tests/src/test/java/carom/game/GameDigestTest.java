@@ -131,7 +131,7 @@ final class GameDigestTest {
       open.add(Games.lend(build("6", "")));
       SimulatedClient developer =
           stepper.add(
-              ClientConfig.of("Bob").withServer("", 0, 0).withTakesAnyCode(true),
+              ClientConfig.of("Bob").withServer("", 0, 0).with(ClientConfig.DEV, true),
               Impairment.NONE,
               new Bot(Stepper.SEED));
       stepper.awaitPlaying(developer);
@@ -166,7 +166,7 @@ final class GameDigestTest {
              "bounds": {"min": [-50, -50], "max": [50, 50]}}
             """
                 .getBytes(StandardCharsets.UTF_8));
-    return Stepper.of(level, ServerConfig.defaults().withTakesAnyCode(dev));
+    return Stepper.of(level, ServerConfig.defaults().with(ServerConfig.DEV, dev));
   }
 
   /** Compiles a build, whose skaters have a speed, m/s. */

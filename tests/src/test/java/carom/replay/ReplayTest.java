@@ -79,7 +79,7 @@ final class ReplayTest {
   private static ClientConfig bot(int i) {
     return ClientConfig.of("bot" + i)
         .withServer("localhost", 0, 0)
-        .withPrediction(PredictionMode.NONE);
+        .with(ClientConfig.PREDICTION, PredictionMode.NONE);
   }
 
   @ParameterizedTest

@@ -50,7 +50,7 @@ class BecomeScenarioTest {
   }
 
   private static SimulatedClient add(Stepper stepper, String name, long seed, InputSource script) {
-    ClientConfig config = ClientConfig.of(name).withPrediction(PredictionMode.ALL);
+    ClientConfig config = ClientConfig.of(name).with(ClientConfig.PREDICTION, PredictionMode.ALL);
     SimulatedClient client = stepper.add(config, FAR.withSeed(seed), script);
     stepper.awaitPlaying(client);
     return client;

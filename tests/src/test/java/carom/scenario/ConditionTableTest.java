@@ -58,7 +58,7 @@ class ConditionTableTest {
 
   /** Most bodies move; a view of 25 m sees half of them; the budget is below the demand. */
   private static final ServerConfig CONFIG =
-      ServerConfig.defaults().withViewMetres(25).withSnapshotBitsPerSecond(200_000);
+      ServerConfig.defaults().with(ServerConfig.VIEW, 25).with(ServerConfig.BUDGET, 200);
 
   @ParameterizedTest
   @EnumSource(Line.class)

@@ -46,7 +46,7 @@ class EdgeScenarioTest {
   void everyTickRatePlays(int tickRateHz) throws Exception {
     // Goal: the rate is a setting, not an assumption. Method: agreement at rates from end to end;
     // a player alone is predicted exactly at each.
-    ServerConfig config = ServerConfig.defaults().withTickRateHz(tickRateHz);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.TICK_RATE, tickRateHz);
     try (Stepper stepper = Stepper.of(arena(), config)) {
       stepper.add("a", FAR, new Bot(1));
       stepper.add("b", Condition.LOSS_10_PERCENT.impairment(Stepper.SEED), new Bot(2));
@@ -71,7 +71,7 @@ class EdgeScenarioTest {
   void everySnapshotRatePlays(int snapshotRateHz) throws Exception {
     // Goal: fewer snapshots than ticks cost smoothness, nothing else. Method: agreement, rate and
     // exactness of a player alone.
-    ServerConfig config = ServerConfig.defaults().withSnapshotRateHz(snapshotRateHz);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.SNAPSHOT_RATE, snapshotRateHz);
     try (Stepper stepper = Stepper.of(arena(), config)) {
       SimulatedClient a = stepper.join("a", FAR, new Bot(1));
       stepper.join("b", Condition.MIXED.impairment(Stepper.SEED), new Bot(2));
@@ -95,7 +95,7 @@ class EdgeScenarioTest {
   void theSmallestBudgetStillTellsEverything() throws Exception {
     // Goal: too few bytes make things late, never wrong or forgotten. Method: 2,000 bytes a second
     // for a full arena; then one idle player at a level that comes to rest.
-    ServerConfig config = ServerConfig.defaults().withSnapshotBitsPerSecond(16_000);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.BUDGET, 16);
     try (Stepper stepper = Stepper.of(arena(), config)) {
       for (int i = 0; i < 6; i++) {
         stepper.add("bot" + i, FAR, new Bot(i));
@@ -116,7 +116,10 @@ class EdgeScenarioTest {
   void sequenceAndTickNumbersWrapUnnoticed() {
     // Goal: 16 bits of sequence and tick last 4.5 minutes at 240 Hz; the game goes on behind them.
     // Method: six minutes of a match of ten; rate, exactness and agreement before and after.
-    ServerConfig config = ServerConfig.defaults().withTickRateHz(240).withSnapshotRateHz(240);
+    ServerConfig config =
+        ServerConfig.defaults()
+            .with(ServerConfig.TICK_RATE, 240)
+            .with(ServerConfig.SNAPSHOT_RATE, 240);
     try (Stepper stepper = Stepper.of(Levels.emptyPlatformer(), config)) {
       SimulatedClient alone =
           stepper.join("a", Impairment.NONE.withLatency(20, 0), Scripts.wander(Stepper.SEED));

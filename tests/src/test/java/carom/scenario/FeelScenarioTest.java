@@ -48,7 +48,10 @@ class FeelScenarioTest {
     // Method: a bot alone among the platformer's crates for half a minute, once it has settled.
     try (Stepper stepper = Stepper.of("platformer")) {
       SimulatedClient client =
-          stepper.add(ClientConfig.of("p").withPrediction(mode), FAR.withSeed(seed), new Bot(0));
+          stepper.add(
+              ClientConfig.of("p").with(ClientConfig.PREDICTION, mode),
+              FAR.withSeed(seed),
+              new Bot(0));
       stepper.run(6);
       final long missing = stepper.count(Counter.INPUTS_MISSING);
       final long disagreements = stepper.count(Counter.NEAR_DISAGREEMENTS);
@@ -130,7 +133,9 @@ class FeelScenarioTest {
     try (Stepper stepper = Stepper.of(game)) {
       SimulatedClient client =
           stepper.add(
-              ClientConfig.of("p").withSyncTest(true), FAR.withSeed(Stepper.SEED), new Bot(1));
+              ClientConfig.of("p").with(ClientConfig.SYNC_TEST, true),
+              FAR.withSeed(Stepper.SEED),
+              new Bot(1));
       stepper.add("q", Impairment.NONE, new Bot(2));
       stepper.run(12);
       assertTrue(client.stats().compared() > 400, stepper.describe());
@@ -145,7 +150,8 @@ class FeelScenarioTest {
     // Method: without delay they come just before a step and are reconciled after it.
     try (Stepper stepper = Stepper.of(game)) {
       SimulatedClient client =
-          stepper.add(ClientConfig.of("p").withSyncTest(true), Impairment.NONE, new Bot(0));
+          stepper.add(
+              ClientConfig.of("p").with(ClientConfig.SYNC_TEST, true), Impairment.NONE, new Bot(0));
       stepper.run(30);
       assertTrue(client.stats().compared() > 400, stepper.describe());
       assertEquals(0, client.stats().syncErrors(), stepper.describe());

@@ -117,7 +117,7 @@ class ForceScenarioTest {
 
   /** Adds a wanderer that predicts all it sees. */
   private static SimulatedClient watch(Stepper stepper) {
-    ClientConfig config = ClientConfig.of("p").withPrediction(PredictionMode.ALL);
+    ClientConfig config = ClientConfig.of("p").with(ClientConfig.PREDICTION, PredictionMode.ALL);
     SimulatedClient client = stepper.add(config, FAR, Scripts.wander(Stepper.SEED));
     stepper.awaitPlaying(client);
     return client;

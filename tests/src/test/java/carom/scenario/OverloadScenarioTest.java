@@ -139,7 +139,7 @@ class OverloadScenarioTest {
 
   @Test
   void aRoomThatHasNoTimeLetsNobodyElseInAndSaysWhy() {
-    ServerConfig config = ServerConfig.defaults().withMaxLoadPercent(80);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.MAX_LOAD, 0.8);
     try (Stepper stepper = Stepper.of(Levels.emptyArena(), config)) {
       SimulatedClient first = stepper.join("first", LINE, Scripts.wander(1));
       stepper.serverTakes(1_500_000);

@@ -89,7 +89,7 @@ class PictureScenarioTest {
   private static SimulatedClient watcher(Stepper stepper, Impairment impairment) {
     SimulatedClient watcher =
         stepper.add(
-            ClientConfig.of("watcher").withPrediction(PredictionMode.NONE),
+            ClientConfig.of("watcher").with(ClientConfig.PREDICTION, PredictionMode.NONE),
             impairment,
             InputSource.IDLE);
     stepper.awaitPlaying(watcher);

@@ -71,7 +71,7 @@ class PoolScenarioTest {
   @Test
   void twoClientsHaveTheServersParticlesAndPredictWhatTheyDoToBodies() throws Exception {
     try (Stepper stepper = sluice()) {
-      ClientConfig all = ClientConfig.of("p").withPrediction(PredictionMode.ALL);
+      ClientConfig all = ClientConfig.of("p").with(ClientConfig.PREDICTION, PredictionMode.ALL);
       SimulatedClient p = stepper.add(all, FAR, Scripts.wander(Stepper.SEED));
       SimulatedClient q = stepper.add("q", FAR, new Bot(2));
       stepper.run(4);

@@ -53,8 +53,8 @@ class RoomScenarioTest {
     return stepper.add(
         ClientConfig.of(name)
             .withServer("localhost", stepper.tcpPort(), stepper.udpPort())
-            .withRoom(room)
-            .withGame(game),
+            .with(ClientConfig.ROOM, room)
+            .with(ClientConfig.GAME, game),
         BAD,
         Scripts.wander(name.hashCode()));
   }
@@ -316,7 +316,7 @@ class RoomScenarioTest {
           stepper.add(
               ClientConfig.of("Ann")
                   .withServer("localhost", stepper.tcpPort(), stepper.udpPort())
-                  .withRoom("cup"),
+                  .with(ClientConfig.ROOM, "cup"),
               Impairment.NONE,
               Scripts.wander(1));
       stepper.awaitPlaying(ann);

@@ -38,7 +38,7 @@ class RosterScenarioTest {
 
   /** Views are smaller than the distance between the teams. */
   private static Stepper duel() {
-    return Stepper.of(DuelGame.level(), ServerConfig.defaults().withViewMetres(40));
+    return Stepper.of(DuelGame.level(), ServerConfig.defaults().with(ServerConfig.VIEW, 40));
   }
 
   private static RosterEntry row(SimulatedClient of, SimulatedClient at) {

@@ -193,7 +193,7 @@ class SealedScenarioTest {
     Games.add(() -> new AllowedGame(unhooked, overrides));
     Level level = Level.parse("allowed.json", JSON.getBytes(StandardCharsets.UTF_8));
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
-      ClientConfig config = ClientConfig.of("p").withPrediction(PredictionMode.ALL);
+      ClientConfig config = ClientConfig.of("p").with(ClientConfig.PREDICTION, PredictionMode.ALL);
       SimulatedClient client = stepper.add(config, FAR, Scripts.wander(Stepper.SEED));
       stepper.awaitPlaying(client);
       stepper.run(3);

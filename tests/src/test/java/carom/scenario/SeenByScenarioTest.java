@@ -36,7 +36,7 @@ final class SeenByScenarioTest {
           stepper.add(
               ClientConfig.of("watcher")
                   .withServer("localhost", 0, 0)
-                  .withPrediction(PredictionMode.NONE),
+                  .with(ClientConfig.PREDICTION, PredictionMode.NONE),
               impairment.withSeed(Stepper.SEED),
               (view, tick, out) -> {
                 shown[(tick & 4095) * 2] = Float.NaN;

@@ -206,7 +206,7 @@ class SessionScenarioTest {
   void aKilledPlayersBodyStaysForTheGracePeriodAndNotLonger() {
     // Goal: nobody holds a seat for ever. Method: the process dies; the others look before and
     // after the grace period of three seconds.
-    ServerConfig config = ServerConfig.defaults().withGraceMs(3_000);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.GRACE, 3);
     try (Stepper stepper = Stepper.of(Levels.emptyArena(), config)) {
       SimulatedClient other = stepper.join("other", FAR, InputSource.IDLE);
       SimulatedClient victim = stepper.join("victim", FAR, InputSource.IDLE);
@@ -227,7 +227,10 @@ class SessionScenarioTest {
   void whoComesBackTooLateIsTreatedAsANewPlayer() {
     // Goal: after the grace period the way back still leads into the game, with another body.
     // Method: a client that stood still for longer than silence and grace together.
-    ServerConfig config = ServerConfig.defaults().withGraceMs(1_000).withSilenceTimeoutMs(1_000);
+    ServerConfig config =
+        ServerConfig.defaults()
+            .with(ServerConfig.GRACE, 1)
+            .with(ServerConfig.SILENCE_TIMEOUT_MS, 1_000);
     try (Stepper stepper = Stepper.of(Levels.emptyArena(), config)) {
       SimulatedClient client = stepper.join("client", FAR, InputSource.IDLE);
       final Entity body = stepper.body(client);
@@ -277,7 +280,7 @@ class SessionScenarioTest {
     // Goal: no client ends without a word. Method: no reconnecting, and the server stops.
     try (Stepper stepper = Stepper.of("arena")) {
       ClientConfig settings =
-          ClientConfig.of("once").withServer("localhost", 0, 0).withReconnect(false);
+          ClientConfig.of("once").withServer("localhost", 0, 0).with(ClientConfig.RECONNECT, false);
       SimulatedClient client = stepper.add(settings, FAR, InputSource.IDLE);
       stepper.awaitPlaying(client);
       stepper.stopServer();
@@ -333,7 +336,8 @@ class SessionScenarioTest {
   void aFullServerRefusesPolitelyAndTakesTheNextWhenOneLeaves() {
     // Goal: the limit of players is a message, not a failure. Method: two seats, three players.
     try (Stepper stepper =
-        Stepper.of(Levels.emptyArena(), ServerConfig.defaults().withMaxPlayers(2))) {
+        Stepper.of(
+            Levels.emptyArena(), ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 2))) {
       SimulatedClient first = stepper.join("first", FAR, InputSource.IDLE);
       stepper.join("second", FAR, InputSource.IDLE);
       SimulatedClient third = stepper.add("third", FAR, InputSource.IDLE);

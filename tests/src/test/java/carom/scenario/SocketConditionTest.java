@@ -9,6 +9,7 @@ import carom.fixtures.BigWorlds;
 import carom.net.protocol.PackedLevel;
 import carom.net.snapshot.EntityHistory;
 import carom.net.transport.Impairment;
+import carom.options.Flags;
 import carom.options.NetworkConditions;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -37,10 +38,11 @@ class SocketConditionTest {
 
   /** What {@code carom-client} and {@code carom-bots} make of these flags. */
   private static Impairment flags(String text) {
-    NetworkConditions conditions = new NetworkConditions();
-    new CommandLine(conditions).parseArgs(text.isEmpty() ? new String[0] : text.split(" "));
-    assertEquals(null, conditions.problem());
-    return conditions.impairment();
+    CommandLine program = new CommandLine(CommandLine.Model.CommandSpec.create());
+    Flags.add(program.getCommandSpec(), NetworkConditions.ROWS);
+    String[] words = text.isEmpty() ? new String[0] : text.split(" ");
+    return NetworkConditions.impairment(
+        Flags.read(new ServerConfig(), program.parseArgs(words), NetworkConditions.ROWS));
   }
 
   @ParameterizedTest
@@ -53,7 +55,7 @@ class SocketConditionTest {
   })
   void whatIsDecodedIsExactlyTheServers(String network, double blackoutSeconds) {
     Impairment line = flags(network).withSeed(Stepper.SEED);
-    ServerConfig config = ServerConfig.defaults().withViewMetres(25);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.VIEW, 25);
     try (Stepper stepper = Stepper.overSockets(BigWorlds.churn(), config)) {
       SimulatedClient mover = stepper.join("mover", Impairment.NONE, Scripts.wander(Stepper.SEED));
       SimulatedClient client = stepper.join("player", line, Scripts.wander(Stepper.SEED + 1));

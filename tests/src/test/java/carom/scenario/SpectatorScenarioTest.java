@@ -57,7 +57,7 @@ class SpectatorScenarioTest {
 
   private Server server(ServerTransport transport) throws Exception {
     return new Server(
-        ServerConfig.defaults().withStatusIntervalS(0),
+        ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0),
         ArenaGame::new,
         Level.builtIn("arena"),
         transport,
@@ -156,7 +156,10 @@ class SpectatorScenarioTest {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     ClientTransport transport = network.client();
     Level level = CrouchGame.level(Rule.CRATES_CHANGE);
-    ServerConfig config = ServerConfig.defaults().withStatusIntervalS(0).withGameName("become");
+    ServerConfig config =
+        ServerConfig.defaults()
+            .with(ServerConfig.STATUS_INTERVAL, 0)
+            .with(ServerConfig.GAME, "become");
     Map<Integer, String> had = new HashMap<>();
     List<GameClient> players = new ArrayList<>();
     Path seen = folder.resolve("become");
@@ -217,7 +220,7 @@ class SpectatorScenarioTest {
 
   @Test
   void aSpectatorThatIsSentAwayWatchesTheOtherServer() throws Exception {
-    ServerConfig config = ServerConfig.defaults().withStatusIntervalS(0);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0);
     Level level = Level.builtIn("arena");
     try (Server first =
             new Server(
@@ -274,7 +277,7 @@ class SpectatorScenarioTest {
   @Test
   void overSocketsARoomIsWatched() throws Exception {
     KryoServerTransport sockets = new KryoServerTransport(0, 0);
-    ServerConfig config = ServerConfig.defaults().withStatusIntervalS(0);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0);
     try (Server server =
             new Server(config, ArenaGame::new, Level.builtIn("arena"), sockets, System::nanoTime);
         KryoClientTransport transport = new KryoClientTransport()) {
@@ -284,7 +287,8 @@ class SpectatorScenarioTest {
           ClientConfig.of("s").withServer("localhost", server.tcpPort(), server.udpPort());
       Path file = folder.resolve("socket");
       try (RecordingDownload spectator = new RecordingDownload(address, 1, transport, file);
-          GameClient player = new GameClient(address.withName("bot"), transport, new Bot(1))) {
+          GameClient player =
+              new GameClient(address.with(ClientConfig.NAME, "bot"), transport, new Bot(1))) {
         int seen = -1;
         for (int i = 0; i < 4_000 && seen < 90; i++) {
           spectator.update(System.nanoTime());

@@ -32,7 +32,7 @@ final class StackScenarioTest {
       names = {"ISLAND", "ALL"})
   void aTowerBesideThePlayerStands(PredictionMode mode) {
     try (Stepper stepper = Stepper.of("platformer")) {
-      ClientConfig config = ClientConfig.of("p").withPrediction(mode);
+      ClientConfig config = ClientConfig.of("p").with(ClientConfig.PREDICTION, mode);
       SimulatedClient client = stepper.add(config, FAR, InputSource.IDLE);
       stepper.awaitPlaying(client);
       stepper.run(1);

@@ -43,7 +43,8 @@ class BadNetworkTest {
     Random random = new Random(seed);
     long[] nowNs = {0};
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
-    ServerConfig config = ServerConfig.defaults().withGameName(name).withStatusIntervalS(0);
+    ServerConfig config =
+        ServerConfig.defaults().with(ServerConfig.GAME, name).with(ServerConfig.STATUS_INTERVAL, 0);
     Level level = Level.builtIn(Games.create(name).defaultLevel());
     try (Server server =
         new Server(config, () -> Games.create(name), level, network.server(), () -> nowNs[0])) {

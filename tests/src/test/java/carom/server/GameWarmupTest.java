@@ -12,7 +12,7 @@ class GameWarmupTest {
   void everybodyJoinsPlaysAndLeaves() {
     TestGame game = new TestGame(3);
     GameWarmup.play(
-        ServerConfig.defaults().withRooms(3),
+        ServerConfig.defaults().with(ServerConfig.ROOMS, 3),
         () -> game,
         TestGame.shortLevel(),
         new KryoMessageCodec());

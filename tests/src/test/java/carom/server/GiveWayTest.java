@@ -12,7 +12,10 @@ class GiveWayTest {
   private void probe(int rooms, int turnsPerTick) {
     try (Rig rig =
         new Rig(
-            ServerConfig.defaults().withRooms(rooms).withMaxPlayers(4), () -> new TestGame(1))) {
+            ServerConfig.defaults()
+                .with(ServerConfig.ROOMS, rooms)
+                .with(ServerConfig.MAX_PLAYERS, 4),
+            () -> new TestGame(1))) {
       int places = 4 * rooms;
       FakeClient[] players = new FakeClient[places];
       for (int i = 0; i < places; i++) {

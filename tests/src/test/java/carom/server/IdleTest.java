@@ -21,7 +21,9 @@ import org.junit.jupiter.api.io.TempDir;
  */
 class IdleTest {
   private static final ServerConfig PAUSES =
-      ServerConfig.defaults().withPausesIdleRooms(true).withGraceMs(1_000);
+      ServerConfig.defaults()
+          .with(ServerConfig.IDLE, ServerConfig.Idle.PAUSE)
+          .with(ServerConfig.GRACE, 1);
 
   @Test
   void aRoomWithoutPlayersPausesAfterItsFirstTick() {
@@ -124,7 +126,8 @@ class IdleTest {
 
   @Test
   void roomsRunOnUnlessToldToPause() {
-    try (Rig rig = new Rig(PAUSES.withPausesIdleRooms(false), new TestGame(3))) {
+    try (Rig rig =
+        new Rig(PAUSES.with(ServerConfig.IDLE, ServerConfig.Idle.RUN), new TestGame(3))) {
       rig.seconds(1);
       assertEquals(60, rig.room.tick(), 1);
       assertFalse(rig.room.isPaused());

@@ -28,7 +28,8 @@ import org.junit.jupiter.api.io.TempDir;
 final class JoinTokenTest {
   private static final long NOW = 1_800_000_000L;
 
-  private final Rig rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+  private final Rig rig =
+      new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 4), new TestGame(3));
   @TempDir private Path folder;
   private KeyPair backend;
   private long now = NOW;

@@ -23,7 +23,7 @@ import java.util.Map;
 final class KeptServer implements AutoCloseable {
   static final long TICK_NS = 16_666_667;
   static final ServerConfig CONFIG =
-      ServerConfig.defaults().withStatusIntervalS(0).withGraceMs(600_000);
+      ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0).with(ServerConfig.GRACE, 600);
 
   /** Bodies, joints to each other and to the world, and an area; a chain that swings for long. */
   private static final String JOINTS =

@@ -63,7 +63,9 @@ class LeakTest {
     long seed = Long.getLong("carom.seed", System.nanoTime());
     SplittableRandom random = new SplittableRandom(seed);
     try (Rig rig =
-        new Rig(ServerConfig.defaults().withMaxPlayers(16).withGraceMs(1_000), new TestGame(3))) {
+        new Rig(
+            ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 16).with(ServerConfig.GRACE, 1),
+            new TestGame(3))) {
       Held early = null;
       for (int tick = 0; tick < TICKS; tick++) {
         if (tick == TICKS / 2) {
@@ -132,7 +134,9 @@ class LeakTest {
     Level level = Level.builtIn(Games.create("arena").defaultLevel());
     try (Server server =
             new Server(
-                ServerConfig.defaults().withStatusIntervalS(0).withTickRateHz(120),
+                ServerConfig.defaults()
+                    .with(ServerConfig.STATUS_INTERVAL, 0)
+                    .with(ServerConfig.TICK_RATE, 120),
                 () -> Games.create("arena"),
                 level,
                 new KryoServerTransport(0, 0),

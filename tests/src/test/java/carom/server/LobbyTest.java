@@ -23,7 +23,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class LobbyTest {
-  private Rig rig = new Rig(ServerConfig.defaults().withMaxPlayers(2), new TestGame(3));
+  private Rig rig =
+      new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 2), new TestGame(3));
 
   @AfterEach
   void close() {
@@ -148,7 +149,7 @@ class LobbyTest {
   @Test
   void aCrowdThatLosesItsConnectionsGivesWayAtOnce() {
     rig.close();
-    rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+    rig = new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 4), new TestGame(3));
     FakeClient alone = rig.joinFrom("198.51.100.1", "alone");
     List<FakeClient> crowd = new ArrayList<>();
     for (int i = 1; i <= 3; i++) {
@@ -169,7 +170,7 @@ class LobbyTest {
   @Test
   void aStalledReturnSwitchesOffNoSharesOfNetworks() {
     rig.close();
-    rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+    rig = new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 4), new TestGame(3));
     for (int i = 1; i <= 3; i++) {
       rig.joinFrom("192.0.2." + i, "crowd" + i);
     }
@@ -189,7 +190,7 @@ class LobbyTest {
   @Test
   void whoStallsWhileLoadingGivesWayToANewcomerOfAFullServer() {
     rig.close();
-    rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+    rig = new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 4), new TestGame(3));
     List<FakeClient> stalled = new ArrayList<>();
     for (int i = 1; i <= 4; i++) {
       FakeClient client = rig.connectFrom("192.0.2." + i).hello("stalls" + i);
@@ -210,7 +211,7 @@ class LobbyTest {
   @Test
   void aNetworkThatLoadsInManySeatsGivesOneUp() {
     rig.close();
-    rig = new Rig(ServerConfig.defaults().withMaxPlayers(12), new TestGame(3));
+    rig = new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 12), new TestGame(3));
     List<FakeClient> slow = new ArrayList<>();
     for (int i = 1; i <= 12; i++) {
       FakeClient client = rig.connectFrom("192.0.2." + i).hello("slow" + i);
@@ -226,7 +227,12 @@ class LobbyTest {
   @Test
   void anIdlePlayerGivesWayToANewcomerOfAFullServerAndOnlyThen() {
     rig.close();
-    rig = new Rig(ServerConfig.defaults().withMaxPlayers(2).withIdleKickS(10), new TestGame(3));
+    rig =
+        new Rig(
+            ServerConfig.defaults()
+                .with(ServerConfig.MAX_PLAYERS, 2)
+                .with(ServerConfig.IDLE_KICK, 10),
+            new TestGame(3));
     FakeClient idle = rig.join("idle");
     FakeClient busy = rig.join("busy");
     FakeClient tooSoon = rig.connect().hello("early");
@@ -254,7 +260,7 @@ class LobbyTest {
   @Test
   void ofAFullRoomTheNewestOfANetworkAboveItsShareGivesWayUntilAllHoldEqually() {
     rig.close();
-    rig = new Rig(ServerConfig.defaults().withMaxPlayers(6), new TestGame(3));
+    rig = new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 6), new TestGame(3));
     for (int i = 0; i < 6; i++) {
       rig.joinFrom("192.0.2.66", "bot" + i);
     }
@@ -279,7 +285,9 @@ class LobbyTest {
     rig.close();
     rig =
         new Rig(
-            ServerConfig.defaults().withMaxPlayers(16).withNetworkSharePercent(25),
+            ServerConfig.defaults()
+                .with(ServerConfig.MAX_PLAYERS, 16)
+                .with(ServerConfig.NETWORK_SHARE, 25),
             new TestGame(3));
     for (int i = 0; i < 16; i++) {
       rig.joinFrom("192.0.2.9", "pupil" + i);
@@ -298,7 +306,7 @@ class LobbyTest {
   @Test
   void inANetworkTheBusiestAddressGivesWayAlsoToItsNeighbour() {
     rig.close();
-    rig = new Rig(ServerConfig.defaults().withMaxPlayers(4), new TestGame(3));
+    rig = new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 4), new TestGame(3));
     rig.joinFrom("192.0.2.66", "bot1");
     rig.joinFrom("192.0.2.66", "bot2");
     rig.joinFrom("192.0.2.66", "bot3");
@@ -311,7 +319,7 @@ class LobbyTest {
   @Test
   void theSeatThatANetworkGivesUpIsKeptForTheOneWhoAsked() {
     rig.close();
-    rig = new Rig(ServerConfig.defaults().withMaxPlayers(6), new TestGame(3));
+    rig = new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 6), new TestGame(3));
     for (int i = 0; i < 6; i++) {
       rig.joinFrom("192.0.2.66", "bot" + i);
     }
@@ -329,7 +337,9 @@ class LobbyTest {
     rig.close();
     rig =
         new Rig(
-            ServerConfig.defaults().withMaxPlayers(3).withNetworkSharePercent(100),
+            ServerConfig.defaults()
+                .with(ServerConfig.MAX_PLAYERS, 3)
+                .with(ServerConfig.NETWORK_SHARE, 100),
             new TestGame(3));
     for (int i = 0; i < 3; i++) {
       rig.joinFrom("192.0.2.66", "bot" + i);
@@ -365,7 +375,7 @@ class LobbyTest {
   @Test
   void placesPromisedButNotTakenLeaveRoomForOthers() {
     rig.close();
-    rig = new Rig(ServerConfig.defaults().withMaxPlayers(64), new TestGame(3));
+    rig = new Rig(ServerConfig.defaults().with(ServerConfig.MAX_PLAYERS, 64), new TestGame(3));
     for (int i = 0; i < 64; i++) {
       rig.connect().hello("hog").loads = false;
     }

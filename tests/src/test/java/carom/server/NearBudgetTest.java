@@ -32,7 +32,7 @@ class NearBudgetTest {
   void nearUpdatesAndRecordsShareTheBudget(int bitsPerSecond, int oldestTicks) {
     TestGame game = new TestGame(BALLS);
     game.crowded = true;
-    ServerConfig config = ServerConfig.defaults().withSnapshotBitsPerSecond(bitsPerSecond);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.BUDGET, bitsPerSecond / 1_000);
     try (Rig rig = new Rig(config, game)) {
       FakeClient client = rig.connect().hello("Ann");
       client.near = InputDatagram.NEAR_ALL;

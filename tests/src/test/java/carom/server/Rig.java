@@ -35,7 +35,7 @@ final class Rig implements AutoCloseable {
   Rig(ServerConfig config, Supplier<TestGame> supply) {
     server =
         new Server(
-            config.withStatusIntervalS(0),
+            config.with(ServerConfig.STATUS_INTERVAL, 0),
             () -> {
               games.add(supply.get());
               return games.get(games.size() - 1);

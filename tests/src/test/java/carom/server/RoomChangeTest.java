@@ -76,7 +76,10 @@ final class RoomChangeTest {
   }
 
   private static Rig rig(int rooms, int places) {
-    ServerConfig config = ServerConfig.defaults().withRooms(rooms).withMaxPlayers(places);
+    ServerConfig config =
+        ServerConfig.defaults()
+            .with(ServerConfig.ROOMS, rooms)
+            .with(ServerConfig.MAX_PLAYERS, places);
     return new Rig(config, () -> new TestGame(3));
   }
 
@@ -248,7 +251,7 @@ final class RoomChangeTest {
 
   @Test
   void realClientsGoOnInAnotherRoomWhenTheirsIsRemoved() throws Exception {
-    ServerConfig config = ServerConfig.defaults().withStatusIntervalS(0);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0);
     List<RoomConfig> rooms = List.of(new RoomConfig("cup", "arena", List.of(), 4, 1, Map.of()));
     KryoServerTransport transport = new KryoServerTransport(0, 0);
     try (Server server =

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.SessionState;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Simulation;
 import java.lang.reflect.Field;
@@ -135,7 +136,7 @@ class RoomFaultsTest {
 
   @Test
   void longPauseDropsTicksOnceAndTheGameGoesOn() {
-    try (Rig rig = new Rig(CONFIG.withCatchUpTicks(8), new TestGame(3))) {
+    try (Rig rig = new Rig(CONFIG.with(ServerConfig.CATCH_UP_TICKS, 8), new TestGame(3))) {
       FakeClient client = rig.join("Ann");
       int before = rig.room.tick();
       rig.nowNs += 1_000_000_000L;

@@ -11,6 +11,7 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.entity.Entity;
 import carom.sim.match.NextMatch;
@@ -90,7 +91,7 @@ class RoomSeatsTest {
 
   @Test
   void bodyWaitsWhileItsOwnerIsLoading() {
-    try (Rig rig = new Rig(CONFIG.withGraceMs(2_000), new TestGame(1))) {
+    try (Rig rig = new Rig(CONFIG.with(ServerConfig.GRACE, 2), new TestGame(1))) {
       FakeClient before = rig.join("Ann");
       Entity body = rig.room.simulation().player(0).body();
       before.link.close("cable pulled");
@@ -127,7 +128,7 @@ class RoomSeatsTest {
 
   @Test
   void withoutGraceALostPlayerIsGoneAtOnce() {
-    try (Rig rig = new Rig(CONFIG.withGraceMs(0), new TestGame(1))) {
+    try (Rig rig = new Rig(CONFIG.with(ServerConfig.GRACE, 0), new TestGame(1))) {
       FakeClient client = rig.join("Ann");
       client.link.close("cable pulled");
       rig.steps(2);
@@ -162,7 +163,10 @@ class RoomSeatsTest {
 
   @Test
   void whoIsNewIsToldOfEverybodyAndTheOthersOnlyOfHim() {
-    try (Rig rig = new Rig(CONFIG.withMaxPlayers(4).withRosterIntervalMs(500), new TestGame(1))) {
+    try (Rig rig =
+        new Rig(
+            CONFIG.with(ServerConfig.MAX_PLAYERS, 4).with(ServerConfig.ROSTER_INTERVAL_MS, 500),
+            new TestGame(1))) {
       FakeClient first = rig.join("Ann");
       FakeClient second = rig.join("Bob");
       rig.seconds(1);

@@ -121,7 +121,7 @@ class RoomTest {
 
   @Test
   void scoresReachEverybodyButNotMoreOftenThanTheInterval() {
-    try (Rig rig = new Rig(CONFIG.withRosterIntervalMs(500), new TestGame(1))) {
+    try (Rig rig = new Rig(CONFIG.with(ServerConfig.ROSTER_INTERVAL_MS, 500), new TestGame(1))) {
       FakeClient client = rig.join("Ann");
       rig.seconds(1);
       long before = client.messages.size();
@@ -143,7 +143,7 @@ class RoomTest {
       rig.seconds(2);
       long before = client.datagrams;
       rig.seconds(10);
-      assertEquals(10 * CONFIG.keepAliveRateHz(), client.datagrams - before, 2);
+      assertEquals(10 * CONFIG.get(ServerConfig.KEEP_ALIVE_RATE), client.datagrams - before, 2);
       client.input.move(1, 0);
       rig.steps(6);
       before = client.datagrams;
@@ -154,7 +154,7 @@ class RoomTest {
 
   @Test
   void snapshotRateBelowTheTickRateIsKept() {
-    try (Rig rig = new Rig(CONFIG.withSnapshotRateHz(20), new TestGame(5))) {
+    try (Rig rig = new Rig(CONFIG.with(ServerConfig.SNAPSHOT_RATE, 20), new TestGame(5))) {
       FakeClient client = rig.join("Ann");
       rig.seconds(1);
       long before = client.datagrams;
@@ -166,7 +166,7 @@ class RoomTest {
 
   @Test
   void budgetIsKeptAndEveryEntityArrivesAllTheSame() {
-    try (Rig rig = new Rig(CONFIG.withSnapshotBitsPerSecond(40_000), new TestGame(400))) {
+    try (Rig rig = new Rig(CONFIG.with(ServerConfig.BUDGET, 40), new TestGame(400))) {
       FakeClient client = rig.join("Ann");
       rig.seconds(2);
       long before = client.bytes;

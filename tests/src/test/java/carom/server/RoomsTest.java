@@ -31,10 +31,12 @@ import org.junit.jupiter.api.Timeout;
 /** Goal: a lobby assigns players to several rooms, and nothing leaks from room to room. */
 @Alone("sockets")
 class RoomsTest {
-  private static final ServerConfig CONFIG = ServerConfig.defaults().withSeed(5);
+  private static final ServerConfig CONFIG = ServerConfig.defaults().with(ServerConfig.SEED, 5);
 
   private static Rig rig(int rooms, int places) {
-    return new Rig(CONFIG.withMaxPlayers(places).withRooms(rooms), () -> new TestGame(3));
+    return new Rig(
+        CONFIG.with(ServerConfig.MAX_PLAYERS, places).with(ServerConfig.ROOMS, rooms),
+        () -> new TestGame(3));
   }
 
   /** The number of the room that holds a client's session; 0 when none does. */
@@ -217,7 +219,7 @@ class RoomsTest {
   void threadsAreNamedFailAloneAndEndTogether() throws Exception {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     List<TestGame> games = new ArrayList<>();
-    ServerConfig config = CONFIG.withMaxPlayers(2).withRooms(3);
+    ServerConfig config = CONFIG.with(ServerConfig.MAX_PLAYERS, 2).with(ServerConfig.ROOMS, 3);
     Server server =
         new Server(
             config,

@@ -121,7 +121,7 @@ class ServerMainTest {
   @Test
   void badFlagsGiveOneClearSentenceAndExitCode2() throws Exception {
     assertTrue(fails(2, "--tcp-prot", "1").contains("Possible solutions: --tcp-port"), err());
-    assertTrue(fails(2, "--tcp-port", "x").contains("'x' is not a whole number"), err());
+    assertTrue(fails(2, "--tcp-port", "x").contains("--tcp-port=x is not a whole number"), err());
     assertTrue(fails(2, "--udp-port", "65536").contains("--udp-port=65536 is outside"), err());
     assertTrue(fails(2, "--game", "arean").contains("arena"), err());
     assertTrue(fails(2, "--scene", "piramid").contains("did you mean \"pyramid\""), err());
@@ -133,7 +133,7 @@ class ServerMainTest {
     assertTrue(fails(2, "--budget", "90Mbit").contains("--budget=90Mbit is outside 16..80000 k"));
     assertTrue(fails(2, "--grace", "11 min").contains("--grace=11 min is outside 0..600 s"), err());
     assertTrue(fails(2, "--port", "30").contains("Possible solutions: --tcp-port"), err());
-    assertTrue(fails(2, "--log-level", "loud").contains("none of [off, error"), err());
+    assertTrue(fails(2, "--log-level", "loud").contains("none of off, error"), err());
   }
 
   @Test
@@ -228,7 +228,7 @@ class ServerMainTest {
     Path data = Files.createDirectory(folder.resolve("data"));
     Path file = Files.writeString(data.resolve("carom.conf"), "\ntick-rate = 300\n");
     String error = fails(2);
-    assertTrue(error.contains("set it with --tick-rate"), error);
+    assertTrue(error.contains("--tick-rate=300 is outside 10..240 Hz"), error);
     assertTrue(error.contains("tick-rate is set by " + file + ": 2"), error);
     Files.writeString(file, "tick-rat = 30\n");
     assertTrue(fails(2).contains("did you mean \"tick-rate\"?"), err());

@@ -152,7 +152,7 @@ final class SpectatorSecretsTest {
   private void start(Supplier<Game> game, Level level, Game known) throws Exception {
     server =
         new Server(
-            ServerConfig.defaults().withStatusIntervalS(0),
+            ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0),
             game,
             level,
             network.server(),

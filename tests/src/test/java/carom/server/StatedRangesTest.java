@@ -31,13 +31,13 @@ class StatedRangesTest {
   private ServerConfig config(int rooms) {
     int players = in(1, Math.min(1_024, ServerConfig.MAX_PLACES / rooms));
     return ServerConfig.defaults()
-        .withRooms(rooms)
-        .withMaxPlayers(players)
-        .withTickRateHz(in(10, 240))
-        .withSnapshotRateHz(in(1, 240))
-        .withGraceMs(in(0, 600_000))
-        .withNetworkSharePercent(in(1, 100))
-        .withStatusIntervalS(in(0, 86_400));
+        .with(ServerConfig.ROOMS, rooms)
+        .with(ServerConfig.MAX_PLAYERS, players)
+        .with(ServerConfig.TICK_RATE, in(10, 240))
+        .with(ServerConfig.SNAPSHOT_RATE, in(1, 240))
+        .with(ServerConfig.GRACE, in(0, 600))
+        .with(ServerConfig.NETWORK_SHARE, in(1, 100))
+        .with(ServerConfig.STATUS_INTERVAL, in(0, 86_400));
   }
 
   @Test
@@ -52,7 +52,8 @@ class StatedRangesTest {
 
   @Test
   void theLargestServerOpensItsPorts() {
-    ServerConfig largest = ServerConfig.defaults().withRooms(64).withMaxPlayers(64);
+    ServerConfig largest =
+        ServerConfig.defaults().with(ServerConfig.ROOMS, 64).with(ServerConfig.MAX_PLAYERS, 64);
     int places = RoomConfig.places(RoomConfig.equalRooms(largest, List.of()));
     for (int pending : new int[] {1, 1_024, 4_096}) {
       new KryoServerTransport(0, 0, limits(places).withPending(pending)).close();

@@ -28,7 +28,8 @@ class TightBudgetTest {
   void nobodyStarvesAndWhatIsNearComesFirst(int balls, int oldestTicks) {
     TestGame game = new TestGame(balls);
     game.crowded = true;
-    ServerConfig config = ServerConfig.defaults().withSnapshotBitsPerSecond(LEAST_BITS_PER_SECOND);
+    ServerConfig config =
+        ServerConfig.defaults().with(ServerConfig.BUDGET, LEAST_BITS_PER_SECOND / 1_000);
     try (Rig rig = new Rig(config, game)) {
       FakeClient client = rig.connect().hello("Ann");
       for (int i = 0; i < 180; i++) {

@@ -16,6 +16,9 @@ import carom.net.protocol.PlayerName;
 import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
+import carom.options.Flags;
+import carom.options.Rows;
+import carom.options.Setting;
 import carom.sim.scene.catalog.Scenes;
 import carom.text.Suggestion;
 import java.io.IOException;
@@ -25,8 +28,6 @@ import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 /** The program {@code carom-client}: plays on a server, in a window or without one. */
 @Command(
@@ -40,95 +41,79 @@ public final class ClientMain implements Callable<Integer> {
   private static final long SECOND = 1_000_000_000L;
   private static final long FRAME_NS = SECOND / 120;
 
-  @Mixin private final NetworkOptions network = new NetworkOptions();
+  private static final Rows ROWS = Rows.ofFlags();
 
-  @Option(
-      names = "--name",
-      paramLabel = "NAME",
-      description = "Player's name (in a window that of the settings, else ${DEFAULT-VALUE}).",
-      defaultValue = "player")
-  private String name = "player";
+  static {
+    ROWS.addAll(NetworkOptions.ROWS);
+  }
 
-  @Option(
-      names = "--settings",
-      paramLabel = "FILE",
-      description = "The player's settings, for a window (in the user's folder of settings).")
-  private Path settings = SettingsFile.usual();
+  private static final Setting<String> NAME =
+      ROWS.text("name", "NAME", "player")
+          .text("Player's name (in a window that of the settings, else {default}).")
+          .checked(ClientMain::nameProblem);
 
-  @Option(
-      names = "--headless",
-      description = "No window: a status line each second, a JSON line at the end.")
-  private boolean headless;
+  private static final Setting<Path> SETTINGS =
+      ROWS.path("settings", "FILE", null)
+          .text("The player's settings, for a window (in the user's folder of settings).");
 
-  @Option(
-      names = "--seconds",
-      paramLabel = "S",
-      description = "Leave after this time; 0 = stay (${DEFAULT-VALUE}).",
-      defaultValue = "0")
-  private double seconds;
+  private static final Setting<Boolean> HEADLESS =
+      ROWS.mark("headless").text("No window: a status line each second, a JSON line at the end.");
 
-  @Option(
-      names = "--prediction",
-      paramLabel = "MODE",
-      description =
-          "What is simulated ahead of the server: island (the own body and what it touches), all"
-              + " (as much as possible) or none (${DEFAULT-VALUE}).",
-      defaultValue = "island")
-  private PredictionMode prediction = PredictionMode.ISLAND;
+  private static final Setting<Double> SECONDS =
+      ROWS.number("seconds", "S", 0, 1000000, 0)
+          .text("Leave after this time; 0 = stay ({default}).");
 
-  @Option(
-      names = "--synctest",
-      description =
-          "For developers: roll the prediction back 8 ticks in each tick, and count other hashes.")
-  private boolean syncTest;
+  private static final Setting<PredictionMode> PREDICTION =
+      ROWS.choice("prediction", "MODE", PredictionMode.ISLAND)
+          .text(
+              "What is simulated ahead of the server: island (the own body and what it"
+                  + " touches), all (as much as possible) or none ({default}).");
 
-  @Option(names = "--net-graph", description = "Start with the net graph shown.")
-  private boolean netGraph;
+  private static final Setting<Boolean> SYNCTEST =
+      ROWS.mark("synctest")
+          .text(
+              "For developers: roll the prediction back 8 ticks in each tick, and count other"
+                  + " hashes.");
 
-  @Option(names = "--debug", description = "Start with debug drawing.")
-  private boolean debug;
+  private static final Setting<Boolean> NET_GRAPH =
+      ROWS.mark("net-graph").text("Start with the net graph shown.");
 
-  @Option(
-      names = "--screenshot",
-      paramLabel = "FILE",
-      description = "Write the window's last picture there when --seconds are over.",
-      defaultValue = "")
-  private String screenshot = "";
+  private static final Setting<Boolean> DEBUG =
+      ROWS.mark("debug").text("Start with debug drawing.");
 
-  @Option(
-      names = "--volume",
-      paramLabel = "PERCENT",
-      description = "Loudness of the sounds, 0..100; 0 = silent (as in the settings).")
-  private Integer volume;
+  private static final Setting<String> SCREENSHOT =
+      ROWS.text("screenshot", "FILE", "")
+          .text("Write the window's last picture there when --seconds are over.");
 
-  @Option(
-      names = "--scene",
-      paramLabel = "NAME",
-      description = "Look at a scene of the library, without a server; list = show their names.",
-      defaultValue = "")
-  private String scene = "";
+  private static final Setting<Integer> VOLUME =
+      ROWS.whole("volume", "PERCENT", 0, 100, null)
+          .text("Loudness of the sounds, {range}; 0 = silent (as in the settings).");
 
-  @Option(
-      names = "--replay",
-      paramLabel = "FILE",
-      description = "Play what carom-server --record has written, also while it is being written.")
-  private Path replay;
+  private static final Setting<String> SCENE =
+      ROWS.text("scene", "NAME", "")
+          .text("Look at a scene of the library, without a server; list = show their names.");
 
-  @Option(
-      names = "--watch",
-      paramLabel = "ROOM",
-      arity = "0..1",
-      fallbackValue = "1",
-      defaultValue = "0",
-      description =
-          "Watch this room of the server instead of playing, as late as the server wants it (1 when"
-              + " no number is given).")
-  private int watch;
+  private static final Setting<Path> REPLAY =
+      ROWS.path("replay", "FILE", null)
+          .text("Play what carom-server --record has written, also while it is being written.");
 
-  @Option(
-      names = "--list",
-      description = "Print the rooms of the server instead of playing, one a line.")
-  private boolean list;
+  private static final Setting<Integer> WATCH =
+      ROWS.whole("watch", "ROOM", 1, 255, null)
+          .text(
+              "Watch this room of the server instead of playing, as late as the server wants it"
+                  + " (1 when no number is given).")
+          .alone("1");
+
+  private static final Setting<Boolean> ROOM_LIST =
+      ROWS.mark("list").text("Print the rooms of the server instead of playing, one a line.");
+
+  private static String nameProblem(String name) {
+    String problem = PlayerName.problem(name);
+    return problem == null ? null : ": " + problem;
+  }
+
+  private ClientConfig flags;
+  private NetworkOptions network;
 
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
@@ -144,68 +129,68 @@ public final class ClientMain implements Callable<Integer> {
 
   /** Runs the program like {@link #main}, but returns the exit code. */
   public static int run(String... args) {
-    return BadFlag.explainedBy(new CommandLine(new ClientMain()))
-        .setCaseInsensitiveEnumValuesAllowed(true)
-        .execute(args);
+    CommandLine program = new CommandLine(new ClientMain());
+    Flags.add(program.getCommandSpec(), ROWS);
+    return BadFlag.explainedBy(program).execute(args);
   }
 
   @Override
   public Integer call() {
+    flags = Flags.read(new ClientConfig(), spec.commandLine().getParseResult(), ROWS);
+    network = new NetworkOptions(flags);
     String problem = network.problem();
-    if (problem == null && PlayerName.problem(name) != null) {
-      problem = "--name: " + PlayerName.problem(name);
-    } else if (!(seconds >= 0 && seconds <= 1e6)) {
-      problem = "--seconds=" + seconds + " is outside 0..1000000";
-    } else if (problem == null && volume != null && (volume < 0 || volume > 100)) {
-      problem = "--volume=" + volume + " is outside 0..100";
-    }
-    if (problem == null && replay != null) {
+    if (problem == null && flags.get(REPLAY) != null) {
       problem = replayProblem();
     }
-    if (problem == null && !scene.isEmpty()) {
+    if (problem == null && !flags.get(SCENE).isEmpty()) {
       problem = sceneProblem();
     }
-    if (problem == null && (watch < 0 || watch > 255)) {
-      problem = "--watch=" + watch + " is outside 1..255";
-    } else if (problem == null && watch > 0 && (replay != null || !scene.isEmpty())) {
+    if (problem == null
+        && flags.get(WATCH) != null
+        && (flags.get(REPLAY) != null || !flags.get(SCENE).isEmpty())) {
       problem = "--watch excludes --replay and --scene";
     }
     if (problem != null) {
       throw new BadFlag(spec.commandLine(), problem);
     }
-    if (scene.equals(LIST)) {
+    if (flags.get(SCENE).equals(LIST)) {
       Scenes.all()
           .forEach(s -> System.out.printf(Locale.ROOT, "%-18s %s%n", s.name(), s.description()));
       return 0;
     }
     network.startLogging();
-    ClientConfig config = network.config(name).withPrediction(prediction).withSyncTest(syncTest);
-    if (list) {
+    ClientConfig config =
+        network
+            .config(flags.get(NAME))
+            .with(ClientConfig.PREDICTION, flags.get(PREDICTION))
+            .with(ClientConfig.SYNC_TEST, flags.get(SYNCTEST));
+    if (flags.get(ROOM_LIST)) {
       return listRooms();
     }
-    if (watch > 0) {
+    if (flags.get(WATCH) != null) {
       return watch(config);
     }
-    if (headless) {
+    if (flags.get(HEADLESS)) {
       try (StopSignal stop = new StopSignal();
           ClientTransport transport = network.sockets(trust());
           GameClient client = new GameClient(config, transport, InputSource.IDLE)) {
         return playHeadless(client, stop);
       }
     }
-    return openWindow(config, replay, null);
+    return openWindow(config, flags.get(REPLAY), null);
   }
 
   /** Returns what a server must be like; the known ones are in a file beside the settings. */
   private Trust trust() {
-    return network.trust(KnownServers.in(settings.resolveSibling("known_servers")));
+    return network.trust(
+        KnownServers.in(flags.get(SETTINGS, SettingsFile.usual()).resolveSibling("known_servers")));
   }
 
   private int openWindow(ClientConfig config, Path recording, SpectatorThread spectator) {
     boolean named =
         spec.commandLine().getParseResult().hasMatchedOption("--host")
             || spec.commandLine().getParseResult().hasMatchedOption("--tcp-port");
-    SettingsFile kept = new SettingsFile(settings);
+    SettingsFile kept = new SettingsFile(flags.get(SETTINGS, SettingsFile.usual()));
     kept.load();
     if (!kept.problem().isEmpty()) {
       System.err.println("carom-client: " + kept.problem());
@@ -216,16 +201,16 @@ public final class ClientMain implements Callable<Integer> {
             network.impairment(),
             trust(),
             named,
-            seconds,
-            netGraph,
-            debug,
-            screenshot,
-            volume == null ? -1 : volume,
+            flags.get(SECONDS),
+            flags.get(NET_GRAPH),
+            flags.get(DEBUG),
+            flags.get(SCREENSHOT),
+            flags.get(VOLUME, -1),
             kept,
             spec.commandLine().getParseResult().hasMatchedOption("--name"),
             recording,
             spectator,
-            scene.isEmpty() ? null : Scenes.get(scene));
+            flags.get(SCENE).isEmpty() ? null : Scenes.get(flags.get(SCENE)));
     for (Window window : ServiceLoader.load(Window.class)) {
       return window.launch(options);
     }
@@ -256,13 +241,15 @@ public final class ClientMain implements Callable<Integer> {
     try (StopSignal stop = new StopSignal();
         ClientTransport transport = network.sockets(trust())) {
       int exit = 1;
-      SpectatorThread spectator = new SpectatorThread(config, watch, transport);
+      SpectatorThread spectator = new SpectatorThread(config, flags.get(WATCH), transport);
       while (spectator != null) {
         try (SpectatorThread watched = spectator) {
           Path file = watched.await();
           if (file != null) {
             exit =
-                headless ? watchHeadless(file, watched, stop) : openWindow(config, file, watched);
+                flags.get(HEADLESS)
+                    ? watchHeadless(file, watched, stop)
+                    : openWindow(config, file, watched);
           }
           spectator = stop.asked() ? null : watched.follow();
           if (file == null || spectator != null) {
@@ -285,7 +272,9 @@ public final class ClientMain implements Callable<Integer> {
       long start = System.nanoTime();
       long nextLine = start + SECOND;
       for (long now = start;
-          (seconds == 0 || now - start < seconds * SECOND) && !stop.asked() && !client.ended();
+          (flags.get(SECONDS) == 0 || now - start < flags.get(SECONDS) * SECOND)
+              && !stop.asked()
+              && !client.ended();
           now = System.nanoTime()) {
         client.update(now);
         if (now >= nextLine) {
@@ -311,13 +300,13 @@ public final class ClientMain implements Callable<Integer> {
   }
 
   private String replayProblem() {
-    if (headless || !scene.isEmpty()) {
+    if (flags.get(HEADLESS) || !flags.get(SCENE).isEmpty()) {
       return "--replay and "
-          + (headless ? "--headless" : "--scene")
+          + (flags.get(HEADLESS) ? "--headless" : "--scene")
           + " exclude each other; 'carom replay FILE' plays without a window";
     }
     try {
-      new ReplayClient(replay).close();
+      new ReplayClient(flags.get(REPLAY)).close();
       return null;
     } catch (IOException e) {
       return "--replay: " + e.getMessage();
@@ -325,14 +314,14 @@ public final class ClientMain implements Callable<Integer> {
   }
 
   private String sceneProblem() {
-    if (headless) {
+    if (flags.get(HEADLESS)) {
       return "--scene and --headless exclude each other: a scene is there to be looked at";
     }
-    return scene.equals(LIST) || Scenes.names().contains(scene)
+    return flags.get(SCENE).equals(LIST) || Scenes.names().contains(flags.get(SCENE))
         ? null
         : "--scene: unknown scene="
-            + scene
-            + Suggestion.didYouMean(scene, Scenes.names())
+            + flags.get(SCENE)
+            + Suggestion.didYouMean(flags.get(SCENE), Scenes.names())
             + "; --scene list shows all";
   }
 
@@ -342,7 +331,7 @@ public final class ClientMain implements Callable<Integer> {
     long now = start;
     boolean played = false;
     ClientView view = client.view();
-    while ((seconds == 0 || now - start < seconds * SECOND)
+    while ((flags.get(SECONDS) == 0 || now - start < flags.get(SECONDS) * SECOND)
         && view.phase() != ConnectionPhase.ENDED
         && !stop.asked()) {
       client.update(now);

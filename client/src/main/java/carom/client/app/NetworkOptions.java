@@ -8,13 +8,14 @@ import carom.net.frame.Trust;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.ProtocolLimits;
-import carom.net.protocol.RoomName;
 import carom.net.seal.Encryption;
 import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
 import carom.options.NetworkConditions;
+import carom.options.Rows;
+import carom.options.Setting;
 import carom.text.FileErrors;
 import carom.text.TextFile;
 import ch.qos.logback.classic.Level;
@@ -28,8 +29,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Base64;
 import org.slf4j.LoggerFactory;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 /** Command line flags that all client programs share: the server, and a simulated bad network. */
 public final class NetworkOptions {
@@ -47,111 +46,58 @@ public final class NetworkOptions {
     DEBUG
   }
 
-  @Option(
-      names = "--host",
-      paramLabel = "HOST[:PORT]",
-      description =
-          "Server's name or address, and its TCP port where that isn't 54555 (${DEFAULT-VALUE})."
-              + " HOST:PORT/UDP if a router in between shows another UDP port than the server"
-              + " tells.",
-      defaultValue = "localhost")
-  String host = "localhost";
+  /** The flags. */
+  public static final Rows ROWS = Rows.ofFlags();
 
-  @Option(
-      names = "--room",
-      paramLabel = "NAME",
-      description =
-          "Play in this room of the server; carom-client --list shows them (the fullest with a"
-              + " place).",
-      defaultValue = "")
-  String room = "";
+  static {
+    ROWS.addAll(ClientConfig.SERVER, ClientConfig.ROOM, ClientConfig.GAME);
+  }
 
-  @Option(
-      names = "--game",
-      paramLabel = "NAME",
-      description = "Without --room: prefer the rooms that play this game (any).",
-      defaultValue = "")
-  String game = "";
+  private static final Setting<LogLevel> LOG_LEVEL =
+      ROWS.choice("log-level", "LEVEL", LogLevel.WARN)
+          .text("How much is logged: error, warn, info or debug ({default}).");
 
-  @Option(
-      names = "--log-level",
-      paramLabel = "LEVEL",
-      description = "How much is logged: error, warn, info or debug (${DEFAULT-VALUE}).",
-      defaultValue = "warn")
-  LogLevel logLevel = LogLevel.WARN;
+  static {
+    ROWS.addAll(ClientConfig.TOKEN);
+  }
 
-  @Option(
-      names = "--token",
-      paramLabel = "TOKEN",
-      description = "Join token from the server's site, for servers that demand one (none).",
-      defaultValue = "")
-  String token = "";
+  private static final Setting<Path> PASSWORD_FILE =
+      ROWS.path("password-file", "FILE", null)
+          .text(
+              "File whose first line is the password of the server, for servers that demand one"
+                  + " (none; the window asks).");
 
-  @Option(
-      names = "--password-file",
-      paramLabel = "FILE",
-      description =
-          "File whose first line is the password of the server, for servers that demand one (none;"
-              + " the window asks).")
-  private Path passwordFile;
+  private static final Setting<Encryption> ENCRYPTION =
+      ROWS.choice("encryption", "on|off", Encryption.ON)
+          .text(
+              "Encrypt what is sent; off only for a server that runs with --encryption off, in"
+                  + " a network you trust ({default}).");
 
-  @Option(
-      names = "--encryption",
-      paramLabel = "on|off",
-      description =
-          "Encrypt what is sent; off only for a server that runs with --encryption off, in a"
-              + " network you trust (${DEFAULT-VALUE}).",
-      defaultValue = "on")
-  Encryption encryption = Encryption.ON;
+  static {
+    ROWS.addAll(ClientConfig.DEV);
+    ROWS.addAll(NetworkConditions.ROWS);
+  }
 
-  @Option(
-      names = "--dev",
-      description =
-          "For developers of games: play also where the server's build of the game differs, with a"
-              + " warning.")
-  boolean dev;
+  private final ClientConfig flags;
 
-  @Mixin NetworkConditions conditions = new NetworkConditions();
-
-  /** Creates the defaults; the command line changes them. */
-  public NetworkOptions() {}
+  /** Creates the options that a command line gives. */
+  public NetworkOptions(ClientConfig flags) {
+    this.flags = flags;
+  }
 
   /** Returns a config for this server and a player of this name. */
   public ClientConfig config(String name) {
-    return ClientConfig.of(name)
-        .withServer(address().host(), address().tcpPort(), address().udpPort())
-        .withRoom(room)
-        .withGame(game)
-        .withToken(token)
-        .withPassword(password())
-        .withTakesAnyCode(dev);
+    return flags.with(ClientConfig.NAME, name).with(ClientConfig.PASSWORD, password());
   }
 
   /** Returns what is wrong with the flags (flag, value, range), or null if nothing is. */
   public String problem() {
     try {
-      address();
-    } catch (IllegalArgumentException e) {
-      return "--host=" + host + ": " + e.getMessage();
-    }
-    if (!room.isEmpty() && RoomName.problem(room) != null) {
-      return "--room: " + RoomName.problem(room);
-    }
-    if (game.length() > ProtocolLimits.MAX_GAME_NAME_BYTES) {
-      return "--game=" + game + " is longer than " + ProtocolLimits.MAX_GAME_NAME_BYTES;
-    }
-    if (token.length() > ProtocolLimits.MAX_TOKEN_BYTES) {
-      return "--token has "
-          + token.length()
-          + " characters, at most "
-          + ProtocolLimits.MAX_TOKEN_BYTES;
-    }
-    try {
       password();
     } catch (IllegalArgumentException e) {
       return e.getMessage();
     }
-    return conditions.problem();
+    return null;
   }
 
   /**
@@ -160,6 +106,7 @@ public final class NetworkOptions {
    * @throws IllegalArgumentException if there is none that can be shown; the message says why
    */
   private String password() {
+    Path passwordFile = flags.get(PASSWORD_FILE);
     if (passwordFile == null) {
       return "";
     }
@@ -182,34 +129,30 @@ public final class NetworkOptions {
     return text;
   }
 
-  /**
-   * Returns the server's address.
-   *
-   * @throws IllegalArgumentException when {@link #problem} says so
-   */
+  /** Returns the server's address. */
   public ServerAddress address() {
-    return ServerAddress.parse(host);
+    return flags.get(ClientConfig.SERVER);
   }
 
   /**
    * Returns the simulated bad network; {@code Impairment.NONE} with a seed if none was asked for.
    */
   public Impairment impairment() {
-    return conditions.impairment();
+    return NetworkConditions.impairment(flags);
   }
 
   /** Returns whether links are encrypted. */
   public boolean isEncrypted() {
-    return encryption == Encryption.ON;
+    return flags.get(ENCRYPTION) == Encryption.ON;
   }
 
   /** Returns what a server must be like to be played on. */
   public Trust trust(KnownServers known) {
-    String fingerprint = fingerprint(token);
+    String fingerprint = fingerprint(flags.get(ClientConfig.TOKEN));
     if (fingerprint != null) {
       known.expect(address().toString(), fingerprint);
     }
-    return new Trust(encryption, known);
+    return new Trust(flags.get(ENCRYPTION), known);
   }
 
   /** Returns the fingerprint of the server that a join token is for, or null if it names none. */
@@ -234,12 +177,12 @@ public final class NetworkOptions {
 
   /** Returns whether the network is made bad on purpose. */
   public boolean isBad() {
-    return conditions.isBad();
+    return NetworkConditions.isBad(flags);
   }
 
   /** Wraps a transport with the simulated bad network. */
   public ClientTransport impair(ClientTransport transport) {
-    return conditions.isBad()
+    return NetworkConditions.isBad(flags)
         ? new ImpairedClientTransport(
             transport, impairment(), new KryoMessageCodec(), System::nanoTime)
         : transport;
@@ -259,7 +202,7 @@ public final class NetworkOptions {
     console.setEncoder(encoder);
     console.start();
     Logger root = context.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
-    root.setLevel(Level.toLevel(logLevel.name()));
+    root.setLevel(Level.toLevel(flags.get(LOG_LEVEL).name()));
     root.addAppender(console);
     if (root.getLevel() == Level.WARN) {
       // A game of this machine has its server in this process; its warnings advise operators.

@@ -133,10 +133,10 @@ public final class BotFarm implements AutoCloseable {
   }
 
   private GameClient newClient(BotPlayer p) {
-    String name = config.name() + p.number;
+    String name = config.get(ClientConfig.NAME) + p.number;
     long ofBot = seed * 1_000_003 + p.number;
     Bot bot = roam ? new Bot(ofBot, true) : Bot.skilled(ofBot);
-    return new GameClient(config.withName(name), transport, bot);
+    return new GameClient(config.with(ClientConfig.NAME, name), transport, bot);
   }
 
   /** Gives a bot a new client, and keeps the figures of the old one. */
@@ -211,7 +211,11 @@ public final class BotFarm implements AutoCloseable {
       p.waiting = true;
       // Apart from each other, and from the next ones that join.
       p.nextAttemptNs = nowNs + (FIRST_WAIT_NS << p.attempts) + p.number * JOIN_GAP_NS / 4;
-      LOG.info("{}{} tries again: {}", config.name(), p.number, p.client.view().message());
+      LOG.info(
+          "{}{} tries again: {}",
+          config.get(ClientConfig.NAME),
+          p.number,
+          p.client.view().message());
     }
   }
 

@@ -9,15 +9,16 @@ import carom.net.protocol.PlayerName;
 import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
+import carom.options.Flags;
 import carom.options.Lab;
 import carom.options.LabCommand;
+import carom.options.Rows;
+import carom.options.Setting;
 import carom.physics.threads.WorkerThreads;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 /**
  * The program {@code carom-bots}: connects headless clients that play. Progress goes to standard
@@ -45,74 +46,53 @@ public final class BotsMain implements Callable<Integer> {
 
   private static final long JOIN_DEADLINE_NS = 20 * SECOND;
 
-  @Mixin private final NetworkOptions network = new NetworkOptions();
+  private static final Rows ROWS = Rows.ofFlags();
 
-  @Option(
-      names = "--count",
-      paramLabel = "N",
-      description = "How many bots (${DEFAULT-VALUE}).",
-      defaultValue = "10")
-  private int count = 10;
+  static {
+    ROWS.addAll(NetworkOptions.ROWS);
+  }
 
-  @Option(
-      names = "--seconds",
-      paramLabel = "S",
-      description = "How long to play once they have joined (${DEFAULT-VALUE}).",
-      defaultValue = "30")
-  private double seconds = 30;
+  private static final Setting<Integer> COUNT =
+      ROWS.whole("count", "N", 1, 1000, 10).text("How many bots ({default}).");
 
-  @Option(
-      names = "--name",
-      paramLabel = "NAME",
-      description = "First part of their names (${DEFAULT-VALUE}).",
-      defaultValue = "bot")
-  private String name = "bot";
+  private static final Setting<Double> SECONDS =
+      ROWS.number("seconds", "S", 0, 1000000, 30)
+          .text("How long to play once they have joined ({default}).");
 
-  @Option(
-      names = "--prediction",
-      paramLabel = "MODE",
-      description =
-          "What each predicts: none, island or all; a prediction costs a simulation per bot"
-              + " (${DEFAULT-VALUE}).",
-      defaultValue = "none")
-  private PredictionMode prediction = PredictionMode.NONE;
+  private static final Setting<String> NAME =
+      ROWS.text("name", "NAME", "bot").text("First part of their names ({default}).");
 
-  @Option(
-      names = "--input-every",
-      paramLabel = "TICKS",
-      description = "Ticks of input in each datagram, 1..8 (${DEFAULT-VALUE}).",
-      defaultValue = "1")
-  private int ticksPerInputDatagram = 1;
+  private static final Setting<PredictionMode> PREDICTION =
+      ROWS.choice("prediction", "MODE", PredictionMode.NONE)
+          .text(
+              "What each predicts: none, island or all; a prediction costs a simulation per bot"
+                  + " ({default}).");
 
-  @Option(
-      names = "--threads",
-      paramLabel = "N",
-      defaultValue = "0",
-      description =
-          "Threads that look after the bots, 1..64; 0 = one for every hundred bots, and all"
-              + " processors but one at most, which the server needs (${DEFAULT-VALUE}).")
-  private int threads;
+  private static final Setting<Integer> INPUT_EVERY =
+      ROWS.whole("input-every", "TICKS", 1, 8, 1)
+          .text("Ticks of input in each datagram, {range} ({default}).");
 
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      description = "Seed of what they do (${DEFAULT-VALUE}).",
-      defaultValue = "1")
-  private long seed = 1;
+  private static final Setting<Integer> THREADS =
+      ROWS.whole("threads", "N", 0, WorkerThreads.MAX_COUNT, 0)
+          .text(
+              "Threads that look after the bots, 1..64; 0 = one for every hundred bots, and all"
+                  + " processors but one at most, which the server needs ({default}).");
 
-  @Option(
-      names = "--roam",
-      description = "Walk about all over the level instead of playing, which gathers at the balls.")
-  private boolean roam;
+  private static final Setting<Long> SEED =
+      ROWS.seed("seed", 1).text("Seed of what they do ({default}).");
 
-  @Option(
-      names = "--churn",
-      paramLabel = "S",
-      defaultValue = "0",
-      description =
-          "Seconds each plays on average until it leaves and joins again; 0 = all stay"
-              + " (${DEFAULT-VALUE}).")
-  private double churn;
+  private static final Setting<Boolean> ROAM =
+      ROWS.mark("roam")
+          .text("Walk about all over the level instead of playing, which gathers at the balls.");
+
+  private static final Setting<Double> CHURN =
+      ROWS.number("churn", "S", 0, 1000000, 0)
+          .text(
+              "Seconds each plays on average until it leaves and joins again; 0 = all stay"
+                  + " ({default}).");
+
+  private ClientConfig flags;
+  private NetworkOptions network;
 
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
@@ -167,25 +147,21 @@ public final class BotsMain implements Callable<Integer> {
         "figures",
         "Measures snapshots and prediction, and prints one table; see figures --help.",
         "carom.lab.figures.FiguresMain");
-    return BadFlag.explainedBy(line).setCaseInsensitiveEnumValuesAllowed(true).execute(args);
+    Flags.add(line.getCommandSpec(), ROWS);
+    return BadFlag.explainedBy(line).execute(args);
   }
 
   @Override
   public Integer call() throws InterruptedException {
+    flags = Flags.read(new ClientConfig(), spec.commandLine().getParseResult(), ROWS);
+    network = new NetworkOptions(flags);
     String problem = network.problem();
-    if (count < 1 || count > 1_000) {
-      problem = "--count=" + count + " is outside 1..1000";
-    } else if (!(seconds >= 0 && seconds <= 1e6)) {
-      problem = "--seconds=" + seconds + " is outside 0..1000000";
-    } else if (!(churn >= 0 && churn <= 1e6)) {
-      problem = "--churn=" + churn + " is outside 0..1000000";
-    } else if (threads < 0 || threads > WorkerThreads.MAX_COUNT) {
-      problem = "--threads=" + threads + " is outside 0.." + WorkerThreads.MAX_COUNT;
-    } else if (ticksPerInputDatagram < 1 || ticksPerInputDatagram > 8) {
-      problem = "--input-every=" + ticksPerInputDatagram + " is outside 1..8";
-    }
-    if (PlayerName.problem(name + count) != null) {
-      problem = "--name=" + name + ": " + PlayerName.problem(name + count);
+    if (PlayerName.problem(flags.get(NAME) + flags.get(COUNT)) != null) {
+      problem =
+          "--name="
+              + flags.get(NAME)
+              + ": "
+              + PlayerName.problem(flags.get(NAME) + flags.get(COUNT));
     }
     if (problem != null) {
       throw new BadFlag(spec.commandLine(), problem);
@@ -196,13 +172,21 @@ public final class BotsMain implements Callable<Integer> {
     Thread.currentThread().setPriority(Thread.MIN_PRIORITY);
     ClientConfig config =
         network
-            .config(name)
-            .withPrediction(prediction)
-            .withTicksPerInputDatagram(ticksPerInputDatagram);
+            .config(flags.get(NAME))
+            .with(ClientConfig.PREDICTION, flags.get(PREDICTION))
+            .with(ClientConfig.TICKS_PER_INPUT_DATAGRAM, flags.get(INPUT_EVERY));
     try (StopSignal stop = new StopSignal();
         ClientTransport transport = sockets();
         WorkerThreads workers = new WorkerThreads(threadCount());
-        BotFarm farm = new BotFarm(config, transport, count, seed, roam, churn, workers)) {
+        BotFarm farm =
+            new BotFarm(
+                config,
+                transport,
+                flags.get(COUNT),
+                flags.get(SEED),
+                flags.get(ROAM),
+                flags.get(CHURN),
+                workers)) {
       return play(farm, stop);
     }
   }
@@ -228,7 +212,9 @@ public final class BotsMain implements Callable<Integer> {
   }
 
   private int threadCount() {
-    return threads > 0 ? threads : threadsFor(count, Runtime.getRuntime().availableProcessors());
+    return flags.get(THREADS) > 0
+        ? flags.get(THREADS)
+        : threadsFor(flags.get(COUNT), Runtime.getRuntime().availableProcessors());
   }
 
   /**
@@ -242,6 +228,7 @@ public final class BotsMain implements Callable<Integer> {
   }
 
   private int play(BotFarm farm, StopSignal stop) throws InterruptedException {
+    int count = flags.get(COUNT);
     long start = pace.nanoTime();
     long now = start;
     long end = Long.MAX_VALUE;
@@ -250,7 +237,7 @@ public final class BotsMain implements Callable<Integer> {
       farm.update(now);
       if (end == Long.MAX_VALUE
           && (farm.settled() == count || now - start > JOIN_DEADLINE_NS + count * (SECOND / 20))) {
-        end = now + (long) (seconds * SECOND);
+        end = now + (long) (flags.get(SECONDS) * SECOND);
       }
       if (now >= nextLine) {
         nextLine = now + SECOND;
@@ -262,7 +249,7 @@ public final class BotsMain implements Callable<Integer> {
     }
     BotReport report = farm.report(now);
     boolean good = report.joined() == count && report.disconnects() == 0 && report.rejected() == 0;
-    good &= churn > 0 || farm.playing() == count;
+    good &= flags.get(CHURN) > 0 || farm.playing() == count;
     if (!good) {
       System.err.println(report.joined() + " of " + count + " bots joined. " + farm.problem());
     }

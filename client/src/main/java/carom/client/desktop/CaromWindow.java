@@ -96,7 +96,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
    */
   CaromWindow(ClientOptions options, ClientTransport sockets, boolean hasSound) {
     this.options = options;
-    givenName = options.named() ? options.config().name() : null;
+    givenName = options.named() ? options.config().get(ClientConfig.NAME) : null;
     this.hasSound = hasSound;
     this.sockets = sockets;
     config = options.config();
@@ -106,14 +106,14 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   @Override
   public void create() {
     Gdx.app.setLogLevel(Application.LOG_ERROR); // the toolkit tells of each device it finds
-    fonts = new Fonts(settings().textSize() / 100f);
+    fonts = new Fonts(settings().get(PlayerSettings.TEXT_SIZE) / 100f);
     fonts.fit(Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
     widgets = new Widgets(fonts);
     canvas = new Canvas();
     pictures = new LevelPictures(canvas);
     audio = new AudioDevice(hasSound);
     sounds = new EventSounds(audio, volume(options) / 100f);
-    UiColours.palette(settings().palette());
+    UiColours.palette(settings().get(PlayerSettings.PALETTE));
     if (!keys.unknown().isEmpty()) {
       System.err.println("carom-client: unknown keys in the settings: " + keys.unknown());
     }
@@ -146,7 +146,9 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   }
 
   private static int volume(ClientOptions options) {
-    return options.volume() >= 0 ? options.volume() : options.settings().settings().volume();
+    return options.volume() >= 0
+        ? options.volume()
+        : options.settings().settings().get(PlayerSettings.VOLUME);
   }
 
   // ---- screens
@@ -160,18 +162,23 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   }
 
   private ServerAddress server() {
-    return new ServerAddress(config.host(), config.tcpPort(), config.udpPort());
+    return new ServerAddress(
+        config.get(ClientConfig.SERVER).host(),
+        config.get(ClientConfig.SERVER).tcpPort(),
+        config.get(ClientConfig.SERVER).udpPort());
   }
 
   private void play() {
-    config = config.withName(playerName());
-    ClientConfig visit = config.withMinInterpolationMs(settings().interpolationMs());
+    config = config.with(ClientConfig.NAME, playerName());
+    ClientConfig visit =
+        config.with(
+            ClientConfig.MIN_INTERPOLATION_MS, settings().get(PlayerSettings.INTERPOLATION));
     GameScreen game =
         new GameScreen(
             canvas, this::levelOf, pictures, fonts, sounds, keys, widgets, this, this::leave);
     ClientTransport transport = local == null ? sockets : local.transport();
     game.client(new GameClient(visit, transport, game.devices()));
-    game.colour(settings().colour());
+    game.colour(settings().get(PlayerSettings.COLOUR));
     game.netGraph(options.netGraph());
     game.debug(options.debug());
     game.adviceAlone(AloneAdvice.of(local != null, server()));
@@ -273,7 +280,8 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     config =
         config
             .withServer(server.host(), server.tcpPort(), server.udpPort())
-            .withRoom(room.isEmpty() ? options.config().room() : room);
+            .with(
+                ClientConfig.ROOM, room.isEmpty() ? options.config().get(ClientConfig.ROOM) : room);
     later(this::play);
   }
 
@@ -281,8 +289,15 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   public void password(ServerAddress server, String text) {
     ClientConfig given = options.config();
     boolean named =
-        server.equals(new ServerAddress(given.host(), given.tcpPort(), given.udpPort()));
-    config = config.withPassword(text.isEmpty() && named ? given.password() : text);
+        server.equals(
+            new ServerAddress(
+                given.get(ClientConfig.SERVER).host(),
+                given.get(ClientConfig.SERVER).tcpPort(),
+                given.get(ClientConfig.SERVER).udpPort()));
+    config =
+        config.with(
+            ClientConfig.PASSWORD,
+            text.isEmpty() && named ? given.get(ClientConfig.PASSWORD) : text);
   }
 
   @Override
@@ -421,14 +436,14 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
 
   @Override
   public String playerName() {
-    return givenName == null ? settings().name() : givenName;
+    return givenName == null ? settings().get(PlayerSettings.NAME) : givenName;
   }
 
   @Override
   public void playerName(String name) {
     if (!name.equals(playerName())) {
       givenName = null;
-      change(settings().withName(name));
+      change(settings().with(PlayerSettings.NAME, name));
     }
   }
 
@@ -437,25 +452,26 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     PlayerSettings before = settings();
     options.settings().save(changed);
     keys.set(changed.keys());
-    if (changed.volume() != before.volume()) {
-      sounds.volume(changed.volume() / 100f);
+    if (!changed.get(PlayerSettings.VOLUME).equals(before.get(PlayerSettings.VOLUME))) {
+      sounds.volume(changed.get(PlayerSettings.VOLUME) / 100f);
     }
-    if (changed.vsync() != before.vsync()) {
-      Gdx.graphics.setVSync(changed.vsync());
+    if (!changed.get(PlayerSettings.VSYNC).equals(before.get(PlayerSettings.VSYNC))) {
+      Gdx.graphics.setVSync(changed.get(PlayerSettings.VSYNC));
     }
     if (screen instanceof GameScreen game) {
-      game.colour(changed.colour());
+      game.colour(changed.get(PlayerSettings.COLOUR));
     }
-    UiColours.palette(changed.palette());
-    fonts.textSize(changed.textSize() / 100f);
-    boolean resized =
-        changed.windowWidth() != before.windowWidth()
-            || changed.windowHeight() != before.windowHeight();
-    if (changed.fullscreen() != before.fullscreen() || resized) {
-      if (changed.fullscreen()) {
+    UiColours.palette(changed.get(PlayerSettings.PALETTE));
+    fonts.textSize(changed.get(PlayerSettings.TEXT_SIZE) / 100f);
+    boolean resized = !changed.get(PlayerSettings.WINDOW).equals(before.get(PlayerSettings.WINDOW));
+    if (!changed.get(PlayerSettings.FULLSCREEN).equals(before.get(PlayerSettings.FULLSCREEN))
+        || resized) {
+      if (changed.get(PlayerSettings.FULLSCREEN)) {
         Gdx.graphics.setFullscreenMode(Gdx.graphics.getDisplayMode());
       } else {
-        Gdx.graphics.setWindowedMode(changed.windowWidth(), changed.windowHeight());
+        Gdx.graphics.setWindowedMode(
+            changed.get(PlayerSettings.WINDOW).width(),
+            changed.get(PlayerSettings.WINDOW).height());
       }
     }
     later(() -> resize(Gdx.graphics.getWidth(), Gdx.graphics.getHeight()));
@@ -546,7 +562,9 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     PlayerSettings s = settings();
     int width = Gdx.graphics.getWidth();
     int height = Gdx.graphics.getHeight();
-    if (!s.fullscreen() && (width != s.windowWidth() || height != s.windowHeight())) {
+    if (!s.get(PlayerSettings.FULLSCREEN)
+        && (width != s.get(PlayerSettings.WINDOW).width()
+            || height != s.get(PlayerSettings.WINDOW).height())) {
       try {
         options.settings().save(s.withWindow(width, height));
       } catch (IllegalArgumentException e) {

@@ -29,13 +29,14 @@ public final class DesktopLauncher implements Window {
     Lwjgl3ApplicationConfiguration window = new Lwjgl3ApplicationConfiguration();
     window.setTitle("Carom");
     PlayerSettings settings = options.settings().settings();
-    window.setWindowedMode(settings.windowWidth(), settings.windowHeight());
-    if (settings.fullscreen()) {
+    window.setWindowedMode(
+        settings.get(PlayerSettings.WINDOW).width(), settings.get(PlayerSettings.WINDOW).height());
+    if (settings.get(PlayerSettings.FULLSCREEN)) {
       window.setFullscreenMode(Lwjgl3ApplicationConfiguration.getDisplayMode());
     }
     window.setWindowSizeLimits(640, 360, -1, -1);
     window.setBackBufferConfig(8, 8, 8, 8, 0, 0, 0); // the canvas smooths edges itself
-    window.useVsync(settings.vsync());
+    window.useVsync(settings.get(PlayerSettings.VSYNC));
     window.setForegroundFPS(MAX_FPS);
     boolean hasSound = CaromWindow.wantsSound(options) && AudioDevice.mayExist();
     window.disableAudio(!hasSound);

@@ -79,7 +79,11 @@ public final class RecordingDownload implements LinkHandler, AutoCloseable {
     }
     if (link == null) {
       heardNs = nowNs;
-      link = transport.connect(config.host(), config.tcpPort(), config.udpPort());
+      link =
+          transport.connect(
+              config.get(ClientConfig.SERVER).host(),
+              config.get(ClientConfig.SERVER).tcpPort(),
+              config.get(ClientConfig.SERVER).udpPort());
     }
     link.poll(this, MAX_POLL);
     if (ended) {
@@ -88,13 +92,16 @@ public final class RecordingDownload implements LinkHandler, AutoCloseable {
     if (!greeted && link.state() == Link.State.OPEN) {
       greeted = true;
       heardNs = nowNs;
-      if (!config.password().isEmpty()) {
-        link.send(new ClientMessage.Password(config.password()));
+      if (!config.get(ClientConfig.PASSWORD).isEmpty()) {
+        link.send(new ClientMessage.Password(config.get(ClientConfig.PASSWORD)));
       }
       link.send(new ClientMessage.Watch(Protocol.VERSION, Protocol.physicsDigest(), room));
     }
     if (nowNs - heardNs > SILENCE_NS) {
-      end("No answer from " + config.host() + ". Check the address; is the server running?");
+      end(
+          "No answer from "
+              + config.get(ClientConfig.SERVER).host()
+              + ". Check the address; is the server running?");
     } else if (delaySeconds > 0 && pending == 0 && (!atEnd || nowNs - askedNs >= ASK_AGAIN_NS)) {
       ask();
     }
@@ -123,9 +130,17 @@ public final class RecordingDownload implements LinkHandler, AutoCloseable {
       end(goodbye.playerText());
     } else if (what instanceof ServerMessage.Redirect to) {
       redirect = to;
-      end("The server at " + config.host() + " sends you to " + to.server() + ".");
+      end(
+          "The server at "
+              + config.get(ClientConfig.SERVER).host()
+              + " sends you to "
+              + to.server()
+              + ".");
     } else {
-      end("The server at " + config.host() + " sent something unexpected. Is it a Carom server?");
+      end(
+          "The server at "
+              + config.get(ClientConfig.SERVER).host()
+              + " sent something unexpected. Is it a Carom server?");
     }
   }
 

@@ -121,7 +121,11 @@ public final class SpectatorThread implements AutoCloseable {
     redirect = null;
     ServerAddress next;
     try {
-      ServerAddress from = new ServerAddress(config.host(), config.tcpPort(), config.udpPort());
+      ServerAddress from =
+          new ServerAddress(
+              config.get(ClientConfig.SERVER).host(),
+              config.get(ClientConfig.SERVER).tcpPort(),
+              config.get(ClientConfig.SERVER).udpPort());
       next = redirects.follow(to, from, System.nanoTime());
     } catch (IllegalArgumentException e) {
       refusal = e.getMessage();

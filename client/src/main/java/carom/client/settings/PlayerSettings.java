@@ -1,184 +1,214 @@
 package carom.client.settings;
 
 import carom.net.protocol.PlayerName;
+import carom.options.Rows;
+import carom.options.Setting;
+import carom.options.Settings;
 import carom.sim.message.PlayerColour;
-import carom.values.Records;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
- * The settings of a player. Immutable; start from {@link #defaults}.
- *
- * @param name the player's name, see {@link PlayerName}
- * @param colour colour of the player's body, in games that let players choose
- * @param volume loudness of the sounds, 0..100 %
- * @param windowWidth width of the window, 640..16,384 px
- * @param windowHeight height of the window, 360..16,384 px
- * @param fullscreen whether the window fills the screen
- * @param vsync whether pictures wait for the screen
- * @param textSize size of texts and panels, 75..200 %
- * @param palette colours in which games are drawn
- * @param interpolationMs least time by which other players' bodies are drawn late, 0..300 ms; 0 =
- *     as little as the connection allows
- * @param keys names of the keys of each action
- * @param recent addresses of the servers that were played on, the last one first
- * @param favourites addresses of the servers that the player marked
+ * The settings of a player: a row for each, which is also its line in the file, and a value for
+ * each row. Immutable; start from {@link #defaults}.
  */
-public record PlayerSettings(
-    String name,
-    PlayerColour colour,
-    int volume,
-    int windowWidth,
-    int windowHeight,
-    boolean fullscreen,
-    boolean vsync,
-    int textSize,
-    Palette palette,
-    int interpolationMs,
-    Map<KeyAction, List<String>> keys,
-    List<String> recent,
-    List<String> favourites) {
+public final class PlayerSettings extends Settings<PlayerSettings> {
   /** Most servers in the list of recent ones. */
   public static final int MAX_RECENT = 8;
 
   /** Most servers in the list of favourites. */
   public static final int MAX_FAVOURITES = 20;
 
-  /**
-   * Checks the ranges.
-   *
-   * @throws IllegalArgumentException names value and range
-   */
-  public PlayerSettings {
-    String problem = PlayerName.problem(name);
-    if (problem != null) {
-      throw new IllegalArgumentException(problem);
-    }
-    require("volume", volume, 0, 100);
-    require("window width", windowWidth, 640, 16_384);
-    require("window height", windowHeight, 360, 16_384);
-    require("text-size", textSize, 75, 200);
-    require("interpolation", interpolationMs, 0, 300);
-    require("recent", recent.size(), 0, MAX_RECENT);
-    require("favourites", favourites.size(), 0, MAX_FAVOURITES);
-    Map<KeyAction, List<String>> copy = new EnumMap<>(KeyAction.class);
+  /** All settings, in the order of the file. */
+  static final Rows ROWS = Rows.inner();
+
+  private static final String SIZE = "(\\d+) *x *(\\d+)";
+
+  public static final Setting<String> NAME =
+      ROWS.text("name", "NAME", "player")
+          .text("name in games")
+          .checked(PlayerSettings::nameProblem);
+
+  public static final Setting<PlayerColour> COLOUR =
+      labelled("colour", PlayerColour.values(), PlayerColour::label, "of the own body: {choices}");
+
+  public static final Setting<Integer> VOLUME =
+      ROWS.whole("volume", "N", 0, 100, 25).text("{range} %");
+
+  public static final Setting<WindowSize> WINDOW =
+      ROWS.of("window", "SIZE", PlayerSettings::size, "1280 x 720")
+          .text("width x height, pixels")
+          .checked(PlayerSettings::sizeProblem);
+
+  public static final Setting<Boolean> FULLSCREEN =
+      ROWS.toggle("fullscreen", false).text("true or false");
+
+  public static final Setting<Boolean> VSYNC =
+      ROWS.toggle("vsync", true)
+          .text("true: pictures wait for the screen; false: they come sooner, and may tear");
+
+  public static final Setting<Integer> TEXT_SIZE =
+      ROWS.whole("text-size", "N", 75, 200, 100).text("{range} %");
+
+  public static final Setting<Palette> PALETTE =
+      labelled("colours", Palette.values(), Palette::label, "{choices}");
+
+  public static final Setting<Integer> INTERPOLATION =
+      ROWS.whole("interpolation", "N", 0, 300, 0)
+          .text("least delay of other players' bodies, {range} ms; 0 = as little as possible");
+
+  private static final Map<KeyAction, Setting<List<String>>> KEYS = new EnumMap<>(KeyAction.class);
+
+  static {
     for (KeyAction action : KeyAction.values()) {
-      copy.put(action, List.copyOf(keys.getOrDefault(action, action.defaults())));
+      String usual = String.join(", ", action.defaults());
+      KEYS.put(
+          action,
+          ROWS.of(action.settingName(), "KEYS", text -> list(text, Integer.MAX_VALUE), usual)
+              .text(action.label()));
     }
-    keys = Collections.unmodifiableMap(copy);
-    recent = List.copyOf(recent);
-    favourites = List.copyOf(favourites);
   }
 
-  private static void require(String name, int value, int min, int max) {
-    if (value < min || value > max) {
-      throw new IllegalArgumentException(name + "=" + value + " is outside " + min + ".." + max);
+  public static final Setting<List<String>> RECENT =
+      ROWS.of("recent", "SERVERS", text -> list(text, MAX_RECENT), "")
+          .text("servers, the last one first");
+
+  public static final Setting<List<String>> FAVOURITES =
+      ROWS.of("favourites", "SERVERS", text -> list(text, MAX_FAVOURITES), "").text("servers");
+
+  /**
+   * Size of the window.
+   *
+   * @param width 640..16,384 px
+   * @param height 360..16,384 px
+   */
+  public record WindowSize(int width, int height) {
+    @Override
+    public String toString() {
+      return width + " x " + height;
     }
   }
+
+  private PlayerSettings() {}
 
   /** Returns the settings of a player who has set nothing. */
   public static PlayerSettings defaults() {
-    return new PlayerSettings(
-        /* name= */ "player",
-        /* colour= */ PlayerColour.OF_THE_GAME,
-        /* volume= */ 25,
-        /* windowWidth= */ 1_280,
-        /* windowHeight= */ 720,
-        /* fullscreen= */ false,
-        /* vsync= */ true,
-        /* textSize= */ 100,
-        /* palette= */ Palette.STANDARD,
-        /* interpolationMs= */ 0,
-        /* keys= */ Map.of(),
-        /* recent= */ List.of(),
-        /* favourites= */ List.of());
+    return new PlayerSettings();
   }
 
-  /** Returns a copy for a player of this name. */
-  public PlayerSettings withName(String name) {
-    return Records.with(this, "name", name);
+  private static <E extends Enum<E>> Setting<E> labelled(
+      String name, E[] values, Function<E, String> label, String text) {
+    String words = Stream.of(values).map(label).collect(Collectors.joining(", "));
+    return ROWS.of(
+            name,
+            "WORD",
+            word ->
+                Stream.of(values)
+                    .filter(value -> label.apply(value).equals(word))
+                    .findFirst()
+                    .orElseThrow(() -> new IllegalArgumentException("not one of: " + words)),
+            label.apply(values[0]))
+        .text(text)
+        .written(label)
+        .choices(() -> words);
   }
 
-  /** Returns a copy with a body of this colour. */
-  public PlayerSettings withColour(PlayerColour colour) {
-    return Records.with(this, "colour", colour);
+  private static String nameProblem(String name) {
+    String problem = PlayerName.problem(name);
+    return problem == null ? null : ": " + problem;
   }
 
-  /** Returns a copy with this loudness. */
-  public PlayerSettings withVolume(int volume) {
-    return Records.with(this, "volume", volume);
+  private static WindowSize size(String text) {
+    if (!text.matches(SIZE) || text.length() > 20) {
+      throw new IllegalArgumentException("not like 1280 x 720");
+    }
+    return new WindowSize(
+        Integer.parseInt(text.replaceFirst(SIZE, "$1")),
+        Integer.parseInt(text.replaceFirst(SIZE, "$2")));
+  }
+
+  private static String sizeProblem(WindowSize size) {
+    return size.width < 640 || size.width > 16_384 || size.height < 360 || size.height > 16_384
+        ? "is outside 640 x 360..16384 x 16384"
+        : null;
+  }
+
+  private static List<String> list(String text, int most) {
+    return Stream.of(text.split(","))
+        .map(String::strip)
+        .filter(word -> !word.isEmpty())
+        .distinct()
+        .limit(most)
+        .toList();
+  }
+
+  /**
+   * Returns a copy with a line of the file.
+   *
+   * @throws IllegalArgumentException if the value can't be used
+   */
+  <T> PlayerSettings withLine(Setting<T> row, String text) {
+    for (Map.Entry<KeyAction, Setting<List<String>>> key : KEYS.entrySet()) {
+      if (key.getValue() == row) {
+        return withKeys(key.getKey(), key.getValue().parse(List.of(text)));
+      }
+    }
+    return parse(row, List.of(text));
   }
 
   /** Returns a copy with a window of this size. */
   public PlayerSettings withWindow(int width, int height) {
-    return Records.with(this, "windowWidth", width, "windowHeight", height);
+    return with(WINDOW, new WindowSize(width, height));
   }
 
-  /** Returns a copy whose window fills the screen, or not. */
-  public PlayerSettings withFullscreen(boolean fullscreen) {
-    return Records.with(this, "fullscreen", fullscreen);
-  }
-
-  /** Returns a copy whose pictures wait for the screen, or not. */
-  public PlayerSettings withVsync(boolean vsync) {
-    return Records.with(this, "vsync", vsync);
-  }
-
-  /** Returns a copy with texts of this size. */
-  public PlayerSettings withTextSize(int textSize) {
-    return Records.with(this, "textSize", textSize);
-  }
-
-  /** Returns a copy with these colours. */
-  public PlayerSettings withPalette(Palette palette) {
-    return Records.with(this, "palette", palette);
-  }
-
-  /** Returns a copy that draws other players' bodies at least this late. */
-  public PlayerSettings withInterpolationMs(int interpolationMs) {
-    return Records.with(this, "interpolationMs", interpolationMs);
+  /** Returns the names of the keys of each action. */
+  public Map<KeyAction, List<String>> keys() {
+    Map<KeyAction, List<String>> keys = new EnumMap<>(KeyAction.class);
+    KEYS.forEach((action, row) -> keys.put(action, get(row)));
+    return keys;
   }
 
   /** Returns a copy with these keys for an action, which lose what they did before. */
   public PlayerSettings withKeys(KeyAction action, List<String> names) {
-    Map<KeyAction, List<String>> changed = new EnumMap<>(KeyAction.class);
-    keys.forEach(
-        (other, bound) -> {
-          List<String> left = new ArrayList<>(bound);
-          left.removeAll(names);
-          changed.put(other, left);
-        });
-    changed.put(action, names);
-    return Records.with(this, "keys", changed);
+    PlayerSettings changed = this;
+    for (Setting<List<String>> row : KEYS.values()) {
+      List<String> left = new ArrayList<>(get(row));
+      left.removeAll(names);
+      changed = changed.with(row, List.copyOf(left));
+    }
+    return changed.with(KEYS.get(action), List.copyOf(names));
   }
 
   /** Returns a copy with the default keys. */
   public PlayerSettings withDefaultKeys() {
-    return Records.with(this, "keys", Map.of());
+    PlayerSettings changed = this;
+    for (Setting<List<String>> row : KEYS.values()) {
+      changed = changed.with(row, null);
+    }
+    return changed;
   }
 
   /** Returns a copy in which a server was played on last. */
   public PlayerSettings withRecent(String server) {
-    return Records.with(this, "recent", first(server, recent, MAX_RECENT));
+    return with(RECENT, first(server, get(RECENT), MAX_RECENT));
   }
 
   /** Returns a copy in which a server is a favourite, or isn't one any more if it was. */
   public PlayerSettings withFavouriteToggled(String server) {
-    if (favourites.contains(server)) {
-      List<String> left = new ArrayList<>(favourites);
-      left.remove(server);
-      return Records.with(this, "favourites", left);
-    }
-    return Records.with(this, "favourites", first(server, favourites, MAX_FAVOURITES));
+    List<String> favourites = get(FAVOURITES);
+    return with(
+        FAVOURITES,
+        favourites.contains(server)
+            ? favourites.stream().filter(other -> !other.equals(server)).toList()
+            : first(server, favourites, MAX_FAVOURITES));
   }
 
   private static List<String> first(String server, List<String> servers, int most) {
-    List<String> changed = new ArrayList<>(servers);
-    changed.remove(server);
-    changed.add(0, server);
-    return changed.subList(0, Math.min(most, changed.size()));
+    return Stream.concat(Stream.of(server), servers.stream()).distinct().limit(most).toList();
   }
 }

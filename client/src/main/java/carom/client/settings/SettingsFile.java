@@ -1,6 +1,6 @@
 package carom.client.settings;
 
-import carom.sim.message.PlayerColour;
+import carom.options.Setting;
 import carom.text.FileErrors;
 import carom.text.Suggestion;
 import carom.text.TextFile;
@@ -11,10 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiFunction;
 import java.util.function.Function;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * Keeps {@link PlayerSettings} in one text file of lines {@code name = value}. Nothing of a file
@@ -25,22 +22,6 @@ public final class SettingsFile {
   private static final String FILE = "player.conf";
   private static final String ASIDE = ".unreadable";
   private static final int MAX_BYTES = 100_000;
-
-  /**
-   * A setting of the file.
-   *
-   * @param name its name
-   * @param about what it is, in a line
-   * @param write returns its value as text
-   * @param read returns settings with a value from text; IllegalArgumentException if it can't
-   */
-  private record Line(
-      String name,
-      String about,
-      Function<PlayerSettings, String> write,
-      BiFunction<PlayerSettings, String, PlayerSettings> read) {}
-
-  private static final List<Line> LINES = lines();
 
   private final Path file;
   private PlayerSettings settings = PlayerSettings.defaults();
@@ -70,138 +51,6 @@ public final class SettingsFile {
       config = (ofShell == null || ofShell.isEmpty() ? home : ofShell) + "/.config";
     }
     return Path.of(config, "carom", FILE);
-  }
-
-  /** Returns the lines of the file. */
-  private static List<Line> lines() {
-    List<Line> lines = new ArrayList<>();
-    lines.add(new Line("name", "name in games", s -> s.name(), (s, v) -> s.withName(v)));
-    lines.add(
-        new Line(
-            "colour",
-            "of the own body: " + labels(PlayerColour.values(), PlayerColour::label),
-            s -> s.colour().label(),
-            (s, v) ->
-                s.withColour(labelled("colour", PlayerColour.values(), PlayerColour::label, v))));
-    lines.add(
-        new Line(
-            "volume",
-            "0..100 %",
-            s -> "" + s.volume(),
-            (s, v) -> s.withVolume(number("volume", v))));
-    lines.add(
-        new Line(
-            "window",
-            "width x height, pixels",
-            s -> s.windowWidth() + " x " + s.windowHeight(),
-            SettingsFile::window));
-    lines.add(
-        new Line(
-            "fullscreen",
-            "true or false",
-            s -> "" + s.fullscreen(),
-            (s, v) -> s.withFullscreen(flag("fullscreen", v))));
-    lines.add(
-        new Line(
-            "vsync",
-            "true: pictures wait for the screen; false: they come sooner, and may tear",
-            s -> "" + s.vsync(),
-            (s, v) -> s.withVsync(flag("vsync", v))));
-    lines.add(
-        new Line(
-            "text-size",
-            "75..200 %",
-            s -> "" + s.textSize(),
-            (s, v) -> s.withTextSize(number("text-size", v))));
-    lines.add(
-        new Line(
-            "colours",
-            labels(Palette.values(), Palette::label),
-            s -> s.palette().label(),
-            (s, v) -> s.withPalette(labelled("colours", Palette.values(), Palette::label, v))));
-    lines.add(
-        new Line(
-            "interpolation",
-            "least delay of other players' bodies, 0..300 ms; 0 = as little as possible",
-            s -> "" + s.interpolationMs(),
-            (s, v) -> s.withInterpolationMs(number("interpolation", v))));
-    for (KeyAction action : KeyAction.values()) {
-      lines.add(
-          new Line(
-              action.settingName(),
-              action.label(),
-              s -> String.join(", ", s.keys().get(action)),
-              (s, v) -> s.withKeys(action, list(v))));
-    }
-    lines.add(
-        new Line(
-            "recent",
-            "servers, the last one first",
-            s -> String.join(", ", s.recent()),
-            (s, v) -> each(s, list(v), PlayerSettings::withRecent)));
-    lines.add(
-        new Line(
-            "favourites",
-            "servers",
-            s -> String.join(", ", s.favourites()),
-            (s, v) -> each(s, list(v), PlayerSettings::withFavouriteToggled)));
-    return lines;
-  }
-
-  /** Adds servers from the last to the first, as each addition goes to the front. */
-  private static PlayerSettings each(
-      PlayerSettings settings,
-      List<String> servers,
-      BiFunction<PlayerSettings, String, PlayerSettings> add) {
-    PlayerSettings changed = settings;
-    for (int i = servers.size() - 1; i >= 0; i--) {
-      if (servers.indexOf(servers.get(i)) == i) {
-        changed = add.apply(changed, servers.get(i));
-      }
-    }
-    return changed;
-  }
-
-  private static int number(String name, String text) {
-    try {
-      return Integer.parseInt(text);
-    } catch (NumberFormatException e) {
-      throw new IllegalArgumentException(name + "=" + text + " is not a whole number", e);
-    }
-  }
-
-  private static boolean flag(String name, String text) {
-    if (!text.equals("true") && !text.equals("false")) {
-      throw new IllegalArgumentException(name + "=" + text + " is neither true nor false");
-    }
-    return text.equals("true");
-  }
-
-  private static PlayerSettings window(PlayerSettings settings, String text) {
-    String[] sides = text.split("x", 3);
-    if (!text.matches("\\d+ *x *\\d+")) {
-      throw new IllegalArgumentException("window=" + text + " is not like 1280 x 720");
-    }
-    return settings.withWindow(
-        number("window", sides[0].strip()), number("window", sides[1].strip()));
-  }
-
-  private static <T> String labels(T[] values, Function<T, String> label) {
-    return Stream.of(values).map(label).collect(Collectors.joining(", "));
-  }
-
-  private static <T> T labelled(String name, T[] values, Function<T, String> label, String text) {
-    for (T value : values) {
-      if (label.apply(value).equals(text)) {
-        return value;
-      }
-    }
-    throw new IllegalArgumentException(
-        name + "=" + text + " is not one of: " + labels(values, label));
-  }
-
-  private static List<String> list(String text) {
-    return Stream.of(text.split(",")).map(String::strip).filter(s -> !s.isEmpty()).toList();
   }
 
   /**
@@ -241,12 +90,12 @@ public final class SettingsFile {
       throw new IllegalArgumentException("\"" + text + "\" is not like name = value");
     }
     String name = text.substring(0, at).strip();
-    for (Line line : LINES) {
-      if (line.name.equals(name)) {
-        return line.read.apply(settings, text.substring(at + 1).strip());
+    for (Setting<?> row : PlayerSettings.ROWS.all()) {
+      if (row.name().equals(name)) {
+        return settings.withLine(row, text.substring(at + 1).strip());
       }
     }
-    List<String> names = LINES.stream().map(Line::name).toList();
+    List<String> names = PlayerSettings.ROWS.all().stream().<String>map(Setting::name).toList();
     throw new IllegalArgumentException(
         "unknown setting " + name + Suggestion.didYouMean(name, names));
   }
@@ -295,9 +144,9 @@ public final class SettingsFile {
 
   private static String text(PlayerSettings settings) {
     StringBuilder text = new StringBuilder("# Carom's settings; the client writes them here.\n");
-    for (Line line : LINES) {
-      text.append("\n# ").append(line.about).append('\n');
-      text.append(line.name).append(" = ").append(line.write.apply(settings)).append('\n');
+    for (Setting<?> row : PlayerSettings.ROWS.all()) {
+      text.append("\n# ").append(row.doc()).append('\n');
+      text.append(row.name()).append(" = ").append(settings.text(row)).append('\n');
     }
     return text.toString();
   }

@@ -3,7 +3,7 @@
  * It knows no toolkit: keys are names.
  *
  * <p>Imports {@code carom.client.link}, {@code carom.net.protocol}, {@code carom.text}, {@code
- * carom.values} and the JDK. Read first: {@link carom.client.settings.PlayerSettings}, {@link
+ * carom.options} and the JDK. Read first: {@link carom.client.settings.PlayerSettings}, {@link
  * carom.client.settings.SettingsFile}.
  */
 package carom.client.settings;

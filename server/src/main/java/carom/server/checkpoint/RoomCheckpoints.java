@@ -122,7 +122,7 @@ public final class RoomCheckpoints {
     this.room = room;
     this.disk = disk;
     folder = new SlotFolder(path);
-    intervalTicks = seconds * room.config().tickRateHz();
+    intervalTicks = seconds * room.config().get(ServerConfig.TICK_RATE);
     seats = new SlotSeats(room.seats(), room.bySeat());
   }
 
@@ -294,7 +294,7 @@ public final class RoomCheckpoints {
             slot.number(),
             failure);
       }
-      dueTick = course.match().simulation().tick() + room.config().tickRateHz();
+      dueTick = course.match().simulation().tick() + room.config().get(ServerConfig.TICK_RATE);
     }
   }
 
@@ -406,7 +406,7 @@ public final class RoomCheckpoints {
         new SavedRoom(
             Protocol.physicsDigest(),
             SimState.LAYOUT,
-            SavedRoom.config(room.room(), room.config().tickRateHz()),
+            SavedRoom.config(room.room(), room.config().get(ServerConfig.TICK_RATE)),
             roomSeed,
             course.match().info().number(),
             course.rotation(),

@@ -3,6 +3,7 @@ package carom.server.checkpoint;
 import carom.net.protocol.ProtocolLimits;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
@@ -71,7 +72,7 @@ final class RoomResume {
    */
   ResumedRoom run() throws IOException {
     saved = readSeats();
-    saved.requireFits(SavedRoom.config(room.room(), room.config().tickRateHz()));
+    saved.requireFits(SavedRoom.config(room.room(), room.config().get(ServerConfig.TICK_RATE)));
     int proven = play(Integer.MAX_VALUE);
     if (trouble != null) {
       LOG.warn(

@@ -1,7 +1,7 @@
 package carom.server.command;
 
+import carom.server.config.EffectiveSetting;
 import carom.server.config.EffectiveSettings;
-import carom.server.config.Setting;
 import carom.text.Suggestion;
 import java.util.List;
 import java.util.Map;
@@ -102,7 +102,10 @@ public final class ReloadCommand {
     set.clear();
     set.putAll(next);
     return changes.isEmpty()
-        ? name + " = " + shown(present.find(name).map(Setting::value).orElse("")) + " as before"
+        ? name
+            + " = "
+            + shown(present.find(name).map(EffectiveSetting::value).orElse(""))
+            + " as before"
         : changes.strip();
   }
 
@@ -118,8 +121,8 @@ public final class ReloadCommand {
   private String apply(EffectiveSettings next) {
     StringBuilder text = new StringBuilder();
     Set<String> refused = new TreeSet<>();
-    for (Setting setting : next.all()) {
-      String before = present.find(setting.name()).map(Setting::value).orElse("");
+    for (EffectiveSetting setting : next.all()) {
+      String before = present.find(setting.name()).map(EffectiveSetting::value).orElse("");
       if (!setting.value().equals(before)) {
         Consumer<String> change = live.get(setting.name());
         String outcome = change == null ? "needs a restart" : "holds now";

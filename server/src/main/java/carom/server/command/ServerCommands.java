@@ -1,12 +1,12 @@
 package carom.server.command;
 
+import carom.options.Setting;
 import carom.server.config.DataFolder;
+import carom.server.config.EffectiveSetting;
 import carom.server.config.EffectiveSettings;
-import carom.server.config.Setting;
 import carom.text.Suggestion;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Set;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 
@@ -14,20 +14,17 @@ import java.util.function.UnaryOperator;
 public final class ServerCommands {
   private final Supplier<List<String>> status;
   private final Supplier<EffectiveSettings> settings;
-  private final Set<String> live;
   private final List<Path> recordings;
   private final UnaryOperator<String> replay;
 
   private ServerCommands(
       Supplier<List<String>> status,
       Supplier<EffectiveSettings> settings,
-      Set<String> live,
       List<Path> recordings,
       UnaryOperator<String> replay) {
     this.recordings = List.copyOf(recordings);
     this.status = status;
     this.settings = settings;
-    this.live = live;
     this.replay = replay;
   }
 
@@ -36,7 +33,6 @@ public final class ServerCommands {
    *
    * @param status returns lines about rooms and load
    * @param settings returns the settings in force
-   * @param live names of the settings that {@code reload} and {@code set} bring into force
    * @param recordings folders with files that operators may have computed again
    * @param replay computes a recording again and returns the outcome
    */
@@ -44,10 +40,9 @@ public final class ServerCommands {
       CommandRegistry registry,
       Supplier<List<String>> status,
       Supplier<EffectiveSettings> settings,
-      Set<String> live,
       List<Path> recordings,
       UnaryOperator<String> replay) {
-    ServerCommands all = new ServerCommands(status, settings, live, recordings, replay);
+    ServerCommands all = new ServerCommands(status, settings, recordings, replay);
     registry.add(
         new Command(
                 "status", "", "Shows load and traffic since the start.", all::status, Command.NONE)
@@ -81,14 +76,14 @@ public final class ServerCommands {
       return describe(words.word(0, "SETTING"));
     }
     TextTable table = new TextTable("setting", "value", "origin");
-    for (Setting setting : settings.get().all()) {
-      table.add(setting.name(), setting.shown(), setting.origin());
+    for (EffectiveSetting setting : settings.get().all()) {
+      table.add(setting.name(), setting.row().shown(setting.value()), setting.origin());
     }
     return table.toString();
   }
 
   private String describe(String name) throws CommandException {
-    Setting setting =
+    EffectiveSetting setting =
         settings
             .get()
             .find(name)
@@ -98,16 +93,17 @@ public final class ServerCommands {
                         "unknown setting="
                             + name
                             + Suggestion.didYouMean(name, settings.get().names())));
+    Setting<?> row = setting.row();
     return "%s = %s\n  from: %s\n  default: %s\n  %s\n  set it with --%s, %s or in the file; it holds from %s"
         .formatted(
             setting.name(),
-            setting.shown(),
+            row.shown(setting.value()),
             setting.origin(),
-            setting.shownDefault(),
-            setting.doc(),
-            setting.name(),
-            setting.variable(),
-            live.contains(setting.name()) ? "the command 'reload' or 'set' on" : "the next start");
+            row.shown(row.initialText()),
+            row.doc(),
+            row.name(),
+            row.variable(),
+            row.isLive() ? "the command 'reload' or 'set' on" : "the next start");
   }
 
   private String replay(CommandWords words) throws CommandException {

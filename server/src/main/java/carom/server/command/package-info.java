@@ -3,7 +3,7 @@
  * pass it lines, with who gives them, and show its answers.
  *
  * <p>Allowed imports: {@code carom.server.config}, {@code carom.server.room}, {@code carom.game},
- * {@code carom.values}, {@code carom.server.metrics}, {@code carom.sim.level}, the JDK. Read first:
- * {@link carom.server.command.CommandRegistry}, {@link carom.server.command.RoomCommands}.
+ * {@code carom.options}, {@code carom.server.metrics}, {@code carom.sim.level}, the JDK. Read
+ * first: {@link carom.server.command.CommandRegistry}, {@link carom.server.command.RoomCommands}.
  */
 package carom.server.command;

@@ -1,5 +1,6 @@
 package carom.server.config;
 
+import carom.options.Setting;
 import com.typesafe.config.ConfigValueFactory;
 import java.util.List;
 import java.util.Optional;
@@ -10,7 +11,7 @@ import java.util.regex.Pattern;
  *
  * @param all the settings
  */
-public record EffectiveSettings(List<Setting> all) {
+public record EffectiveSettings(List<EffectiveSetting> all) {
   /** Texts that need no quotes. */
   private static final Pattern PLAIN = Pattern.compile("(?!.*//)[-\\w./%]([-\\w./% ]*[-\\w./%])?");
 
@@ -23,12 +24,32 @@ public record EffectiveSettings(List<Setting> all) {
 
   /** Returns the names of all settings. */
   public List<String> names() {
-    return all.stream().map(Setting::name).toList();
+    return all.stream().map(EffectiveSetting::name).toList();
   }
 
   /** Returns the setting of this name. */
-  public Optional<Setting> find(String name) {
+  public Optional<EffectiveSetting> find(String name) {
     return all.stream().filter(setting -> setting.name().equals(name)).findFirst();
+  }
+
+  /** Returns whether a layer above the default sets this. */
+  public boolean isSet(Setting<?> row) {
+    return find(row.name()).orElseThrow().isSet();
+  }
+
+  /**
+   * Returns the values.
+   *
+   * @throws IllegalArgumentException for the first that can't be used
+   */
+  public ServerConfig config() {
+    ServerConfig config = new ServerConfig();
+    for (EffectiveSetting setting : all) {
+      if (setting.isSet()) {
+        config = config.parse(setting.row(), setting.given());
+      }
+    }
+    return config;
   }
 
   /**
@@ -42,26 +63,26 @@ public record EffectiveSettings(List<Setting> all) {
         "Settings of carom-server. Each is also a flag (--tick-rate) and an environment variable"
             + " (CAROM_TICK_RATE). Flags win over variables, variables over this file, and this"
             + " file over the defaults, which are shown in comments. Numbers may have a unit.");
-    for (Setting setting : all) {
+    for (EffectiveSetting setting : all) {
       file.append('\n');
-      wrap(file, setting.doc());
+      wrap(file, setting.row().doc());
       file.append(setting.isSet() ? "" : "#");
       file.append(setting.name()).append(" = ").append(value(setting)).append('\n');
     }
     return file.toString();
   }
 
-  private static String value(Setting setting) {
+  private static String value(EffectiveSetting setting) {
     List<String> values = setting.values();
     if (values.isEmpty()) {
-      return "<" + setting.kind() + ">";
+      return "<" + setting.row().label() + ">";
     }
     if (values.size() > 1) {
       return "["
           + String.join(", ", values.stream().map(EffectiveSettings::literal).toList())
           + "]";
     }
-    return literal(SettingUnits.with(setting.kind(), values.get(0)));
+    return literal(setting.row().shown(values.get(0)));
   }
 
   private static String literal(String text) {

@@ -111,14 +111,14 @@ public record RoomConfig(
    */
   public static List<RoomConfig> equalRooms(ServerConfig config, List<String> levels) {
     List<RoomConfig> rooms = new ArrayList<>();
-    for (int number = 1; number <= config.rooms(); number++) {
+    for (int number = 1; number <= config.get(ServerConfig.ROOMS); number++) {
       rooms.add(
           new RoomConfig(
               String.valueOf(number),
-              levels.isEmpty() ? config.gameName() : "",
+              levels.isEmpty() ? config.get(ServerConfig.GAME) : "",
               levels,
-              config.maxPlayers(),
-              config.seed() + number - 1,
+              config.get(ServerConfig.MAX_PLAYERS),
+              config.get(ServerConfig.SEED) + number - 1,
               Map.of()));
     }
     return List.copyOf(rooms);

@@ -1,360 +1,490 @@
 package carom.server.config;
 
+import carom.game.Games;
 import carom.net.protocol.ProtocolLimits;
+import carom.net.seal.Encryption;
+import carom.options.NetworkConditions;
+import carom.options.Rows;
+import carom.options.Setting;
+import carom.options.Settings;
 import carom.physics.threads.WorkerThreads;
 import carom.sim.message.BuiltInKinds;
-import carom.values.Records;
-import java.util.Locale;
-import java.util.Objects;
+import java.nio.file.Path;
+import java.util.List;
 
 /**
- * The settings of a server. Immutable; start from {@link #defaults()}. The constructor refuses a
- * value outside its range with a message that names the setting, the value, the limits and where to
- * set it.
+ * The settings of a server: a row for each, and a value for each row. Immutable; start from {@link
+ * #defaults()}.
  *
- * @param gameName name of the game to run, one of those of {@code carom.game.Games}
- * @param serverName what players and log lines call this server, 1..40 characters
- * @param tickRateHz simulation steps per second, 10..240. 60 fits most games. Each session costs
- *     one datagram per tick in both directions
- * @param seed seed of the first room's random numbers; each further room's is one higher. The same
- *     seed and the same inputs give the same game
- * @param rooms number of rooms, 1..64. Each has its own world, players and thread
- * @param threads number of threads that may step one world together, 1..64: the room's own and
- *     helpers that all rooms share. 1 means no helpers. Helpers pay off in worlds of a thousand
- *     bodies and more, and change no result
- * @param maxPlayers seats of each room, 1..1,024 because the protocol numbers players in 10 bits;
- *     at most 4,096 in all rooms together. The lobby refuses a player when all rooms are full
- * @param handshakeTimeoutMs longest time from the opening of a link to a valid Hello, 100..60,000
- * @param loadTimeoutMs longest time from Welcome to Ready, 100..600,000. A slow machine on a slow
- *     line must be able to receive the level in this time
- * @param silenceTimeoutMs how long a playing session may stay silent (no datagram, no message)
- *     until its link counts as lost, 500..60,000. Dropped ticks and pauses of the server itself
- *     don't count
- * @param graceMs how long the body of a player whose link was lost stays in the game, 0..600,000; 0
- *     removes it at once
- * @param idleKickS time without another input after which a player gives way to a newcomer of a
- *     full room, s, 0..86,400; 0 = never
- * @param networkSharePercent share of a full room's seats that the players of one network (IPv4
- *     /24, IPv6 /64) keep when others want to play, percent, 1..100, but at least two seats
- * @param maxLoadPercent time that 95 of 100 ticks of a room may take, percent of their period, up
- *     to which it lets newcomers in, 0..300; 0 = whatever they take
- * @param catchUpTicks most ticks that a room runs in one burst after a pause, 1..60. A quarter of a
- *     second bridges a pause of the garbage collector or of a busy machine. The room drops and
- *     counts older ticks, so that a long pause doesn't cause a longer one
- * @param inputWindowTicks how far ahead of the newest consumed tick an input may lie, 4..64. The
- *     server refuses and counts inputs beyond
- * @param inputHoldTicks number of ticks for which the server repeats the last input when none
- *     arrives, 0..240. Then the input is neutral
- * @param snapshotRateHz snapshots per second and session while something moves, 1..240, at most one
- *     per tick
- * @param keepAliveRateHz datagrams per second and session while nothing is new, 1..60. Acks, the
- *     clock and the round trip time depend on them
- * @param snapshotBitsPerSecond budget of one session's snapshots, bits of payload per second,
- *     16,000..80,000,000. Entities that don't fit wait and collect priority
- * @param viewMetres largest half width and half height of a player's view, m, 0..4,096. In levels
- *     that are no larger the player sees everything. 0 = 64, and everything in small worlds. A room
- *     that is too busy tells players only of what they show
- * @param rosterIntervalMs shortest time between two rosters (names and scores), ms, 0..10,000
- * @param statusIntervalS time between two status lines in the log, s, 0..86,400; 0 = none
- * @param pausesIdleRooms whether a room without players, spectators and recording stops ticking. It
- *     goes on where it stopped as soon as a player comes
- * @param takesAnyCode whether players whose build of a game differs may play, with a warning; for
- *     developers
- * @param welcome what the server says to each player who joins, 0..120 characters; empty for
- *     nothing
+ * <p><b>Length.</b> One table: each row says all there is to know of a setting.
  */
-public record ServerConfig(
-    String gameName,
-    String serverName,
-    int tickRateHz,
-    long seed,
-    int rooms,
-    int threads,
-    int maxPlayers,
-    int handshakeTimeoutMs,
-    int loadTimeoutMs,
-    int silenceTimeoutMs,
-    int graceMs,
-    int idleKickS,
-    int networkSharePercent,
-    int maxLoadPercent,
-    int catchUpTicks,
-    int inputWindowTicks,
-    int inputHoldTicks,
-    int snapshotRateHz,
-    int keepAliveRateHz,
-    int snapshotBitsPerSecond,
-    int viewMetres,
-    int rosterIntervalMs,
-    int statusIntervalS,
-    boolean pausesIdleRooms,
-    boolean takesAnyCode,
-    String welcome) {
-
-  private static final int MAX_SERVER_NAME = 40;
-
-  /** Largest load up to which rooms can let newcomers in, percent. */
-  public static final int MAX_LOAD_PERCENT = 300;
-
-  /** Smallest snapshot budget of a player, bits of payload per second. */
-  public static final int MIN_BUDGET = 16_000;
-
-  /** Largest snapshot budget of a player, bits of payload per second. */
-  public static final int MAX_BUDGET = 80_000_000;
-
+public final class ServerConfig extends Settings<ServerConfig> {
   /** Largest number of rooms. */
   public static final int MAX_ROOMS = 64;
 
   /** Largest number of seats in all rooms together. */
   public static final int MAX_PLACES = 4_096;
 
-  /**
-   * Checks every setting.
-   *
-   * @throws IllegalArgumentException if a setting is out of range; the message names the first
-   */
-  public ServerConfig {
-    Objects.requireNonNull(gameName, "gameName");
-    Objects.requireNonNull(serverName, "serverName");
-    if (gameName.isBlank()) {
-      throw new IllegalArgumentException("gameName is blank; set the name of a game with --game");
-    }
-    if (serverName.isBlank() || serverName.length() > MAX_SERVER_NAME) {
-      throw new IllegalArgumentException(
-          String.format(
-              Locale.ROOT,
-              "serverName=\"%s\" has %d characters, allowed are 1..%d; set it with --name",
-              serverName,
-              serverName.strip().length(),
-              MAX_SERVER_NAME));
-    }
-    check("tickRateHz", tickRateHz, 10, 240, "--tick-rate");
-    check("rooms", rooms, 1, MAX_ROOMS, "--rooms");
-    check("threads", threads, 1, WorkerThreads.MAX_COUNT, "--threads");
-    check("maxPlayers", maxPlayers, 1, ProtocolLimits.MAX_PLAYERS, "--max-players");
-    if (rooms * maxPlayers > MAX_PLACES) {
-      throw new IllegalArgumentException(
-          String.format(
-              Locale.ROOT,
-              "rooms=%d with maxPlayers=%d each are %d places, a server has at most %d; %s",
-              rooms,
-              maxPlayers,
-              rooms * maxPlayers,
-              MAX_PLACES,
-              "lower --rooms or --max-players"));
-    }
-    check("handshakeTimeoutMs", handshakeTimeoutMs, 100, 60_000, "withHandshakeTimeoutMs");
-    check("loadTimeoutMs", loadTimeoutMs, 100, 600_000, "withLoadTimeoutMs");
-    check("silenceTimeoutMs", silenceTimeoutMs, 500, 60_000, "withSilenceTimeoutMs");
-    check("graceMs", graceMs, 0, 600_000, "--grace");
-    check("idleKickS", idleKickS, 0, 86_400, "--idle-kick");
-    check("networkSharePercent", networkSharePercent, 1, 100, "--network-share");
-    check("maxLoadPercent", maxLoadPercent, 0, MAX_LOAD_PERCENT, "--max-load");
-    check("catchUpTicks", catchUpTicks, 1, 60, "withCatchUpTicks");
-    check("inputWindowTicks", inputWindowTicks, 4, 64, "withInputWindowTicks");
-    check("inputHoldTicks", inputHoldTicks, 0, 240, "withInputHoldTicks");
-    check("snapshotRateHz", snapshotRateHz, 1, 240, "--snapshot-rate");
-    check("keepAliveRateHz", keepAliveRateHz, 1, 60, "withKeepAliveRateHz");
-    check("snapshotBitsPerSecond", snapshotBitsPerSecond, MIN_BUDGET, MAX_BUDGET, "--budget");
-    check("viewMetres", viewMetres, 0, 4_096, "--view");
-    check("rosterIntervalMs", rosterIntervalMs, 0, 10_000, "withRosterIntervalMs");
-    check("statusIntervalS", statusIntervalS, 0, 86_400, "--status-interval");
-    check("welcome's length", welcome.length(), 0, BuiltInKinds.MAX_CHAT, "--welcome");
+  /** Longest time between checkpoints, s. */
+  public static final int MAX_CHECKPOINT_S = 600;
+
+  /** Flags that are no settings: other layers have none of them. */
+  public static final Rows ONLY_FLAGS = Rows.ofFlags();
+
+  /** All settings that an operator has, in the order of {@code --help}. */
+  public static final Rows ROWS = Rows.ofFlags();
+
+  private static final Rows INNER = Rows.inner();
+
+  public static final Setting<Path> CONFIG =
+      ONLY_FLAGS
+          .path("config", "FILE", null)
+          .text(
+              "File of settings: name = value, with the names of these flags (carom.conf in the"
+                  + " data folder, if it is there). Flags win over environment variables such as"
+                  + " CAROM_TICK_RATE, variables over the file.");
+
+  public static final Setting<Boolean> PRINT_CONFIG =
+      ONLY_FLAGS
+          .mark("print-config")
+          .text("Prints the settings as such a file, with what each does, and ends.");
+
+  public static final Setting<Path> DATA =
+      ROWS.path("data", "FOLDER", "data")
+          .text(
+              "Folder of the server's own files: settings, key, bans, levels, recordings, logs"
+                  + " ({default}).");
+
+  public static final Setting<List<String>> BIND =
+      ROWS.texts("bind", "ADDRESS")
+          .text(
+              "Address of this machine on which the ports are open; give it once for each;"
+                  + " 0.0.0.0 = all of IPv4 (all, also of IPv6).");
+
+  public static final Setting<Integer> TCP_PORT =
+      ROWS.port("tcp-port", 54555)
+          .text("Port for reliable messages, {range}, 0 = any free one ({default}).");
+
+  public static final Setting<Integer> UDP_PORT =
+      ROWS.port("udp-port", 54777)
+          .text("Port for datagrams, {range}, 0 = any free one ({default}).");
+
+  public static final Setting<List<String>> PROXY_FROM =
+      ROWS.texts("proxy-from", "NETWORK")
+          .text(
+              "Address or network of a proxy (10.0.0.5, 10.0.0.0/8) before the TCP port: its"
+                  + " connections begin with a PROXY protocol header, version 2, that says where"
+                  + " the player is; give it once for each.");
+
+  public static final Setting<Encryption> ENCRYPTION =
+      ROWS.choice("encryption", "on|off", Encryption.ON)
+          .text("Encrypt the links; off is for debugging, and players need it, too ({default}).");
+
+  public static final Setting<String> GAME =
+      ROWS.text("game", "NAME", null)
+          .text("Game to run: {choices} (that of the level, or arena).")
+          .choices(() -> String.join(", ", Games.names()));
+
+  public static final Setting<String> LEVEL =
+      ROWS.text("level", "FILE", null)
+          .text("Level file, or the name of one that comes with the program (the game's own).");
+
+  public static final Setting<String> LEVELS =
+      ROWS.text("levels", "A,B,C", null)
+          .text(
+              "Levels that follow each other in every room: the next begins when a match is"
+                  + " over, and the first after the last.")
+          .live();
+
+  public static final Setting<List<String>> ROOM =
+      ROWS.texts("room", "NAME=LEVELS")
+          .text(
+              "A room with a name of its own, NAME=LEVEL[,LEVEL...][:PLAYERS]; give it once for"
+                  + " each room, up to 64 times. A game's name stands for its default level."
+                  + " Example: --room cup=arena,commons:16 --room jump=platformer.");
+
+  public static final Setting<List<String>> ROOM_INFO =
+      ROWS.texts("room-info", "ROOM:KEY=VALUE")
+          .text(
+              "What lists of rooms show about a room, up to 8 entries for each; a room without"
+                  + " a name is called by its number. Example: --room-info cup:skill=beginners.");
+
+  public static final Setting<String> SCENE =
+      ROWS.text("scene", "NAME", null)
+          .text("Scene of the library to watch, instead of a game; players have no bodies.");
+
+  public static final Setting<String> WELCOME =
+      ROWS.text("welcome", "TEXT", 0, BuiltInKinds.MAX_CHAT, "")
+          .text("What the server says to each player who joins, up to 120 characters (nothing).")
+          .live();
+
+  public static final Setting<Integer> TICK_RATE =
+      ROWS.whole("tick-rate", "HZ", 10, 240, 60)
+          .text("Simulation steps per second, {range} ({default}).");
+
+  public static final Setting<Long> SEED =
+      ROWS.seed("seed", null)
+          .text("Start of the random numbers; the same seed starts the same game (random).");
+
+  public static final Setting<String> NAME =
+      ROWS.text("name", "TEXT", 1, 40, "Carom")
+          .text("What the log calls this server, {range} characters ({default}).")
+          .live();
+
+  public static final Setting<Integer> ROOMS =
+      ROWS.whole("rooms", "N", 1, MAX_ROOMS, 1)
+          .text(
+              "Equal rooms that play side by side, {range}, each with a thread of its own; a"
+                  + " newcomer gets into the fullest that has a place ({default}).");
+
+  public static final Setting<Integer> THREADS =
+      ROWS.whole("threads", "N", 1, WorkerThreads.MAX_COUNT, 1)
+          .text(
+              "Threads that may step one world together, {range}: the room's own and helpers"
+                  + " that all rooms share; for worlds of thousands of bodies ({default}).");
+
+  public static final Setting<Integer> MAX_PLAYERS =
+      ROWS.whole("max-players", "N", 1, ProtocolLimits.MAX_PLAYERS, 64)
+          .text("Places in each room, {range}, at most 4096 in all rooms together ({default}).")
+          .live();
+
+  public static final Setting<Integer> SNAPSHOT_RATE =
+      ROWS.whole("snapshot-rate", "HZ", 1, 240, null)
+          .text("Snapshots per second and player, {range}, at most one a tick (one a tick).")
+          .live();
+
+  public static final Setting<Integer> BUDGET =
+      ROWS.whole("budget", "KBIT", 16, 80000, 512)
+          .text("Snapshots for one player, kbit/s of payload, {range} ({default}).")
+          .live();
+
+  public static final Setting<Integer> VIEW =
+      ROWS.whole("view", "METRES", 0, 4096, 0)
+          .text(
+              "Largest half width and half height a player is told about, up to 4096; 0 = 64,"
+                  + " and everything in small worlds ({default}).");
+
+  public static final Setting<Integer> GRACE =
+      ROWS.whole("grace", "S", 0, 600, 30)
+          .text("Seconds the body of a player who lost the connection waits, {range} ({default}).");
+
+  public static final Setting<Integer> IDLE_KICK =
+      ROWS.whole("idle-kick", "S", 0, 86400, 60)
+          .text(
+              "Seconds without another input after which a player gives way to a newcomer, if"
+                  + " the room is full, {range}; 0 = never ({default}).");
+
+  public static final Setting<Integer> NETWORK_SHARE =
+      ROWS.whole("network-share", "PERCENT", 1, 100, 6)
+          .text(
+              "Share of a full room's places that players of one network (IPv4 /24, IPv6 /64)"
+                  + " keep when others want to play, {range}, at least two places; beyond it the"
+                  + " newest gives way; 100 = never ({default}).");
+
+  public static final Setting<Double> MAX_LOAD =
+      ROWS.number("max-load", "X", 0, 3, 0.8)
+          .text(
+              "Largest part of their time that 95 of 100 ticks of a room may take for it to let"
+                  + " newcomers in, {range}; 0 = whatever they take ({default}).")
+          .live();
+
+  public static final Setting<Integer> CHECKPOINT =
+      ROWS.whole("checkpoint", "S", 0, MAX_CHECKPOINT_S, 0)
+          .text(
+              "Seconds between checkpoints in the data folder, {range}; a server that was"
+                  + " killed goes on from the last one when it starts again, and players get their"
+                  + " bodies back; 0 = none ({default}).");
+
+  public static final Setting<String> RECORD =
+      ROWS.text("record", "FILE", null)
+          .text(
+              "Record the game to this new file, or to a new file in this folder, which ends"
+                  + " with a slash if it isn't there yet; 'carom replay FILE' computes it again.");
+
+  public static final Setting<String> RECORD_ROTATE =
+      ROWS.text("record-rotate", "LIMIT", "0")
+          .text(
+              "Begin another file in the folder of --record after so many minutes, 1..1440, or when"
+                  + " one has reached a size, such as 256M or 2G; each is playable by itself; 0 ="
+                  + " never ({default}).");
+
+  public static final Setting<Integer> RECORD_KEEP =
+      ROWS.whole("record-keep", "N", 0, 10000, 0)
+          .text(
+              "With --record-rotate: keep the last N files of this run and each room, 1..10000;"
+                  + " 0 = all ({default}).");
+
+  public static final Setting<Integer> SPECTATOR_DELAY =
+      ROWS.whole("spectator-delay", "S", 0, 3600, 0)
+          .text(
+              "Show every game to spectators (carom-client --watch) S seconds late, 1..3600; 0"
+                  + " = don't ({default}).");
+
+  static {
+    ROWS.addAll(NetworkConditions.ROWS);
   }
 
-  private static void check(String name, int value, int min, int max, String where) {
-    if (value < min || value > max) {
-      throw new IllegalArgumentException(
-          String.format(
-              Locale.ROOT,
-              "%s=%d is outside %d..%d; set it with %s",
-              name,
-              value,
-              min,
-              max,
-              where));
-    }
+  public static final Setting<Boolean> QUERY =
+      ROWS.toggle("query", true)
+          .text("Answer A2S status queries of server lists and local networks (UDP).");
+
+  public static final Setting<Integer> QUERY_PORT =
+      ROWS.port("query-port", 27015)
+          .text("Port for status queries, {range}, 0 = any free one ({default}).");
+
+  public static final Setting<Boolean> RCON =
+      ROWS.toggle("rcon", false)
+          .text(
+              "Take commands by Source RCON (TCP, not encrypted); the password is in"
+                  + " rcon.password of the data folder.");
+
+  public static final Setting<Integer> RCON_PORT =
+      ROWS.port("rcon-port", 27015).text("Port for RCON, {range}, 0 = any free one ({default}).");
+
+  public static final Setting<String> RCON_BIND =
+      ROWS.text("rcon-bind", "ADDRESS", "127.0.0.1")
+          .text("Address of this machine for RCON ({default}).");
+
+  public static final Setting<String> PLAIN_PORT =
+      ROWS.text("plain-port", "TCP[:UDP]", null)
+          .text(
+              "Port for clients with stock KryoNet and Kryo 2.24, not encrypted, and with a second"
+                  + " number one for their datagrams; 0 = any free one. Without UDP snapshots go by"
+                  + " TCP (none).");
+
+  public static final Setting<Boolean> PLAIN_OPEN =
+      ROWS.toggle("plain-open", false)
+          .text(
+              "Let clients come to --plain-port from outside private networks, too; anybody who"
+                  + " sees their packets can read and change them.");
+
+  public static final Setting<Integer> STATUS_INTERVAL =
+      ROWS.whole("status-interval", "S", 0, 86400, 60)
+          .text("Seconds between status lines in the log, 0 = none ({default}).");
+
+  public static final Setting<Idle> IDLE =
+      ROWS.choice("idle", "pause|run", Idle.PAUSE)
+          .text(
+              "What a room does while nobody plays or watches and nothing is recorded: pause"
+                  + " until a player comes, or run on ({default}).");
+
+  public static final Setting<Boolean> DEV =
+      ROWS.toggle("dev", false)
+          .text(
+              "For developers of games: let in players whose build of the game differs, with a"
+                  + " warning instead of a refusal.");
+
+  public static final Setting<Boolean> ALLOW_LIST =
+      ROWS.toggle("allow-list", false)
+          .text(
+              "Let only players in that allow.txt of the data folder names; the command 'allow'"
+                  + " adds to it.")
+          .live();
+
+  public static final Setting<Path> PASSWORD_FILE =
+      ROWS.path("password-file", "FILE", null)
+          .text(
+              "Demand a password from players and spectators: the first line of this file, at"
+                  + " least 12 characters; made with a random one if it isn't there (none).");
+
+  public static final Setting<Path> JOIN_KEY =
+      ROWS.path("join-key", "FILE", null)
+          .text(
+              "Demand join tokens that belong to this public key: Ed25519, PEM (everybody may"
+                  + " join).");
+
+  public static final Setting<Integer> TOKEN_USES =
+      ROWS.whole("token-uses", "N", 0, 1024, 0)
+          .text(
+              "Seats that one account may have at a time with join tokens, {range}, 0 = any"
+                  + " number ({default}).");
+
+  public static final Setting<Boolean> WEB =
+      ROWS.toggle("web", true)
+          .text(
+              "Show the live page and answer /healthz, /readyz and /metrics (Prometheus) over"
+                  + " HTTP; --no-web doesn't.");
+
+  public static final Setting<Integer> WEB_PORT =
+      ROWS.port("web-port", 8090).text("Port for HTTP, {range}, 0 = any free one ({default}).");
+
+  public static final Setting<String> WEB_BIND =
+      ROWS.text("web-bind", "ADDRESS", "127.0.0.1")
+          .text(
+              "Address of this machine for HTTP. On a loopback address visitors at this machine"
+                  + " may watch, others only with the token in admin.token of the data folder"
+                  + " ({default}).");
+
+  public static final Setting<List<String>> WEB_HOST =
+      ROWS.texts("web-host", "NAME")
+          .text(
+              "Name under which browsers may open the page, beside addresses and localhost;"
+                  + " give it once for each name.");
+
+  public static final Setting<List<String>> WEB_BEHIND =
+      ROWS.texts("web-behind", "NETWORK")
+          .text(
+              "Address or network of a proxy (127.0.0.1, 10.0.0.0/8) before the page: its"
+                  + " visitors come from where X-Forwarded-For says, and watch with the token only;"
+                  + " give it once for each.");
+
+  public static final Setting<Integer> PLAY_PORT =
+      ROWS.port("play-port", null)
+          .text(
+              "Port for HTTP and WebSocket at which browsers play (/play) and thin clients of"
+                  + " any language (/thin, see docs/protocol/THIN.md), {range}, 0 = any free one (closed).");
+
+  public static final Setting<List<String>> PLAY_HOST =
+      ROWS.texts("play-host", "NAME")
+          .text(
+              "Name under which browsers may reach the play port, beside its addresses and"
+                  + " localhost, or whose pages may connect to it, such as game.example.org; give"
+                  + " it once for each.");
+
+  public static final Setting<List<String>> PLAY_BEHIND =
+      ROWS.texts("play-behind", "NETWORK")
+          .text(
+              "Address or network of a proxy (127.0.0.1, 10.0.0.0/8) before the play port: its"
+                  + " players come from where X-Forwarded-For says; give it once for each.");
+
+  public static final Setting<Path> TLS_CERT =
+      ROWS.path("tls-cert", "FILE", null)
+          .text(
+              "Encrypt the play port with the certificates in this file: PEM, the server's own"
+                  + " first; read again when it changes (not encrypted).");
+
+  public static final Setting<Path> TLS_KEY =
+      ROWS.path("tls-key", "FILE", null)
+          .text("The certificate's private key: PEM, PKCS #8 without a password (none).");
+
+  public static final Setting<Boolean> CONSOLE =
+      ROWS.toggle("console", true)
+          .text(
+              "Read commands from standard input; 'help' shows them. For a server in the"
+                  + " background of a terminal: --no-console.");
+
+  public static final Setting<LogLevel> LOG_LEVEL =
+      ROWS.choice("log-level", "L", LogLevel.INFO)
+          .text("How much is logged: {choices} ({default}).")
+          .live();
+
+  public static final Setting<Integer> LOG_KEEP =
+      ROWS.whole("log-keep", "N", 0, 20, 10)
+          .text(
+              "Older files of 10 MB that the log in the data folder keeps beside the present"
+                  + " one, {range}; 0 = log to standard error only ({default}).");
+
+  public static final Setting<Integer> HANDSHAKE_TIMEOUT_MS =
+      INNER
+          .whole("handshakeTimeoutMs", "MS", 100, 60_000, 5_000)
+          .text("Longest time from the opening of a link to a valid Hello.");
+
+  public static final Setting<Integer> LOAD_TIMEOUT_MS =
+      INNER
+          .whole("loadTimeoutMs", "MS", 100, 600_000, 20_000)
+          .text(
+              "Longest time from Welcome to Ready. A slow machine on a slow line must be able"
+                  + " to receive the level in this time.");
+
+  public static final Setting<Integer> SILENCE_TIMEOUT_MS =
+      INNER
+          .whole("silenceTimeoutMs", "MS", 500, 60_000, 6_000)
+          .text(
+              "How long a playing session may stay silent (no datagram, no message) until its link"
+                  + " counts as lost. Dropped ticks and pauses of the server itself don't count.");
+
+  public static final Setting<Integer> CATCH_UP_TICKS =
+      INNER
+          .whole("catchUpTicks", "N", 1, 60, 15)
+          .text(
+              "Most ticks that a room runs in one burst after a pause. A quarter of a second"
+                  + " bridges a pause of the garbage collector or of a busy machine. The room drops"
+                  + " and counts older ticks, so that a long pause doesn't cause a longer one.");
+
+  public static final Setting<Integer> INPUT_WINDOW_TICKS =
+      INNER
+          .whole("inputWindowTicks", "N", 4, 64, 32)
+          .text(
+              "How far ahead of the newest consumed tick an input may lie. The server refuses"
+                  + " and counts inputs beyond.");
+
+  public static final Setting<Integer> KEEP_ALIVE_RATE =
+      INNER
+          .whole("keepAliveRate", "HZ", 1, 60, 5)
+          .text(
+              "Datagrams per second and session while nothing is new. Acknowledgements, the"
+                  + " clock and the round trip time depend on them.");
+
+  public static final Setting<Integer> ROSTER_INTERVAL_MS =
+      INNER
+          .whole("rosterIntervalMs", "MS", 0, 10_000, 250)
+          .text("Shortest time between two rosters (names and scores).");
+
+  /** The values of {@code --idle}. */
+  public enum Idle {
+    /** A room without people stands still. */
+    PAUSE,
+    /** A room without people runs on. */
+    RUN
   }
 
+  /** The values of {@code --log-level}, from nothing to everything. */
+  public enum LogLevel {
+    /** The log is empty. */
+    OFF,
+    /** The log has failures only. */
+    ERROR,
+    /** The log has failures and suspicious things. */
+    WARN,
+    /** The log also has what happens. */
+    INFO,
+    /** The log also has why things happen. */
+    DEBUG,
+    /** The log has everything. */
+    TRACE
+  }
+
+  /** Creates the settings of a {@code carom-server} that is started without any flag. */
+  public ServerConfig() {}
+
   /**
-   * Returns the settings of a server that is started without any flag. Only {@code carom-server}
-   * sets {@code pausesIdleRooms} and {@code maxLoadPercent}, because a program that drives a server
-   * by hand counts on its ticks.
+   * Returns the settings of a program that drives a server by hand. It counts on every tick and on
+   * equal random numbers, so rooms neither pause nor refuse newcomers, and the seed is 1.
    */
   public static ServerConfig defaults() {
-    return new ServerConfig(
-        /* gameName= */ "arena",
-        /* serverName= */ "Carom",
-        /* tickRateHz= */ 60,
-        /* seed= */ 1,
-        /* rooms= */ 1,
-        /* threads= */ 1,
-        /* maxPlayers= */ 64,
-        /* handshakeTimeoutMs= */ 5_000,
-        /* loadTimeoutMs= */ 20_000,
-        /* silenceTimeoutMs= */ 6_000,
-        /* graceMs= */ 30_000,
-        /* idleKickS= */ 60,
-        /* networkSharePercent= */ 6,
-        /* maxLoadPercent= */ 0,
-        /* catchUpTicks= */ 15,
-        /* inputWindowTicks= */ 32,
-        /* inputHoldTicks= */ 30,
-        /* snapshotRateHz= */ 60,
-        /* keepAliveRateHz= */ 5,
-        /* snapshotBitsPerSecond= */ 512_000,
-        /* viewMetres= */ 0,
-        /* rosterIntervalMs= */ 250,
-        /* statusIntervalS= */ 60,
-        /* pausesIdleRooms= */ false,
-        /* takesAnyCode= */ false,
-        /* welcome= */ "");
+    return new ServerConfig()
+        .with(GAME, "arena")
+        .with(SEED, 1)
+        .with(MAX_LOAD, 0)
+        .with(IDLE, Idle.RUN);
   }
 
   /** Returns the length of one tick, ns, rounded down. Use a tick loop for exact deadlines. */
   public long tickNs() {
-    return 1_000_000_000L / tickRateHz;
+    return 1_000_000_000L / get(TICK_RATE);
   }
 
-  /** Returns a copy that runs the game of this name. */
-  public ServerConfig withGameName(String value) {
-    return Records.with(this, "gameName", value);
+  /** Returns how long the body of a player whose link was lost waits, ms. */
+  public int graceMs() {
+    return 1_000 * get(GRACE);
   }
 
-  /** Returns a copy with this server name. */
-  public ServerConfig withServerName(String value) {
-    return Records.with(this, "serverName", value);
+  /** Returns the budget of one session's snapshots, bytes of payload per second. */
+  public int bytesPerSecond() {
+    return 1_000 / Byte.SIZE * get(BUDGET);
   }
 
-  /** Returns a copy with this many ticks per second. */
-  public ServerConfig withTickRateHz(int value) {
-    return Records.with(this, "tickRateHz", value);
-  }
-
-  /** Returns a copy with this seed. */
-  public ServerConfig withSeed(long value) {
-    return Records.with(this, "seed", value);
-  }
-
-  /** Returns a copy with this many rooms. */
-  public ServerConfig withRooms(int value) {
-    return Records.with(this, "rooms", value);
-  }
-
-  /** Returns a copy in which this many threads may step one world together. */
-  public ServerConfig withThreads(int value) {
-    return Records.with(this, "threads", value);
-  }
-
-  /** Returns a copy with this many seats in each room. */
-  public ServerConfig withMaxPlayers(int value) {
-    return Records.with(this, "maxPlayers", value);
-  }
-
-  /** Returns a copy with this handshake deadline. */
-  public ServerConfig withHandshakeTimeoutMs(int value) {
-    return Records.with(this, "handshakeTimeoutMs", value);
-  }
-
-  /** Returns a copy with this share of a full room's seats for one network, percent. */
-  public ServerConfig withNetworkSharePercent(int value) {
-    return Records.with(this, "networkSharePercent", value);
-  }
-
-  /** Returns a copy with this loading deadline. */
-  public ServerConfig withLoadTimeoutMs(int value) {
-    return Records.with(this, "loadTimeoutMs", value);
-  }
-
-  /** Returns a copy with this silence timeout. */
-  public ServerConfig withSilenceTimeoutMs(int value) {
-    return Records.with(this, "silenceTimeoutMs", value);
-  }
-
-  /** Returns a copy with this grace period. */
-  public ServerConfig withGraceMs(int value) {
-    return Records.with(this, "graceMs", value);
-  }
-
-  /** Returns a copy with this time after which an idle player gives way. */
-  public ServerConfig withIdleKickS(int value) {
-    return Records.with(this, "idleKickS", value);
-  }
-
-  /** Returns a copy with this load up to which rooms let newcomers in, percent. */
-  public ServerConfig withMaxLoadPercent(int value) {
-    return Records.with(this, "maxLoadPercent", value);
-  }
-
-  /** Returns a copy with this catch-up bound. */
-  public ServerConfig withCatchUpTicks(int value) {
-    return Records.with(this, "catchUpTicks", value);
-  }
-
-  /** Returns a copy with this input window. */
-  public ServerConfig withInputWindowTicks(int value) {
-    return Records.with(this, "inputWindowTicks", value);
-  }
-
-  /** Returns a copy with this input hold. */
-  public ServerConfig withInputHoldTicks(int value) {
-    return Records.with(this, "inputHoldTicks", value);
-  }
-
-  /** Returns a copy with this snapshot rate. */
-  public ServerConfig withSnapshotRateHz(int value) {
-    return Records.with(this, "snapshotRateHz", value);
-  }
-
-  /** Returns a copy with this keep-alive rate. */
-  public ServerConfig withKeepAliveRateHz(int value) {
-    return Records.with(this, "keepAliveRateHz", value);
-  }
-
-  /** Returns a copy with this snapshot budget. */
-  public ServerConfig withSnapshotBitsPerSecond(int value) {
-    return Records.with(this, "snapshotBitsPerSecond", value);
-  }
-
-  /** Returns a copy with this largest view. */
-  public ServerConfig withViewMetres(int value) {
-    return Records.with(this, "viewMetres", value);
-  }
-
-  /** Returns a copy with this roster interval. */
-  public ServerConfig withRosterIntervalMs(int value) {
-    return Records.with(this, "rosterIntervalMs", value);
-  }
-
-  /** Returns a copy with this status interval. */
-  public ServerConfig withStatusIntervalS(int value) {
-    return Records.with(this, "statusIntervalS", value);
-  }
-
-  /** Returns a copy whose rooms pause while they are idle, or don't. */
-  public ServerConfig withPausesIdleRooms(boolean value) {
-    return Records.with(this, "pausesIdleRooms", value);
-  }
-
-  /** Returns a copy in which the server says this to each player who joins. */
-  public ServerConfig withWelcome(String value) {
-    return Records.with(this, "welcome", value);
+  /** Returns the number of snapshots per second: one a tick if none is set. */
+  public int snapshotRateHz() {
+    Integer rate = get(SNAPSHOT_RATE);
+    return rate == null ? get(TICK_RATE) : rate;
   }
 
   /**
-   * Returns a copy with the values that may change while a server runs taken from other settings.
+   * Returns the number of ticks for which the server repeats the last input when none arrives, half
+   * a second. Then the input is neutral.
    */
-  public ServerConfig withLiveValuesOf(ServerConfig other) {
-    return withServerName(other.serverName)
-        .withMaxPlayers(other.maxPlayers)
-        .withMaxLoadPercent(other.maxLoadPercent)
-        .withSnapshotRateHz(other.snapshotRateHz)
-        .withSnapshotBitsPerSecond(other.snapshotBitsPerSecond)
-        .withWelcome(other.welcome);
-  }
-
-  /** Returns a copy in which players with another build of a game may play, or not. */
-  public ServerConfig withTakesAnyCode(boolean value) {
-    return Records.with(this, "takesAnyCode", value);
+  public int inputHoldTicks() {
+    return get(TICK_RATE) / 2;
   }
 }

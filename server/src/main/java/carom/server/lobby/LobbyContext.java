@@ -54,8 +54,8 @@ final class LobbyContext {
     chooser =
         new RoomChooser(
             rooms,
-            () -> config.get().maxLoadPercent(),
-            TickLoad.ticksUntilKnown(config.get().tickRateHz()));
+            () -> (int) Math.round(100 * config.get().get(ServerConfig.MAX_LOAD)),
+            TickLoad.ticksUntilKnown(config.get().get(ServerConfig.TICK_RATE)));
     spectators = new Spectators(rooms);
     rate = new AdmissionRate(places());
   }

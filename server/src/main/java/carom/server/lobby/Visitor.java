@@ -98,7 +98,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     this.directory = context.directory();
     this.link = link;
     this.origin = AddressGroup.ofRemote(link.remote());
-    this.deadlineNs = context.nowNs() + config.handshakeTimeoutMs() * NS_PER_MS;
+    this.deadlineNs = context.nowNs() + config.get(ServerConfig.HANDSHAKE_TIMEOUT_MS) * NS_PER_MS;
     this.askAgainNs = context.nowNs();
   }
 
@@ -427,7 +427,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private void welcome() {
     match = room.match();
     upload = new LevelUpload(match.level(), FIRST_EPOCH);
-    deadlineNs = context.nowNs() + config.loadTimeoutMs() * NS_PER_MS;
+    deadlineNs = context.nowNs() + config.get(ServerConfig.LOAD_TIMEOUT_MS) * NS_PER_MS;
     askedNs = context.nowNs();
     state = state.become(SessionState.LOADING);
     welcome =
@@ -435,7 +435,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
             seat.secret(),
             seat.id(),
             FIRST_EPOCH,
-            config.tickRateHz(),
+            config.get(ServerConfig.TICK_RATE),
             room.tick(),
             room.seats().incarnation(),
             seat.courseTick());
@@ -463,9 +463,13 @@ final class Visitor implements LinkHandler, Entrance.Guest {
           RefusalReason.TOO_SLOW,
           state == SessionState.CONNECTED
               ? String.format(
-                  Locale.ROOT, "No greeting came within %d ms.", config.handshakeTimeoutMs())
+                  Locale.ROOT,
+                  "No greeting came within %d ms.",
+                  config.get(ServerConfig.HANDSHAKE_TIMEOUT_MS))
               : String.format(
-                  Locale.ROOT, "The level was not loaded within %d ms.", config.loadTimeoutMs()));
+                  Locale.ROOT,
+                  "The level was not loaded within %d ms.",
+                  config.get(ServerConfig.LOAD_TIMEOUT_MS)));
     }
   }
 

@@ -147,7 +147,7 @@ public final class SessionReplication {
   public boolean answer(ClientMessage.PoolRequest request, Link link) {
     int offset = request.offset();
     int tick = frames.index().simulation().tick();
-    if (offset == 0 && tick - poolStateTick >= config.get().tickRateHz()) {
+    if (offset == 0 && tick - poolStateTick >= config.get().get(ServerConfig.TICK_RATE)) {
       poolState = frames.pools().state();
       poolStateTick = tick;
       poolSent = 0;

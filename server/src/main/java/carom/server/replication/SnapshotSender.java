@@ -107,18 +107,23 @@ final class SnapshotSender {
     this.settings = settings;
     config = settings.get();
     this.frames = capture.frames();
-    this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
+    this.view =
+        new SessionView(
+            capture.index(),
+            player,
+            config.get(ServerConfig.VIEW),
+            config.get(ServerConfig.TICK_RATE));
     this.audience = new FieldAudience(capture, new JointAudience(capture, view), player);
     this.encoder = new SnapshotEncoder(capture.deltas(), epoch, view, capture.tables(), audience);
     audience.of(encoder);
     this.ledger = encoder.ledger();
     this.counters = counters;
-    this.tickRateHz = config.tickRateHz();
+    this.tickRateHz = config.get(ServerConfig.TICK_RATE);
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);
-    this.keepAliveTicks = Math.max(1, tickRateHz / config.keepAliveRateHz());
+    this.keepAliveTicks = Math.max(1, tickRateHz / config.get(ServerConfig.KEEP_ALIVE_RATE));
     this.newsTicks = Math.min(keepAliveTicks, Math.max(1, tickRateHz / LEAST_WITH_NEWS_HZ));
     this.lateTicks = Math.min(newsTicks, Math.max(1, tickRateHz / LEAST_WHEN_LATE_HZ));
-    this.bytesPerSecond = config.snapshotBitsPerSecond() / 8;
+    this.bytesPerSecond = config.bytesPerSecond();
     this.bucketDepth = (long) BURST_DATAGRAMS * SnapshotEncoder.MAX_DATAGRAM_BYTES * tickRateHz;
     this.bucket = bucketDepth;
     // Headers come on top of the budget; small datagrams double it.
@@ -197,7 +202,7 @@ final class SnapshotSender {
     if (!settings.get().equals(config)) {
       config = settings.get();
       snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);
-      bytesPerSecond = config.snapshotBitsPerSecond() / Byte.SIZE;
+      bytesPerSecond = config.bytesPerSecond();
       pace.limit(2 * bytesPerSecond);
     }
     bucket = Math.min(bucketDepth, bucket + bytesPerSecond);

@@ -106,8 +106,8 @@ final class ThinSender {
     frames = capture.frames();
     simulation = capture.index().simulation();
     ServerConfig now = config.get();
-    tickRateHz = now.tickRateHz();
-    view = new SessionView(capture.index(), player, now.viewMetres(), tickRateHz);
+    tickRateHz = now.get(ServerConfig.TICK_RATE);
+    view = new SessionView(capture.index(), player, now.get(ServerConfig.VIEW), tickRateHz);
     fields = new ThinFields(simulation, player, this::sees);
     nextEvent = frames.events().limit();
     rateAccumulator = tickRateHz;
@@ -135,7 +135,7 @@ final class ThinSender {
 
   /** Earns budget, tells events, and decides whether a snapshot is due; once per tick. */
   void prepare() {
-    int bytesPerSecond = config.get().snapshotBitsPerSecond() / Byte.SIZE;
+    int bytesPerSecond = config.get().bytesPerSecond();
     long depth = (long) bytesPerSecond * tickRateHz / BURST_PER_SECOND;
     bucket = Math.min(depth, bucket + bytesPerSecond);
     int rate = Math.min(tickRateHz, Math.min(link.rate(), config.get().snapshotRateHz()));

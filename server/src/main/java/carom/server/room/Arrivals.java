@@ -4,6 +4,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.room.match.RoomContext;
 import carom.server.session.Admission;
@@ -159,8 +160,9 @@ final class Arrivals {
     String what = resumed ? " is back" : " joined";
     announcer.comingOrGoing(session, a.seat().name() + what, room.age());
     sessions.updateGauges();
-    if (!resumed && !room.config().welcome().isEmpty()) {
-      Message welcome = BuiltInKinds.SAID.of(BuiltInKinds.SERVER, false, room.config().welcome());
+    if (!resumed && !room.config().get(ServerConfig.WELCOME).isEmpty()) {
+      Message welcome =
+          BuiltInKinds.SAID.of(BuiltInKinds.SERVER, false, room.config().get(ServerConfig.WELCOME));
       room.simulation().send(welcome).to(session.player());
     }
   }

@@ -4,6 +4,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.room.match.RoomContext;
 import carom.server.session.PartingLinks;
@@ -100,9 +101,15 @@ final class Departures {
     } else if (session.departure().isLinkLost()) {
       lose(session, "link lost: " + session.departure().linkLostReason(), nowNs);
     } else if (session.isTooSlow()) {
-      lose(session, "has not loaded the match in " + room.config().loadTimeoutMs() + " ms", nowNs);
+      lose(
+          session,
+          "has not loaded the match in " + room.config().get(ServerConfig.LOAD_TIMEOUT_MS) + " ms",
+          nowNs);
     } else if (session.isSilent()) {
-      lose(session, "silent for " + room.config().silenceTimeoutMs() + " ms", nowNs);
+      lose(
+          session,
+          "silent for " + room.config().get(ServerConfig.SILENCE_TIMEOUT_MS) + " ms",
+          nowNs);
     } else {
       return false;
     }
@@ -123,7 +130,7 @@ final class Departures {
         session.seat().name(),
         session.seat().id(),
         why,
-        room.config().graceMs() / 1_000);
+        room.config().get(ServerConfig.GRACE));
     part(session.detach(nowNs), why, nowNs);
     announce(session, " lost the connection");
     sessions.updateGauges();

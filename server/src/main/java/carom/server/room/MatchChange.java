@@ -7,6 +7,7 @@ import carom.server.checkpoint.ResumedRoom;
 import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.checkpoint.RoomCourse;
 import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
 import carom.server.match.LevelUpload;
 import carom.server.match.MatchInfo;
 import carom.server.match.SavedMatch;
@@ -391,7 +392,7 @@ final class MatchChange implements RoomCourse {
   void tell(Session session) {
     MatchInfo match = room.match().info();
     int epoch = DatagramMark.nextEpoch(session.epoch());
-    int rate = room.config().tickRateHz();
+    int rate = room.config().get(ServerConfig.TICK_RATE);
     session.load(
         new LevelUpload(match.level(), epoch),
         match.welcome(

@@ -260,7 +260,7 @@ public final class Room {
   }
 
   private boolean isIdle() {
-    return context.config().pausesIdleRooms()
+    return context.config().get(ServerConfig.IDLE) == ServerConfig.Idle.PAUSE
         && context.age() > 0
         && parts.sessions.count() == 0
         && parts.arrivals.isEmpty()
@@ -458,7 +458,7 @@ public final class Room {
 
   /** Returns the number of ticks per second; from any thread. */
   public int tickRateHz() {
-    return context.config().tickRateHz();
+    return context.config().get(ServerConfig.TICK_RATE);
   }
 
   /** Returns how long the stages of its turns took; from any thread. */

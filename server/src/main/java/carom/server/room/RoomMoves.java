@@ -5,6 +5,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
+import carom.server.config.ServerConfig;
 import carom.server.room.match.RoomContext;
 import carom.server.session.Admission;
 import carom.server.session.Seats;
@@ -50,7 +51,7 @@ final class RoomMoves {
 
   /** Answers the sessions that ask for the list of rooms, and moves those that want to go. */
   void serve(long nowNs) {
-    int rate = room.config().tickRateHz();
+    int rate = room.config().get(ServerConfig.TICK_RATE);
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
       if (session.takeRoomsRequest(rate / LISTS_PER_SECOND)) {

@@ -78,15 +78,21 @@ final class RoomParts {
     context = new RoomContext(settingsNow, label, counters, seats, firstMatch(loader));
     recording = new RoomRecording(context);
     sessions = new RoomSessions(ProtocolLimits.MAX_PLAYERS, label, counters);
-    announcer = new Announcer(sessions, config.tickRateHz());
-    roster = new RosterNews(ProtocolLimits.MAX_PLAYERS, config.rosterIntervalMs());
+    announcer = new Announcer(sessions, config.get(ServerConfig.TICK_RATE));
+    roster =
+        new RosterNews(ProtocolLimits.MAX_PLAYERS, config.get(ServerConfig.ROSTER_INTERVAL_MS));
     departures = new Departures(context, sessions, roster, announcer, partings);
     changes =
         new MatchChange(context, loader, loads, settings, sessions, recording, roster, announcer);
     arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
     moves = new RoomMoves(context, self, directory, sessions, departures);
-    LoadWarnings warnings = new LoadWarnings(label, counters, config.tickRateHz());
-    pace = new TickPace(config.tickRateHz(), config.catchUpTicks(), warnings, counters);
+    LoadWarnings warnings = new LoadWarnings(label, counters, config.get(ServerConfig.TICK_RATE));
+    pace =
+        new TickPace(
+            config.get(ServerConfig.TICK_RATE),
+            config.get(ServerConfig.CATCH_UP_TICKS),
+            warnings,
+            counters);
     snapshots = new SnapshotRound(context, clock, sessions, departures, warnings);
     messages = new MessageDelivery(context, sessions, directory);
   }

@@ -1,6 +1,7 @@
 package carom.server.room;
 
 import carom.net.transport.Broadcast;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.StageTimes;
@@ -100,7 +101,7 @@ final class RoomTick {
       if (failedTicks == 1) {
         LOG.error("{}tick {} failed; the room goes on", context.label(), tick + 1, e);
       }
-      if (failedTicks >= context.config().tickRateHz()) {
+      if (failedTicks >= context.config().get(ServerConfig.TICK_RATE)) {
         fail(failedTicks + " ticks in a row failed");
       }
     }
@@ -144,7 +145,7 @@ final class RoomTick {
     show();
     stages.end(TurnStage.REST);
     parts.pace.tickTook(parts.clock.getAsLong() - beginNs, late, nowNs);
-    int rate = context.config().tickRateHz();
+    int rate = context.config().get(ServerConfig.TICK_RATE);
     if (match.failures().endTick() >= rate && !end.isClosed()) {
       String game = simulation.game().name();
       fail("game " + game + " failed in each of the last " + rate + " ticks");

@@ -1,6 +1,7 @@
 package carom.server.room;
 
 import carom.net.protocol.SessionState;
+import carom.server.config.ServerConfig;
 import carom.server.room.match.RoomContext;
 import carom.server.session.Session;
 import carom.server.threads.LoadWarnings;
@@ -37,7 +38,8 @@ final class SnapshotRound {
     this.sessions = sessions;
     this.departures = departures;
     this.warnings = warnings;
-    turns = new SendTurns(room.config().tickRateHz(), room.config().snapshotRateHz());
+    turns =
+        new SendTurns(room.config().get(ServerConfig.TICK_RATE), room.config().snapshotRateHz());
   }
 
   /**

@@ -45,8 +45,8 @@ public final class SeatRequests {
     this.seats = seats;
     shortestLeftNs =
         (config.graceMs() - Math.min(LONGEST_WAIT_MS, config.graceMs() / 3)) * NS_PER_MS;
-    idleTicks = (long) config.idleKickS() * config.tickRateHz();
-    networkSharePercent = config.networkSharePercent();
+    idleTicks = (long) config.get(ServerConfig.IDLE_KICK) * config.get(ServerConfig.TICK_RATE);
+    networkSharePercent = config.get(ServerConfig.NETWORK_SHARE);
   }
 
   /**

@@ -422,13 +422,15 @@ public final class Session implements LinkHandler {
    * ticks of the room: while the server itself stood still no client could be heard.
    */
   public boolean isSilent() {
-    return silentTicks * 1_000L > (long) config.silenceTimeoutMs() * config.tickRateHz();
+    return silentTicks * 1_000L
+        > (long) config.get(ServerConfig.SILENCE_TIMEOUT_MS) * config.get(ServerConfig.TICK_RATE);
   }
 
   /** Returns whether the client takes longer to load the match than it may. */
   public boolean isTooSlow() {
     return state == SessionState.LOADING
-        && loading.ticks() * 1_000L > (long) config.loadTimeoutMs() * config.tickRateHz();
+        && loading.ticks() * 1_000L
+            > (long) config.get(ServerConfig.LOAD_TIMEOUT_MS) * config.get(ServerConfig.TICK_RATE);
   }
 
   /** Returns whether the grace period is over; meaningful in grace. */

@@ -47,7 +47,7 @@ final class SessionInputs {
   /** Creates the inputs of a session that none has arrived for. */
   SessionInputs(ServerConfig config, Counters counters) {
     this.counters = counters;
-    buffer = new InputBuffer(config.inputWindowTicks(), config.inputHoldTicks());
+    buffer = new InputBuffer(config.get(ServerConfig.INPUT_WINDOW_TICKS), config.inputHoldTicks());
   }
 
   /**

@@ -6,6 +6,7 @@ import carom.server.access.Secret;
 import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
+import carom.server.config.ServerConfig;
 import carom.server.console.LogTail;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -17,65 +18,16 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import picocli.CommandLine.Option;
 
-/** The server's flags about HTTP: the live page, health and metrics. Picocli fills them in. */
+/** The server's flags about HTTP: the live page, health and metrics. */
 public final class WebFlags {
-  @Option(
-      names = "--web",
-      paramLabel = "true|false",
-      arity = "0..1",
-      negatable = true,
-      fallbackValue = "true",
-      defaultValue = "true",
-      description =
-          "Show the live page and answer /healthz, /readyz and /metrics (Prometheus) over HTTP;"
-              + " --no-web doesn't.")
-  private boolean web;
-
-  @Option(
-      names = "--web-port",
-      paramLabel = "N",
-      defaultValue = "8090",
-      description = "Port for HTTP, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
-  private int webPort;
-
-  @Option(
-      names = "--web-bind",
-      paramLabel = "ADDRESS",
-      defaultValue = "127.0.0.1",
-      description =
-          "Address of this machine for HTTP. On a loopback address visitors at this machine may"
-              + " watch, others only with the token in admin.token of the data folder"
-              + " (${DEFAULT-VALUE}).")
-  private String webBind;
-
-  @Option(
-      names = "--web-host",
-      paramLabel = "NAME",
-      description =
-          "Name under which browsers may open the page, beside addresses and localhost; give it"
-              + " once for each name.")
-  private List<String> webHosts = List.of();
-
-  @Option(
-      names = "--web-behind",
-      paramLabel = "NETWORK",
-      description =
-          "Address or network of a proxy (127.0.0.1, 10.0.0.0/8) before the page: its visitors come"
-              + " from where X-Forwarded-For says, and watch with the token only; give it once for"
-              + " each.")
-  private List<String> webBehind = List.of();
-
-  /** Creates flags that picocli has yet to fill in. */
-  public WebFlags() {}
+  private WebFlags() {}
 
   /** Returns what is wrong with the flags, or null. */
-  public String problem() {
+  public static String problem(ServerConfig config) {
     return Sockets.first(
-        Sockets.portProblem("--web-port", webPort),
-        Sockets.addressProblem("--web-bind", webBind),
-        proxyProblem());
+        Sockets.addressProblem("--web-bind", config.get(ServerConfig.WEB_BIND)),
+        proxyProblem(config));
   }
 
   /**
@@ -91,7 +43,8 @@ public final class WebFlags {
    * @throws IOException if the port was named and can't be opened, or the token's file can't be
    *     used; the message says what to do
    */
-  public WebServer open(
+  public static WebServer open(
+      ServerConfig config,
       WebSubject subject,
       DataFolder data,
       List<Path> recordings,
@@ -101,7 +54,7 @@ public final class WebFlags {
       throws IOException {
     // Not a constant: this class is loaded while the log starts.
     Logger log = LoggerFactory.getLogger(WebFlags.class);
-    if (!web) {
+    if (!config.get(ServerConfig.WEB)) {
       return null;
     }
     Path file = data.adminToken();
@@ -116,8 +69,8 @@ public final class WebFlags {
       token = Secret.random();
       kept = false;
     }
-    InetAddress address = InetAddress.getByName(webBind);
-    PageConfig config =
+    InetAddress address = InetAddress.getByName(config.get(ServerConfig.WEB_BIND));
+    PageConfig page =
         new PageConfig(
             subject.name() + " " + subject.version(),
             commands,
@@ -126,18 +79,22 @@ public final class WebFlags {
             tail,
             recordings,
             address.isLoopbackAddress(),
-            proxies(),
-            hosts());
+            proxies(config),
+            hosts(config));
     try {
       WebServer server =
-          new WebServer(address, webPort, subject, new LivePage(config, subject.rooms()));
+          new WebServer(
+              address,
+              config.get(ServerConfig.WEB_PORT),
+              subject,
+              new LivePage(page, subject.rooms()));
       log.info(
           "page: {} ({})",
           server.url(),
           kept ? "admin token in " + file : "admin token until the stop: " + token.text());
       return server;
     } catch (IOException e) {
-      if (settings.find("web-port").orElseThrow().isSet()) {
+      if (settings.isSet(ServerConfig.WEB_PORT)) {
         throw e;
       }
       log.warn("no page, /healthz and /metrics: {}", e.getMessage());
@@ -145,20 +102,22 @@ public final class WebFlags {
     }
   }
 
-  private String proxyProblem() {
-    return webBehind.stream()
+  private static String proxyProblem(ServerConfig config) {
+    return config.get(ServerConfig.WEB_BEHIND).stream()
         .filter(network -> AddressRange.parse(network).isEmpty())
         .findFirst()
         .map(network -> "--web-behind: " + AddressRange.problem(network))
         .orElse(null);
   }
 
-  private List<AddressRange> proxies() {
-    return webBehind.stream().map(network -> AddressRange.parse(network).orElseThrow()).toList();
+  private static List<AddressRange> proxies(ServerConfig config) {
+    return config.get(ServerConfig.WEB_BEHIND).stream()
+        .map(network -> AddressRange.parse(network).orElseThrow())
+        .toList();
   }
 
-  private Set<String> hosts() {
-    return webHosts.stream()
+  private static Set<String> hosts(ServerConfig config) {
+    return config.get(ServerConfig.WEB_HOST).stream()
         .map(host -> host.toLowerCase(Locale.ROOT))
         .collect(Collectors.toUnmodifiableSet());
   }

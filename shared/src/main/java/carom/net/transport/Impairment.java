@@ -1,7 +1,5 @@
 package carom.net.transport;
 
-import carom.values.Records;
-
 /**
  * Quality of a simulated network in one direction. It is immutable; start from {@link #NONE}, as in
  * {@code Impairment.NONE.withLoss(2).withLatency(50, 10)}.
@@ -71,7 +69,16 @@ public record Impairment(
 
   /** Returns a copy with another seed. */
   public Impairment withSeed(long seed) {
-    return Records.with(this, "seed", seed);
+    return new Impairment(
+        seed,
+        lossPercent,
+        burst,
+        latencyMs,
+        jitterMs,
+        jitterReorders,
+        reorderPercent,
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   /** Returns a copy that loses datagrams independently of each other. */
@@ -81,28 +88,72 @@ public record Impairment(
 
   /** Returns a copy that loses datagrams in bursts of {@code burst} datagrams on average. */
   public Impairment withBursts(double lossPercent, double burst) {
-    return Records.with(this, "lossPercent", lossPercent, "burst", burst);
+    return new Impairment(
+        seed,
+        lossPercent,
+        burst,
+        latencyMs,
+        jitterMs,
+        jitterReorders,
+        reorderPercent,
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   /** Returns a copy with a one-way delay of {@code latencyMs} plus or minus {@code jitterMs}. */
   public Impairment withLatency(double latencyMs, double jitterMs) {
-    return Records.with(this, "latencyMs", latencyMs, "jitterMs", jitterMs);
+    return new Impairment(
+        seed,
+        lossPercent,
+        burst,
+        latencyMs,
+        jitterMs,
+        jitterReorders,
+        reorderPercent,
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   /** Returns a copy in which jitter may, or may not, let a datagram overtake another. */
   public Impairment withJitterReorders(boolean jitterReorders) {
-    return Records.with(this, "jitterReorders", jitterReorders);
+    return new Impairment(
+        seed,
+        lossPercent,
+        burst,
+        latencyMs,
+        jitterMs,
+        jitterReorders,
+        reorderPercent,
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   /** Returns a copy that reorders and duplicates datagrams. */
   public Impairment withReorder(double reorderPercent, double duplicatePercent) {
-    return Records.with(
-        this, "reorderPercent", reorderPercent, "duplicatePercent", duplicatePercent);
+    return new Impairment(
+        seed,
+        lossPercent,
+        burst,
+        latencyMs,
+        jitterMs,
+        jitterReorders,
+        reorderPercent,
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   /** Returns a copy with a line of this bandwidth, kbit/s; 0 is unlimited. */
   public Impairment withBandwidth(double bandwidthKbit) {
-    return Records.with(this, "bandwidthKbit", bandwidthKbit);
+    return new Impairment(
+        seed,
+        lossPercent,
+        burst,
+        latencyMs,
+        jitterMs,
+        jitterReorders,
+        reorderPercent,
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   private static void check(String name, double value, double min, double max) {

@@ -104,7 +104,7 @@ final class ForceFigures {
   }
 
   private static SimulatedClient play(Stepper stepper) {
-    ClientConfig config = ClientConfig.of("p").withPrediction(PredictionMode.ALL);
+    ClientConfig config = ClientConfig.of("p").with(ClientConfig.PREDICTION, PredictionMode.ALL);
     SimulatedClient client = stepper.add(config, FAR, Scripts.wander(Stepper.SEED));
     stepper.awaitPlaying(client);
     stepper.run(4);

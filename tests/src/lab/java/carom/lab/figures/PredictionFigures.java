@@ -32,7 +32,7 @@ final class PredictionFigures {
   private static Figure perfect(PredictionMode mode, String scope, boolean quick) {
     try (Stepper stepper = Stepper.of("platformer")) {
       SimulatedClient client =
-          stepper.add(ClientConfig.of("p").withPrediction(mode), FAR, new Bot(0));
+          stepper.add(ClientConfig.of("p").with(ClientConfig.PREDICTION, mode), FAR, new Bot(0));
       stepper.run(6);
       long awake = client.stats().awakeBodies();
       long exact = client.stats().exactBodies();

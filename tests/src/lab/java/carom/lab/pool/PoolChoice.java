@@ -157,7 +157,7 @@ public final class PoolChoice {
     Impairment far = Impairment.NONE.withLatency(75, 0).withLoss(2).withSeed(42);
     int seconds = args.length > 0 ? Integer.parseInt(args[0]) : 60;
     try (Stepper stepper = Stepper.of(Level.builtIn("sluice"), ServerConfig.defaults())) {
-      ClientConfig all = ClientConfig.of("p").withPrediction(PredictionMode.ALL);
+      ClientConfig all = ClientConfig.of("p").with(ClientConfig.PREDICTION, PredictionMode.ALL);
       SimulatedClient p = stepper.add(all, far, Scripts.wander(42));
       SimulatedClient q = stepper.add("q", far, new Bot(2));
       stepper.run(4);

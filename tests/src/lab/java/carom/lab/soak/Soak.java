@@ -150,7 +150,7 @@ final class Soak {
 
   Soak(Settings settings) throws IOException {
     this.settings = settings;
-    ServerConfig config = ServerConfig.defaults().withSeed(settings.seed);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.SEED, settings.seed);
     stepper = Stepper.ofRooms(config, LIBRARY, ROOMS.toArray(new RoomConfig[0]));
     stepper.expectExpulsions();
     clients = new Guest[settings.clients];
@@ -386,7 +386,8 @@ final class Soak {
   private ClientConfig config(String name) {
     return ClientConfig.of(name)
         .withServer("localhost", stepper.tcpPort(), stepper.udpPort())
-        .withPrediction(
+        .with(
+            ClientConfig.PREDICTION,
             settings.play == Play.PREDICTING ? PredictionMode.ISLAND : PredictionMode.NONE);
   }
 

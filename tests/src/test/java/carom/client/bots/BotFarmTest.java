@@ -35,7 +35,9 @@ final class BotFarmTest {
   private static final int CROWD = 40;
 
   private static ClientConfig config() {
-    return ClientConfig.of("bot").withPrediction(PredictionMode.NONE).withTicksPerInputDatagram(2);
+    return ClientConfig.of("bot")
+        .with(ClientConfig.PREDICTION, PredictionMode.NONE)
+        .with(ClientConfig.TICKS_PER_INPUT_DATAGRAM, 2);
   }
 
   /** An arena in virtual time. */
@@ -45,7 +47,9 @@ final class BotFarmTest {
 
   private static Server server(int seats, ServerTransport transport, long[] now) throws Exception {
     return new Server(
-        ServerConfig.defaults().withMaxPlayers(seats).withStatusIntervalS(0),
+        ServerConfig.defaults()
+            .with(ServerConfig.MAX_PLAYERS, seats)
+            .with(ServerConfig.STATUS_INTERVAL, 0),
         () -> Games.create("arena"),
         Level.builtIn("arena"),
         transport,
@@ -84,10 +88,10 @@ final class BotFarmTest {
         new KryoServerTransport(0, 0, KryoLimits.DEFAULT.withConnections(200, 100));
     ServerConfig settings =
         ServerConfig.defaults()
-            .withRooms(2)
-            .withMaxPlayers(CROWD / 2)
-            .withSnapshotRateHz(30)
-            .withStatusIntervalS(0);
+            .with(ServerConfig.ROOMS, 2)
+            .with(ServerConfig.MAX_PLAYERS, CROWD / 2)
+            .with(ServerConfig.SNAPSHOT_RATE, 30)
+            .with(ServerConfig.STATUS_INTERVAL, 0);
     try (Server server =
             new Server(
                 settings,

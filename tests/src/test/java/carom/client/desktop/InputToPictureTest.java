@@ -47,7 +47,7 @@ final class InputToPictureTest {
     try (VirtualDisplay display = VirtualDisplay.open();
         Server server =
             new Server(
-                ServerConfig.defaults().withGameName("arena"),
+                ServerConfig.defaults().with(ServerConfig.GAME, "arena"),
                 () -> Games.create("arena"),
                 Level.builtIn("arena"),
                 new KryoServerTransport(0, 0),

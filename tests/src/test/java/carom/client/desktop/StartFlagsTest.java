@@ -70,7 +70,7 @@ final class StartFlagsTest {
   void aServersGameShowsPlayedAndWatched() throws Exception {
     try (Server server =
         new Server(
-            ServerConfig.defaults().withGameName("arena"),
+            ServerConfig.defaults().with(ServerConfig.GAME, "arena"),
             () -> Games.create("arena"),
             Level.builtIn("arena"),
             new KryoServerTransport(0, 0),

@@ -161,7 +161,8 @@ final class WindowNetTest {
     WorkerThreads alone = new WorkerThreads(1);
     List<BotFarm> farms = new ArrayList<>();
     for (String room : rooms.keySet()) {
-      ClientConfig config = ClientConfig.of("bot").withServer("127.0.0.1", port, 0).withRoom(room);
+      ClientConfig config =
+          ClientConfig.of("bot").withServer("127.0.0.1", port, 0).with(ClientConfig.ROOM, room);
       farms.add(new BotFarm(config, transport, BOTS, seed, false, 0, alone));
     }
     Thread bots =

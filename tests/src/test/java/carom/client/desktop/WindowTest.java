@@ -56,7 +56,7 @@ final class WindowTest {
     try (VirtualDisplay display = VirtualDisplay.open();
         Server server =
             new Server(
-                ServerConfig.defaults().withGameName("arena"),
+                ServerConfig.defaults().with(ServerConfig.GAME, "arena"),
                 () -> Games.create("arena"),
                 level,
                 new KryoServerTransport(0, 0),

@@ -44,13 +44,13 @@ final class SettingsFileTest {
   void whatIsSetIsThereAtTheNextStart() throws Exception {
     PlayerSettings changed =
         PlayerSettings.defaults()
-            .withName("Ann \u00c4")
-            .withVolume(70)
+            .with(PlayerSettings.NAME, "Ann \u00c4")
+            .with(PlayerSettings.VOLUME, 70)
             .withWindow(1_920, 1_080)
-            .withFullscreen(true)
-            .withTextSize(150)
-            .withPalette(Palette.COLOUR_BLIND)
-            .withInterpolationMs(75)
+            .with(PlayerSettings.FULLSCREEN, true)
+            .with(PlayerSettings.TEXT_SIZE, 150)
+            .with(PlayerSettings.PALETTE, Palette.COLOUR_BLIND)
+            .with(PlayerSettings.INTERPOLATION, 75)
             .withKeys(KeyAction.LEFT, List.of("J", "Left"))
             .withKeys(KeyAction.MUTE, List.of())
             .withRecent("a")
@@ -70,8 +70,8 @@ final class SettingsFileTest {
   void aByteOrderMarkCostsNoLine() throws Exception {
     write("\ufeffname = Zo\u00eb\r\nvolume = 35\r\n");
     SettingsFile settings = loaded();
-    assertEquals("Zo\u00eb", settings.settings().name());
-    assertEquals(35, settings.settings().volume());
+    assertEquals("Zo\u00eb", settings.settings().get(PlayerSettings.NAME));
+    assertEquals(35, settings.settings().get(PlayerSettings.VOLUME));
     assertEquals("", settings.problem());
   }
 
@@ -88,8 +88,8 @@ final class SettingsFileTest {
     String text = "name = Ann\nvolum = 3\nvolume = loud\ntext-size = 900\njust words\nwindow = x\n";
     write(text);
     SettingsFile settings = loaded();
-    assertEquals("Ann", settings.settings().name(), "the other lines count");
-    assertEquals(25, settings.settings().volume());
+    assertEquals("Ann", settings.settings().get(PlayerSettings.NAME), "the other lines count");
+    assertEquals(25, settings.settings().get(PlayerSettings.VOLUME));
     String said = settings.problem();
     assertTrue(said.contains("player.conf"), said);
     assertTrue(said.contains("line 2: unknown setting volum"), said);
@@ -97,13 +97,13 @@ final class SettingsFileTest {
     assertTrue(said.contains("line 3: volume=loud is not a whole number"), said);
     assertTrue(said.contains("line 4: text-size=900 is outside 75..200"), said);
     assertTrue(said.contains("line 5: \"just words\" is not like name = value"), said);
-    assertTrue(said.contains("line 6: window=x is not like 1280 x 720"), said);
+    assertTrue(said.contains("line 6: window=x: not like 1280 x 720"), said);
     assertTrue(said.endsWith("The file is kept as player.conf.unreadable."), said);
     assertEquals(text, Files.readString(file().resolveSibling("player.conf.unreadable")));
     loaded();
     assertEquals(List.of("player.conf", "player.conf.unreadable"), files(), "kept once");
 
-    settings.save(settings.settings().withVolume(1));
+    settings.save(settings.settings().with(PlayerSettings.VOLUME, 1));
     assertEquals("", loaded().problem());
     write("again = bad\n");
     loaded();
@@ -120,8 +120,8 @@ final class SettingsFileTest {
     SettingsFile settings = loaded();
     assertEquals(PlayerSettings.defaults(), settings.settings());
     assertTrue(settings.problem().contains("kept as player.conf.unreadable"), settings.problem());
-    settings.save(settings.settings().withName("Ben"));
-    assertEquals("Ben", loaded().settings().name());
+    settings.save(settings.settings().with(PlayerSettings.NAME, "Ben"));
+    assertEquals("Ben", loaded().settings().get(PlayerSettings.NAME));
     assertEquals(
         List.of("player.conf", "player.conf.unreadable"),
         files().stream().filter(name -> !name.endsWith(".new")).toList());
@@ -131,9 +131,10 @@ final class SettingsFileTest {
   void whatCannotBeWrittenIsSaid() throws Exception {
     Files.writeString(folder.resolve("deep"), "a file where the folder would be");
     SettingsFile settings = new SettingsFile(file());
-    settings.save(PlayerSettings.defaults().withVolume(1));
+    settings.save(PlayerSettings.defaults().with(PlayerSettings.VOLUME, 1));
     assertTrue(settings.problem().startsWith("The settings can't be saved: "), settings.problem());
-    assertEquals(1, settings.settings().volume(), "they count until the program ends");
+    assertEquals(
+        1, settings.settings().get(PlayerSettings.VOLUME), "they count until the program ends");
   }
 
   @Test
@@ -176,17 +177,19 @@ final class SettingsFileTest {
       s = s.withRecent("s" + i);
     }
     s = s.withRecent("s15");
-    assertEquals(PlayerSettings.MAX_RECENT, s.recent().size());
-    assertEquals(List.of("s15", "s19", "s18"), s.recent().subList(0, 3));
-    assertEquals(List.of(), s.withFavouriteToggled("x").withFavouriteToggled("x").favourites());
+    assertEquals(PlayerSettings.MAX_RECENT, s.get(PlayerSettings.RECENT).size());
+    assertEquals(List.of("s15", "s19", "s18"), s.get(PlayerSettings.RECENT).subList(0, 3));
+    assertEquals(
+        List.of(),
+        s.withFavouriteToggled("x").withFavouriteToggled("x").get(PlayerSettings.FAVOURITES));
   }
 
   @Test
   void valuesOutOfRangeAreRefused() {
     PlayerSettings s = PlayerSettings.defaults();
-    assertThrows(IllegalArgumentException.class, () -> s.withName(""));
-    assertThrows(IllegalArgumentException.class, () -> s.withVolume(101));
+    assertThrows(IllegalArgumentException.class, () -> s.with(PlayerSettings.NAME, ""));
+    assertThrows(IllegalArgumentException.class, () -> s.with(PlayerSettings.VOLUME, 101));
     assertThrows(IllegalArgumentException.class, () -> s.withWindow(10, 720));
-    assertThrows(IllegalArgumentException.class, () -> s.withInterpolationMs(-1));
+    assertThrows(IllegalArgumentException.class, () -> s.with(PlayerSettings.INTERPOLATION, -1));
   }
 }

@@ -52,7 +52,7 @@ final class SoakTest {
       ClientConfig config =
           ClientConfig.of("slow")
               .withServer("localhost", stepper.tcpPort(), stepper.udpPort())
-              .withPrediction(PredictionMode.NONE);
+              .with(ClientConfig.PREDICTION, PredictionMode.NONE);
       SimulatedClient slow = stepper.add(config, line, Scripts.wander(9));
       EntityWatch watch = new EntityWatch();
       long compared = 0;
@@ -72,7 +72,10 @@ final class SoakTest {
           SimulatedClient guest = stepper.clients().get(guests % 9);
           guest.leave(); // its body goes, and that of a newcomer appears
           stepper.remove(guest);
-          stepper.add(config.withName("guest" + guests++), Impairment.NONE, Scripts.wander(guests));
+          stepper.add(
+              config.with(ClientConfig.NAME, "guest" + guests++),
+              Impairment.NONE,
+              Scripts.wander(guests));
         }
       }
       assertTrue(guests > 5 && compared > 10_000, "guests=" + guests + " compared=" + compared);

@@ -12,8 +12,9 @@ import carom.client.link.ConnectionPhase;
 import carom.fixtures.FieldGame;
 import carom.net.transport.Impairment;
 import carom.server.config.DataFolder;
+import carom.server.config.EffectiveSetting;
 import carom.server.config.EffectiveSettings;
-import carom.server.config.Setting;
+import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -21,7 +22,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
@@ -46,17 +46,15 @@ final class OperatorCommandsTest {
     stepper.run(1);
     DataFolder data = new DataFolder(folder);
     RoomCommands.add(registry, stepper.server().rooms(), data);
-    Setting seed =
-        new Setting("seed", List.of("7"), "command line", "", "N", "Start of random numbers.");
-    Setting grace =
-        new Setting("grace", List.of("30"), Setting.DEFAULT, "30", "S", "How long a body waits.");
-    Setting level =
-        new Setting("log-level", List.of("info"), Setting.DEFAULT, "info", "LEVEL", "How much.");
+    EffectiveSetting seed = new EffectiveSetting(ServerConfig.SEED, List.of("7"), "command line");
+    EffectiveSetting grace =
+        new EffectiveSetting(ServerConfig.GRACE, List.of(), EffectiveSetting.DEFAULT);
+    EffectiveSetting level =
+        new EffectiveSetting(ServerConfig.LOG_LEVEL, List.of(), EffectiveSetting.DEFAULT);
     ServerCommands.add(
         registry,
         stepper.server()::status,
         () -> new EffectiveSettings(List.of(grace, level, seed)),
-        Set.of("log-level"),
         List.of(data.recordings()),
         file -> "replayed " + file);
     RedirectCommands.add(

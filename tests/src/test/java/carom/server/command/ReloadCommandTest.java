@@ -3,8 +3,9 @@ package carom.server.command;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import carom.server.config.EffectiveSetting;
 import carom.server.config.EffectiveSettings;
-import carom.server.config.Setting;
+import carom.server.config.ServerConfig;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -19,8 +20,8 @@ final class ReloadCommandTest {
   private static EffectiveSettings settings(String level, String players) {
     return new EffectiveSettings(
         List.of(
-            new Setting("log-level", List.of(level), "carom.conf: 1", "info", "LEVEL", "Log."),
-            new Setting("max-players", List.of(players), "carom.conf: 2", "64", "N", "Most.")));
+            new EffectiveSetting(ServerConfig.LOG_LEVEL, List.of(level), "carom.conf: 1"),
+            new EffectiveSetting(ServerConfig.MAX_PLAYERS, List.of(players), "carom.conf: 2")));
   }
 
   ReloadCommandTest() {

@@ -6,78 +6,29 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.options.Flags;
+import carom.options.NetworkConditions;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
 
 /**
- * Goal: command line over environment over file over default, each with its origin. Method: a small
- * program with settings of each kind.
+ * Goal: command line over environment over file over default, each with its origin. Method: the
+ * server's settings.
  */
 final class SettingsLayersTest {
   @TempDir private Path folder;
   private Path file;
 
-  /** A program with a setting of each kind. */
-  @CommandLine.Command(name = "program")
-  static final class Program {
-    @Option(names = "--data", defaultValue = "no-such-folder", description = "Data.")
-    String data;
-
-    @Option(names = "--config", paramLabel = "FILE", description = "File.")
-    String config;
-
-    @Option(names = "--print-config", description = "Prints.")
-    boolean print;
-
-    @Option(
-        names = "--tick-rate",
-        paramLabel = "HZ",
-        defaultValue = "60",
-        description = "Steps (${DEFAULT-VALUE}).")
-    int tickRate;
-
-    @Option(
-        names = "--grace",
-        paramLabel = "S",
-        defaultValue = "30",
-        description = "Waits (${DEFAULT-VALUE}).")
-    int grace;
-
-    @Option(names = "--latency", paramLabel = "MS", description = "Delay (none).")
-    Double latency;
-
-    @Option(names = "--name", defaultValue = "two words", description = "Name.")
-    String name;
-
-    @Option(names = "--room", description = "Rooms.")
-    List<String> rooms = new ArrayList<>();
-
-    @Option(
-        names = "--web",
-        arity = "0..1",
-        negatable = true,
-        fallbackValue = "true",
-        defaultValue = "true",
-        description = "Page (${DEFAULT-VALUE}).")
-    boolean web;
-
-    @Option(names = "--help", usageHelp = true)
-    boolean help;
-  }
-
-  private final Program program = new Program();
+  private ServerConfig program;
   private EffectiveSettings settings;
 
   @BeforeEach
@@ -87,11 +38,15 @@ final class SettingsLayersTest {
 
   private SettingsLayers layers(Map<String, String> environment, String... args)
       throws BadSettingException {
-    CommandLine commandLine = new CommandLine(program);
-    SettingsLayers layers =
-        new SettingsLayers(commandLine.getCommandSpec(), Arrays.asList(args), environment);
-    ParseResult parsed = commandLine.parseArgs(layers.arguments());
-    settings = layers.settings(parsed);
+    CommandLine commandLine = new CommandLine(CommandLine.Model.CommandSpec.create());
+    Flags.add(commandLine.getCommandSpec(), ServerConfig.ROWS);
+    Flags.add(commandLine.getCommandSpec(), ServerConfig.ONLY_FLAGS);
+    ParseResult parsed = commandLine.parseArgs(args);
+    Map<String, List<String>> given = Flags.given(parsed, ServerConfig.ROWS);
+    given.putAll(Flags.given(parsed, ServerConfig.ONLY_FLAGS));
+    SettingsLayers layers = new SettingsLayers(given, environment, Map.of());
+    settings = layers.settings();
+    program = settings.config();
     return layers;
   }
 
@@ -118,15 +73,14 @@ final class SettingsLayersTest {
         Map.of("CAROM_DATA", folder.toString(), "CAROM_GRACE", "20", "CAROM_NAME", "variable");
     SettingsLayers layers = layers(environment, "--name", "flag");
     assertEquals(file, layers.file());
-    assertEquals("flag", program.name);
+    assertEquals("flag", program.get(ServerConfig.NAME));
     assertEquals("command line", origin("name"));
-    assertEquals(20, program.grace);
+    assertEquals(20, program.get(ServerConfig.GRACE));
     assertEquals("environment CAROM_GRACE", origin("grace"));
-    assertEquals(30, program.tickRate);
+    assertEquals(30, program.get(ServerConfig.TICK_RATE));
     assertEquals(file + ": 2", origin("tick-rate"));
-    assertNull(program.latency);
     assertEquals("default", origin("latency"));
-    assertEquals("Steps.", settings.find("tick-rate").orElseThrow().doc());
+    assertEquals("Simulation steps per second, 10..240.", ServerConfig.TICK_RATE.doc());
     assertTrue(settings.find("config").isEmpty() && settings.find("help").isEmpty());
   }
 
@@ -135,28 +89,27 @@ final class SettingsLayersTest {
     for (String word : List.of("no", "off", "false", "OFF")) {
       write("web = " + word + "\n");
       read();
-      assertFalse(program.web, word);
+      assertFalse(program.get(ServerConfig.WEB), word);
     }
     for (String word : List.of("yes", "on", "true")) {
       write("web = " + word + "\n");
       read();
-      assertTrue(program.web, word);
+      assertTrue(program.get(ServerConfig.WEB), word);
     }
     layers(Map.of("CAROM_DATA", folder.resolve("none").toString(), "CAROM_WEB", "off"));
-    assertFalse(program.web);
+    assertFalse(program.get(ServerConfig.WEB));
   }
 
   @Test
   void numbersHaveUnitsInEveryLayer() throws Exception {
     write("grace = 2 min\n");
     layers(Map.of("CAROM_DATA", folder.toString(), "CAROM_LATENCY", "0.25s"), "--tick-rate=30hz");
-    assertEquals(120, program.grace);
-    assertEquals(250.0, program.latency);
-    assertEquals(30, program.tickRate);
+    assertEquals(120, program.get(ServerConfig.GRACE));
+    assertEquals(250.0, NetworkConditions.impairment(program).latencyMs());
+    assertEquals(30, program.get(ServerConfig.TICK_RATE));
     for (String bad : List.of("1 parsec", "0.5 s", "1.2.3", "x", "99999999 h")) {
-      CommandLine.ParameterException e =
-          assertThrows(CommandLine.ParameterException.class, () -> read("--grace", bad));
-      assertTrue(e.getMessage().contains("'" + bad + "' is "), e.getMessage());
+      Exception e = assertThrows(IllegalArgumentException.class, () -> read("--grace", bad));
+      assertTrue(e.getMessage().contains("--grace=" + bad + " is "), e.getMessage());
     }
   }
 
@@ -164,12 +117,11 @@ final class SettingsLayersTest {
   void aListIsARepeatedFlagAndTheCommandLineReplacesIt() throws Exception {
     write("room = [\"a=arena\", \"b=platformer\"]\n");
     read();
-    assertEquals(List.of("a=arena", "b=platformer"), program.rooms);
+    assertEquals(List.of("a=arena", "b=platformer"), program.get(ServerConfig.ROOM));
     String printed = settings.file();
     assertTrue(printed.contains("\nroom = [\"a=arena\", \"b=platformer\"]\n"), printed);
-    program.rooms.clear();
     read("--room", "c=arena");
-    assertEquals(List.of("c=arena"), program.rooms);
+    assertEquals(List.of("c=arena"), program.get(ServerConfig.ROOM));
     write("grace = [1, 2]\n");
     assertTrue(refused().contains("grace takes one value"), refused());
   }
@@ -193,7 +145,7 @@ final class SettingsLayersTest {
     SettingsLayers layers = layers(Map.of("CAROM_GRACEE", "1", "CAROM_NAME", "", "OTHER", "2"));
     assertEquals(1, layers.warnings().size());
     assertTrue(layers.warnings().get(0).contains("did you mean \"CAROM_GRACE\"?"));
-    assertEquals("two words", program.name, "an empty variable counts as none");
+    assertEquals("Carom", program.get(ServerConfig.NAME), "an empty variable counts as none");
   }
 
   @Test
@@ -215,7 +167,7 @@ final class SettingsLayersTest {
   @Test
   void errorsTellWhichLayerSetTheFlagTheyName() throws Exception {
     write("grace = 99\n");
-    SettingsLayers layers = read("--tick-rate", "5");
+    SettingsLayers layers = read("--tick-rate", "50");
     assertEquals(
         "grace is set by " + file + ": 1", layers.origins("--grace=99 is outside 0..9, see --x"));
     assertEquals("", layers.origins("--tick-rate=5 is outside, or --grace-other"));
@@ -226,21 +178,22 @@ final class SettingsLayersTest {
     write("tick-rate = 30\n");
     read("--name", "it's \"quoted\" = #1", "--latency", "40 ms");
     String printed = settings.file();
-    assertTrue(printed.contains("# Steps.\ntick-rate = 30 Hz\n"), printed);
-    assertTrue(printed.contains("# Waits.\n#grace = 30 s\n"), printed);
+    assertTrue(
+        printed.contains("# Simulation steps per second, 10..240.\ntick-rate = 30 Hz\n"), printed);
+    assertTrue(printed.contains("waits, 0..600.\n#grace = 30 s\n"), printed);
     // It names its own data folder, in which it was found.
     assertTrue(printed.contains("\ndata = "), printed);
     write(printed);
     read();
-    assertEquals(30, program.tickRate);
-    assertEquals("it's \"quoted\" = #1", program.name);
-    assertEquals(40.0, program.latency);
+    assertEquals(30, program.get(ServerConfig.TICK_RATE));
+    assertEquals("it's \"quoted\" = #1", program.get(ServerConfig.NAME));
+    assertEquals(40.0, NetworkConditions.impairment(program).latencyMs());
     assertEquals(printed, settings.file());
 
     // The defaults in the comments are those of the program.
     write(printed.replaceAll("(?m)^#(?=[a-z-]+ = [^<])", "").replaceAll("(?m)^data = .*$", ""));
     read();
-    assertEquals(30, program.grace);
+    assertEquals(30, program.get(ServerConfig.GRACE));
     assertFalse(origin("grace").equals("default"));
   }
 }

@@ -166,7 +166,9 @@ final class ThinSessionTest {
   }
 
   private void serve(ServerConfig config, Game game, Level level) {
-    server = new Server(config.withStatusIntervalS(0), () -> game, level, door, () -> nowNs);
+    server =
+        new Server(
+            config.with(ServerConfig.STATUS_INTERVAL, 0), () -> game, level, door, () -> nowNs);
   }
 
   private void steps(int count) {

@@ -1,5 +1,6 @@
 package carom.client.desktop.menu;
 
+import carom.client.settings.PlayerSettings;
 import carom.sim.message.PlayerColour;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
 import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
@@ -19,7 +20,7 @@ final class ColourChooser {
    * @param changed runs after a choice, and should show the page anew
    */
   static Table of(Widgets widgets, SettingsHost host, Runnable changed) {
-    PlayerColour shown = host.settings().colour();
+    PlayerColour shown = host.settings().get(PlayerSettings.COLOUR);
     Table row = new Table();
     row.add(step("<", -1, widgets, host, changed)).size(Widgets.HEIGHT);
     if (shown.rgb() >= 0) {
@@ -36,8 +37,8 @@ final class ColourChooser {
     return widgets.button(
         text,
         () -> {
-          int next = ALL.indexOf(host.settings().colour()) + by + ALL.size();
-          host.change(host.settings().withColour(ALL.get(next % ALL.size())));
+          int next = ALL.indexOf(host.settings().get(PlayerSettings.COLOUR)) + by + ALL.size();
+          host.change(host.settings().with(PlayerSettings.COLOUR, ALL.get(next % ALL.size())));
           changed.run();
         });
   }

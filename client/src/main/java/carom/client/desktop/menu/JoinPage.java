@@ -133,8 +133,8 @@ final class JoinPage implements Page {
     lan(into, s);
     for (int i = 0; i < known.size(); i++) {
       KnownServer server = known.get(i);
-      boolean favourite = i < s.favourites().size();
-      if (i == 0 || i == s.favourites().size()) {
+      boolean favourite = i < s.get(PlayerSettings.FAVOURITES).size();
+      if (i == 0 || i == s.get(PlayerSettings.FAVOURITES).size()) {
         String heading = favourite ? "Favourites" : "Played lately";
         into.add(widgets.muted(heading)).colspan(2).padTop(8).row();
       }
@@ -185,7 +185,7 @@ final class JoinPage implements Page {
     TextButton row = widgets.row(shown, about, () -> joinAt(server));
     row.setName(server); // keeps the focus when other servers come and go
     line.add(row).growX().minWidth(0);
-    String verb = s.favourites().contains(server) ? "forget" : "keep";
+    String verb = s.get(PlayerSettings.FAVOURITES).contains(server) ? "forget" : "keep";
     TextButton toggle = widgets.button(verb, () -> toggle(server));
     toggle.setName(verb + server);
     line.add(toggle).width(STAR_WIDTH);
@@ -194,8 +194,10 @@ final class JoinPage implements Page {
 
   /** Asks all servers of the lists what they play. */
   private void ask(PlayerSettings s) {
-    List<String> servers = new ArrayList<>(s.favourites());
-    s.recent().stream().filter(server -> !servers.contains(server)).forEach(servers::add);
+    List<String> servers = new ArrayList<>(s.get(PlayerSettings.FAVOURITES));
+    s.get(PlayerSettings.RECENT).stream()
+        .filter(server -> !servers.contains(server))
+        .forEach(servers::add);
     servers.forEach(server -> known.add(new KnownServer(server, target::browse)));
   }
 

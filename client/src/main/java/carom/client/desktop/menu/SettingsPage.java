@@ -45,35 +45,58 @@ final class SettingsPage implements Page {
     name = widgets.field(name == null ? host.playerName() : name.getText(), MAX_NAME_LENGTH);
     line(into, "Name in games", name);
     line(into, "Colour of your body", ColourChooser.of(widgets, host, rebuild));
-    steps(into, "Volume", s.volume(), 5, 0, 100, v -> s.withVolume(v), " %");
-    steps(into, "Text size", s.textSize(), 25, 75, 200, v -> s.withTextSize(v), " %");
+    steps(
+        into,
+        "Volume",
+        s.get(PlayerSettings.VOLUME),
+        5,
+        0,
+        100,
+        v -> s.with(PlayerSettings.VOLUME, v),
+        " %");
+    steps(
+        into,
+        "Text size",
+        s.get(PlayerSettings.TEXT_SIZE),
+        25,
+        75,
+        200,
+        v -> s.with(PlayerSettings.TEXT_SIZE, v),
+        " %");
     steps(
         into,
         "Delay of others, at least",
-        s.interpolationMs(),
+        s.get(PlayerSettings.INTERPOLATION),
         25,
         0,
         300,
-        v -> s.withInterpolationMs(v),
+        v -> s.with(PlayerSettings.INTERPOLATION, v),
         " ms");
     line(
         into,
         "Window",
         widgets.button(
-            s.fullscreen() ? "fills the screen" : s.windowWidth() + " x " + s.windowHeight(),
+            s.get(PlayerSettings.FULLSCREEN)
+                ? "fills the screen"
+                : s.get(PlayerSettings.WINDOW).width()
+                    + " x "
+                    + s.get(PlayerSettings.WINDOW).height(),
             () -> change(WindowSizes.next(host.settings(), host.largestWindow()))));
     line(
         into,
         "Vsync",
         widgets.button(
-            s.vsync() ? "on" : "off: sooner, and may tear",
-            () -> change(host.settings().withVsync(!s.vsync()))));
+            s.get(PlayerSettings.VSYNC) ? "on" : "off: sooner, and may tear",
+            () ->
+                change(host.settings().with(PlayerSettings.VSYNC, !s.get(PlayerSettings.VSYNC)))));
     Palette[] palettes = Palette.values();
-    Palette next = palettes[(s.palette().ordinal() + 1) % palettes.length];
+    Palette next = palettes[(s.get(PlayerSettings.PALETTE).ordinal() + 1) % palettes.length];
     line(
         into,
         "Colours",
-        widgets.button(s.palette().label(), () -> change(host.settings().withPalette(next))));
+        widgets.button(
+            s.get(PlayerSettings.PALETTE).label(),
+            () -> change(host.settings().with(PlayerSettings.PALETTE, next))));
     into.add(widgets.muted("Keys")).padTop(10).colspan(2).row();
     for (KeyAction action : KeyAction.values()) {
       String keys = KeyMap.all(s.keys().get(action));

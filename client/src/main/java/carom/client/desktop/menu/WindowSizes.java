@@ -17,12 +17,13 @@ final class WindowSizes {
    * @param screen width and height of the screen, px
    */
   static PlayerSettings next(PlayerSettings settings, int[] screen) {
-    int least = settings.fullscreen() ? 0 : settings.windowWidth();
+    int least =
+        settings.get(PlayerSettings.FULLSCREEN) ? 0 : settings.get(PlayerSettings.WINDOW).width();
     for (int[] size : SIZES) {
       if (size[0] > least && size[0] <= screen[0] && size[1] <= screen[1]) {
-        return settings.withWindow(size[0], size[1]).withFullscreen(false);
+        return settings.withWindow(size[0], size[1]).with(PlayerSettings.FULLSCREEN, false);
       }
     }
-    return settings.withFullscreen(!settings.fullscreen());
+    return settings.with(PlayerSettings.FULLSCREEN, !settings.get(PlayerSettings.FULLSCREEN));
   }
 }

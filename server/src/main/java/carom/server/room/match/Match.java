@@ -63,7 +63,8 @@ public final class Match {
     failures = new GameFailures(rules.name(), counters, label);
     GuardedGame game = new GuardedGame(rules, failures);
     simulation =
-        new Simulation(game, level.level(), seed, config.get().tickRateHz(), Role.AUTHORITY);
+        new Simulation(
+            game, level.level(), seed, config.get().get(ServerConfig.TICK_RATE), Role.AUTHORITY);
     info =
         new MatchInfo(
             room,
@@ -73,7 +74,7 @@ public final class Match {
             seed,
             Declarations.of(simulation.schema(), simulation.messageKinds()),
             GameDigest.of(rules),
-            config.get().takesAnyCode());
+            config.get().get(ServerConfig.DEV));
     capture = new FrameCapture(simulation);
     ownCapture = new OwnCapture(simulation);
     hearsChat = overridesChat(rules);

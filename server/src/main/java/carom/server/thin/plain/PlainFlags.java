@@ -1,45 +1,25 @@
 package carom.server.thin.plain;
 
 import carom.options.Sockets;
+import carom.server.config.ServerConfig;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import picocli.CommandLine.Option;
 
-/** The server's flags about programs with stock KryoNet. Picocli fills them in. */
+/** The server's flags about programs with stock KryoNet. */
 public final class PlainFlags {
-  @Option(
-      names = "--plain-port",
-      paramLabel = "TCP[:UDP]",
-      description =
-          "Port for clients with stock KryoNet and Kryo 2.24, not encrypted, and with a second"
-              + " number one for their datagrams; 0 = any free one. Without UDP snapshots go by TCP"
-              + " (none).")
-  private String ports;
-
-  @Option(
-      names = "--plain-open",
-      paramLabel = "true|false",
-      arity = "0..1",
-      negatable = true,
-      fallbackValue = "true",
-      defaultValue = "false",
-      description =
-          "Let clients come to --plain-port from outside private networks, too; anybody who sees"
-              + " their packets can read and change them.")
-  private boolean open;
-
-  /** Creates flags that picocli has yet to fill in. */
-  public PlainFlags() {}
+  private PlainFlags() {}
 
   /**
    * Returns what is wrong with the flags, or null.
    *
    * @param addresses of this machine on which ports are open; empty for all
    */
-  public String problem(List<InetAddress> addresses) {
+  public static String problem(ServerConfig config, List<InetAddress> addresses) {
+    String ports = config.get(ServerConfig.PLAIN_PORT);
+    boolean open = config.get(ServerConfig.PLAIN_OPEN);
     if (ports == null) {
       return open ? "--plain-open needs --plain-port" : null;
     }
@@ -69,7 +49,10 @@ public final class PlainFlags {
    * @param addresses of this machine; empty for all
    * @throws IOException when a port can't be opened; the message says what to do
    */
-  public PlainDoor open(List<InetAddress> addresses) throws IOException {
+  public static PlainDoor open(ServerConfig config, List<InetAddress> addresses)
+      throws IOException {
+    String ports = config.get(ServerConfig.PLAIN_PORT);
+    boolean open = config.get(ServerConfig.PLAIN_OPEN);
     if (ports == null) {
       return null;
     }

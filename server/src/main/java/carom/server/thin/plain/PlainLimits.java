@@ -1,7 +1,5 @@
 package carom.server.thin.plain;
 
-import carom.values.Records;
-
 /**
  * Limits on what unknown programs may use at the door for stock KryoNet. Immutable; start from
  * {@link #DEFAULT}.
@@ -51,12 +49,31 @@ public record PlainLimits(
 
   /** Returns a copy with other limits on the number of connections. */
   public PlainLimits withConnections(int max, int perAddress, int waiting) {
-    return Records.with(
-        this, "maxConnections", max, "maxPerAddress", perAddress, "maxWaiting", waiting);
+    return new PlainLimits(
+        max,
+        perAddress,
+        waiting,
+        joinMillis,
+        idleMillis,
+        framesPerSecond,
+        bytesPerSecond,
+        datagramsPerSecond,
+        unsentBytes,
+        stallMillis);
   }
 
   /** Returns a copy with other time limits, ms. */
   public PlainLimits withTimes(int join, int idle, int stall) {
-    return Records.with(this, "joinMillis", join, "idleMillis", idle, "stallMillis", stall);
+    return new PlainLimits(
+        maxConnections,
+        maxPerAddress,
+        maxWaiting,
+        join,
+        idle,
+        framesPerSecond,
+        bytesPerSecond,
+        datagramsPerSecond,
+        unsentBytes,
+        stall);
   }
 }

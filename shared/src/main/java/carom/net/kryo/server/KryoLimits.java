@@ -1,7 +1,6 @@
 package carom.net.kryo.server;
 
 import carom.net.protocol.ProtocolLimits;
-import carom.values.Records;
 
 /**
  * Limits on what a server lets unknown clients use. It is immutable; start from {@link #DEFAULT}.
@@ -91,26 +90,76 @@ public record KryoLimits(
 
   /** Returns a copy with other limits on the number of connections. */
   public KryoLimits withConnections(int max, int perAddress) {
-    return Records.with(this, "maxConnections", max, "maxPerAddress", perAddress);
+    return new KryoLimits(
+        max,
+        maxPending,
+        perAddress,
+        handshakeMillis,
+        idleMillis,
+        messagesPerSecond,
+        datagramsPerSecond,
+        unreadMessages,
+        unreadDatagrams,
+        unsentBytes);
   }
 
   /** Returns a copy with another limit on connections that have proven nothing. */
   public KryoLimits withPending(int max) {
-    return Records.with(this, "maxPending", max);
+    return new KryoLimits(
+        maxConnections,
+        max,
+        maxPerAddress,
+        handshakeMillis,
+        idleMillis,
+        messagesPerSecond,
+        datagramsPerSecond,
+        unreadMessages,
+        unreadDatagrams,
+        unsentBytes);
   }
 
   /** Returns a copy with other time limits, ms. */
   public KryoLimits withTimes(int handshake, int idle) {
-    return Records.with(this, "handshakeMillis", handshake, "idleMillis", idle);
+    return new KryoLimits(
+        maxConnections,
+        maxPending,
+        maxPerAddress,
+        handshake,
+        idle,
+        messagesPerSecond,
+        datagramsPerSecond,
+        unreadMessages,
+        unreadDatagrams,
+        unsentBytes);
   }
 
   /** Returns a copy with other rate limits, per second and link. */
   public KryoLimits withRates(int messages, int datagrams) {
-    return Records.with(this, "messagesPerSecond", messages, "datagramsPerSecond", datagrams);
+    return new KryoLimits(
+        maxConnections,
+        maxPending,
+        maxPerAddress,
+        handshakeMillis,
+        idleMillis,
+        messages,
+        datagrams,
+        unreadMessages,
+        unreadDatagrams,
+        unsentBytes);
   }
 
   /** Returns a copy with other inbox sizes. */
   public KryoLimits withInbox(int messages, int datagrams) {
-    return Records.with(this, "unreadMessages", messages, "unreadDatagrams", datagrams);
+    return new KryoLimits(
+        maxConnections,
+        maxPending,
+        maxPerAddress,
+        handshakeMillis,
+        idleMillis,
+        messagesPerSecond,
+        datagramsPerSecond,
+        messages,
+        datagrams,
+        unsentBytes);
   }
 }

@@ -22,7 +22,7 @@ public final class BudgetFigures {
   public static List<Figure> measure(boolean quick) {
     double seconds = quick ? 3 : 10;
     ServerConfig config =
-        ServerConfig.defaults().withViewMetres(25).withSnapshotBitsPerSecond(BUDGET_KBIT * 1_000);
+        ServerConfig.defaults().with(ServerConfig.VIEW, 25).with(ServerConfig.BUDGET, BUDGET_KBIT);
     return List.of(onFastLine(config, seconds), onSlowLine(config, seconds));
   }
 

@@ -24,7 +24,7 @@ import java.util.List;
  */
 public final class SnapshotFigures {
   private static final int ONE_WAY_MS = 50;
-  private static final int NO_LIMIT = 80_000_000;
+  private static final int NO_LIMIT_KBIT = 80_000;
   private static final int FAR_METRES = 4_096;
 
   /** Time until the client plays and its acks have come back, s. */
@@ -53,13 +53,13 @@ public final class SnapshotFigures {
     Level level = SceneGame.level(Scenes.get(scene));
     ServerConfig config =
         ServerConfig.defaults()
-            .withSnapshotRateHz(rate)
-            .withSnapshotBitsPerSecond(NO_LIMIT)
-            .withViewMetres(FAR_METRES);
+            .with(ServerConfig.SNAPSHOT_RATE, rate)
+            .with(ServerConfig.BUDGET, NO_LIMIT_KBIT)
+            .with(ServerConfig.VIEW, FAR_METRES);
     try (Stepper stepper = Stepper.of(level, config)) {
       SimulatedClient client =
           stepper.add(
-              ClientConfig.of("watcher").withPrediction(PredictionMode.NONE),
+              ClientConfig.of("watcher").with(ClientConfig.PREDICTION, PredictionMode.NONE),
               Impairment.NONE.withLatency(ONE_WAY_MS, 0),
               InputSource.IDLE);
       stepper.runUntil(

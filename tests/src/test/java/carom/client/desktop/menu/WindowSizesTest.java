@@ -33,8 +33,11 @@ final class WindowSizesTest {
     List<String> seen = new ArrayList<>();
     for (int i = 0; i < presses; i++) {
       settings = WindowSizes.next(settings, screen);
-      String window = settings.windowWidth() + "x" + settings.windowHeight();
-      seen.add(settings.fullscreen() ? "whole" : window);
+      String window =
+          settings.get(PlayerSettings.WINDOW).width()
+              + "x"
+              + settings.get(PlayerSettings.WINDOW).height();
+      seen.add(settings.get(PlayerSettings.FULLSCREEN) ? "whole" : window);
     }
     return seen;
   }

@@ -80,7 +80,7 @@ final class NearTraining {
     try (Stepper stepper = play(game)) {
       for (int i = 0; i < bots; i++) {
         Impairment line = Impairment.NONE.withLatency(50, 0).withLoss(2).withSeed(Stepper.SEED + i);
-        ClientConfig config = ClientConfig.of("b" + i).withPrediction(mode(i));
+        ClientConfig config = ClientConfig.of("b" + i).with(ClientConfig.PREDICTION, mode(i));
         stepper.add(config, line, isMachines(game) ? Scripts.wander(Stepper.SEED + i) : new Bot(i));
       }
       stepper.run(3);

@@ -133,7 +133,9 @@ final class PlainClientTest {
   void withoutUdpSnapshotsComeByTcp() throws Exception {
     try (PlainRig streams =
             new PlainRig(
-                ServerConfig.defaults().withStatusIntervalS(0), PlainLimits.DEFAULT, false);
+                ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0),
+                PlainLimits.DEFAULT,
+                false);
         Stock ann = new Stock(stock, HOME)) {
       assertEquals(0, streams.door.udpPort());
       ann.type("connect " + streams.door.tcpPort());

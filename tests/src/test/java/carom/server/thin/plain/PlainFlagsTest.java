@@ -4,27 +4,21 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.options.Flags;
+import carom.server.config.ServerConfig;
 import java.net.InetAddress;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
-import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 
 final class PlainFlagsTest {
-  @Command
-  private static final class Program implements Runnable {
-    @Mixin final PlainFlags plain = new PlainFlags();
-
-    @Override
-    public void run() {}
-  }
-
   private static String problem(String bind, String... args) throws Exception {
-    Program program = new Program();
-    new CommandLine(program).parseArgs(args);
+    CommandLine program = new CommandLine(CommandLine.Model.CommandSpec.create());
+    Flags.add(program.getCommandSpec(), ServerConfig.ROWS);
+    ServerConfig config =
+        Flags.read(new ServerConfig(), program.parseArgs(args), ServerConfig.ROWS);
     List<InetAddress> addresses = bind.isEmpty() ? List.of() : List.of(InetAddress.getByName(bind));
-    return program.plain.problem(addresses);
+    return PlainFlags.problem(config, addresses);
   }
 
   @Test

@@ -62,7 +62,7 @@ final class PlainHostilityTest {
 
   @BeforeEach
   void openWithCanary() throws IOException {
-    rig = new PlainRig(ServerConfig.defaults().withStatusIntervalS(0), LIMITS, true);
+    rig = new PlainRig(ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0), LIMITS, true);
     door = rig.door;
     canary = RawStock.joined(door, "canary", true);
     breath = new Thread(this::breathe);
@@ -351,7 +351,9 @@ final class PlainHostilityTest {
     List<RawStock> lookers = new ArrayList<>();
     try (PlainRig wide =
         new PlainRig(
-            ServerConfig.defaults().withStatusIntervalS(0).withHandshakeTimeoutMs(60_000),
+            ServerConfig.defaults()
+                .with(ServerConfig.STATUS_INTERVAL, 0)
+                .with(ServerConfig.HANDSHAKE_TIMEOUT_MS, 60_000),
             PlainLimits.DEFAULT,
             true)) {
       Link own;

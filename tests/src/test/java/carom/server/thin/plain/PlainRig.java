@@ -51,7 +51,9 @@ final class PlainRig implements AutoCloseable {
 
   static PlainRig open() throws IOException {
     return new PlainRig(
-        ServerConfig.defaults().withSeed(1).withStatusIntervalS(0), PlainLimits.DEFAULT, true);
+        ServerConfig.defaults().with(ServerConfig.SEED, 1).with(ServerConfig.STATUS_INTERVAL, 0),
+        PlainLimits.DEFAULT,
+        true);
   }
 
   @Override

@@ -46,7 +46,7 @@ final class PlayPageTest {
   }
 
   private static Server serve(PlayPort port) {
-    ServerConfig config = ServerConfig.defaults().withStatusIntervalS(0);
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0);
     List<RoomConfig> rooms =
         GAMES.stream().map(game -> new RoomConfig(game, game, List.of(), 8, 1, Map.of())).toList();
     Server server = new Server(config, rooms, MatchLibrary.INSTALLED, port, System::nanoTime);

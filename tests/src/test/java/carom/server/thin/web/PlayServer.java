@@ -23,7 +23,7 @@ final class PlayServer implements AutoCloseable {
       Level level = Level.builtIn(Games.create(game).defaultLevel());
       server =
           new Server(
-              ServerConfig.defaults().withStatusIntervalS(0),
+              ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0),
               () -> Games.create(game),
               level,
               port,

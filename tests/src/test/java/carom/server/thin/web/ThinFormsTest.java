@@ -148,7 +148,7 @@ final class ThinFormsTest {
     Game arena = Games.create("arena");
     Server server =
         new Server(
-            ServerConfig.defaults().withStatusIntervalS(0),
+            ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0),
             () -> arena,
             Level.builtIn(arena.defaultLevel()),
             door,

@@ -1,22 +1,16 @@
-package carom.server.config;
+package carom.options;
 
 import java.math.BigDecimal;
 import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import picocli.CommandLine.ITypeConverter;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Model.OptionSpec;
-import picocli.CommandLine.TypeConversionException;
 
 /**
  * Units behind the numbers of settings: {@code 30}, {@code 30 s} and {@code 0.5 min} are the same
- * time. The label of an option tells the unit of a plain number.
+ * time. The label of a setting tells the unit of a plain number.
  */
-public final class SettingUnits {
+final class Units {
   private static final Pattern NUMBER = Pattern.compile("([-+]?[0-9.]+)\\s*([a-zA-Z%]*)");
 
   private static final Pattern BARE = Pattern.compile("-?\\d+(\\.\\d+)?");
@@ -31,7 +25,7 @@ public final class SettingUnits {
           "METRES", units("m", "1", "km", "1000"),
           "PERCENT", units("%", "1"));
 
-  private SettingUnits() {}
+  private Units() {}
 
   private static Map<String, BigDecimal> units(String... namesAndFactors) {
     Map<String, BigDecimal> units = new LinkedHashMap<>();
@@ -44,9 +38,9 @@ public final class SettingUnits {
   /**
    * Returns the unit of plain numbers, or empty for none.
    *
-   * @param label of the option's value, such as {@code KBIT}
+   * @param label of the value, such as {@code KBIT}
    */
-  public static String plain(String label) {
+  static String plain(String label) {
     Map<String, BigDecimal> units = UNITS.get(label);
     return units == null ? "" : units.keySet().iterator().next();
   }
@@ -57,36 +51,13 @@ public final class SettingUnits {
     return unit.isEmpty() || !BARE.matcher(value).matches() ? value : value + " " + unit;
   }
 
-  /** Makes all options of a program that are measured in a unit accept it. */
-  static void accept(CommandSpec program) {
-    for (OptionSpec option : List.copyOf(program.options())) {
-      program.remove(option); // all of them, which keeps their order
-      Map<String, BigDecimal> units = UNITS.get(option.paramLabel());
-      program.addOption(
-          units == null
-              ? option
-              : option.toBuilder().converters(converter(units, option.type())).build());
-    }
-  }
-
-  private static ITypeConverter<Number> converter(Map<String, BigDecimal> units, Class<?> type) {
-    return text -> {
-      BigDecimal number = parse(text, units);
-      if (type == Double.class) {
-        return number.doubleValue();
-      }
-      try {
-        return number.intValueExact();
-      } catch (ArithmeticException e) {
-        boolean whole = number.stripTrailingZeros().scale() <= 0;
-        String unit = units.keySet().iterator().next();
-        throw new TypeConversionException(
-            "'%s' is %s".formatted(text, whole ? "too large" : "not a whole number of " + unit));
-      }
-    };
-  }
-
-  private static BigDecimal parse(String text, Map<String, BigDecimal> units) {
+  /**
+   * Returns a number in the unit of plain numbers.
+   *
+   * @throws IllegalArgumentException if it isn't one; the message stands behind the value
+   */
+  static BigDecimal parse(String label, String text) {
+    Map<String, BigDecimal> units = UNITS.get(label);
     Matcher parts = NUMBER.matcher(text.strip());
     if (parts.matches()) {
       for (Map.Entry<String, BigDecimal> unit : units.entrySet()) {
@@ -100,11 +71,7 @@ public final class SettingUnits {
         }
       }
     }
-    throw new TypeConversionException(
-        String.format(
-            Locale.ROOT,
-            "'%s' is not a number, alone or with one of these units: %s",
-            text,
-            String.join(", ", units.keySet())));
+    throw new IllegalArgumentException(
+        "is not a number, alone or with one of these units: " + String.join(", ", units.keySet()));
   }
 }
