@@ -5,7 +5,6 @@ import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
@@ -45,7 +44,7 @@ public final class BadFlag extends ParameterException {
     String name = program.getCommandSpec().qualifiedName();
     PrintWriter err = program.getErr();
     String flag = unknownFlag(e);
-    boolean told = e.getCause() instanceof TypeConversionException; // by the row of a switch
+    boolean told = e.getCause() instanceof Flags.Refusal;
     String message = told ? e.getCause().getMessage() : e.getMessage();
     err.println(name + ": " + (flag == null ? message : "unknown flag '" + flag + "'"));
     if (!(e instanceof BadFlag) && !told) {

@@ -10,6 +10,15 @@ import picocli.CommandLine.TypeConversionException;
 
 /** Settings as flags of a command line. */
 public final class Flags {
+  /** Refusal of a switch's value by its row, while picocli reads the command line. */
+  static final class Refusal extends TypeConversionException {
+    private static final long serialVersionUID = 1;
+
+    Refusal(IllegalArgumentException cause) {
+      super(cause.getMessage());
+    }
+  }
+
   private Flags() {}
 
   /** Adds a flag for each row to a program, before those that it has. */
@@ -25,7 +34,7 @@ public final class Flags {
         OptionSpec.builder("--" + row.name()).paramLabel(row.label()).description(row.help());
     switch (row.form()) {
       case LIST -> option.type(List.class).auxiliaryTypes(String.class);
-      case MARK -> option.type(boolean.class).arity("0");
+      case MARK -> option.type(boolean.class).converters(text -> converted(row, text));
       case TOGGLE ->
           option
               .type(boolean.class)
@@ -40,12 +49,12 @@ public final class Flags {
     return option.build();
   }
 
-  /** Converts a switch, which picocli can't negate as a text; its exception is like that of all. */
+  /** Converts a switch, which picocli can't negate as a text; the row refuses it. */
   private static Object converted(Setting<?> row, String text) {
     try {
       return row.parse(List.of(text));
     } catch (IllegalArgumentException e) {
-      throw new TypeConversionException(e.getMessage());
+      throw new Refusal(e);
     }
   }
 

@@ -93,15 +93,12 @@ public final class Rows {
     return text(name, label, initial)
         .limitedTo(
             min + ".." + max,
-            value ->
-                value.length() < min || value.length() > max || (min > 0 && value.isBlank())
-                    ? String.format(
-                        Locale.ROOT,
-                        ": length=%d is outside %d..%d",
-                        value.strip().length(),
-                        min,
-                        max)
-                    : null);
+            value -> {
+              int length = value.isBlank() ? 0 : value.length();
+              return length < min || length > max
+                  ? ": length=" + length + " is outside " + min + ".." + max
+                  : null;
+            });
   }
 
   /** Adds a text that may be given several times. */

@@ -11,7 +11,8 @@ import java.util.regex.Pattern;
  * time. The label of a setting tells the unit of a plain number.
  */
 final class Units {
-  private static final Pattern NUMBER = Pattern.compile("([-+]?[0-9.]+)\\s*([a-zA-Z%]*)");
+  private static final Pattern NUMBER =
+      Pattern.compile("([-+]?[0-9.]+(?:[eE][-+]?[0-9]{1,3})?)\\s*([a-zA-Z%]*)");
 
   private static final Pattern BARE = Pattern.compile("-?\\d+(\\.\\d+)?");
 

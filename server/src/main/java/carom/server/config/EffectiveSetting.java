@@ -27,6 +27,9 @@ public record EffectiveSetting(Setting<?> row, List<String> given, String origin
 
   /** Returns the effective value as texts; none when it isn't set and has no default. */
   public List<String> values() {
+    if (isSet() && row.isSwitch()) {
+      return List.of(String.valueOf(row.parse(given))); // whatever word it was
+    }
     return isSet() || row.initialText().isEmpty() ? given : List.of(row.initialText());
   }
 

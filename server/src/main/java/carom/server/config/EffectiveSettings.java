@@ -82,7 +82,8 @@ public record EffectiveSettings(List<EffectiveSetting> all) {
           + String.join(", ", values.stream().map(EffectiveSettings::literal).toList())
           + "]";
     }
-    return literal(setting.row().shown(values.get(0)));
+    String only = values.get(0);
+    return literal(only.isEmpty() ? only : setting.row().shown(only));
   }
 
   private static String literal(String text) {
