@@ -331,8 +331,9 @@ public final class ServerConfig extends Settings<ServerConfig> {
   public static final Setting<Integer> PLAY_PORT =
       ROWS.port("play-port", null)
           .text(
-              "Port for HTTP and WebSocket at which browsers play (/play) and thin clients of"
-                  + " any language (/thin, see docs/protocol/THIN.md), {range}, 0 = any free one (closed).");
+              "Port for HTTP and WebSocket at which browsers play (/play) and thin clients of any"
+                  + " language (/thin, see docs/protocol/THIN.md), {range}, 0 = any free one"
+                  + " (closed).");
 
   public static final Setting<List<String>> PLAY_HOST =
       ROWS.texts("play-host", "NAME")
