@@ -324,7 +324,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
     lobby.redirect(to);
   }
 
-  /** Sets who takes commands that players write into the chat; without it no server does. */
+  /** Sets what runs commands in the chat; without it a line with a slash is ordinary chat. */
   public void chatCommands(ChatCommands commands) {
     directory.chatCommands(commands);
   }

@@ -122,8 +122,8 @@ public final class ReloadCommand {
     StringBuilder text = new StringBuilder();
     Set<String> refused = new TreeSet<>();
     for (EffectiveSetting setting : next.all()) {
-      String before = present.find(setting.name()).map(EffectiveSetting::value).orElse("");
-      if (!setting.value().equals(before)) {
+      EffectiveSetting before = present.find(setting.name()).orElseThrow();
+      if (!setting.isSameAs(before)) {
         Consumer<String> change = live.get(setting.name());
         String outcome = change == null ? "needs a restart" : "holds now";
         try {
@@ -136,7 +136,7 @@ public final class ReloadCommand {
         }
         text.append(
             "%s = %s, was %s: %s\n"
-                .formatted(setting.name(), shown(setting.value()), shown(before), outcome));
+                .formatted(setting.name(), shown(setting.value()), shown(before.value()), outcome));
       }
     }
     // What needs a restart is named again by the next reload.

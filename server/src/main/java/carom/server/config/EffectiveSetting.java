@@ -2,6 +2,7 @@ package carom.server.config;
 
 import carom.options.Setting;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * One setting with its effective value. Immutable.
@@ -36,6 +37,20 @@ public record EffectiveSetting(Setting<?> row, List<String> given, String origin
   /** Returns the effective value as one text, empty if there is none. */
   public String value() {
     return String.join(", ", values());
+  }
+
+  /**
+   * Returns whether another has the same value, in any words and units.
+   *
+   * @param other of the same row
+   * @throws IllegalArgumentException if the row refuses either value
+   */
+  public boolean isSameAs(EffectiveSetting other) {
+    return values().equals(other.values()) || Objects.equals(parsed(), other.parsed());
+  }
+
+  private Object parsed() {
+    return isSet() ? row.parse(given) : row.initial();
   }
 
   /** Returns whether a layer above the default sets this. */

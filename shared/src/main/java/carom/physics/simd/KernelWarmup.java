@@ -11,7 +11,7 @@ import java.util.function.BooleanSupplier;
  * for every vector. How often a world would call a kernel depends on what happens in that world, so
  * its calls alone may warm a kernel up in a second or never. Warm-up calls reach all kernels of a
  * set equally often, independent of the world's contents. The real work that is granted meanwhile
- * has the callers of the kernels compiled, too.
+ * warms up the callers of the kernels.
  *
  * <pre>
  *   warm-up calls   0       1,000                      40,000                   200,000

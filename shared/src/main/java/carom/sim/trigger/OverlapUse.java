@@ -25,7 +25,7 @@ public final class OverlapUse {
     player = value;
   }
 
-  /** Receives that the game asked for overlaps and got this one. */
+  /** Receives an overlap that the game asked for. */
   public void read(Entity asked, Entity other) {
     if (player == null || asked == null || other == null) {
       return;

@@ -39,8 +39,8 @@ final class ReloadCommandTest {
         Map.of(
             "log-level",
             level -> {
-              if (level.equals("loud")) {
-                throw new IllegalArgumentException("level=loud is none");
+              if (level.equals("off")) {
+                throw new IllegalArgumentException("level=off is refused");
               }
               levels.add(level);
             }),
@@ -66,6 +66,13 @@ final class ReloadCommandTest {
   }
 
   @Test
+  void theSameValueInOtherWordsIsNoChange() {
+    next = settings("INFO", "064");
+    assertEquals("no setting has changed\nin force: bans 1", reload());
+    assertEquals(List.of(), levels);
+  }
+
+  @Test
   void whatIsSetHoldsOverReloadsUntilItIsTakenBack() {
     assertEquals("log-level = debug, was info: holds now", run("set log-level debug"));
     next = settings("warn", "64");
@@ -76,7 +83,7 @@ final class ReloadCommandTest {
         "setting=max-players can't change while the server runs; log-level can",
         run("set max-players 5"));
     assertEquals(
-        "log-level = loud, was warn: not changed: level=loud is none", run("set log-level loud"));
+        "log-level = off, was warn: not changed: level=off is refused", run("set log-level off"));
     assertEquals(List.of("debug", "warn"), levels);
   }
 

@@ -1,6 +1,7 @@
 package carom.server.config;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.options.Flags;
@@ -96,6 +97,39 @@ final class SettingDoorsTest {
       }
     }
     assertTrue(good > 400 && bad > 400, "seed=" + SEED + " good=" + good + " bad=" + bad);
+  }
+
+  @Test
+  void aValueInAnotherUnitIsNoChange() {
+    int compared = 0;
+    for (Setting<?> row : ServerConfig.ROWS.all()) {
+      for (int i = 0; i < 200 && !row.unit().isEmpty(); i++) {
+        int number = random.nextInt(2_000);
+        if (isRefused(row, String.valueOf(number)) || isRefused(row, String.valueOf(number + 1))) {
+          continue;
+        }
+        EffectiveSetting plain = setting(row, String.valueOf(number));
+        String told = "seed=" + SEED + " " + row + "=" + number;
+        assertTrue(plain.isSameAs(setting(row, number + " " + row.unit())), told);
+        assertTrue(plain.isSameAs(setting(row, number + ".0" + row.unit())), told);
+        assertFalse(plain.isSameAs(setting(row, number + 1 + " " + row.unit())), told);
+        compared++;
+      }
+    }
+    assertTrue(compared > 400, "seed=" + SEED + " compared=" + compared);
+  }
+
+  private static EffectiveSetting setting(Setting<?> row, String text) {
+    return new EffectiveSetting(row, List.of(text), "carom.conf: 1");
+  }
+
+  private static boolean isRefused(Setting<?> row, String text) {
+    try {
+      row.parse(List.of(text));
+      return false;
+    } catch (IllegalArgumentException e) {
+      return true;
+    }
   }
 
   private String text() {
