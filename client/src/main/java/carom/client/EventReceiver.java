@@ -5,7 +5,7 @@ import carom.client.stats.NetStatsRecorder;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.frame.EventInbox;
 import carom.net.snapshot.frame.EventRecord;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.event.EventKind;
 import carom.sim.outbox.Event;
 import carom.sim.spawn.Origin;
@@ -15,7 +15,7 @@ import carom.sim.spawn.Origin;
  * their kinds, and converts their units. One stay's; one thread.
  */
 final class EventReceiver {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final RepeatedEventFilter repeats;
   private final NetStatsRecorder stats;
   private final EventReconciler reconciler;
@@ -29,7 +29,7 @@ final class EventReceiver {
    * @param listener receives each event once
    */
   EventReceiver(
-      Simulation simulation,
+      SimulationHost simulation,
       int playerId,
       Prediction prediction,
       RepeatedEventFilter repeats,

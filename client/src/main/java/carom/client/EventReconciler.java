@@ -1,9 +1,9 @@
 package carom.client;
 
 import carom.sim.Journal;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.outbox.Event;
 import java.util.ArrayList;
 import java.util.List;
@@ -112,7 +112,7 @@ public final class EventReconciler implements Journal {
   // ---- the prediction
 
   @Override
-  public void stepping(Simulation s) {
+  public void stepping(SimulationHost s) {
     if (s.tick() != lastTick) { // a rollback, or the clock has jumped
       for (int i = 0; i < entries.size(); i++) {
         Entry e = entries.get(i);
@@ -122,10 +122,10 @@ public final class EventReconciler implements Journal {
   }
 
   @Override
-  public void stepped(Simulation s) {
+  public void stepped(SimulationHost s) {
     lastTick = s.tick();
-    Player own = s.player(playerId);
-    Entity body = own == null ? null : own.body();
+    HostPlayer own = s.player(playerId);
+    HostEntity body = own == null ? null : own.body();
     ownKey = body == null ? Event.NONE : Event.key(body.id(), body.generation());
     s.outbox().drainEvents(predict);
   }

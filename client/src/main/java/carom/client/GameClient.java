@@ -22,7 +22,7 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Emote;
@@ -267,8 +267,8 @@ public final class GameClient implements AutoCloseable {
   private String join(ServerMessage.Welcome welcome, Level level, Game rules) {
     PredictionFailure failure =
         new PredictionFailure(welcome.game(), welcome.playerId(), text -> view.notice(text, nowNs));
-    Simulation simulation =
-        new Simulation(
+    SimulationHost simulation =
+        new SimulationHost(
             new GuardedGame(rules, failure),
             level,
             welcome.seed(),

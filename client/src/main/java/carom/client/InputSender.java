@@ -8,7 +8,7 @@ import carom.net.protocol.InputDatagram;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.SnapshotDecoder;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import java.util.Arrays;
 
 /**
@@ -180,7 +180,7 @@ final class InputSender {
 
   /** Converts a delay into the units of the protocol, sixteenths of a tick. */
   private static int viewDelay(double ticks) {
-    long steps = Math.round(ticks * Player.VIEW_STEPS);
+    long steps = Math.round(ticks * HostPlayer.VIEW_STEPS);
     return (int) Math.max(0, Math.min(InputDatagram.MAX_VIEW_DELAY, steps));
   }
 

@@ -16,10 +16,10 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import java.util.List;
@@ -57,7 +57,7 @@ final class JoinedGame {
   private final TickClock clock;
   private final RenderClock renderClock;
   private final InputSender sender;
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final PredictionFailure failure;
 
   // Null where nothing is predicted, or no longer.
@@ -86,7 +86,7 @@ final class JoinedGame {
       ClientConfig config,
       ServerMessage.Welcome welcome,
       Level level,
-      Simulation simulation,
+      SimulationHost simulation,
       PredictionFailure failure,
       InputSource source,
       LongSupplier stopwatch,
@@ -144,7 +144,7 @@ final class JoinedGame {
   }
 
   /** Tells the view what stays the same for as long as the game lasts. */
-  private void beginView(ServerMessage.Welcome welcome, Level level, Simulation simulation) {
+  private void beginView(ServerMessage.Welcome welcome, Level level, SimulationHost simulation) {
     view.fields(fields);
     view.roster(List.of());
     view.tick(welcome.tick());
@@ -336,9 +336,9 @@ final class JoinedGame {
   }
 
   private void describeOwnFields() {
-    Player player = prediction.player();
+    HostPlayer player = prediction.player();
     fields.own(playerId, player.fieldValues());
-    Entity body = player.body();
+    HostEntity body = player.body();
     if (body == null) {
       fields.ownBody(-1, 0, null);
     } else {

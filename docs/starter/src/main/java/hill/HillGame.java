@@ -8,10 +8,10 @@ import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
 import carom.sim.level.Appearance;
@@ -42,7 +42,7 @@ public final class HillGame implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     disc =
         s.archetypes()
             .add(
@@ -52,15 +52,15 @@ public final class HillGame implements Game {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     s.spawn(disc, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
-    Body<Entity> body = p.body().body();
+  public void input(SimulationHost s, HostPlayer p, Input in) {
+    Body<HostEntity> body = p.body().body();
     body.seekVelocity(in.moveX() * 8, in.moveY() * 8, 12 * body.mass());
     if (in.held(Input.ACTION) && p.get(DASH) == 0) {
       p.set(DASH, s.ticks(1));
@@ -70,13 +70,13 @@ public final class HillGame implements Game {
   }
 
   @Override
-  public void afterStep(Simulation s) {
+  public void afterStep(SimulationHost s) {
     if (s.tick() % s.tickRate() != 0) {
       return;
     }
     Level.Zone hill = s.level().zones("hill").get(0);
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p != null && hill.contains(p.body().body().x(), p.body().body().y())) {
         p.score(p.score() + 1);
       }

@@ -15,7 +15,7 @@ import carom.net.transport.LinkHandler;
 import carom.net.transport.MessageCodec;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
@@ -56,7 +56,7 @@ final class GameWarmup {
 
   private void run(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
     long beginNs = System.nanoTime();
-    Schema schema = Simulation.schemaOf(games.get());
+    Schema schema = SimulationHost.schemaOf(games.get());
     InProcessNetwork network = new InProcessNetwork(codec);
     try (Server server = new Server(config, games, level, network.server(), () -> virtualNs)) {
       Extra[] extras = new Extra[Math.min(CLIENTS, config.get(ServerConfig.MAX_PLAYERS))];

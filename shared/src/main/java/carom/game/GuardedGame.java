@@ -4,10 +4,10 @@ import carom.physics.Collision;
 import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
@@ -39,25 +39,25 @@ public final class GuardedGame implements Game {
      * @param s the simulation that called it
      * @param failure what it threw
      */
-    void failed(String callback, Simulation s, Throwable failure);
+    void failed(String callback, SimulationHost s, Throwable failure);
   }
 
   /** A callback about a subject, mostly a player, with one more argument. */
   @FunctionalInterface
   private interface Call<S, A> {
-    void run(Game game, Simulation s, S subject, A argument);
+    void run(Game game, SimulationHost s, S subject, A argument);
   }
 
   /** A callback that decides something. */
   @FunctionalInterface
   private interface Question<S, A, R> {
-    R ask(Game game, Simulation s, S subject, A argument);
+    R ask(Game game, SimulationHost s, S subject, A argument);
   }
 
   /** Answer to a player whose request made the game fail. */
   private static final String FAILED = "That is not possible now.";
 
-  private static final Question<Entity, Object, Audience> AUDIENCE =
+  private static final Question<HostEntity, Object, Audience> AUDIENCE =
       (game, s, e, none) -> Objects.requireNonNull(game.audience(s, e), "audience");
 
   private final Game game;
@@ -115,7 +115,7 @@ public final class GuardedGame implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     game.setUp(s);
   }
 
@@ -155,112 +155,112 @@ public final class GuardedGame implements Game {
   }
 
   @Override
-  public String refuseTeam(Simulation s, Player p, int team) {
+  public String refuseTeam(SimulationHost s, HostPlayer p, int team) {
     return ask("refuseTeam", s, p, team, Game::refuseTeam, FAILED);
   }
 
   @Override
-  public void teamChanged(Simulation s, Player p) {
+  public void teamChanged(SimulationHost s, HostPlayer p) {
     call("teamChanged", s, p, null, (g, sim, player, none) -> g.teamChanged(sim, player));
   }
 
   @Override
-  public String refuseRole(Simulation s, Player p, PlayerRole role) {
+  public String refuseRole(SimulationHost s, HostPlayer p, PlayerRole role) {
     return ask("refuseRole", s, p, role, Game::refuseRole, FAILED);
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     call("join", s, p, null, (g, sim, player, none) -> g.join(sim, player));
   }
 
   @Override
-  public void leave(Simulation s, Player p) {
+  public void leave(SimulationHost s, HostPlayer p) {
     call("leave", s, p, null, (g, sim, player, none) -> g.leave(sim, player));
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
+  public void input(SimulationHost s, HostPlayer p, Input in) {
     call("input", s, p, in, Game::input);
   }
 
   @Override
-  public void message(Simulation s, Player p, Message m) {
+  public void message(SimulationHost s, HostPlayer p, Message m) {
     call("message " + m.kind().name(), s, p, m, Game::message);
   }
 
   @Override
-  public String chat(Simulation s, Player p, String text) {
+  public String chat(SimulationHost s, HostPlayer p, String text) {
     // A failure sends nothing: unfiltered, the text might say what the game would not allow.
     return ask("chat", s, p, text, Game::chat, null);
   }
 
   @Override
-  public boolean mayFollow(Simulation s, Player watcher, Player player) {
+  public boolean mayFollow(SimulationHost s, HostPlayer watcher, HostPlayer player) {
     return ask("mayFollow", s, watcher, player, Game::mayFollow, false);
   }
 
   @Override
-  public boolean emote(Simulation s, Player p, Emote emote) {
+  public boolean emote(SimulationHost s, HostPlayer p, Emote emote) {
     return ask("emote", s, p, emote, Game::emote, false);
   }
 
   @Override
-  public void forces(Simulation s, Entity e) {
+  public void forces(SimulationHost s, HostEntity e) {
     call("forces", s, e, null, (g, sim, entity, none) -> g.forces(sim, entity));
   }
 
   @Override
-  public void phase(Simulation s, MatchPhase now) {
+  public void phase(SimulationHost s, MatchPhase now) {
     call("phase " + now.text(), s, null, now, (g, sim, none, phase) -> g.phase(sim, phase));
   }
 
   @Override
-  public void entered(Simulation s, Entity sensor, Entity visitor) {
+  public void entered(SimulationHost s, HostEntity sensor, HostEntity visitor) {
     call("entered", s, sensor, visitor, Game::entered);
   }
 
   @Override
-  public void left(Simulation s, Entity sensor, Entity visitor) {
+  public void left(SimulationHost s, HostEntity sensor, HostEntity visitor) {
     call("left", s, sensor, visitor, Game::left);
   }
 
   @Override
-  public void beforeStep(Simulation s) {
+  public void beforeStep(SimulationHost s) {
     call("beforeStep", s, null, null, (g, sim, no, none) -> g.beforeStep(sim));
   }
 
   @Override
-  public void afterStep(Simulation s) {
+  public void afterStep(SimulationHost s) {
     call("afterStep", s, null, null, (g, sim, no, none) -> g.afterStep(sim));
   }
 
   @Override
-  public boolean collision(Simulation s, Collision<Entity> c) {
+  public boolean collision(SimulationHost s, Collision<HostEntity> c) {
     return ask("collision", s, null, c, (g, sim, none, it) -> g.collision(sim, it), true);
   }
 
   @Override
-  public void hit(Simulation s, Collision<Entity> c) {
+  public void hit(SimulationHost s, Collision<HostEntity> c) {
     call("hit", s, null, c, (g, sim, none, it) -> g.hit(sim, it));
   }
 
   @Override
-  public void broke(Simulation s, Joint<Entity> joint) {
+  public void broke(SimulationHost s, Joint<HostEntity> joint) {
     call("broke", s, joint, null, (g, sim, it, none) -> g.broke(sim, it));
   }
 
   @Override
-  public Audience audience(Simulation s, Entity e) {
+  public Audience audience(SimulationHost s, HostEntity e) {
     return ask("audience", s, e, null, AUDIENCE, Audience.NOBODY);
   }
 
   @Override
-  public boolean seesAll(Simulation s, Player p) {
+  public boolean seesAll(SimulationHost s, HostPlayer p) {
     return ask("seesAll", s, p, null, (g, sim, player, none) -> g.seesAll(sim, player), false);
   }
 
-  private <S, A> void call(String callback, Simulation s, S subject, A argument, Call<S, A> call) {
+  private <S, A> void call(String callback, SimulationHost s, S subject, A argument, Call<S, A> call) {
     try {
       call.run(game, s, subject, argument);
     } catch (Exception | Error e) { // checked ones, too, which other languages don't declare
@@ -270,7 +270,7 @@ public final class GuardedGame implements Game {
 
   /** Returns the game's answer, or another one if it fails. */
   private <S, A, R> R ask(
-      String callback, Simulation s, S subject, A argument, Question<S, A, R> question, R failed) {
+      String callback, SimulationHost s, S subject, A argument, Question<S, A, R> question, R failed) {
     try {
       return question.ask(game, s, subject, argument);
     } catch (Exception | Error e) {
@@ -282,12 +282,12 @@ public final class GuardedGame implements Game {
   /**
    * Tells a failure of the game. One of the machine, such as a lack of memory, isn't the game's.
    */
-  private void failed(String callback, Simulation s, Object subject, Throwable failure) {
+  private void failed(String callback, SimulationHost s, Object subject, Throwable failure) {
     if (failure instanceof VirtualMachineError machine
         && !(machine instanceof StackOverflowError)) {
       throw machine;
     }
-    String of = subject instanceof Player p ? " of player " + p.id() : " of " + subject;
+    String of = subject instanceof HostPlayer p ? " of player " + p.id() : " of " + subject;
     listener.failed(subject == null ? callback : callback + of, s, failure);
   }
 }

@@ -1,7 +1,7 @@
 package carom.replay;
 
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -92,9 +92,9 @@ public final class Divergence {
     this.replayedHash = replayedHash;
   }
 
-  void oneBody(int when, Simulation s, int id, int[] recorded) {
+  void oneBody(int when, SimulationHost s, int id, int[] recorded) {
     int[] replayed = new int[Fingerprint.FIELDS];
-    Entity e = s.entity(id);
+    HostEntity e = s.entity(id);
     Fingerprint.read(e, replayed);
     bodyTick = when;
     exact = true;
@@ -116,11 +116,11 @@ public final class Divergence {
   }
 
   /** Compares all entities with a keyframe. */
-  void keyframe(Simulation s, RecordingReader r) {
+  void keyframe(SimulationHost s, RecordingReader r) {
     int[] recorded = new int[Fingerprint.FIELDS];
     int[] replayed = new int[Fingerprint.FIELDS];
     for (int id = 0; id < Math.max(s.entityCapacity(), r.keyframeLimit()); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       boolean there = r.kind(id) >= 0;
       if (there) {
         r.keyState(id, recorded);
@@ -152,8 +152,8 @@ public final class Divergence {
     }
   }
 
-  private static String name(Entity e) {
-    String owner = e.ownerId() == Entity.NO_OWNER ? "" : " of player " + e.ownerId();
+  private static String name(HostEntity e) {
+    String owner = e.ownerId() == HostEntity.NO_OWNER ? "" : " of player " + e.ownerId();
     return e.archetype().name() + " generation " + e.generation() + owner;
   }
 

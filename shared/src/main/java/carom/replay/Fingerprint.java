@@ -1,8 +1,8 @@
 package carom.replay;
 
 import carom.physics.Body;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import java.util.Arrays;
 
 /**
@@ -30,14 +30,14 @@ final class Fingerprint {
   private final int[] state = new int[FIELDS];
 
   /** Computes the sums of a simulation's present state. */
-  void take(Simulation s) {
+  void take(SimulationHost s) {
     weight = 0;
     moment = 0;
     for (int f = 0; f < FIELDS; f++) {
       fields[f] = 0;
     }
     for (int id = 0, limit = s.entityCapacity(); id < limit; id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e == null) {
         continue;
       }
@@ -79,14 +79,14 @@ final class Fingerprint {
    * @param out receives the other side's state of the entity, as float bits
    * @return the entity's id, or -1 when several entities differ or one is missing
    */
-  int locate(Simulation s, Fingerprint theirs, int[] out) {
+  int locate(SimulationHost s, Fingerprint theirs, int[] out) {
     long byWeight = theirs.weight - weight;
     long byMoment = theirs.moment - moment;
     if (byWeight == 0 || byMoment % byWeight != 0) {
       return -1;
     }
     long id = byMoment / byWeight - 1;
-    Entity e = id >= 0 && id < s.entityCapacity() ? s.entity((int) id) : null;
+    HostEntity e = id >= 0 && id < s.entityCapacity() ? s.entity((int) id) : null;
     if (e == null) {
       return -1;
     }
@@ -98,8 +98,8 @@ final class Fingerprint {
   }
 
   /** Reads an entity's state as float bits. */
-  static void read(Entity e, int[] out) {
-    Body<Entity> body = e.body();
+  static void read(HostEntity e, int[] out) {
+    Body<HostEntity> body = e.body();
     out[0] = Float.floatToRawIntBits(body.x());
     out[1] = Float.floatToRawIntBits(body.y());
     out[2] = Float.floatToRawIntBits(body.cos());

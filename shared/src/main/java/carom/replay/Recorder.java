@@ -3,9 +3,9 @@ package carom.replay;
 import carom.physics.archive.ArchiveWriter;
 import carom.sim.Journal;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
 import carom.sim.message.MessageKinds;
@@ -68,8 +68,8 @@ public final class Recorder implements Journal {
   private SimState state;
   private final int[] bits = new int[Fingerprint.FIELDS];
   private int[] keyStates = {};
-  private final long[] inputs = new long[Simulation.MAX_PLAYERS];
-  private final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
+  private final long[] inputs = new long[SimulationHost.MAX_PLAYERS];
+  private final int[] viewDelays = new int[SimulationHost.MAX_PLAYERS];
   private final WaitingMessages.Reader writeMessage = this::writeMessage;
   private MessageKinds messageKinds;
   private BlockSink sink;
@@ -92,7 +92,7 @@ public final class Recorder implements Journal {
    *     stored: the game {@linkplain carom.sim.Game#keepsMore keeps more}, or the state is too
    *     large
    */
-  public Recorder(Simulation s, RecordingHeader header, BlockSink sink) {
+  public Recorder(SimulationHost s, RecordingHeader header, BlockSink sink) {
     this(s, header, sink, Intervals.RECORDING);
   }
 
@@ -103,17 +103,17 @@ public final class Recorder implements Journal {
    *     effect on the state must not be
    */
   public Recorder(
-      Simulation s, RecordingHeader header, BlockSink sink, Predicate<Message> leavesOut) {
+      SimulationHost s, RecordingHeader header, BlockSink sink, Predicate<Message> leavesOut) {
     this(s, header, sink, Intervals.RECORDING, leavesOut);
   }
 
   /** Begins a recording as above, with another pace. */
-  public Recorder(Simulation s, RecordingHeader header, BlockSink sink, Intervals pace) {
+  public Recorder(SimulationHost s, RecordingHeader header, BlockSink sink, Intervals pace) {
     this(s, header, sink, pace, message -> false);
   }
 
   private Recorder(
-      Simulation s,
+      SimulationHost s,
       RecordingHeader header,
       BlockSink sink,
       Intervals pace,
@@ -132,7 +132,7 @@ public final class Recorder implements Journal {
    * @param newSink receives the blocks of the new one
    * @throws IllegalArgumentException as for a new recording; the old one has ended then
    */
-  public void goOn(Simulation s, String why, RecordingHeader header, BlockSink newSink) {
+  public void goOn(SimulationHost s, String why, RecordingHeader header, BlockSink newSink) {
     end(why);
     stopped = false;
     leftOut = null;
@@ -141,7 +141,7 @@ public final class Recorder implements Journal {
     begin(s, header, newSink);
   }
 
-  private void begin(Simulation s, RecordingHeader header, BlockSink newSink) {
+  private void begin(SimulationHost s, RecordingHeader header, BlockSink newSink) {
     sink = newSink;
     boolean begins = pace.stateSeconds() > 0 && s.tick() == 0 && s.playerCapacity() == 0;
     if (!begins && s.game().keepsMore()) {
@@ -166,7 +166,7 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public void joining(Simulation s, int id, String name) {
+  public void joining(SimulationHost s, int id, String name) {
     if (stopped) {
       return;
     }
@@ -178,7 +178,7 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public void watching(Simulation s, int id, String name) {
+  public void watching(SimulationHost s, int id, String name) {
     if (stopped) {
       return;
     }
@@ -190,7 +190,7 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public void changing(Simulation s, int id, PlayerRole role) {
+  public void changing(SimulationHost s, int id, PlayerRole role) {
     if (stopped) {
       return;
     }
@@ -200,7 +200,7 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public void leaving(Simulation s, int id) {
+  public void leaving(SimulationHost s, int id) {
     if (stopped) {
       return;
     }
@@ -209,7 +209,7 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public void stepping(Simulation s) {
+  public void stepping(SimulationHost s) {
     if (stopped) {
       return;
     }
@@ -223,7 +223,7 @@ public final class Recorder implements Journal {
     }
     out.varint(changed);
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.participant(id);
+      HostPlayer p = s.participant(id);
       if (hasChanged(p)) {
         out.varint(id);
         out.varint(p.input().pack() ^ inputs[id]);
@@ -245,7 +245,7 @@ public final class Recorder implements Journal {
     out.bytes(bytes, bytes.length);
   }
 
-  private boolean hasChanged(Player p) {
+  private boolean hasChanged(HostPlayer p) {
     return p != null && (p.input().pack() != inputs[p.id()] || p.viewDelay() != viewDelays[p.id()]);
   }
 
@@ -254,7 +254,7 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public void stepped(Simulation s) {
+  public void stepped(SimulationHost s) {
     if (stopped) {
       return;
     }
@@ -293,7 +293,7 @@ public final class Recorder implements Journal {
    * Writes the whole state in pieces. Later blocks are coded as if nothing had come before, so that
    * a reader can begin here. Returns false if the state can't be stored.
    */
-  private boolean writeState(Simulation s) {
+  private boolean writeState(SimulationHost s) {
     archive.clear();
     try {
       state = s.save(state);
@@ -320,7 +320,7 @@ public final class Recorder implements Journal {
     Arrays.fill(inputs, 0);
     Arrays.fill(viewDelays, 0);
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.participant(id);
+      HostPlayer p = s.participant(id);
       if (p != null) {
         inputs[id] = p.input().pack();
         viewDelays[id] = p.viewDelay();
@@ -348,7 +348,7 @@ public final class Recorder implements Journal {
    * Writes a keyframe field by field as differences from the last one. Bodies at rest give zeros,
    * which compress to almost nothing.
    */
-  private void writeKeyframe(Simulation s) {
+  private void writeKeyframe(SimulationHost s) {
     keyframe.truncate(0);
     keyframe.varint(lastTick);
     keyframe.i64(lastHash);
@@ -358,13 +358,13 @@ public final class Recorder implements Journal {
       keyStates = Arrays.copyOf(keyStates, 2 * limit * Fingerprint.FIELDS);
     }
     for (int id = 0; id < limit; id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       keyframe.varint(e == null ? 0 : e.archetype().index() + 1);
       keyframe.u8(e == null ? 0 : e.generation());
     }
     for (int f = 0; f < Fingerprint.FIELDS; f++) {
       for (int id = 0; id < limit; id++) {
-        Entity e = s.entity(id);
+        HostEntity e = s.entity(id);
         if (e != null) {
           Fingerprint.read(e, bits);
           int at = id * Fingerprint.FIELDS + f;

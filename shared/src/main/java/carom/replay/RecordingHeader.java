@@ -3,7 +3,7 @@ package carom.replay;
 import carom.game.Games;
 import carom.game.GuardedGame;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.field.Schema;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
@@ -45,7 +45,7 @@ public record RecordingHeader(
   }
 
   /** Returns the header for a simulation. */
-  public static RecordingHeader of(Simulation s, long seed, long physicsDigest) {
+  public static RecordingHeader of(SimulationHost s, long seed, long physicsDigest) {
     Level level = s.level();
     return new RecordingHeader(
         physicsDigest,
@@ -65,16 +65,16 @@ public record RecordingHeader(
    * @throws RecordingException when this build has no such game, the game has other fields here, or
    *     the level is invalid
    */
-  public Simulation start() throws RecordingException {
+  public SimulationHost start() throws RecordingException {
     try {
       Level parsed = Level.parse(levelName, level);
       GuardedGame rules = new GuardedGame(Games.create(game), (callback, s, failure) -> {});
-      String difference = Simulation.schemaOf(rules).difference(fields);
+      String difference = SimulationHost.schemaOf(rules).difference(fields);
       if (difference != null) {
         throw new RecordingException(
             "game " + game + " has other fields than the recording: " + difference);
       }
-      return new Simulation(rules, parsed, seed, tickRate, Role.AUTHORITY);
+      return new SimulationHost(rules, parsed, seed, tickRate, Role.AUTHORITY);
     } catch (LevelException | RuntimeException e) {
       throw new RecordingException("the recorded game can't be built: " + e.getMessage());
     }

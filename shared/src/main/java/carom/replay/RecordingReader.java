@@ -1,8 +1,8 @@
 package carom.replay;
 
 import carom.physics.archive.ArchiveReader;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.message.MessageKind;
 import carom.sim.message.PlayerRole;
 import java.io.IOException;
@@ -93,9 +93,9 @@ public final class RecordingReader implements AutoCloseable {
   private String playerName = "";
   private PlayerRole role;
   private byte[] message = {};
-  private final long[] inputs = new long[Simulation.MAX_PLAYERS];
-  private final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
-  private final int[] changedIds = new int[Simulation.MAX_PLAYERS];
+  private final long[] inputs = new long[SimulationHost.MAX_PLAYERS];
+  private final int[] viewDelays = new int[SimulationHost.MAX_PLAYERS];
+  private final int[] changedIds = new int[SimulationHost.MAX_PLAYERS];
   private int changedCount;
   private long hash;
   private final Fingerprint sums = new Fingerprint();
@@ -229,12 +229,12 @@ public final class RecordingReader implements AutoCloseable {
     in.set(state, length);
     stateTick = in.varint("tick", 0, Integer.MAX_VALUE);
     hash = in.i64();
-    int players = in.varint("players", 0, Simulation.MAX_PLAYERS);
+    int players = in.varint("players", 0, SimulationHost.MAX_PLAYERS);
     Arrays.fill(inputs, 0);
     Arrays.fill(viewDelays, 0);
     for (int id = 0; id < players; id++) {
       inputs[id] = in.varint();
-      viewDelays[id] = in.varint("view delay", 0, Player.MAX_VIEW_DELAY);
+      viewDelays[id] = in.varint("view delay", 0, HostPlayer.MAX_VIEW_DELAY);
     }
     sums.clear();
     Arrays.fill(keyStates, 0);
@@ -248,26 +248,26 @@ public final class RecordingReader implements AutoCloseable {
     int tag = block.u8();
     switch (tag) {
       case Block.JOIN, Block.WATCH:
-        playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
+        playerId = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
         playerName = block.text("player name", MAX_NAME_BYTES);
         inputs[playerId] = 0;
         viewDelays[playerId] = 0;
         return tag == Block.JOIN ? Entry.JOIN : Entry.WATCH;
       case Block.ROLE:
-        playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
+        playerId = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
         role = PlayerRole.values()[block.varint("role", 0, PlayerRole.values().length - 1)];
         return Entry.ROLE;
       case Block.LEAVE:
-        playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
+        playerId = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
         return Entry.LEAVE;
       case Block.MESSAGE:
-        playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
+        playerId = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
         message = block.bytes(block.varint("bytes of a message", 1, MessageKind.MAX_BYTES));
         return Entry.MESSAGE;
       case Block.TICK:
-        changedCount = block.varint("changed inputs", 0, Simulation.MAX_PLAYERS);
+        changedCount = block.varint("changed inputs", 0, SimulationHost.MAX_PLAYERS);
         for (int i = 0; i < changedCount; i++) {
-          int id = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
+          int id = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
           changedIds[i] = id;
           inputs[id] ^= block.varint();
           long delay = block.varint();
@@ -290,7 +290,7 @@ public final class RecordingReader implements AutoCloseable {
   private Entry readKeyframe() throws RecordingException {
     keyframeTick = block.varint("tick", 0, Integer.MAX_VALUE);
     hash = block.i64();
-    keyframeLimit = block.varint("entities", 0, Simulation.MAX_ENTITIES);
+    keyframeLimit = block.varint("entities", 0, SimulationHost.MAX_ENTITIES);
     if (kinds.length < keyframeLimit) {
       kinds = new int[keyframeLimit];
       generations = new int[keyframeLimit];
@@ -450,7 +450,7 @@ public final class RecordingReader implements AutoCloseable {
     return role;
   }
 
-  /** Returns the message that a player has sent, as {@link Simulation#messageKinds} codes it. */
+  /** Returns the message that a player has sent, as {@link SimulationHost#messageKinds} codes it. */
   byte[] message() {
     return message;
   }
@@ -495,7 +495,7 @@ public final class RecordingReader implements AutoCloseable {
   }
 
   /**
-   * Returns the last state read, for {@link Simulation#read}; valid until {@link #next} is called.
+   * Returns the last state read, for {@link SimulationHost#read}; valid until {@link #next} is called.
    */
   ArchiveReader state() {
     return new ArchiveReader(Arrays.copyOfRange(state, stateBegin, stateEnd));

@@ -2,8 +2,8 @@ package carom.replay;
 
 import carom.physics.archive.ArchiveException;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
 import java.io.IOException;
@@ -35,7 +35,7 @@ public final class Replay {
   private static final int MAX_DIVERGENCES = 1_000;
 
   private final RecordingReader reader;
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final Fingerprint own = new Fingerprint();
   private final int[] located = new int[Fingerprint.FIELDS];
   private final List<Divergence> divergences = new ArrayList<>();
@@ -73,7 +73,7 @@ public final class Replay {
    * @param simulation fresh, of the recorded game, level, seed and tick rate
    * @throws RecordingException when the recording begins with a state that doesn't fit
    */
-  public Replay(RecordingReader reader, Simulation simulation) throws IOException {
+  public Replay(RecordingReader reader, SimulationHost simulation) throws IOException {
     this.reader = reader;
     this.simulation = simulation;
     if (reader.isStateNext() && reader.next() == RecordingReader.Entry.STATE) {
@@ -90,7 +90,7 @@ public final class Replay {
    * @throws RecordingException when the recording begins with no whole state, or one that doesn't
    *     fit
    */
-  public static void restoreFirstState(RecordingReader reader, Simulation simulation)
+  public static void restoreFirstState(RecordingReader reader, SimulationHost simulation)
       throws IOException {
     if (!reader.isStateNext() || reader.next() != RecordingReader.Entry.STATE) {
       throw new RecordingException("it begins with no whole state");
@@ -181,8 +181,8 @@ public final class Replay {
     simulation.receive(player(reader.playerId(), "sends a message"), message);
   }
 
-  private Player player(int id, String what) throws RecordingException {
-    Player player = simulation.participant(id);
+  private HostPlayer player(int id, String what) throws RecordingException {
+    HostPlayer player = simulation.participant(id);
     if (player == null) {
       throw contradicts("player " + id + " " + what + " without having joined");
     }
@@ -196,7 +196,7 @@ public final class Replay {
     compute();
     for (int i = 0; i < reader.changedCount(); i++) {
       int id = reader.changedId(i);
-      Player player = player(id, "acts");
+      HostPlayer player = player(id, "acts");
       player.input().unpack(reader.input(id));
       player.viewDelay(reader.viewDelay(id));
     }
@@ -356,7 +356,7 @@ public final class Replay {
   }
 
   /** Returns the simulation, for reading only. */
-  public Simulation simulation() {
+  public SimulationHost simulation() {
     return simulation;
   }
 

@@ -8,34 +8,34 @@ import carom.sim.message.PlayerRole;
  * enough to compute every state again, bit for bit. {@code carom.replay} writes one to a file. A
  * journal that only follows the steps leaves out the rest.
  *
- * <p>{@link Simulation} itself calls it, so that no caller can forget to. A caller that changes the
+ * <p>{@link SimulationHost} itself calls it, so that no caller can forget to. A caller that changes the
  * world outside of {@link Game} and of these calls makes the journal incomplete. All methods run on
  * the simulation's thread and must change nothing.
  */
 public interface Journal {
   /** Receives a player who is about to join, before {@link Game#join}. */
-  default void joining(Simulation s, int id, String name) {}
+  default void joining(SimulationHost s, int id, String name) {}
 
   /** Receives a spectator who is about to come. */
-  default void watching(Simulation s, int id, String name) {}
+  default void watching(SimulationHost s, int id, String name) {}
 
   /**
    * Receives a participant who is about to change its role, before {@link Game#join} or {@link
    * Game#leave}, unless the game or a message changes it.
    */
-  default void changing(Simulation s, int id, PlayerRole role) {}
+  default void changing(SimulationHost s, int id, PlayerRole role) {}
 
   /** Receives a participant who is about to leave, before {@link Game#leave}. */
-  default void leaving(Simulation s, int id) {}
+  default void leaving(SimulationHost s, int id) {}
 
   /**
    * Receives the simulation before a step. The step will handle the messages that {@link
-   * Simulation#forEachReceived} passes on, and read {@code Player.input} and {@code
-   * Player.viewDelay} of every participant as they are now. {@link Simulation#tick} is the tick
+   * SimulationHost#forEachReceived} passes on, and read {@code Player.input} and {@code
+   * Player.viewDelay} of every participant as they are now. {@link SimulationHost#tick} is the tick
    * before.
    */
-  void stepping(Simulation s);
+  void stepping(SimulationHost s);
 
   /** Receives the simulation after a step, unless the step threw. */
-  void stepped(Simulation s);
+  void stepped(SimulationHost s);
 }

@@ -23,42 +23,42 @@ final class Journals implements Journal {
   }
 
   @Override
-  public void joining(Simulation s, int id, String name) {
+  public void joining(SimulationHost s, int id, String name) {
     for (int i = 0; i < all.size(); i++) {
       all.get(i).joining(s, id, name);
     }
   }
 
   @Override
-  public void watching(Simulation s, int id, String name) {
+  public void watching(SimulationHost s, int id, String name) {
     for (int i = 0; i < all.size(); i++) {
       all.get(i).watching(s, id, name);
     }
   }
 
   @Override
-  public void changing(Simulation s, int id, PlayerRole role) {
+  public void changing(SimulationHost s, int id, PlayerRole role) {
     for (int i = 0; i < all.size(); i++) {
       all.get(i).changing(s, id, role);
     }
   }
 
   @Override
-  public void leaving(Simulation s, int id) {
+  public void leaving(SimulationHost s, int id) {
     for (int i = 0; i < all.size(); i++) {
       all.get(i).leaving(s, id);
     }
   }
 
   @Override
-  public void stepping(Simulation s) {
+  public void stepping(SimulationHost s) {
     for (int i = 0; i < all.size(); i++) {
       all.get(i).stepping(s);
     }
   }
 
   @Override
-  public void stepped(Simulation s) {
+  public void stepped(SimulationHost s) {
     for (int i = 0; i < all.size(); i++) {
       all.get(i).stepped(s);
     }

@@ -1,8 +1,8 @@
 package carom.sim;
 
 import carom.physics.Joint;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.EntityRef;
 import carom.sim.level.Archetype;
 import carom.sim.ruling.Rulings;
@@ -61,7 +61,7 @@ public final class Mirror {
    * @param name its name
    * @throws IllegalStateException on {@link Role#AUTHORITY}, or when the id is taken
    */
-  public Player join(int id, String name) {
+  public HostPlayer join(int id, String name) {
     parts.calls.requirePrediction("mirror().join");
     parts.players.requireFree(id);
     return parts.players.add(id, name);
@@ -79,11 +79,11 @@ public final class Mirror {
    * @param y position of the body's origin, metres
    * @param angle radians, counterclockwise
    * @param ownerId a player's id, whether the player is known here or not, or {@link
-   *     Entity#NO_OWNER}
+   *     HostEntity#NO_OWNER}
    * @throws IllegalStateException on {@link Role#AUTHORITY}, or when the id is taken
    * @throws IllegalArgumentException when the id or generation is out of range
    */
-  public Entity spawn(
+  public HostEntity spawn(
       int id, int generation, Archetype archetype, float x, float y, float angle, int ownerId) {
     return spawn(id, generation, archetype, x, y, angle, ownerId, true);
   }
@@ -93,7 +93,7 @@ public final class Mirror {
    *
    * @param mayBeBody whether it becomes the body of its owner if that has none
    */
-  public Entity spawn(
+  public HostEntity spawn(
       int id,
       int generation,
       Archetype archetype,
@@ -120,10 +120,10 @@ public final class Mirror {
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    * @throws IllegalArgumentException if the definition is damaged; no joint is made then
    */
-  public Joint<Entity> connect(
-      int key, int root, int number, Entity a, Entity b, int[] definition, int at) {
+  public Joint<HostEntity> connect(
+      int key, int root, int number, HostEntity a, HostEntity b, int[] definition, int at) {
     parts.calls.requirePrediction("mirror().connect");
-    Joint<Entity> joint =
+    Joint<HostEntity> joint =
         parts.joints.create(
             key, root, number, a == null ? null : a.body(), b.body(), definition, at);
     if (root >= 0) {
@@ -140,10 +140,10 @@ public final class Mirror {
    * entity of that origin goes, and fields that mean it mean this one.
    *
    * @param entity an entity that isn't provisional
-   * @param origin see {@link Entity#origin}; nothing happens if it is none
+   * @param origin see {@link HostEntity#origin}; nothing happens if it is none
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    */
-  public void identify(Entity entity, int origin) {
+  public void identify(HostEntity entity, int origin) {
     parts.calls.requirePrediction("identify");
     if (origin == Origin.NONE) {
       return;
@@ -164,15 +164,15 @@ public final class Mirror {
   }
 
   /**
-   * Returns the number of {@linkplain Entity#isProvisional provisional} entities; 0 on {@link
-   * Role#AUTHORITY}. They aren't below {@link Simulation#entityCapacity}.
+   * Returns the number of {@linkplain HostEntity#isProvisional provisional} entities; 0 on {@link
+   * Role#AUTHORITY}. They aren't below {@link SimulationHost#entityCapacity}.
    */
   public int provisionalCount() {
     return parts.entities.provisional().count();
   }
 
   /** Returns a provisional entity, in the order in which they were spawned. */
-  public Entity provisional(int index) {
+  public HostEntity provisional(int index) {
     return parts.entities.provisional().at(index);
   }
 }

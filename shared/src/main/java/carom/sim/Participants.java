@@ -1,7 +1,7 @@
 package carom.sim;
 
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.entity.PlayerTable;
 import carom.sim.message.PlayerRole;
 
@@ -10,7 +10,7 @@ import carom.sim.message.PlayerRole;
  * removes what goes with a player who leaves.
  */
 final class Participants {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final SimParts parts;
   private final PlayerTable players;
   private final Spawner spawner;
@@ -19,17 +19,17 @@ final class Participants {
   private int inGame;
 
   /** The player who is becoming a spectator; null mostly. */
-  private Player retiring;
+  private HostPlayer retiring;
 
-  Participants(Simulation simulation, SimParts parts, Spawner spawner) {
+  Participants(SimulationHost simulation, SimParts parts, Spawner spawner) {
     this.simulation = simulation;
     this.parts = parts;
     this.spawner = spawner;
     players = parts.players;
   }
 
-  /** Adds a player, as {@link Simulation#join(String)} says. */
-  Player join(String name) {
+  /** Adds a player, as {@link SimulationHost#join(String)} says. */
+  HostPlayer join(String name) {
     int id = players.freeId();
     if (id == PlayerTable.MAX_PLAYERS) {
       throw new IllegalStateException("players=" + id + " is the limit; " + name + " can't join");
@@ -37,8 +37,8 @@ final class Participants {
     return join(id, name, 0, 0);
   }
 
-  /** Adds a player, as {@link Simulation#join(int, String, int, int)} says. */
-  Player join(int id, String name, int team, int score) {
+  /** Adds a player, as {@link SimulationHost#join(int, String, int, int)} says. */
+  HostPlayer join(int id, String name, int team, int score) {
     parts.calls.requireAuthority("join");
     players.requireFree(id);
     if (!parts.journals.isEmpty() && (team != 0 || score != 0)) {
@@ -47,7 +47,7 @@ final class Participants {
     }
     parts.journals.joining(simulation, id, name);
     boolean full = players.count() >= parts.game.maxPlayers();
-    Player player = players.add(id, name);
+    HostPlayer player = players.add(id, name);
     if (full) {
       players.become(player, PlayerRole.SPECTATOR);
       Talk.tell(simulation, player, Talk.refusalWhenFull(simulation));
@@ -59,18 +59,18 @@ final class Participants {
     return player;
   }
 
-  /** Adds a spectator, as {@link Simulation#joinAsSpectator} says. */
-  Player joinAsSpectator(int id, String name) {
+  /** Adds a spectator, as {@link SimulationHost#joinAsSpectator} says. */
+  HostPlayer joinAsSpectator(int id, String name) {
     parts.calls.requireAuthority("joinAsSpectator");
     players.requireFree(id);
     parts.journals.watching(simulation, id, name);
-    Player player = players.add(id, name);
+    HostPlayer player = players.add(id, name);
     players.become(player, PlayerRole.SPECTATOR);
     return player;
   }
 
-  /** Lets a participant play or watch, as {@link Simulation#role(Player, PlayerRole)} says. */
-  void role(Player participant, PlayerRole role) {
+  /** Lets a participant play or watch, as {@link SimulationHost#role(HostPlayer, PlayerRole)} says. */
+  void role(HostPlayer participant, PlayerRole role) {
     parts.calls.requireAuthority("role");
     if (participant == retiring) {
       throw new IllegalStateException("the role of " + participant + " can't change in Game.leave");
@@ -96,8 +96,8 @@ final class Participants {
     }
   }
 
-  /** Removes a participant, as {@link Simulation#leave} says. */
-  void leave(Player player) {
+  /** Removes a participant, as {@link SimulationHost#leave} says. */
+  void leave(HostPlayer player) {
     parts.calls.requireOutsidePhysics("leave");
     int id = player.id();
     if (players.participant(id) != player) {
@@ -120,7 +120,7 @@ final class Participants {
   }
 
   /** Lets a player into the game. */
-  private void enter(Player player) {
+  private void enter(HostPlayer player) {
     parts.interference.beginRules();
     inGame++;
     try {
@@ -132,7 +132,7 @@ final class Participants {
   }
 
   /** Takes a player out of the game, with everything the player owns. */
-  private void retire(Player player) {
+  private void retire(HostPlayer player) {
     parts.interference.beginRules();
     inGame++;
     try {
@@ -141,7 +141,7 @@ final class Participants {
       inGame--;
     }
     for (int i = 0; i < parts.entities.capacity(); i++) {
-      Entity entity = parts.entities.get(i);
+      HostEntity entity = parts.entities.get(i);
       if (entity != null && entity.ownerId() == player.id()) {
         spawner.despawn(entity);
       }

@@ -7,7 +7,7 @@ import carom.sim.area.AreaForces;
 import carom.sim.area.PoolGround;
 import carom.sim.entity.AllFields;
 import carom.sim.entity.CallRules;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.EntityTable;
 import carom.sim.entity.PlayerTable;
 import carom.sim.entity.WorldSeal;
@@ -55,7 +55,7 @@ final class SimParts {
   final Role role;
   final CallRules calls;
   final WorldDef worldDef;
-  final World<Entity> world;
+  final World<HostEntity> world;
 
   /** Keeps games from changing {@link #world} behind the clients' backs. */
   final WorldSeal seal = new WorldSeal();
@@ -65,8 +65,8 @@ final class SimParts {
   final EventKinds eventKinds = new EventKinds();
   final MessageKinds messageKinds = new MessageKinds();
   final SimRandom random;
-  final AreaForces<Entity> areas;
-  final JointTable<Entity> joints;
+  final AreaForces<HostEntity> areas;
+  final JointTable<HostEntity> joints;
   final EntityTable entities;
   final PlayerTable players;
   final FieldStore fields;
@@ -76,10 +76,10 @@ final class SimParts {
   final WaitingMessages received = new WaitingMessages();
 
   /** The static geometry of the level, in file order. */
-  final List<Entity> statics = new ArrayList<>();
+  final List<HostEntity> statics = new ArrayList<>();
 
   /** Past poses on AUTHORITY if the game looks back; otherwise null. */
-  final PoseHistory<Entity> history;
+  final PoseHistory<HostEntity> history;
 
   final Findings findings = new Findings();
   final InterferenceLog interference;
@@ -122,7 +122,7 @@ final class SimParts {
     areas =
         new AreaForces<>(
             world, level.areas(), (carrier, power) -> carrier.user().get(power), decides);
-    Schema schema = Simulation.schemaOf(game);
+    Schema schema = SimulationHost.schemaOf(game);
     joints = new JointTable<>(world, decides);
     entities =
         new EntityTable(
@@ -155,7 +155,7 @@ final class SimParts {
     if (role == Role.AUTHORITY) {
       for (Level.Placement p : level.bodies()) {
         entities.spawn(
-            archetypes.get(p.archetype()), p.x(), p.y(), p.angle(), Entity.NO_OWNER, tick);
+            archetypes.get(p.archetype()), p.x(), p.y(), p.angle(), HostEntity.NO_OWNER, tick);
       }
       connectLevel();
     }
@@ -169,12 +169,12 @@ final class SimParts {
   private void connectLevel() {
     for (int i = 0; i < level.joints().size(); i++) {
       LevelJoint joint = level.joints().get(i);
-      Body<Entity> a = body(joint.a());
+      Body<HostEntity> a = body(joint.a());
       joints.create(0, JointTable.LEVEL, i, a, body(joint.b()), joint.definition(), 0);
     }
   }
 
-  private Body<Entity> body(int end) {
+  private Body<HostEntity> body(int end) {
     if (end == LevelJoint.GROUND) {
       return null;
     }
@@ -198,7 +198,7 @@ final class SimParts {
   }
 
   /** Creates an empty history of the bodies. */
-  PoseHistory<Entity> newHistory() {
+  PoseHistory<HostEntity> newHistory() {
     return new PoseHistory<>(world, entities, tickRate);
   }
 

@@ -4,7 +4,7 @@ import carom.physics.WorldState;
 import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.SavedEntities;
 import carom.sim.entity.SavedFields;
 import carom.sim.entity.SavedPlayers;
@@ -15,7 +15,7 @@ import carom.sim.level.Level;
 import carom.sim.pool.PoolsState;
 
 /**
- * A saved {@link Simulation}. Its arrays are its own and are reused from save to save. It belongs
+ * A saved {@link SimulationHost}. Its arrays are its own and are reused from save to save. It belongs
  * to the simulation that filled it, and its contents are internal.
  */
 public final class SimState {
@@ -34,7 +34,7 @@ public final class SimState {
   int tick;
   long random;
   final JointTable.Saved joints = new JointTable.Saved();
-  PoseHistory<Entity> history;
+  PoseHistory<HostEntity> history;
 
   /** The state of water and sand; null if there is none, and on PREDICTION. */
   PoolsState pools;
@@ -103,8 +103,8 @@ public final class SimState {
   }
 
   /**
-   * Appends the state to an archive: everything that {@link Simulation#stateHash} covers, the names
-   * of players, and the past that {@link Simulation#asSeenBy} uses. {@link Simulation#read} reads
+   * Appends the state to an archive: everything that {@link SimulationHost#stateHash} covers, the names
+   * of players, and the past that {@link SimulationHost#asSeenBy} uses. {@link SimulationHost#read} reads
    * it.
    *
    * @param archive receives it

@@ -1,8 +1,8 @@
 package carom.sim;
 
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.EntityTable;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.entity.ProvisionalEntities;
 import carom.sim.level.Archetype;
 import carom.sim.spawn.Origin;
@@ -18,7 +18,7 @@ final class Spawner {
   private final ProvisionalEntities provisional;
 
   /** The player whose input runs, or null. */
-  private Player inputOf;
+  private HostPlayer inputOf;
 
   /** Number of spawns of that call. */
   private int spawnsOfInput;
@@ -30,7 +30,7 @@ final class Spawner {
   }
 
   /** Notes that a player's {@link Game#input} begins. */
-  void beginInput(Player player) {
+  void beginInput(HostPlayer player) {
     inputOf = player;
     spawnsOfInput = 0;
   }
@@ -41,7 +41,7 @@ final class Spawner {
   }
 
   /** Removes what a player's input spawned on PREDICTION, unless the player is the own one. */
-  void dropUnpredicted(Player player) {
+  void dropUnpredicted(HostPlayer player) {
     boolean predicted = isPredicted(player.id());
     for (int i = provisional.count() - 1; i >= 0 && !predicted; i--) {
       if (provisional.at(i).ownerId() == player.id()) {
@@ -55,18 +55,18 @@ final class Spawner {
   }
 
   /**
-   * Creates an entity, as {@link Simulation#spawn(Archetype, float, float, float, Player)} says.
+   * Creates an entity, as {@link SimulationHost#spawn(Archetype, float, float, float, HostPlayer)} says.
    */
-  Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
+  HostEntity spawn(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
     if (inputOf != null) {
       return spawnInInput(archetype, x, y, angle, owner);
     }
     parts.calls.requireAuthority("spawn");
-    int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
+    int ownerId = owner == null ? HostEntity.NO_OWNER : owner.id();
     return entities.spawn(archetype, x, y, angle, ownerId, parts.tick);
   }
 
-  private Entity spawnInInput(Archetype archetype, float x, float y, float angle, Player owner) {
+  private HostEntity spawnInInput(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
     if (owner != inputOf) {
       throw new IllegalArgumentException(
           "owner="
@@ -80,7 +80,7 @@ final class Spawner {
           "spawns=" + spawnsOfInput + " is the most that one call of Game.input may make");
     }
     int origin = Origin.of(parts.tick, spawnsOfInput++);
-    Entity entity =
+    HostEntity entity =
         parts.role == Role.AUTHORITY
             ? entities.spawn(archetype, x, y, angle, owner.id(), parts.tick)
             : predict(origin, archetype, x, y, angle, owner.id());
@@ -89,7 +89,7 @@ final class Spawner {
     return entity;
   }
 
-  private Entity predict(
+  private HostEntity predict(
       int origin, Archetype archetype, float x, float y, float angle, int ownerId) {
     if (!isPredicted(ownerId)) {
       // It goes with the end of the call. The own player's may have the same origin.
@@ -97,7 +97,7 @@ final class Spawner {
       return entities.spawnProvisional(id, archetype, x, y, angle, ownerId, parts.tick);
     }
     int key = parts.ownSpawns.key(origin);
-    Entity known = key < 0 ? null : entities.get(key & 0xffff);
+    HostEntity known = key < 0 ? null : entities.get(key & 0xffff);
     if (known != null && known.generation() == key >>> 16) {
       despawn(known); // the tick is computed again
       known = null;
@@ -109,8 +109,8 @@ final class Spawner {
     return entities.spawnAs(id, key >>> 16, archetype, x, y, angle, ownerId, false, parts.tick);
   }
 
-  /** Destroys an entity, as {@link Simulation#despawn} says. */
-  void despawn(Entity entity) {
+  /** Destroys an entity, as {@link SimulationHost#despawn} says. */
+  void despawn(HostEntity entity) {
     parts.calls.requireOutsidePhysics("despawn");
     if (!entities.holds(entity) || (inputOf != null && !mayDespawn(entity))) {
       return;
@@ -120,7 +120,7 @@ final class Spawner {
     }
     if (entity.isRoot()) {
       for (int i = 0; i < entities.capacity(); i++) {
-        Entity member = entities.get(i);
+        HostEntity member = entities.get(i);
         if (member != null && member != entity && member.root() == entity) {
           despawn(member);
         }
@@ -130,7 +130,7 @@ final class Spawner {
   }
 
   /** Returns whether a server, or a client that predicts it, despawns an entity in an input. */
-  private boolean mayDespawn(Entity entity) {
+  private boolean mayDespawn(HostEntity entity) {
     boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body();
     return parts.role == Role.AUTHORITY || isOwn;
   }

@@ -11,7 +11,7 @@ import static carom.sim.message.BuiltInKinds.SAY;
 import static carom.sim.message.BuiltInKinds.SERVER;
 import static carom.sim.message.BuiltInKinds.TEAM;
 
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerColour;
@@ -26,7 +26,7 @@ final class Talk {
   private Talk() {}
 
   /** Handles a message of a participant: here if its kind is built in, or by the game. */
-  static void handle(Simulation s, Player p, Message m) {
+  static void handle(SimulationHost s, HostPlayer p, Message m) {
     if (m.is(SAY)) {
       say(s, p, m.text("text"), m.flag("team"));
     } else if (m.is(EMOTE)) {
@@ -46,7 +46,7 @@ final class Talk {
   }
 
   /** Says a line of the server to one participant. */
-  static void tell(Simulation s, Player p, String text) {
+  static void tell(SimulationHost s, HostPlayer p, String text) {
     s.send(SAID.of(SERVER, false, cut(text))).to(p);
   }
 
@@ -54,7 +54,7 @@ final class Talk {
     return text.substring(0, Math.min(MAX_CHAT, text.length()));
   }
 
-  private static void say(Simulation s, Player p, String text, boolean toTeam) {
+  private static void say(SimulationHost s, HostPlayer p, String text, boolean toTeam) {
     String asked = text.strip();
     String said = asked.isEmpty() ? null : s.game().chat(s, p, asked);
     if (said == null || said.isEmpty()) {
@@ -68,13 +68,13 @@ final class Talk {
     }
   }
 
-  private static void emote(Simulation s, Player p, Emote emote) {
+  private static void emote(SimulationHost s, HostPlayer p, Emote emote) {
     if (p.body() != null && s.game().emote(s, p, emote)) {
       s.send(EMOTED.of(p.id(), emote)).toNear(p.body());
     }
   }
 
-  private static void role(Simulation s, Player p, PlayerRole role) {
+  private static void role(SimulationHost s, HostPlayer p, PlayerRole role) {
     if (p.role() == role) {
       return;
     }
@@ -88,11 +88,11 @@ final class Talk {
   }
 
   /** Returns what a participant is told who can't play because others do. */
-  static String refusalWhenFull(Simulation s) {
+  static String refusalWhenFull(SimulationHost s) {
     return "All " + s.game().maxPlayers() + " places are taken: you watch";
   }
 
-  private static void team(Simulation s, Player p, int team) {
+  private static void team(SimulationHost s, HostPlayer p, int team) {
     if (!p.isSpectator() && p.team() == team) {
       return;
     }
@@ -105,7 +105,7 @@ final class Talk {
     }
   }
 
-  private static String refusal(Simulation s, Player p, int team) {
+  private static String refusal(SimulationHost s, HostPlayer p, int team) {
     List<String> teams = s.game().teams();
     if (p.isSpectator()) {
       return "Spectators have no team: ask to play first";
@@ -118,7 +118,7 @@ final class Talk {
   }
 
   /** Returns why a change to a team would make the teams unequal, or null if it doesn't. */
-  static String imbalance(Simulation s, Player p, int team) {
+  static String imbalance(SimulationHost s, HostPlayer p, int team) {
     List<String> teams = s.game().teams();
     for (int other = 1; other <= teams.size(); other++) {
       int others = s.teamSize(other) - (p.team() == other ? 1 : 0);

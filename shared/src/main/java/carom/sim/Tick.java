@@ -8,8 +8,8 @@ import carom.physics.JointListener;
 import carom.physics.QueryFilter;
 import carom.physics.math.Aabb;
 import carom.sim.entity.CallRules;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.FieldStore;
 import carom.sim.level.Archetype;
 import carom.sim.match.MatchClock;
@@ -35,7 +35,7 @@ import java.util.function.Consumer;
  * <p>It allocates nothing of its own.
  */
 final class Tick {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final SimParts parts;
   private final Spawner spawner;
   private final Game game;
@@ -46,15 +46,15 @@ final class Tick {
   private final ForceCheck forceCheck;
   private final OverlapUse overlapUse;
   private final Aabb moving = new Aabb();
-  private final QueryFilter<Entity> geometry = (body, shape) -> body.user().isLevel();
-  private final Consumer<Body<Entity>> forces = this::applyForces;
+  private final QueryFilter<HostEntity> geometry = (body, shape) -> body.user().isLevel();
+  private final Consumer<Body<HostEntity>> forces = this::applyForces;
   private final WaitingMessages.Reader handleMessage = this::handle;
 
   /** The phases of the match, or null if the game has none. */
   private MatchClock clock;
 
   /** Creates the step of a simulation, and listens to what its world tells from now on. */
-  Tick(Simulation simulation, SimParts parts, Spawner spawner) {
+  Tick(SimulationHost simulation, SimParts parts, Spawner spawner) {
     this.simulation = simulation;
     this.parts = parts;
     this.spawner = spawner;
@@ -101,7 +101,7 @@ final class Tick {
     ruleBeforeStep();
     parts.interference.beginInputs();
     for (int i = 0; i < parts.players.limit(); i++) {
-      Player player = parts.players.get(i);
+      HostPlayer player = parts.players.get(i);
       if (player != null && player.isAlive()) {
         takeInput(player);
       }
@@ -165,13 +165,13 @@ final class Tick {
   }
 
   private void handle(int playerId, Message message) {
-    Player player = parts.players.participant(playerId);
+    HostPlayer player = parts.players.participant(playerId);
     if (player != null) { // one handled before may have removed it
       Talk.handle(simulation, player, message);
     }
   }
 
-  private void takeInput(Player player) {
+  private void takeInput(HostPlayer player) {
     if (parts.rulings != null && parts.rulings.input(player)) {
       return;
     }
@@ -224,13 +224,13 @@ final class Tick {
     }
   }
 
-  private void queryScope(QueryFilter<Entity> scope) {
+  private void queryScope(QueryFilter<HostEntity> scope) {
     parts.seal.permit("queryScope");
     parts.world.queryScope(scope);
   }
 
-  private void applyForces(Body<Entity> body) {
-    Entity entity = body.user();
+  private void applyForces(Body<HostEntity> body) {
+    HostEntity entity = body.user();
     Archetype kind = entity.archetype();
     parts.areas.act(body, kind, seconds);
     if (!kind.sensor()) {
@@ -250,35 +250,35 @@ final class Tick {
 
   private final class Visits implements Triggers.Listener {
     @Override
-    public void entered(Entity sensor, Entity visitor) {
+    public void entered(HostEntity sensor, HostEntity visitor) {
       during("entered");
       game.entered(simulation, sensor, visitor);
     }
 
     @Override
-    public void left(Entity sensor, Entity visitor) {
+    public void left(HostEntity sensor, HostEntity visitor) {
       during("left");
       game.left(simulation, sensor, visitor);
     }
   }
 
-  private final class Collisions implements CollisionListener<Entity> {
+  private final class Collisions implements CollisionListener<HostEntity> {
     @Override
-    public void begin(Collision<Entity> c) {
+    public void begin(Collision<HostEntity> c) {
       if (parts.triggers != null) {
         parts.triggers.begin(c);
       }
     }
 
     @Override
-    public void end(Collision<Entity> c) {
+    public void end(Collision<HostEntity> c) {
       if (parts.triggers != null) {
         parts.triggers.end(c);
       }
     }
 
     @Override
-    public boolean preSolve(Collision<Entity> c) {
+    public boolean preSolve(Collision<HostEntity> c) {
       fields.beginCollision();
       boolean responds = game.collision(simulation, c);
       fields.end();
@@ -286,24 +286,24 @@ final class Tick {
     }
 
     @Override
-    public void hit(Collision<Entity> c) {
+    public void hit(Collision<HostEntity> c) {
       game.hit(simulation, c);
     }
   }
 
-  private final class Joints implements JointListener<Entity> {
+  private final class Joints implements JointListener<HostEntity> {
     @Override
-    public void broke(Joint<Entity> joint) {
+    public void broke(Joint<HostEntity> joint) {
       game.broke(simulation, joint);
     }
 
     @Override
-    public void created(Joint<Entity> joint) {
+    public void created(Joint<HostEntity> joint) {
       parts.joints.created(joint);
     }
 
     @Override
-    public void destroyed(Joint<Entity> joint) {
+    public void destroyed(Joint<HostEntity> joint) {
       parts.joints.destroyed();
     }
   }

@@ -1,7 +1,7 @@
 /**
  * The simulation: one physics world, its entities and players, and the game that gives them rules.
  *
- * <p>A {@link carom.sim.Simulation} is a pure function of (state, inputs, tick). The server runs
+ * <p>A {@link carom.sim.SimulationHost} is a pure function of (state, inputs, tick). The server runs
  * one with {@link carom.sim.Role#AUTHORITY}; each client runs one with {@link
  * carom.sim.Role#PREDICTION} to feel its own input without waiting for the network. Nothing here
  * knows a clock, a thread, a socket or a file format other than the level's.
@@ -12,7 +12,7 @@
  * <p>Allowed imports: {@code carom.physics..}, the packages below this one but {@code near} and
  * {@code scene}, the JDK without threads, clocks and randomness.
  *
- * <p>Read first: {@link carom.sim.Simulation}, {@link carom.sim.Game}, {@link
+ * <p>Read first: {@link carom.sim.SimulationHost}, {@link carom.sim.Game}, {@link
  * carom.sim.level.Level}.
  */
 package carom.sim;

@@ -5,9 +5,9 @@ import carom.physics.archive.ArchiveWriter;
 import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.random.SimRandom;
 import com.sun.management.ThreadMXBean;
@@ -48,8 +48,8 @@ final class RepeatCheck {
     this.level = level;
     this.seed = seed;
     this.players = players;
-    Simulation first = start();
-    Simulation second = start();
+    SimulationHost first = start();
+    SimulationHost second = start();
     int part = ticks / 2;
     int differs = -1;
     for (int tick = 0; tick < ticks && differs < 0; tick++) {
@@ -94,8 +94,8 @@ final class RepeatCheck {
     return bytesPerTick;
   }
 
-  private Simulation start() {
-    Simulation s = new Simulation(games.get(), level, seed, TICK_RATE, Role.AUTHORITY);
+  private SimulationHost start() {
+    SimulationHost s = new SimulationHost(games.get(), level, seed, TICK_RATE, Role.AUTHORITY);
     for (int i = 0; i < players; i++) {
       s.join("p" + i);
     }
@@ -103,9 +103,9 @@ final class RepeatCheck {
   }
 
   /** Steps with inputs that are a function of seed, player and tick. */
-  private void step(Simulation s, int tick) {
+  private void step(SimulationHost s, int tick) {
     for (int id = 0; id < players; id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p != null) {
         press(p.input(), SimRandom.mix(SimRandom.mix(seed, id), tick / HELD_TICKS));
       }
@@ -125,7 +125,7 @@ final class RepeatCheck {
     return Math.max(-1, Math.min(1, ((bits & 0xff) - 127) / 100f));
   }
 
-  private void measure(Simulation s, int tick, int ticks) {
+  private void measure(SimulationHost s, int tick, int ticks) {
     long ns = System.nanoTime();
     long bytes = THREADS.getCurrentThreadAllocatedBytes();
     for (int i = tick; i < tick + ticks; i++) {
@@ -136,7 +136,7 @@ final class RepeatCheck {
   }
 
   private void rollBack() {
-    Simulation s = start();
+    SimulationHost s = start();
     for (int tick = 0; tick < 8 * STRIDE; tick += STRIDE) {
       SimState saved = s.save(null);
       long[] before = run(s, tick);
@@ -155,14 +155,14 @@ final class RepeatCheck {
   }
 
   private void restoreElsewhere() {
-    Simulation s = start();
+    SimulationHost s = start();
     if (s.game().keepsMore()) {
       return; // the game says that its state is incomplete
     }
     for (int tick = 0; tick < 8 * STRIDE; tick += STRIDE) {
       ArchiveWriter bytes = new ArchiveWriter();
       s.save(null).write(bytes);
-      Simulation other = new Simulation(games.get(), level, seed, TICK_RATE, Role.AUTHORITY);
+      SimulationHost other = new SimulationHost(games.get(), level, seed, TICK_RATE, Role.AUTHORITY);
       other.restore(other.read(new ArchiveReader(bytes.toBytes())));
       int differs = difference(run(s, tick), run(other, tick));
       if (differs >= 0) {
@@ -177,7 +177,7 @@ final class RepeatCheck {
     }
   }
 
-  private long[] run(Simulation s, int tick) {
+  private long[] run(SimulationHost s, int tick) {
     long[] hashes = new long[STRIDE];
     for (int i = 0; i < STRIDE; i++) {
       step(s, tick + i);

@@ -19,8 +19,8 @@ import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.sim.Game;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.finding.Findings;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
@@ -244,13 +244,13 @@ public final class Stepper implements AutoCloseable {
   }
 
   /** Returns a client's player at the server, or null. */
-  public Player player(SimulatedClient client) {
+  public HostPlayer player(SimulatedClient client) {
     return room().simulation().player(client.view().playerId());
   }
 
   /** Returns a client's body at the server, or null. */
-  public Entity body(SimulatedClient client) {
-    Player player = player(client);
+  public HostEntity body(SimulatedClient client) {
+    HostPlayer player = player(client);
     return player == null ? null : player.body();
   }
 

@@ -19,7 +19,7 @@ import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
@@ -249,7 +249,7 @@ final class ClientServerScenarioTest {
     run(2);
     int id = client.view().own().id();
     int player = client.view().playerId();
-    Entity body = server.rooms().get(0).simulation().player(player).body();
+    HostEntity body = server.rooms().get(0).simulation().player(player).body();
     links.get(0).close("cable cut");
     run(0.1);
     assertEquals(ConnectionPhase.RECONNECTING, client.view().phase());
@@ -288,7 +288,7 @@ final class ClientServerScenarioTest {
           bodies.add(drawn.id());
         }
       }
-      Entity body = server.rooms().get(0).simulation().player(player).body();
+      HostEntity body = server.rooms().get(0).simulation().player(player).body();
       assertEquals(List.of(body.id()), bodies, "bodies of player " + player);
     }
   }

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.arena.ArenaGame;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.EventKind;
 import carom.sim.level.Level;
 import carom.sim.outbox.Event;
@@ -44,13 +44,13 @@ class EventReconcilerTest {
       };
   private final EventReconciler reconciler = new EventReconciler(ME, true, key -> 0, 60, ear);
   private final TreeMap<Integer, SimState> states = new TreeMap<>();
-  private Simulation s;
-  private Player me;
+  private SimulationHost s;
+  private HostPlayer me;
   private EventKind kind;
 
   @BeforeEach
   void setUp() throws Exception {
-    s = new Simulation(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
+    s = new SimulationHost(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
     me = s.mirror().join(ME, "me");
     kind = s.eventKinds().get(0);
     s.addJournal(reconciler);

@@ -12,7 +12,7 @@ import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.InProcessNetwork;
 import carom.physics.Body;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Level;
 import carom.testkit.Scripts;
 import java.nio.charset.StandardCharsets;
@@ -157,8 +157,8 @@ final class PredictionScenarioTest {
   void aPushIsShownSoftlyAndGoneAfterAQuarterOfASecond() throws Exception {
     start(arena(), Impairment.NONE.withLatency(60, 0), InputSource.IDLE);
     run(2);
-    Entity body = server.simulation.player(0).body();
-    Body<Entity> b = body.body();
+    HostEntity body = server.simulation.player(0).body();
+    Body<HostEntity> b = body.body();
     b.setVelocity(6, 1);
     double largestStep = 0;
     ClientView.Drawn own = client.view().own();

@@ -20,9 +20,9 @@ import carom.physics.Body;
 import carom.server.prediction.OwnCapture;
 import carom.server.prediction.PredictedSet;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -38,7 +38,7 @@ final class ScriptedServer {
 
   final class Guest implements LinkHandler {
     final Link link;
-    Player player;
+    HostPlayer player;
     SnapshotEncoder encoder;
     boolean ready;
     boolean closed;
@@ -198,7 +198,7 @@ final class ScriptedServer {
   private final OwnCapture capture;
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
   final Level level;
-  final Simulation simulation;
+  final SimulationHost simulation;
 
   /** Declarations that the server says its game has; none if it has those of the client. */
   List<String> fields = List.of();
@@ -211,7 +211,7 @@ final class ScriptedServer {
   ScriptedServer(ServerTransport transport, Level level) {
     this.transport = transport;
     this.level = level;
-    simulation = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
+    simulation = new SimulationHost(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
     capture = new OwnCapture(simulation);
     ring.gravity(level.gravityX(), level.gravityY()); // or clients take datagrams for damaged
   }
@@ -238,9 +238,9 @@ final class ScriptedServer {
     simulation.step();
     FrameState frame = ring.begin(simulation.tick());
     for (int id = 0; id < simulation.entityCapacity(); id++) {
-      Entity e = simulation.entity(id);
+      HostEntity e = simulation.entity(id);
       if (e != null) {
-        Body<Entity> b = e.body();
+        Body<HostEntity> b = e.body();
         frame.put(
             id,
             e.generation(),

@@ -2,7 +2,7 @@ package carom.fuzz;
 
 import carom.fixtures.PlainGame;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
@@ -28,9 +28,9 @@ final class LevelTarget implements FuzzTarget {
     if (level.statics().size() + level.bodies().size() > SMALL) {
       return;
     }
-    Simulation simulation;
+    SimulationHost simulation;
     try {
-      simulation = new Simulation(new PlainGame("plain"), level, 1, 60, Role.AUTHORITY);
+      simulation = new SimulationHost(new PlainGame("plain"), level, 1, 60, Role.AUTHORITY);
     } catch (IllegalArgumentException e) {
       FuzzTarget.requirePrintable(e.getMessage());
       return;

@@ -9,7 +9,7 @@ import carom.replay.RecordingHeader;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -59,8 +59,8 @@ final class RecordingTarget implements FuzzTarget {
 
   @Override
   public List<byte[]> seeds() throws Exception {
-    Simulation s =
-        new Simulation(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
+    SimulationHost s =
+        new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     Recorder recorder =
         new Recorder(

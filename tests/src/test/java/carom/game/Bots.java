@@ -1,8 +1,8 @@
 package carom.game;
 
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.random.SimRandom;
 
 /** Inputs for tests: a pure function of seed, tick and player. */
@@ -10,9 +10,9 @@ final class Bots {
   private Bots() {}
 
   /** Sets the input of every player as if children held the controllers. */
-  static void wander(Simulation s, long seed) {
+  static void wander(SimulationHost s, long seed) {
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p == null) {
         continue;
       }

@@ -48,15 +48,15 @@ final class GameDigestTest {
         private carom.sim.level.Archetype disc;
         public String name() { return "skaters"; }
         public String defaultLevel() { return "arena"; }
-        public void setUp(carom.sim.Simulation s) {
+        public void setUp(carom.sim.SimulationHost s) {
           disc = s.archetypes().add(new carom.sim.level.ArchetypeDef("skater")
               .shape(new carom.physics.geometry.Circle(0.5f), new carom.physics.Material(1, 0, 0)));
         }
-        public void join(carom.sim.Simulation s, carom.sim.entity.Player p) {
+        public void join(carom.sim.SimulationHost s, carom.sim.entity.HostPlayer p) {
           s.spawn(disc, 2 * p.id(), 0, 0, p);
         }
         public void input(
-            carom.sim.Simulation s, carom.sim.entity.Player p, carom.sim.entity.Input in) {
+            carom.sim.SimulationHost s, carom.sim.entity.HostPlayer p, carom.sim.entity.Input in) {
           p.body().body().seekVelocity(rules[0].speed() * in.moveX(), 0, 10);
         }
       }

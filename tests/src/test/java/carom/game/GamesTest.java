@@ -10,9 +10,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.Body;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import com.sun.management.ThreadMXBean;
@@ -27,10 +27,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 public class GamesTest {
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
-  public static Simulation start(String game, long seed, Role role) {
+  public static SimulationHost start(String game, long seed, Role role) {
     try {
       Level level = Level.builtIn(Games.create(game).defaultLevel());
-      return new Simulation(Games.create(game), level, seed, 60, role);
+      return new SimulationHost(Games.create(game), level, seed, 60, role);
     } catch (LevelException e) {
       throw new AssertionError(e);
     }
@@ -55,7 +55,7 @@ public class GamesTest {
   }
 
   private static List<Long> hashes(String game, long seed) {
-    Simulation s = start(game, seed, Role.AUTHORITY);
+    SimulationHost s = start(game, seed, Role.AUTHORITY);
     List<Long> hashes = new ArrayList<>();
     for (int i = 0; i < 12; i++) {
       s.join("bot " + i);
@@ -77,7 +77,7 @@ public class GamesTest {
   @ParameterizedTest
   @ValueSource(strings = {"arena", "platformer"})
   void continuesBitByBitAfterRestore(String game) {
-    Simulation s = start(game, 5, Role.AUTHORITY);
+    SimulationHost s = start(game, 5, Role.AUTHORITY);
     for (int i = 0; i < 8; i++) {
       s.join("bot " + i);
     }
@@ -102,7 +102,7 @@ public class GamesTest {
     assertEquals(200, saved.tick());
   }
 
-  private static void run(Simulation s, long seed, int ticks) {
+  private static void run(SimulationHost s, long seed, int ticks) {
     for (int i = 0; i < ticks; i++) {
       Bots.wander(s, seed);
       s.step();
@@ -112,7 +112,7 @@ public class GamesTest {
   @ParameterizedTest
   @ValueSource(strings = {"arena", "platformer"})
   void fiftyPlayersAtOnceStayInTheField(String game) {
-    Simulation s = start(game, 9, Role.AUTHORITY);
+    SimulationHost s = start(game, 9, Role.AUTHORITY);
     for (int i = 0; i < 50; i++) {
       s.join("bot " + i);
     }
@@ -121,11 +121,11 @@ public class GamesTest {
       Bots.wander(s, 9);
       s.step();
       for (int id = 0; id < s.entityCapacity(); id++) {
-        Entity e = s.entity(id);
+        HostEntity e = s.entity(id);
         if (e == null) {
           continue;
         }
-        Body<Entity> body = e.body();
+        Body<HostEntity> body = e.body();
         float all = body.x() + body.y() + body.velocityX() + body.velocityY() + body.cos();
         assertTrue(Float.isFinite(all), "seed 9 tick " + tick + " " + e);
         boolean inside =
@@ -146,18 +146,18 @@ public class GamesTest {
   @ParameterizedTest
   @ValueSource(strings = {"arena", "platformer"})
   void joiningAndLeavingLeavesNothingBehind(String game) {
-    Simulation s = start(game, 3, Role.AUTHORITY);
+    SimulationHost s = start(game, 3, Role.AUTHORITY);
     run(s, 3, 10);
     int before = s.entityCount();
     for (int round = 0; round < 3; round++) {
       for (int i = 0; i < 30; i++) {
-        Player p = s.join("guest " + i);
+        HostPlayer p = s.join("guest " + i);
         assertEquals(i, p.id());
         assertEquals(p.body(), s.entity(p.body().id()));
       }
       run(s, 3, 5);
       for (int i = 29; i >= 0; i--) {
-        Entity body = s.player(i).body();
+        HostEntity body = s.player(i).body();
         s.leave(s.player(i));
         assertFalse(body.body().isValid());
       }
@@ -170,11 +170,11 @@ public class GamesTest {
   @ParameterizedTest
   @ValueSource(strings = {"arena", "platformer"})
   void predictionMovesALonePlayerLikeTheServer(String game) {
-    Simulation server = start(game, 1, Role.AUTHORITY);
-    Simulation client = start(game, 1, Role.PREDICTION);
+    SimulationHost server = start(game, 1, Role.AUTHORITY);
+    SimulationHost client = start(game, 1, Role.PREDICTION);
     run(server, 1, 3); // the arena's ball has come
-    Player p = server.join("alone");
-    Player mirror = client.mirror().join(p.id(), "alone");
+    HostPlayer p = server.join("alone");
+    HostPlayer mirror = client.mirror().join(p.id(), "alone");
     mirror(server, client, mirror);
     for (int tick = 1; tick <= 120; tick++) {
       Bots.wander(server, 4);
@@ -194,7 +194,7 @@ public class GamesTest {
   @ParameterizedTest
   @ValueSource(strings = {"arena", "platformer"})
   void savingAndRestoringAllocatesNothingAndATickNextToNothing(String game) {
-    Simulation s = start(game, 6, Role.AUTHORITY);
+    SimulationHost s = start(game, 6, Role.AUTHORITY);
     for (int i = 0; i < 20; i++) {
       s.join("bot " + i);
     }
@@ -223,13 +223,13 @@ public class GamesTest {
     return THREADS.getCurrentThreadAllocatedBytes();
   }
 
-  private static void mirror(Simulation server, Simulation client, Player player) {
+  private static void mirror(SimulationHost server, SimulationHost client, HostPlayer player) {
     client.mirror().tick(server.tick());
     for (int id = 0; id < server.entityCapacity(); id++) {
-      Entity e = server.entity(id);
+      HostEntity e = server.entity(id);
       if (e != null) {
-        Body<Entity> from = e.body();
-        Body<Entity> to =
+        Body<HostEntity> from = e.body();
+        Body<HostEntity> to =
             client
                 .mirror()
                 .spawn(
@@ -248,7 +248,7 @@ public class GamesTest {
     assertEquals(server.player(player.id()).body().id(), player.body().id());
   }
 
-  private static void assertSamePose(Body<Entity> a, Body<Entity> b, String when) {
+  private static void assertSamePose(Body<HostEntity> a, Body<HostEntity> b, String when) {
     assertEquals(bits(a.centerX()), bits(b.centerX()), when);
     assertEquals(bits(a.centerY()), bits(b.centerY()), when);
     assertEquals(bits(a.cos()), bits(b.cos()), when);

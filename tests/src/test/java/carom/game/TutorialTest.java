@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.tag.TagGame;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -42,7 +42,7 @@ class TutorialTest {
   @Test
   void theGameOfTheManualPlays() throws Exception {
     Level level = Level.parse("yard.json", block("json").getBytes(StandardCharsets.UTF_8));
-    Simulation s = new Simulation(new TagGame(), level, 1, 60, Role.AUTHORITY);
+    SimulationHost s = new SimulationHost(new TagGame(), level, 1, 60, Role.AUTHORITY);
     for (int i = 0; i < 6; i++) {
       s.join("bot " + i);
     }
@@ -55,7 +55,7 @@ class TutorialTest {
     assertTrue(notices.size() > 2, notices.toString());
     int points = 0;
     for (int id = 0; id < 6; id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       points += p.score();
     }
     assertEquals(150, points, 8);

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.fixtures.BigWorlds;
 import carom.game.Games;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -35,15 +35,15 @@ class CheckpointCostTest {
     return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
   }
 
-  private static Simulation start(Level level) {
-    Simulation s = new Simulation(Games.create(level.gameName()), level, 7, RATE, Role.AUTHORITY);
+  private static SimulationHost start(Level level) {
+    SimulationHost s = new SimulationHost(Games.create(level.gameName()), level, 7, RATE, Role.AUTHORITY);
     for (int i = 0; i < PLAYERS; i++) {
       s.join("p" + i);
     }
     return s;
   }
 
-  private static void step(Simulation s) {
+  private static void step(SimulationHost s) {
     for (int id = 0; id < PLAYERS; id++) {
       int tick = s.tick();
       s.player(id).input().move((tick / 7 + id) % 3 - 1, (tick / 11 + id) % 3 - 1);
@@ -52,7 +52,7 @@ class CheckpointCostTest {
   }
 
   private void measure(String what, Level level, long mostBytesPerCheckpoint) throws Exception {
-    Simulation s = start(level);
+    SimulationHost s = start(level);
     for (int i = 0; i < RATE; i++) {
       step(s);
     }
@@ -98,7 +98,7 @@ class CheckpointCostTest {
     }
     Arrays.sort(tookNs);
     long beginNs = cpuNs();
-    Simulation again = new Simulation(s.game(), level, 7, RATE, Role.AUTHORITY);
+    SimulationHost again = new SimulationHost(s.game(), level, 7, RATE, Role.AUTHORITY);
     try (RecordingReader reader = RecordingReader.open(folder.resolve("slot"))) {
       Replay replay = new Replay(reader, again);
       while (replay.step() == Replay.Progress.TICK) {}

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -32,8 +32,8 @@ final class HostileRecordingTest {
 
   @BeforeEach
   void record() throws Exception {
-    Simulation s =
-        new Simulation(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
+    SimulationHost s =
+        new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
     s.addJournal(recorder);
     Random random = new Random(SEED);
@@ -44,7 +44,7 @@ final class HostileRecordingTest {
         s.leave(s.player(1));
       }
       for (int id = 0; id < s.playerCapacity(); id++) {
-        Player p = s.player(id);
+        HostPlayer p = s.player(id);
         if (p != null && random.nextInt(8) == 0) {
           p.input().unpack(random.nextLong());
           p.viewDelay(random.nextInt(300));

@@ -8,8 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.Games;
 import carom.net.protocol.Protocol;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Emote;
@@ -27,11 +27,11 @@ import org.junit.jupiter.api.io.TempDir;
 final class MessageReplayTest {
   @TempDir private Path folder;
 
-  private static Simulation arena() throws Exception {
-    return new Simulation(Games.create("arena"), Level.builtIn("arena"), 5, 60, Role.AUTHORITY);
+  private static SimulationHost arena() throws Exception {
+    return new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 5, 60, Role.AUTHORITY);
   }
 
-  private static void note(Simulation s, List<String> to) {
+  private static void note(SimulationHost s, List<String> to) {
     s.outbox()
         .drainMessages(d -> to.add(s.tick() + " " + d.message() + " " + d.recipients() + d.id()));
   }
@@ -40,11 +40,11 @@ final class MessageReplayTest {
   void aReplayHearsTheSameMessagesAtTheSameTicks() throws Exception {
     long seed = 3;
     Random random = new Random(seed);
-    Simulation s = arena();
+    SimulationHost s = arena();
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
     s.addJournal(recorder);
-    Player[] players = {s.join("Ann"), s.join("Bob")};
+    HostPlayer[] players = {s.join("Ann"), s.join("Bob")};
     List<String> played = new ArrayList<>();
     for (int tick = 1; tick <= 200; tick++) {
       for (int n = random.nextInt(4); n > 0; n--) {
@@ -74,11 +74,11 @@ final class MessageReplayTest {
 
   @Test
   void aMessageThatTheGameDoesNotKnowIsDamage() throws Exception {
-    Simulation s = arena();
+    SimulationHost s = arena();
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
     s.addJournal(recorder);
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     s.receive(ann, BuiltInKinds.SAY.of(false, "hello there"));
     s.step();
     recorder.end("test");

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import carom.game.Games;
 import carom.net.protocol.Protocol;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -24,12 +24,12 @@ final class PoolReplayTest {
 
   @Test
   void aRecordingOfWaterIsComputedAgainBitForBit() throws Exception {
-    Simulation s =
-        new Simulation(Games.create("platformer"), Level.builtIn("sluice"), 5, 60, Role.AUTHORITY);
+    SimulationHost s =
+        new SimulationHost(Games.create("platformer"), Level.builtIn("sluice"), 5, 60, Role.AUTHORITY);
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
     s.addJournal(recorder);
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     for (int tick = 0; tick < TICKS; tick++) {
       ann.input().move(tick / 200 % 2 == 0 ? 1 : -1, 0);
       s.step();

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.arena.ArenaGame;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 /** A recording is of a game with certain fields; with others it is refused by the field's name. */
 final class RecordedFieldsTest {
   private static RecordingHeader header() throws Exception {
-    Simulation s = new Simulation(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.AUTHORITY);
+    SimulationHost s = new SimulationHost(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.AUTHORITY);
     return RecordingHeader.of(s, 1, 2);
   }
 

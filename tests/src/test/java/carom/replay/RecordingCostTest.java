@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.Games;
 import carom.physics.QueryHit;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import java.lang.management.ManagementFactory;
 import java.util.Random;
@@ -46,13 +46,13 @@ final class RecordingCostTest {
     return least;
   }
 
-  private static Simulation start() throws Exception {
-    return new Simulation(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
+  private static SimulationHost start() throws Exception {
+    return new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
   }
 
   @Test
   void aRecordedTickAllocatesNothing() throws Exception {
-    Simulation s = start();
+    SimulationHost s = start();
     byte[] disk = new byte[Block.MAX_BYTES];
     long[] taken = {0};
     Recorder recorder =
@@ -72,7 +72,7 @@ final class RecordingCostTest {
         leastBytes(
             tick -> {
               for (int id = 0; id < 12; id++) {
-                Player p = s.player(id);
+                HostPlayer p = s.player(id);
                 p.input().move((tick / 7 + id) % 3 - 1, (tick / 11 + id) % 3 - 1);
                 p.viewDelay(100 + tick % 5);
               }
@@ -85,7 +85,7 @@ final class RecordingCostTest {
 
   @Test
   void lookingBackAllocatesNothing() throws Exception {
-    Simulation s = start();
+    SimulationHost s = start();
     for (int i = 0; i < 12; i++) {
       s.join("p" + i).input().hold(Input.ACTION, i % 2 == 0).move(1, i % 3 - 1);
     }
@@ -93,12 +93,12 @@ final class RecordingCostTest {
       s.step();
     }
     Random random = new Random(1);
-    QueryHit<Entity> hit = new QueryHit<>();
+    QueryHit<HostEntity> hit = new QueryHit<>();
     int[] hits = {0};
     long bytes =
         leastBytes(
             tick -> {
-              Player p = s.player(tick % 12);
+              HostPlayer p = s.player(tick % 12);
               p.viewDelay(random.nextInt(240));
               float x = random.nextFloat() * 20 - 10;
               float y = random.nextFloat() * 10 - 5;

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 
 import carom.game.arena.ArenaGame;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -86,11 +86,11 @@ final class ReplayDocTest {
   /** Blocks of a game in which Ann joins, does nothing in one tick and goes right in the next. */
   private List<Blocks.Raw> record() throws Exception {
     Level level = Level.parse("tiny.json", level().getBytes(StandardCharsets.UTF_8));
-    Simulation s = new Simulation(new ArenaGame(), level, 42, 60, Role.AUTHORITY);
+    SimulationHost s = new SimulationHost(new ArenaGame(), level, 42, 60, Role.AUTHORITY);
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 42, 0x0102030405060708L), blocks);
     s.addJournal(recorder);
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     s.step();
     ann.input().move(1, 0);
     ann.viewDelay(200);

@@ -17,9 +17,9 @@ import carom.net.transport.Impairment;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
@@ -107,7 +107,7 @@ final class ReplayTest {
   void playersWhoJoinBeforeTheFirstTickDoNotHideWhereTheRecordingBegins() throws Exception {
     // The players of the match before join a next match before its first tick.
     Level level = Level.builtIn("arena");
-    Simulation s = new Simulation(Games.create("arena"), level, 5, 60, Role.AUTHORITY);
+    SimulationHost s = new SimulationHost(Games.create("arena"), level, 5, 60, Role.AUTHORITY);
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, 0), blocks);
     s.addJournal(recorder);
@@ -227,18 +227,18 @@ final class ReplayTest {
     }
   }
 
-  private static Simulation start() throws Exception {
-    return new Simulation(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
+  private static SimulationHost start() throws Exception {
+    return new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
   }
 
   /** A simulation that two players play, recorded; with no network around it. */
   private static Blocks duel(int ticks) throws Exception {
     Blocks blocks = new Blocks();
-    Simulation s = start();
+    SimulationHost s = start();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
     s.addJournal(recorder);
-    Player one = s.join("one");
-    Player two = s.join("two");
+    HostPlayer one = s.join("one");
+    HostPlayer two = s.join("two");
     for (int tick = 1; tick <= ticks; tick++) {
       one.input().move(tick % 90 < 45 ? 0.2f : -0.2f, 0.1f);
       two.input().move(0, tick % 80 < 40 ? 0.2f : -0.2f);
@@ -279,9 +279,9 @@ final class ReplayTest {
     assertEquals(replay.simulation().player(1).body().id(), body.id());
 
     // The recorded state of that body, which the file doesn't hold, is told exactly all the same.
-    Simulation truth = start();
-    Player one = truth.join("one");
-    Player two = truth.join("two");
+    SimulationHost truth = start();
+    HostPlayer one = truth.join("one");
+    HostPlayer two = truth.join("two");
     for (int tick = 1; tick <= 217; tick++) {
       one.input().move(tick % 90 < 45 ? 0.2f : -0.2f, 0.1f);
       two.input().move(0, tick % 80 < 40 ? 0.2f : -0.2f);
@@ -360,7 +360,7 @@ final class ReplayTest {
   void aSinkThatCannotKeepUpCutsTheRecording() throws Exception {
     Blocks blocks = new Blocks();
     blocks.capacity = 4; // header, keyframe, two seconds
-    Simulation s = start();
+    SimulationHost s = start();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
     s.addJournal(recorder);
     s.join("one");
@@ -383,8 +383,8 @@ final class ReplayTest {
   @Test
   void theRecordingOfAGameThatKeepsMoreThanItsStateBeginsAtTickZero() throws Exception {
     Scene car = Scenes.get("car");
-    Simulation s =
-        new Simulation(new SceneGame(car), SceneGame.level(car), 1, car.tickRate(), Role.AUTHORITY);
+    SimulationHost s =
+        new SimulationHost(new SceneGame(car), SceneGame.level(car), 1, car.tickRate(), Role.AUTHORITY);
     s.step();
     IllegalArgumentException e =
         assertThrows(
@@ -396,7 +396,7 @@ final class ReplayTest {
   /** A state whose bytes were changed, checksum and all, is refused or shown to be another. */
   @Test
   void aDamagedStateIsTold() throws Exception {
-    Simulation s = start();
+    SimulationHost s = start();
     s.join("one").input().move(1, 0);
     for (int i = 0; i < 50; i++) {
       s.step();

@@ -7,7 +7,7 @@ import carom.game.Games;
 import carom.net.protocol.Protocol;
 import carom.server.ReplayCommand;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.text.Texts;
@@ -32,8 +32,8 @@ final class ReplayWordsTest {
 
   private String printed(String game, String levelName, String field, int exitCode)
       throws IOException, LevelException {
-    Simulation s =
-        new Simulation(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
+    SimulationHost s =
+        new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
     RecordingHeader good = RecordingHeader.of(s, 7, Protocol.physicsDigest());
     RecordingHeader header =
         new RecordingHeader(

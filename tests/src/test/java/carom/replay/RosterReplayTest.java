@@ -8,8 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.Games;
 import carom.net.protocol.Protocol;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.PlayerColour;
@@ -31,19 +31,19 @@ final class RosterReplayTest {
 
   private int changes;
 
-  private static Simulation arena() throws Exception {
-    return new Simulation(Games.create("arena"), Level.builtIn("arena"), 5, 60, Role.AUTHORITY);
+  private static SimulationHost arena() throws Exception {
+    return new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 5, 60, Role.AUTHORITY);
   }
 
-  private static Recorder record(Simulation s, Blocks blocks) {
+  private static Recorder record(SimulationHost s, Blocks blocks) {
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
     s.addJournal(recorder);
     return recorder;
   }
 
-  private void happen(Simulation s, Random random) {
+  private void happen(SimulationHost s, Random random) {
     int id = random.nextInt(MOST);
-    Player p = s.participant(id);
+    HostPlayer p = s.participant(id);
     if (p == null) {
       if (random.nextBoolean()) {
         s.join(id, "Player " + id);
@@ -70,7 +70,7 @@ final class RosterReplayTest {
     changes += before == p.role() ? 0 : 1;
   }
 
-  private void play(Simulation s, Random random, int ticks) {
+  private void play(SimulationHost s, Random random, int ticks) {
     for (int tick = 0; tick < ticks; tick++) {
       if (random.nextInt(4) == 0) {
         happen(s, random);
@@ -79,7 +79,7 @@ final class RosterReplayTest {
     }
   }
 
-  private void assertEqualReplay(Blocks blocks, int ticks, Simulation played) throws Exception {
+  private void assertEqualReplay(Blocks blocks, int ticks, SimulationHost played) throws Exception {
     try (RecordingReader reader = RecordingReader.open(blocks.write(folder.resolve("a.carom")))) {
       Replay replay = new Replay(reader);
       while (replay.step() == Replay.Progress.TICK) {
@@ -88,8 +88,8 @@ final class RosterReplayTest {
       assertEquals(ticks, replay.equalTicks());
       assertEquals(played.stateHash(), replay.simulation().stateHash());
       for (int id = 0; id < MOST; id++) {
-        Player there = played.participant(id);
-        Player here = replay.simulation().participant(id);
+        HostPlayer there = played.participant(id);
+        HostPlayer here = replay.simulation().participant(id);
         assertEquals(there == null, here == null);
         assertEquals(there == null ? null : there.role(), here == null ? null : here.role());
         assertEquals(there == null ? null : there.colour(), here == null ? null : here.colour());
@@ -100,7 +100,7 @@ final class RosterReplayTest {
   @Test
   void aReplayChangesRolesTeamsAndReadinessAtTheSameTicks() throws Exception {
     Random random = new Random(11);
-    Simulation s = arena();
+    SimulationHost s = arena();
     Blocks blocks = new Blocks();
     Recorder recorder = record(s, blocks);
     play(s, random, TICKS);
@@ -112,7 +112,7 @@ final class RosterReplayTest {
   @Test
   void aRecordingBeginsAmongSpectators() throws Exception {
     Random random = new Random(12);
-    Simulation s = arena();
+    SimulationHost s = arena();
     play(s, random, 300);
     s.joinAsSpectator(MOST + 1, "Watcher");
     Blocks blocks = new Blocks();
@@ -124,10 +124,10 @@ final class RosterReplayTest {
 
   @Test
   void aRoleOfNobodyIsDamage() throws Exception {
-    Simulation s = arena();
+    SimulationHost s = arena();
     Blocks blocks = new Blocks();
     Recorder recorder = record(s, blocks);
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     s.role(ann, PlayerRole.SPECTATOR);
     s.step();
     recorder.end("test");

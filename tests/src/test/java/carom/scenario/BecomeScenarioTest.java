@@ -16,8 +16,8 @@ import carom.net.transport.Impairment;
 import carom.server.CaromMain;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
@@ -126,7 +126,7 @@ class BecomeScenarioTest {
       file = stepper.server().record(folder.resolve("middle.carom")).get(0);
       for (int i = 0; i < 60 * 8; i++) {
         stepper.run(1 / 60.0);
-        Simulation s = stepper.room().simulation();
+        SimulationHost s = stepper.room().simulation();
         had.put(s.tick(), kinds(s));
       }
     }
@@ -154,7 +154,7 @@ class BecomeScenarioTest {
     }
   }
 
-  private static String kinds(Simulation s) {
+  private static String kinds(SimulationHost s) {
     StringBuilder kinds = new StringBuilder();
     for (int id = 0; id < s.entityCapacity(); id++) {
       if (s.entity(id) != null) {
@@ -226,7 +226,7 @@ class BecomeScenarioTest {
 
     void check(Stepper stepper, SimulatedClient... clients) {
       now += 1 / 60.0;
-      Simulation s = stepper.room().simulation();
+      SimulationHost s = stepper.room().simulation();
       for (int id = 0; id < s.entityCapacity(); id++) {
         if (s.entity(id) != null) {
           last.put(id + s.entity(id).archetype().name(), now);
@@ -241,9 +241,9 @@ class BecomeScenarioTest {
           }
           String what = drawn.archetype().name();
           Double had = last.get(drawn.id() + what);
-          Entity e = s.entity(drawn.id());
+          HostEntity e = s.entity(drawn.id());
           assertNotNull(e, drawn.id() + " " + stepper.describe());
-          if (e.ownerId() == Entity.NO_OWNER) {
+          if (e.ownerId() == HostEntity.NO_OWNER) {
             assertNotNull(had, clients[i].name() + " shows " + what + " " + e);
             latest = Math.max(latest, now - had);
             assertTrue(now - had <= LATE, clients[i].name() + " shows " + what + " late " + e);

@@ -16,10 +16,10 @@ import carom.physics.math.Trig;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.EventKind;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
@@ -53,7 +53,7 @@ class DartScenarioTest {
     /** Every so often the rules disarm all players for a second; 0 = never. */
     private final int disarmTicks;
 
-    private final BodyVisitor<Entity> look = this::look;
+    private final BodyVisitor<HostEntity> look = this::look;
     private Archetype player;
     private Archetype dart;
     private EventKind thrown;
@@ -80,7 +80,7 @@ class DartScenarioTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       Material wood = new Material(1, 0.3f, 0);
       player = s.archetypes().add(new ArchetypeDef("player").shape(new Circle(0.5f), wood));
       dart =
@@ -89,14 +89,14 @@ class DartScenarioTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(player, -10, 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       for (int i = p.spawnedCount() - 1; i >= 0; i--) {
-        Entity e = p.spawned(i);
+        HostEntity e = p.spawned(i);
         hits = e.get(FUEL) == 0;
         owner = p.id();
         e.body().forEachOverlap(look);
@@ -108,20 +108,20 @@ class DartScenarioTest {
         p.set(RELOAD, s.ticks(0.1f));
         float x = p.body().body().x();
         float y = p.body().body().y();
-        Entity e = s.spawn(dart, x, y, 0, p);
+        HostEntity e = s.spawn(dart, x, y, 0, p);
         e.body().setVelocity(15 * Trig.cos(in.aim()), 15 * Trig.sin(in.aim()));
         e.set(FUEL, s.ticks(2));
         s.emit(thrown).at(x, y).by(p);
       }
     }
 
-    private boolean look(Body<Entity> other) {
+    private boolean look(Body<HostEntity> other) {
       hits |= other.user().ownerId() != owner;
       return true;
     }
 
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       for (int id = 0; id < s.playerCapacity() && disarmTicks > 0; id++) {
         if (s.player(id) != null && s.tick() % disarmTicks == 0) {
           s.player(id).set(RELOAD, s.ticks(1));

@@ -12,7 +12,7 @@ import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Level;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
@@ -207,7 +207,7 @@ class EdgeScenarioTest {
     // back, too.
     try (Stepper stepper = Stepper.of("arena")) {
       SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
-      final Entity body = stepper.body(client);
+      final HostEntity body = stepper.body(client);
       for (int i = 0; i < 10; i++) {
         stepper.run(0.05 + 0.13 * i);
         client.cut();

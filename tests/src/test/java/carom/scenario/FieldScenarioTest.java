@@ -10,8 +10,8 @@ import carom.fixtures.FieldGame.Phase;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -35,7 +35,7 @@ class FieldScenarioTest {
       SimulatedClient ann = stepper.join("ann", FAR, Scripts.wander(Stepper.SEED));
       SimulatedClient bob = stepper.join("bob", FAR, Scripts.wander(Stepper.SEED + 1));
       stepper.run(20.3);
-      Player a = stepper.player(ann);
+      HostPlayer a = stepper.player(ann);
       final FieldView own = ann.view().player(a.id());
       final FieldView seen = bob.view().player(a.id());
       assertTrue(a.get(FieldGame.HEALTH) < 85, stepper.describe());
@@ -105,7 +105,7 @@ class FieldScenarioTest {
       stepper.run(4);
       ann.play(Scripts.hold(0, 0));
       stepper.run(2);
-      Entity body = stepper.body(ann);
+      HostEntity body = stepper.body(ann);
       int burnt = body.get(FieldGame.BURNT);
       assertTrue(burnt > 100, stepper.describe());
       assertEquals(burnt, fields(ann.view(), body).get(FieldGame.BURNT), stepper.describe());
@@ -131,7 +131,7 @@ class FieldScenarioTest {
     }
   }
 
-  private static FieldView fields(ClientView view, Entity body) {
+  private static FieldView fields(ClientView view, HostEntity body) {
     return view.fields(view.find(body.id()));
   }
 }

@@ -20,8 +20,8 @@ import carom.physics.JointType;
 import carom.physics.rows.JointDefRow;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import carom.sim.scene.SceneGame;
@@ -78,7 +78,7 @@ final class MachineScenarioTest {
                 + spawn("crate", -20.4f, 24, 0));
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
-      Simulation server = stepper.room().simulation();
+      SimulationHost server = stepper.room().simulation();
       int before = 13 + 2;
       stepper.run(8);
       int broken = before - server.world().jointCount();
@@ -87,7 +87,7 @@ final class MachineScenarioTest {
       double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
       assertTrue(right >= 99, "right=" + right + " " + about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
-      JointTable<Entity> predicted = client.view().predictedWorld().joints();
+      JointTable<HostEntity> predicted = client.view().predictedWorld().joints();
       for (int i = 0; i < predicted.limit(); i++) {
         if (predicted.get(i) != null) {
           int index = JointTable.index(predicted.key(i));
@@ -194,7 +194,7 @@ final class MachineScenarioTest {
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
       stepper.run(25);
-      Simulation server = stepper.room().simulation();
+      SimulationHost server = stepper.room().simulation();
       double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
       String about = "right=" + right + " " + stepper.describe();
       assertTrue(right >= 99, about);
@@ -228,8 +228,8 @@ final class MachineScenarioTest {
       final long full = stepper.count(Counter.NEAR_DISAGREEMENTS);
       final long corrections = client.stats().corrections();
       stepper.run(22);
-      Simulation server = stepper.room().simulation();
-      Entity lamp = named(server, "lamp").get(0);
+      SimulationHost server = stepper.room().simulation();
+      HostEntity lamp = named(server, "lamp").get(0);
       double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
       String about = "right=" + right + " " + stepper.describe();
       assertTrue(client.stats().awakeBodies() > 1_000, about);
@@ -255,12 +255,12 @@ final class MachineScenarioTest {
     Level level = MachineGame.level(spawn("crate", -10, 3, 0) + spawn("crate", -6, 3, 0));
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client = stepper.join("p", FAR, Scripts.hold(0, 0));
-      Simulation server = stepper.room().simulation();
-      List<Entity> crates = named(server, "load");
-      Body<Entity> one = crates.get(0).body();
-      Body<Entity> two = crates.get(1).body();
-      Joint<Entity> mouse = server.connect(JointDef.mouse(one, one.x(), one.y(), 400));
-      Joint<Entity> rope =
+      SimulationHost server = stepper.room().simulation();
+      List<HostEntity> crates = named(server, "load");
+      Body<HostEntity> one = crates.get(0).body();
+      Body<HostEntity> two = crates.get(1).body();
+      Joint<HostEntity> mouse = server.connect(JointDef.mouse(one, one.x(), one.y(), 400));
+      Joint<HostEntity> rope =
           server.connect(JointDef.rope(null, two, two.x(), 9, two.x(), two.y(), 7));
       stepper.run(3);
       TableInbox tables = client.game().decoder().tables();
@@ -298,11 +298,11 @@ final class MachineScenarioTest {
     try (Stepper stepper = Stepper.of(MachineGame.level(""), ServerConfig.defaults())) {
       SimulatedClient client =
           stepper.join("p", FAR, (view, tick, in) -> in.move(tick >= 300 ? 1 : 0, 0));
-      Simulation server = stepper.room().simulation();
+      SimulationHost server = stepper.room().simulation();
       int drive = -1;
       while (drive < 0 || joint(client.view(), drive).motorSpeed() == 0) {
         stepper.step();
-        Entity car = server.player(client.view().playerId()).body();
+        HostEntity car = server.player(client.view().playerId()).body();
         drive = server.joint(car, "drive").index();
         assertTrue(server.tick() < 600, stepper.describe());
       }
@@ -311,14 +311,14 @@ final class MachineScenarioTest {
     }
   }
 
-  private static float motorSpeed(Simulation s, int joint) {
+  private static float motorSpeed(SimulationHost s, int joint) {
     int[] now = new int[JointDefRow.INTS];
     s.world().readJoint(s.joints().get(joint), now, 0);
     return Float.intBitsToFloat(now[JointDefRow.MOTOR_SPEED]);
   }
 
-  private static List<Entity> named(Simulation s, String archetype) {
-    List<Entity> found = new ArrayList<>();
+  private static List<HostEntity> named(SimulationHost s, String archetype) {
+    List<HostEntity> found = new ArrayList<>();
     for (int id = 0; id < s.entityCapacity(); id++) {
       if (s.entity(id) != null && s.entity(id).archetype().name().equals(archetype)) {
         found.add(s.entity(id));
@@ -351,12 +351,12 @@ final class MachineScenarioTest {
       stepper.run(5);
       for (int i = 0; i < 20; i++) {
         stepper.run(1);
-        Simulation predicted = client.view().predictedWorld();
-        Entity body = predicted.player(client.view().playerId()).body();
+        SimulationHost predicted = client.view().predictedWorld();
+        HostEntity body = predicted.player(client.view().playerId()).body();
         assertNotNull(predicted.joint(body, "drive"), stepper.describe());
         assertNotNull(predicted.joint(body, "roll"), stepper.describe());
         for (int e = 0; e < predicted.entityCapacity(); e++) {
-          Entity torso = predicted.entity(e);
+          HostEntity torso = predicted.entity(e);
           if (torso != null && torso.archetype().name().equals("limb")) {
             assertEquals(7, jointsOf(predicted, torso.root()), "whole or not at all");
           }
@@ -365,7 +365,7 @@ final class MachineScenarioTest {
     }
   }
 
-  private static int jointsOf(Simulation s, Entity root) {
+  private static int jointsOf(SimulationHost s, HostEntity root) {
     int count = 0;
     for (int i = 0; i < s.joints().limit(); i++) {
       count += s.joints().get(i) != null && s.joints().root(i) == root.id() ? 1 : 0;
@@ -389,7 +389,7 @@ final class MachineScenarioTest {
         stepper.join("p" + i, FAR, Scripts.wander(Stepper.SEED + i));
       }
       stepper.run(3);
-      Simulation server = stepper.room().simulation();
+      SimulationHost server = stepper.room().simulation();
       AnchorGaps gaps = new AnchorGaps(server, client);
       HingeGaps truth = new HingeGaps();
       HingeGaps predicted = new HingeGaps();
@@ -435,7 +435,7 @@ final class MachineScenarioTest {
     Level level = SceneGame.level(Scenes.get(name));
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client = stepper.add("p", FAR, Scripts.wander(Stepper.SEED));
-      Simulation server = stepper.room().simulation();
+      SimulationHost server = stepper.room().simulation();
       stepper.run(3);
       double worst = 0;
       double[][] truth = new double[40][server.joints().limit()]; // by tick: as the server has it
@@ -443,7 +443,7 @@ final class MachineScenarioTest {
         stepper.step();
         double[] now = truth[server.tick() % truth.length];
         for (int j = 0; j < now.length; j++) {
-          Joint<Entity> joint = server.joints().get(j);
+          Joint<HostEntity> joint = server.joints().get(j);
           now[j] = joint == null ? 1 : gap(joint);
         }
         ClientView view = client.view();
@@ -483,7 +483,7 @@ final class MachineScenarioTest {
     }
   }
 
-  private static double gap(Joint<Entity> joint) {
+  private static double gap(Joint<HostEntity> joint) {
     return Math.hypot(joint.anchorAX() - joint.anchorBX(), joint.anchorAY() - joint.anchorBY());
   }
 

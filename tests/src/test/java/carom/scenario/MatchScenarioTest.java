@@ -12,8 +12,8 @@ import carom.server.match.LoadedLevel;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.LevelException;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
@@ -131,7 +131,7 @@ class MatchScenarioTest {
       SimulatedClient ann = stepper.join("Ann", BAD, Scripts.wander(1));
       SimulatedClient bob = stepper.join("Bob", BAD, Scripts.wander(2));
       assertEquals(MatchPhase.PLAYING, MatchClock.phase(ann.view().match()));
-      Simulation match = stepper.room().simulation();
+      SimulationHost match = stepper.room().simulation();
       match.game().clock().finish(match);
       stepper.runUntil(
           "sees the result", () -> MatchClock.phase(ann.view().match()) == MatchPhase.OVER, 2);
@@ -161,7 +161,7 @@ class MatchScenarioTest {
     try (Stepper stepper = Stepper.of("arena")) {
       SimulatedClient ann = stepper.join("Ann", BAD, Scripts.hold(0, 0));
       stepper.join("Bob", BAD, Scripts.hold(0, 0)); // alone, goals are practice
-      Simulation match = stepper.room().simulation();
+      SimulationHost match = stepper.room().simulation();
       for (int goal = 0; goal < ArenaGame.GOALS_TO_WIN; goal++) {
         assertEquals(goal, named(match, "lamp.Red").size());
         stepper.run(2.2);
@@ -170,7 +170,7 @@ class MatchScenarioTest {
       }
       assertEquals(ArenaGame.GOALS_TO_WIN, named(match, "lamp.Red").size());
       stepper.runUntil("a new match", () -> stepper.room().simulation() != match, 8);
-      Simulation next = stepper.room().simulation();
+      SimulationHost next = stepper.room().simulation();
       stepper.runUntil("Ann has a body", () -> stepper.body(ann) != null, 3);
       stepper.runUntil("the kickoff", () -> !named(next, "ball").isEmpty(), 3);
       assertEquals(0, named(next, "lamp.Red").size());
@@ -178,10 +178,10 @@ class MatchScenarioTest {
     }
   }
 
-  private static List<Entity> named(Simulation s, String archetype) {
-    List<Entity> found = new ArrayList<>();
+  private static List<HostEntity> named(SimulationHost s, String archetype) {
+    List<HostEntity> found = new ArrayList<>();
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null && e.archetype().name().equals(archetype)) {
         found.add(e);
       }
@@ -193,7 +193,7 @@ class MatchScenarioTest {
   void anotherGameBeginsWithScoresThatAreKeptAndTeamsThatAreNot() {
     try (Stepper stepper = Stepper.of("arena")) {
       SimulatedClient ann = stepper.join("Ann", BAD, Scripts.wander(1));
-      Simulation arena = stepper.room().simulation();
+      SimulationHost arena = stepper.room().simulation();
       arena.player(0).score(7);
       assertEquals(1, arena.player(0).team());
       arena.playNext(NextMatch.game("platformer").keepingScores());

@@ -11,10 +11,10 @@ import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
@@ -53,20 +53,20 @@ class MisuseScenarioTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       disc =
           s.archetypes()
               .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(disc, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
-      Body<Entity> body = p.body().body();
+    public void input(SimulationHost s, HostPlayer p, Input in) {
+      Body<HostEntity> body = p.body().body();
       float speed = 3 + 4 * p.get(NITRO);
       body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10 * body.mass());
       if (in.moveX() > 0.2f) {
@@ -75,7 +75,7 @@ class MisuseScenarioTest {
     }
 
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       for (int id = 0; id < s.playerCapacity(); id++) {
         if (s.player(id) != null) {
           s.player(id).add(NITRO, 0.007f);

@@ -10,8 +10,8 @@ import carom.net.transport.Impairment;
 import carom.physics.BodyType;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.testkit.Scripts;
@@ -114,9 +114,9 @@ class OverloadScenarioTest {
   }
 
   /** Lets all bodies that move at all but those of players move to one side, m/s. */
-  private static void shake(Simulation simulation, float speed) {
+  private static void shake(SimulationHost simulation, float speed) {
     for (int id = 0; id < simulation.entityCapacity(); id++) {
-      Entity entity = simulation.entity(id);
+      HostEntity entity = simulation.entity(id);
       if (entity != null && entity.body().type() == BodyType.DYNAMIC && entity.ownerId() < 0) {
         entity.body().setVelocity(speed, 0);
       }
@@ -125,10 +125,10 @@ class OverloadScenarioTest {
 
   /** Requires that the client knows all bodies that its picture shows. */
   private static void requireShown(Stepper stepper, SimulatedClient client) {
-    Entity own = stepper.body(client);
-    Simulation simulation = stepper.room().simulation();
+    HostEntity own = stepper.body(client);
+    SimulationHost simulation = stepper.room().simulation();
     for (int id = 0; id < simulation.entityCapacity(); id++) {
-      Entity other = simulation.entity(id);
+      HostEntity other = simulation.entity(id);
       if (other != null
           && Math.abs(other.body().x() - own.body().x()) < SHOWN_WIDTH / 2
           && Math.abs(other.body().y() - own.body().y()) < SHOWN_HEIGHT / 2) {

@@ -8,8 +8,8 @@ import carom.fixtures.Levels;
 import carom.server.config.ServerConfig;
 import carom.server.session.InputBuffer;
 import carom.sim.Journal;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
@@ -50,7 +50,7 @@ class OwnBodyScenarioTest {
                 wander.sample(view, tick, out);
                 given.put(tick, out.pack());
               });
-      Player player = stepper.room().simulation().player(client.view().playerId());
+      HostPlayer player = stepper.room().simulation().player(client.view().playerId());
       WrongInputs wrong = new WrongInputs(given, player);
       stepper.room().simulation().addJournal(wrong);
       long before = client.stats().corrections();
@@ -85,16 +85,16 @@ class OwnBodyScenarioTest {
   /** Counts the ticks for which the server took another input than the player gave. */
   private static final class WrongInputs implements Journal {
     private final Map<Integer, Long> given;
-    private final Player player;
+    private final HostPlayer player;
     private int ticks;
 
-    WrongInputs(Map<Integer, Long> given, Player player) {
+    WrongInputs(Map<Integer, Long> given, HostPlayer player) {
       this.given = given;
       this.player = player;
     }
 
     @Override
-    public void stepping(Simulation s) {
+    public void stepping(SimulationHost s) {
       Long input = given.get(s.tick() + 1);
       if (input == null || input != player.input().pack()) {
         ticks++;
@@ -102,7 +102,7 @@ class OwnBodyScenarioTest {
     }
 
     @Override
-    public void stepped(Simulation s) {}
+    public void stepped(SimulationHost s) {}
   }
 
   @ParameterizedTest

@@ -13,8 +13,8 @@ import carom.net.codec.Quantizer;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.Arrays;
@@ -193,7 +193,7 @@ class PictureScenarioTest {
     try (Stepper stepper = Stepper.of(Levels.arenaWithBall(), ServerConfig.defaults())) {
       SimulatedClient watcher = watcher(stepper, NONE.withLoss(10).withSeed(Stepper.SEED));
       stepper.run(4);
-      Entity ball = ball(stepper.room().simulation());
+      HostEntity ball = ball(stepper.room().simulation());
       int cuts = 0;
       boolean left = true;
       for (int i = 0; i < 10; i++) {
@@ -215,7 +215,7 @@ class PictureScenarioTest {
     }
   }
 
-  private static Entity ball(Simulation s) {
+  private static HostEntity ball(SimulationHost s) {
     for (int id = 0; id < s.entityCapacity(); id++) {
       if (s.entity(id) != null && s.entity(id).archetype().name().startsWith("ball")) {
         return s.entity(id);

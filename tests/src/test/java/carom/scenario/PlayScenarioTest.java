@@ -9,7 +9,7 @@ import carom.fixtures.Levels;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.server.config.ServerConfig;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
 import carom.sim.level.Appearance.Look;
 import carom.testkit.Condition;
@@ -29,10 +29,10 @@ class PlayScenarioTest {
   private static final float BALL_RADIUS = 0.7f;
   private static final Impairment FAR = Impairment.NONE.withLatency(50, 0);
 
-  private static Entity ball(Stepper stepper) {
+  private static HostEntity ball(Stepper stepper) {
     var simulation = stepper.room().simulation();
     for (int id = 0; id < simulation.entityCapacity(); id++) {
-      Entity entity = simulation.entity(id);
+      HostEntity entity = simulation.entity(id);
       if (entity != null && entity.archetype().appearance().look() == Look.BALL) {
         return entity;
       }
@@ -41,7 +41,7 @@ class PlayScenarioTest {
   }
 
   private static void place(Stepper stepper, SimulatedClient client, float x, float y) {
-    Body<Entity> body = stepper.body(client).body();
+    Body<HostEntity> body = stepper.body(client).body();
     body.setPose(x, y, 0);
     body.setVelocity(0, 0);
   }
@@ -64,7 +64,7 @@ class PlayScenarioTest {
       stepper.run(0.5);
       client.play(InputSource.IDLE);
       stepper.run(4);
-      Body<Entity> body = stepper.body(client).body();
+      Body<HostEntity> body = stepper.body(client).body();
       double along = 0.8 * (body.x() + 6) + 0.6 * (body.y() + 3);
       double across = -0.6 * (body.x() + 6) + 0.8 * (body.y() + 3);
       String about = condition + " along=" + along + " across=" + across;
@@ -121,7 +121,7 @@ class PlayScenarioTest {
         stepper.blackout(a, 1);
       }
       stepper.run(1);
-      Body<Entity> ball = ball(stepper).body();
+      Body<HostEntity> ball = ball(stepper).body();
       ball.setVelocity(0, 0); // by itself it rolls until the game puts it back
       ball.setAngularVelocity(0);
       stepper.run(2);

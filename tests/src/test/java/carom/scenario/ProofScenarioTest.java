@@ -9,8 +9,8 @@ import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
@@ -75,8 +75,8 @@ final class ProofScenarioTest {
           stepper.join("p", Impairment.NONE.withLatency(40, 5), Scripts.wander(Stepper.SEED));
       stepper.run(3);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_REPORTED));
-      Simulation predicted = client.view().predictedWorld();
-      Body<Entity> body = predicted.player(client.view().playerId()).body().body();
+      SimulationHost predicted = client.view().predictedWorld();
+      Body<HostEntity> body = predicted.player(client.view().playerId()).body().body();
       body.setVelocity(Math.nextUp(body.velocityX() + 0.25f), body.velocityY());
       assertFoundOutOnce(stepper);
     }
@@ -97,14 +97,14 @@ final class ProofScenarioTest {
     try (Stepper stepper = Stepper.of(Levels.platformerWithCrates(), ServerConfig.defaults())) {
       SimulatedClient client =
           stepper.join("p", Impairment.NONE.withLatency(40, 5), InputSource.IDLE);
-      Simulation predicted = client.view().predictedWorld();
-      Body<Entity> crate = crate(stepper.room().simulation());
-      Body<Entity> own = stepper.body(client).body();
+      SimulationHost predicted = client.view().predictedWorld();
+      Body<HostEntity> crate = crate(stepper.room().simulation());
+      Body<HostEntity> own = stepper.body(client).body();
       own.setPose(crate.x() - 2, own.y(), 1, 0);
       stepper.run(6);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED));
       long before = stepper.count(Counter.DIVERGENCES_REPORTED);
-      Body<Entity> same = crate(predicted);
+      Body<HostEntity> same = crate(predicted);
       same.setVelocity(same.velocityX() + 0.25f, same.velocityY());
       stepper.run(1);
       assertEquals(before + 1, stepper.count(Counter.DIVERGENCES_REPORTED), stepper::describe);
@@ -115,9 +115,9 @@ final class ProofScenarioTest {
   }
 
   /** The first that nobody owns. */
-  private static Body<Entity> crate(Simulation simulation) {
+  private static Body<HostEntity> crate(SimulationHost simulation) {
     for (int id = 0; id < simulation.entityCapacity(); id++) {
-      Entity e = simulation.entity(id);
+      HostEntity e = simulation.entity(id);
       if (e != null && simulation.owner(e) == null && Neighbourhood.affectsOthers(e.archetype())) {
         return e.body();
       }
@@ -154,8 +154,8 @@ final class ProofScenarioTest {
       SimulatedClient target =
           stepper.join("target", Impairment.NONE.withLatency(40, 5), InputSource.IDLE);
       SimulatedClient jolter = stepper.join("jolter", Impairment.NONE, InputSource.IDLE);
-      Body<Entity> there = stepper.body(target).body();
-      Body<Entity> here = stepper.body(jolter).body();
+      Body<HostEntity> there = stepper.body(target).body();
+      Body<HostEntity> here = stepper.body(jolter).body();
       there.setPose(here.x() - 9, here.y(), 1, 0);
       stepper.run(4);
       long before = stepper.count(Counter.DIVERGENCES_UNEXPLAINED);

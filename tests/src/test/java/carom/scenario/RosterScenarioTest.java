@@ -15,7 +15,7 @@ import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.match.NextMatch;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
@@ -45,7 +45,7 @@ class RosterScenarioTest {
     return at.view().participant(of.view().playerId());
   }
 
-  private static Player participant(Stepper stepper, SimulatedClient client) {
+  private static HostPlayer participant(Stepper stepper, SimulatedClient client) {
     return stepper.room().simulation().participant(client.view().playerId());
   }
 
@@ -138,7 +138,7 @@ class RosterScenarioTest {
       assertFalse(shows(bob, ann), "a ghost at another client");
       assertTrue(row(ann, bob).spectator());
       assertFalse(row(ann, bob).alive());
-      assertEquals(Player.NO_TEAM, row(ann, bob).team());
+      assertEquals(HostPlayer.NO_TEAM, row(ann, bob).team());
       long corrections = ann.stats().corrections();
       stepper.run(3);
       assertEquals(corrections, ann.stats().corrections(), "while watching");

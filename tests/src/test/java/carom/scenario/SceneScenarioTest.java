@@ -8,8 +8,8 @@ import carom.client.InputSource;
 import carom.client.view.ClientView.Drawn;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.pool.Pools;
 import carom.sim.pool.ShownParticles;
 import carom.sim.scene.SceneGame;
@@ -49,7 +49,7 @@ final class SceneScenarioTest {
         int seen = 0;
         for (int i = 0; i < client.view().entityCount(); i++) {
           Drawn drawn = client.view().entity(i);
-          Entity entity = stepper.room().simulation().entity(drawn.id());
+          HostEntity entity = stepper.room().simulation().entity(drawn.id());
           if (entity != null) {
             double apart = distance(ways[drawn.id()], drawn.x(), drawn.y());
             assertTrue(apart < 0.1, name + " " + drawn.id() + " apart=" + apart);
@@ -106,13 +106,13 @@ final class SceneScenarioTest {
 
   /** Runs for half a second and returns each body's ways: x and y of every tick, by id. */
   private static double[][] waysOfHalfASecond(Stepper stepper) {
-    Simulation simulation = stepper.room().simulation();
+    SimulationHost simulation = stepper.room().simulation();
     int ticks = simulation.tickRate() / 2;
-    double[][] ways = new double[Simulation.MAX_ENTITIES][];
+    double[][] ways = new double[SimulationHost.MAX_ENTITIES][];
     for (int tick = 0; tick < ticks; tick++) {
       stepper.run(simulation.tickSeconds());
       for (int id = 0; id < simulation.entityCapacity(); id++) {
-        Entity entity = simulation.entity(id);
+        HostEntity entity = simulation.entity(id);
         if (entity != null) {
           ways[id] = ways[id] == null ? filled(2 * ticks) : ways[id];
           ways[id][2 * tick] = entity.body().x();

@@ -19,10 +19,10 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -59,7 +59,7 @@ class SealedScenarioTest {
 
   /** Uses what may be used. A player tows a ball now and then, until {@code input} unhooks it. */
   private static final class AllowedGame implements Game {
-    private final List<Joint<Entity>> found = new ArrayList<>();
+    private final List<Joint<HostEntity>> found = new ArrayList<>();
     private final AtomicInteger unhooked;
     private final AtomicInteger overrides;
     private Archetype flyer;
@@ -82,7 +82,7 @@ class SealedScenarioTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       s.statics().get(0).body().setMaterial(0, new Material(1, 0.1f, 0.3f));
       s.statics().get(3).body().setFilter(0, new Filter(8, ~2, 0)); // lets balls pass
       s.world().collisionFilter((a, i, b, j) -> kind(a) != ghost || kind(b) != ghost);
@@ -101,7 +101,7 @@ class SealedScenarioTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(flyer, -6, 3, 0, p);
       s.spawn(ghost, -7, 3, 0, p);
       for (int i = 0; i < 4; i++) {
@@ -110,8 +110,8 @@ class SealedScenarioTest {
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
-      Body<Entity> body = p.body().body();
+    public void input(SimulationHost s, HostPlayer p, Input in) {
+      Body<HostEntity> body = p.body().body();
       body.seekVelocity(in.moveX() * 5, body.velocityY(), 6 * body.mass());
       if (in.moveY() > 0.3f) {
         body.applyForce(0, 16 * body.mass());
@@ -125,18 +125,18 @@ class SealedScenarioTest {
       }
     }
 
-    private static Archetype kind(Body<Entity> body) {
+    private static Archetype kind(Body<HostEntity> body) {
       return body.user().archetype();
     }
 
-    private static void count(Simulation s, AtomicInteger what) {
+    private static void count(SimulationHost s, AtomicInteger what) {
       if (s.role() == Role.AUTHORITY) {
         what.incrementAndGet();
       }
     }
 
     @Override
-    public boolean collision(Simulation s, Collision<Entity> c) {
+    public boolean collision(SimulationHost s, Collision<HostEntity> c) {
       if (c.other().user().archetype().tag() == 1) {
         c.setFriction(s.tick() / 100 % 2 == 0 ? 0.05f : 0.9f);
         c.setRestitution(0.4f);
@@ -151,13 +151,13 @@ class SealedScenarioTest {
     }
 
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       for (int id = 0; id < s.entityCapacity(); id++) {
-        Entity e = s.entity(id);
-        if (e == null || e.ownerId() != Entity.NO_OWNER) {
+        HostEntity e = s.entity(id);
+        if (e == null || e.ownerId() != HostEntity.NO_OWNER) {
           continue;
         }
-        Body<Entity> body = e.body();
+        Body<HostEntity> body = e.body();
         switch ((s.tick() + 17 * id) % 240) {
           case 20 -> body.applyImpulse(0.5f, 1, body.x() + 0.2f, body.y());
           case 60 -> body.setAngularVelocity(2);
@@ -174,11 +174,11 @@ class SealedScenarioTest {
       }
     }
 
-    private void tow(Simulation s, Player p) {
+    private void tow(SimulationHost s, HostPlayer p) {
       for (int id = 0; p != null && id < s.entityCapacity(); id++) {
-        Entity e = s.entity(id);
+        HostEntity e = s.entity(id);
         if (e != null && e.archetype() == ghost && e.ownerId() == p.id()) {
-          Body<Entity> body = p.body().body();
+          Body<HostEntity> body = p.body().body();
           e.teleport(body.x() - 1, body.y(), 0);
           s.connect(JointDef.revolute(body, e.body(), body.x() - 1, body.y()));
         }

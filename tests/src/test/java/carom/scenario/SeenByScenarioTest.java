@@ -8,7 +8,7 @@ import carom.client.view.ClientView;
 import carom.net.transport.Impairment;
 import carom.physics.QueryHit;
 import carom.server.session.Session;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -50,12 +50,12 @@ final class SeenByScenarioTest {
               });
       stepper.awaitPlaying(watcher);
       stepper.run(2);
-      QueryHit<Entity> hit = new QueryHit<>();
+      QueryHit<HostEntity> hit = new QueryHit<>();
       int last = 0;
       long end = stepper.nowNs() + seconds * 1_000_000_000L;
       while (stepper.nowNs() < end) {
         stepper.step();
-        Entity body = stepper.body(runner);
+        HostEntity body = stepper.body(runner);
         runnerBody[0] = body.id();
         int tick = stepper.room().tick();
         Session session = stepper.room().session(stepper.player(watcher).id());

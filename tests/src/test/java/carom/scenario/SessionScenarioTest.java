@@ -17,7 +17,7 @@ import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
@@ -125,7 +125,7 @@ class SessionScenarioTest {
       SimulatedClient client = stepper.join("client", FAR, InputSource.IDLE);
       stepper.run(2);
       final int id = client.view().playerId();
-      final Entity body = stepper.body(client);
+      final HostEntity body = stepper.body(client);
       stepper.player(client).score(7);
       client.cut();
       stepper.run(0.1);
@@ -152,7 +152,7 @@ class SessionScenarioTest {
     try (Stepper stepper = Stepper.of("arena")) {
       List<SimulatedClient> clients = stepper.join(8);
       stepper.run(2);
-      List<Entity> bodies = clients.stream().map(stepper::body).toList();
+      List<HostEntity> bodies = clients.stream().map(stepper::body).toList();
       stepper.stallServer(10);
       stepper.run(3);
       for (int i = 0; i < clients.size(); i++) {
@@ -169,7 +169,7 @@ class SessionScenarioTest {
       SimulatedClient client = stepper.join("client", FAR, Scripts.wander(1));
       SimulatedClient other = stepper.join("other", FAR, Scripts.wander(2));
       stepper.run(2);
-      Entity body = stepper.body(client);
+      HostEntity body = stepper.body(client);
       stepper.player(client).score(7);
       stepper.blackout(client, 15);
       stepper.run(15);
@@ -190,7 +190,7 @@ class SessionScenarioTest {
     // server gives the link up after 6 s and keeps the body for 30.
     try (Stepper stepper = Stepper.of("arena")) {
       SimulatedClient client = stepper.join("client", FAR, InputSource.IDLE);
-      final Entity body = stepper.body(client);
+      final HostEntity body = stepper.body(client);
       client.freeze(true);
       stepper.run(10);
       assertEquals(1, stepper.count(Counter.PLAYERS_IN_GRACE));
@@ -233,7 +233,7 @@ class SessionScenarioTest {
             .with(ServerConfig.SILENCE_TIMEOUT_MS, 1_000);
     try (Stepper stepper = Stepper.of(Levels.emptyArena(), config)) {
       SimulatedClient client = stepper.join("client", FAR, InputSource.IDLE);
-      final Entity body = stepper.body(client);
+      final HostEntity body = stepper.body(client);
       client.freeze(true);
       stepper.run(4);
       assertEquals(0, stepper.count(Counter.PLAYERS));

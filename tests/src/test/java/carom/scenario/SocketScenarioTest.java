@@ -10,7 +10,7 @@ import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.suite.Alone;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
@@ -44,7 +44,7 @@ class SocketScenarioTest {
       SimulatedClient mover = stepper.join("mover", Impairment.NONE, InputSource.IDLE);
       SimulatedClient other = stepper.join("other", Impairment.NONE, InputSource.IDLE);
       stepper.run(0.5);
-      Body<Entity> body = stepper.body(mover).body();
+      Body<HostEntity> body = stepper.body(mover).body();
       float startX = body.x();
       mover.play(Scripts.hold(startX < 0 ? 1 : -1, 0));
       stepper.runUntil("the server moves the body", () -> Math.abs(body.x() - startX) > 0.5, 3);
@@ -106,7 +106,7 @@ class SocketScenarioTest {
     // Goal: resuming works over sockets. Method: close the client's link in the middle of play.
     try (Stepper stepper = Stepper.overSockets("arena")) {
       SimulatedClient client = stepper.join("p", Impairment.NONE, InputSource.IDLE);
-      Entity body = stepper.body(client);
+      HostEntity body = stepper.body(client);
       client.cut();
       stepper.run(0.1);
       stepper.awaitPlaying(client);

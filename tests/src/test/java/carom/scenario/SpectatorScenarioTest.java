@@ -26,7 +26,7 @@ import carom.replay.Replay;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import carom.suite.Alone;
 import java.io.IOException;
@@ -174,7 +174,7 @@ class SpectatorScenarioTest {
             new RecordingDownload(ClientConfig.of("s"), 1, transport, seen)) {
       server.allowSpectators(DELAY_S);
       players.add(new GameClient(ClientConfig.of("bot"), transport, new Bot(1), () -> 0));
-      Simulation s = server.rooms().get(0).simulation();
+      SimulationHost s = server.rooms().get(0).simulation();
       for (int wait = 0; wait < 2_000 && (s.tick() < 600 || ticks(seen) < 400); wait++) {
         for (int i = 0; i < 20; i++) {
           run(server, players, List.of(spectator), 0.005);
@@ -208,7 +208,7 @@ class SpectatorScenarioTest {
     }
   }
 
-  private static String kinds(Simulation s) {
+  private static String kinds(SimulationHost s) {
     StringBuilder kinds = new StringBuilder();
     for (int id = 0; id < s.entityCapacity(); id++) {
       if (s.entity(id) != null) {

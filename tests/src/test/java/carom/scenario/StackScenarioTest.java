@@ -9,7 +9,7 @@ import carom.client.PredictionMode;
 import carom.client.view.ClientView.Drawn;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Appearance.Look;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -36,7 +36,7 @@ final class StackScenarioTest {
       SimulatedClient client = stepper.add(config, FAR, InputSource.IDLE);
       stepper.awaitPlaying(client);
       stepper.run(1);
-      Body<Entity> own = stepper.body(client).body();
+      Body<HostEntity> own = stepper.body(client).body();
       own.setPose(34.3f, 5.3f, 0);
       own.setVelocity(0, 0);
       stepper.run(3);
@@ -47,7 +47,7 @@ final class StackScenarioTest {
         for (int i = 0; i < client.view().entityCount(); i++) {
           Drawn drawn = client.view().entity(i);
           if (drawn.archetype().appearance().look() == Look.CRATE && drawn.x() > 35) {
-            Body<Entity> real = stepper.room().simulation().entity(drawn.id()).body();
+            Body<HostEntity> real = stepper.room().simulation().entity(drawn.id()).body();
             String about = "crate " + drawn.id() + " mode=" + mode;
             assertEquals(real.y(), drawn.y(), 0.03, about);
             assertEquals(real.x(), drawn.x(), 0.03, about);

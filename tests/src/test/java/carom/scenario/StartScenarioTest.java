@@ -15,10 +15,10 @@ import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Choice;
 import carom.sim.field.Count;
@@ -65,7 +65,7 @@ final class StartScenarioTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       disc = s.archetypes().add(def("disc").starts(FUEL.startsAt(0.5f)));
       tank = s.archetypes().add(def("tank").starts(HEALTH.startsAt(500), FUEL.startsAt(1)));
     }
@@ -75,12 +75,12 @@ final class StartScenarioTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(disc, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       p.body().body().seekVelocity(4 * in.moveX(), 4 * in.moveY(), 10);
       if (in.moveX() > 0) {
         p.body().add(FUEL, -0.01f);
@@ -88,14 +88,14 @@ final class StartScenarioTest {
     }
 
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       if (s.tick() % 60 != 0) {
         return;
       }
-      Entity made = s.spawn(tank, s.random().between(-20, 20), 12, 0, null);
+      HostEntity made = s.spawn(tank, s.random().between(-20, 20), 12, 0, null);
       made.set(HEALTH, s.tick() % 120 == 0 ? 100 : 499); // one of them as every other entity begins
       for (int id = 0; id < s.entityCapacity(); id++) {
-        Entity e = s.entity(id);
+        HostEntity e = s.entity(id);
         if (e != null && e.archetype() == tank && e != made && s.random().between(0, 1) < 0.3f) {
           s.despawn(e);
         } else if (e != null && s.random().between(0, 1) < 0.1f) {
@@ -125,15 +125,15 @@ final class StartScenarioTest {
 
   @Test
   void aLevelStartsTheFieldsOfItsBodies() throws Exception {
-    Simulation s = new Simulation(new Crates(), good(), 1, 60, Role.AUTHORITY);
+    SimulationHost s = new SimulationHost(new Crates(), good(), 1, 60, Role.AUTHORITY);
     for (int id = 0; id < 6; id++) {
-      Entity crate = s.entity(id);
+      HostEntity crate = s.entity(id);
       assertEquals(7, crate.get(HEALTH));
       assertEquals(0.25f, crate.get(FUEL), 1e-4);
       assertTrue(crate.get(LOCKED));
       assertEquals(Audience.OWNER, crate.get(SORT));
     }
-    Entity disc = s.join(0, "Ann").body();
+    HostEntity disc = s.join(0, "Ann").body();
     assertEquals(100, disc.get(HEALTH));
     assertEquals(0.5f, disc.get(FUEL), 1e-4);
     s.entity(3).add(HEALTH, 40);
@@ -166,7 +166,7 @@ final class StartScenarioTest {
     String message =
         assertThrows(
                 IllegalArgumentException.class,
-                () -> new Simulation(new Crates(), level, 1, 60, Role.AUTHORITY))
+                () -> new SimulationHost(new Crates(), level, 1, 60, Role.AUTHORITY))
             .getMessage();
     assertTrue(message.contains(problem), message);
   }
@@ -191,22 +191,22 @@ final class StartScenarioTest {
           }
 
           @Override
-          public void setUp(Simulation s) {
+          public void setUp(SimulationHost s) {
             Count other = Field.count("health", 0, 5).of(Scope.ENTITY).to(Audience.ALL);
             s.archetypes().add(Crates.def("x").starts(other.startsAt(3)));
           }
 
           @Override
-          public void join(Simulation s, Player p) {}
+          public void join(SimulationHost s, HostPlayer p) {}
 
           @Override
-          public void input(Simulation s, Player p, Input in) {}
+          public void input(SimulationHost s, HostPlayer p, Input in) {}
         };
     Level level = level("{}");
     String message =
         assertThrows(
                 IllegalArgumentException.class,
-                () -> new Simulation(game, level, 1, 60, Role.AUTHORITY))
+                () -> new SimulationHost(game, level, 1, 60, Role.AUTHORITY))
             .getMessage();
     assertTrue(message.contains("\"entity.health count 0..5 to ALL starts 3\""), message);
     assertTrue(message.contains("\"entity.health count -10..900 to ALL starts 100\""), message);
@@ -222,15 +222,15 @@ final class StartScenarioTest {
       int seen = 0;
       for (int round = 0; round < 40; round++) {
         stepper.run(0.65); // values stay for a second, so most have arrived
-        Simulation s = stepper.room().simulation();
+        SimulationHost s = stepper.room().simulation();
         if (s.tick() % 60 < 30) {
           continue;
         }
         ClientView view = ann.view();
         for (int i = 0; i < view.entityCount(); i++) {
           Drawn drawn = view.entity(i);
-          Entity entity = s.entity(drawn.id());
-          if (entity != null && entity.ownerId() == Entity.NO_OWNER) {
+          HostEntity entity = s.entity(drawn.id());
+          if (entity != null && entity.ownerId() == HostEntity.NO_OWNER) {
             String about = "tick=" + s.tick() + " " + entity;
             assertEquals(entity.get(HEALTH), view.fields(drawn).get(HEALTH), about);
             assertEquals(entity.get(SORT), view.fields(drawn).get(SORT), about);

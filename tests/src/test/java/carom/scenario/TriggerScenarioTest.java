@@ -12,10 +12,10 @@ import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
@@ -58,7 +58,7 @@ class TriggerScenarioTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       Material skin = new Material(1, 0, 0);
       disc = s.archetypes().add(new ArchetypeDef("disc").shape(new Circle(0.5f), skin));
       coin =
@@ -71,12 +71,12 @@ class TriggerScenarioTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(disc, 3 * p.id(), 4, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       boolean pad = s.isInside(p.body(), "pad");
       if (pad && !p.get(ON_PAD)) {
         p.set(NITRO, 1f);
@@ -85,20 +85,20 @@ class TriggerScenarioTest {
         p.add(NITRO, -0.01f);
       }
       p.set(ON_PAD, pad);
-      Body<Entity> body = p.body().body();
+      Body<HostEntity> body = p.body().body();
       float speed = 4 + 8 * p.get(NITRO);
       body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10 * body.mass());
     }
 
     @Override
-    public void beforeStep(Simulation s) {
+    public void beforeStep(SimulationHost s) {
       if (s.tick() % 60 == 1 && s.entityCount() < 20) {
         s.spawn(coin, s.random().between(-8, 8), s.random().between(-6, 6), 0, null);
       }
     }
 
     @Override
-    public void entered(Simulation s, Entity sensor, Entity visitor) {
+    public void entered(SimulationHost s, HostEntity sensor, HostEntity visitor) {
       if (sensor.archetype() == coin) {
         s.owner(visitor).score(s.owner(visitor).score() + 1);
         s.despawn(sensor);
@@ -130,7 +130,7 @@ class TriggerScenarioTest {
       SimulatedClient p = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
       stepper.join("q", FAR, Scripts.wander(Stepper.SEED + 1));
       stepper.run(30);
-      Simulation s = stepper.room().simulation();
+      SimulationHost s = stepper.room().simulation();
       assertEquals(0, s.findings().count(), () -> s.findings().get(0));
       assertTrue(s.player(0).get(STARTS) > 5, "starts=" + s.player(0).get(STARTS));
       assertTrue(s.player(0).score() > 0, "score=" + s.player(0).score());

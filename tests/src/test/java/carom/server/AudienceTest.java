@@ -9,8 +9,8 @@ import carom.net.snapshot.exact.NearState;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.RowKind;
 import carom.server.config.ServerConfig;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
 import carom.sim.near.Neighbourhood;
 import java.util.HashSet;
@@ -54,7 +54,7 @@ class AudienceTest {
     return client;
   }
 
-  private Entity body(FakeClient client) {
+  private HostEntity body(FakeClient client) {
     return rig.room.simulation().player(client.welcome.playerId()).body();
   }
 
@@ -81,7 +81,7 @@ class AudienceTest {
     }
 
     private void look() {
-      Entity e = rig.room.simulation().player(other).body();
+      HostEntity e = rig.room.simulation().player(other).body();
       int key = Neighbourhood.key(e.id(), e.generation());
       body |= client.decoder.history(e.id()) != null && client.decoder.history(e.id()).alive();
       input |= client.own.relayed().has(other);
@@ -223,8 +223,8 @@ class AudienceTest {
 
   @Test
   void norIsItToldToWhoHasNoBodyMeanwhile() {
-    Simulation s = rig.room.simulation();
-    Entity before = body(red);
+    SimulationHost s = rig.room.simulation();
+    HostEntity before = body(red);
     hideBlue(
         () -> {
           red.acks = false;

@@ -20,9 +20,9 @@ import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.session.Session;
 import carom.sim.Game;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.LevelException;
 import carom.sim.match.NextMatch;
 import carom.sim.message.BuiltInKinds;
@@ -222,7 +222,7 @@ class CheckpointTest {
   }
 
   private static String kinds(KeptServer kept) {
-    Simulation s = kept.room().simulation();
+    SimulationHost s = kept.room().simulation();
     StringBuilder kinds = new StringBuilder();
     for (int id = 0; id < s.entityCapacity(); id++) {
       if (s.entity(id) != null) {
@@ -242,7 +242,7 @@ class CheckpointTest {
     kept.room().session(1).seat().mute(true);
     bob.input.hold(Input.ACTION, true);
     kept.runTo(200);
-    Player before = kept.room().simulation().player(1);
+    HostPlayer before = kept.room().simulation().player(1);
     int incarnation = bob.welcome.incarnation();
     Path crashed = crash();
     kept.close();
@@ -255,7 +255,7 @@ class CheckpointTest {
       assertEquals(bob.welcome.match(), back.welcome.match());
       assertNotEquals(incarnation, back.welcome.incarnation());
       assertEquals(resumedTick, back.welcome.courseTick());
-      Player player = kept.room().simulation().player(1);
+      HostPlayer player = kept.room().simulation().player(1);
       assertEquals(before.body().id(), player.body().id());
       assertEquals(before.body().generation(), player.body().generation());
       assertTrue(player.score() > 0 && player.score() <= before.score(), "score");

@@ -18,7 +18,7 @@ import carom.net.snapshot.table.TableLayout;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.sim.Game;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
@@ -120,10 +120,10 @@ final class FakeClient implements LinkHandler {
   /** The fields of the game that the server plays. */
   private Schema schema() {
     if (game != null) {
-      return Simulation.schemaOf(game);
+      return SimulationHost.schemaOf(game);
     }
     boolean isTest = welcome.game().equals("test");
-    return Simulation.schemaOf(isTest ? new TestGame(0) : Games.create(welcome.game()));
+    return SimulationHost.schemaOf(isTest ? new TestGame(0) : Games.create(welcome.game()));
   }
 
   @Override

@@ -14,8 +14,8 @@ import carom.server.config.RoomConfig;
 import carom.server.match.MatchLibrary;
 import carom.server.room.Room;
 import carom.server.session.Session;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.testkit.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -243,10 +243,10 @@ class RoomChangeCrashTest {
     Folders.delete(crash.copy());
   }
 
-  private static Set<String> names(Simulation s) {
+  private static Set<String> names(SimulationHost s) {
     Set<String> names = new TreeSet<>();
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player player = s.participant(id);
+      HostPlayer player = s.participant(id);
       if (player != null) {
         names.add(player.name());
       }

@@ -10,7 +10,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.SessionState;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import java.lang.reflect.Field;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -169,7 +169,7 @@ class RoomFaultsTest {
   void roomClosesInGoodOrderBeforeItsTicksRunOut() throws Exception {
     try (Rig rig = new Rig()) {
       FakeClient client = rig.join("a");
-      Field parts = Simulation.class.getDeclaredField("parts"); // nobody waits for 413 days
+      Field parts = SimulationHost.class.getDeclaredField("parts"); // nobody waits for 413 days
       parts.setAccessible(true);
       Field tick = parts.getType().getDeclaredField("tick");
       tick.setAccessible(true);

@@ -13,7 +13,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.match.NextMatch;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -25,7 +25,7 @@ class RoomSeatsTest {
     try (Rig rig = new Rig()) {
       FakeClient other = rig.join("other");
       FakeClient client = rig.join("Ann");
-      Entity body = rig.room.simulation().player(1).body();
+      HostEntity body = rig.room.simulation().player(1).body();
       client.sends = false;
       rig.seconds(5.8);
       assertEquals(SessionState.PLAYING, rig.room.session(1).state());
@@ -53,7 +53,7 @@ class RoomSeatsTest {
       FakeClient before = rig.join("Ann");
       before.input.move(0, 1);
       rig.seconds(1);
-      Entity body = rig.room.simulation().player(0).body();
+      HostEntity body = rig.room.simulation().player(0).body();
       float y = before.own.y();
       before.link.close("cable pulled");
       rig.steps(2);
@@ -93,7 +93,7 @@ class RoomSeatsTest {
   void bodyWaitsWhileItsOwnerIsLoading() {
     try (Rig rig = new Rig(CONFIG.with(ServerConfig.GRACE, 2), new TestGame(1))) {
       FakeClient before = rig.join("Ann");
-      Entity body = rig.room.simulation().player(0).body();
+      HostEntity body = rig.room.simulation().player(0).body();
       before.link.close("cable pulled");
       rig.seconds(1);
       FakeClient after = rig.connect().hello("Ann", before.welcome.sessionSecret());

@@ -12,7 +12,7 @@ import carom.net.snapshot.frame.FrameState;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
 import carom.sim.outbox.Outbox;
 import java.util.concurrent.CompletableFuture;
@@ -75,7 +75,7 @@ class RoomTest {
       assertEquals(ay + TestGame.SPEED, a.own.y(), 0.3f);
       assertEquals(bx, b.own.x());
       assertEquals(77, a.own.word(0));
-      Entity body = rig.room.simulation().player(0).body();
+      HostEntity body = rig.room.simulation().player(0).body();
       assertEquals(body.body().centerX(), a.own.x());
       assertEquals(body.id(), a.own.slot());
     }

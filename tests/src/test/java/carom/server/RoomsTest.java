@@ -17,7 +17,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.server.session.Session;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
 import carom.suite.Alone;
 import java.util.ArrayList;
@@ -106,7 +106,7 @@ class RoomsTest {
       FakeClient first = rig.join("a");
       rig.join("b");
       FakeClient lost = rig.join("Cleo");
-      Entity body = rig.server.rooms().get(1).simulation().player(0).body();
+      HostEntity body = rig.server.rooms().get(1).simulation().player(0).body();
       first.link.send(new ClientMessage.Leave()); // room 1 would be the fullest with a place
       lost.link.close("cable pulled");
       rig.steps(5);

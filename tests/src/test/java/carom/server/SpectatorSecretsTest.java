@@ -19,10 +19,10 @@ import carom.replay.Replay;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
@@ -85,7 +85,7 @@ final class SpectatorSecretsTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       s.archetypes().add(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0, 1)));
       s.messageKinds().add(ORDER);
       whisper = s.eventKinds().add("whisper", 0xffffff, 0, "");
@@ -97,13 +97,13 @@ final class SpectatorSecretsTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       p.team(1);
       s.spawn(s.archetypes().find("ball"), 0, 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       if (s.tick() % 60 == 0 && s.tick() > 120 && s.role() == Role.AUTHORITY) {
         if (way == Way.EVENT) {
           s.emit(whisper).by(p).to(Audience.TEAM);
@@ -114,12 +114,12 @@ final class SpectatorSecretsTest {
     }
 
     @Override
-    public Audience audience(Simulation s, Entity e) {
+    public Audience audience(SimulationHost s, HostEntity e) {
       return way == Way.ENTITY && s.tick() > 120 ? Audience.TEAM : Audience.NEAR;
     }
 
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       if (ends) {
         ends = false;
         s.matchOver();
@@ -134,7 +134,7 @@ final class SpectatorSecretsTest {
     }
 
     @Override
-    public String chat(Simulation s, Player p, String text) {
+    public String chat(SimulationHost s, HostPlayer p, String text) {
       return text;
     }
   }

@@ -4,10 +4,10 @@ import carom.fixtures.PlainGame;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
@@ -104,7 +104,7 @@ final class TestGame extends PlainGame {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     while (hangsInSetUp) {
       Thread.onSpinWait();
     }
@@ -127,7 +127,7 @@ final class TestGame extends PlainGame {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     joins++;
     whileJoining.run();
     if (failInJoin) {
@@ -141,12 +141,12 @@ final class TestGame extends PlainGame {
   }
 
   @Override
-  public void leave(Simulation s, Player p) {
+  public void leave(SimulationHost s, HostPlayer p) {
     leaves++;
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
+  public void input(SimulationHost s, HostPlayer p, Input in) {
     inputs++;
     p.body().body().setVelocity(SPEED * in.moveX(), SPEED * in.moveY());
     if (in.held(Input.ACTION)) {
@@ -172,13 +172,13 @@ final class TestGame extends PlainGame {
   }
 
   @Override
-  public Audience audience(Simulation s, Entity e) {
+  public Audience audience(SimulationHost s, HostEntity e) {
     boolean isBody = s.owner(e) != null;
     return teamsHide && isBody ? Audience.TEAM : Audience.NEAR;
   }
 
   @Override
-  public void beforeStep(Simulation s) {
+  public void beforeStep(SimulationHost s) {
     while (hangs) {
       Thread.onSpinWait();
     }
@@ -191,13 +191,13 @@ final class TestGame extends PlainGame {
   }
 
   @Override
-  public void afterStep(Simulation s) {
+  public void afterStep(SimulationHost s) {
     if (over) {
       over = false;
       s.matchOver();
     }
     for (int i = 0; i < s.playerCapacity(); i++) {
-      Player p = s.player(i);
+      HostPlayer p = s.player(i);
       if (p != null && s.role() == Role.AUTHORITY && p.get(ACTIONS) != p.score()) {
         p.score(p.get(ACTIONS));
       }

@@ -17,9 +17,9 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -37,7 +37,7 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 
-/** An entity becomes one of another archetype in its place, see {@link Entity#become}. */
+/** An entity becomes one of another archetype in its place, see {@link HostEntity#become}. */
 class BecomeTest {
   private static final Count HEALTH =
       Field.count("health", 0, 500).startsAt(100).of(Scope.ENTITY).to(Audience.NEAR);
@@ -49,8 +49,8 @@ class BecomeTest {
     private Archetype rock;
     private Archetype wheel;
     private Archetype fan;
-    private Consumer<Entity> inInput = e -> {};
-    private Consumer<Entity> inForces = e -> {};
+    private Consumer<HostEntity> inInput = e -> {};
+    private Consumer<HostEntity> inForces = e -> {};
 
     @Override
     public String name() {
@@ -68,7 +68,7 @@ class BecomeTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       crate = add(s, new ArchetypeDef("crate").tag(1), new Box(0.5f, 0.5f));
       ice =
           add(
@@ -100,7 +100,7 @@ class BecomeTest {
     }
 
     private static Archetype add(
-        Simulation s, ArchetypeDef def, carom.physics.geometry.Shape... shapes) {
+        SimulationHost s, ArchetypeDef def, carom.physics.geometry.Shape... shapes) {
       for (carom.physics.geometry.Shape shape : shapes) {
         def.shape(shape, new Material(2, 0.1f * shapes.length, 0));
       }
@@ -108,25 +108,25 @@ class BecomeTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(crate, 0, 2, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       inInput.accept(p.body());
     }
 
     @Override
-    public void forces(Simulation s, Entity e) {
+    public void forces(SimulationHost s, HostEntity e) {
       inForces.accept(e);
     }
   }
 
   private final Rules game = new Rules();
-  private final Simulation s = start(game, Role.AUTHORITY);
+  private final SimulationHost s = start(game, Role.AUTHORITY);
 
-  private static Simulation start(Rules game, Role role) {
+  private static SimulationHost start(Rules game, Role role) {
     String json =
         """
         {"name": "become", "game": "become", "gravity": [0, -10],
@@ -135,7 +135,7 @@ class BecomeTest {
         """;
     try {
       Level level = Level.parse("become.json", json.getBytes(StandardCharsets.UTF_8));
-      return new Simulation(game, level, 1, 60, role);
+      return new SimulationHost(game, level, 1, 60, role);
     } catch (carom.sim.level.LevelException e) {
       throw new AssertionError(e);
     }
@@ -147,15 +147,15 @@ class BecomeTest {
 
   @Test
   void theBodyIsAsTheNewArchetypeSaysAndTheRestStays() {
-    Player ann = s.join("Ann");
-    Entity e = ann.body();
+    HostPlayer ann = s.join("Ann");
+    HostEntity e = ann.body();
     e.set(HEALTH, 42);
     e.body().setPose(1, 5, 0.5f);
     e.body().setVelocity(1, 2);
     e.body().setAngularVelocity(0);
     e.become(game.ice);
-    final Body<Entity> made = s.spawn(game.ice, 1, 5, 0.5f, null).body();
-    Body<Entity> body = e.body();
+    final Body<HostEntity> made = s.spawn(game.ice, 1, 5, 0.5f, null).body();
+    Body<HostEntity> body = e.body();
     assertSame(game.ice, e.archetype());
     assertEquals(2, e.tag());
     assertSame(e, ann.body());
@@ -185,9 +185,9 @@ class BecomeTest {
 
   @Test
   void theTypeMayChangeAndJointsStay() {
-    Entity a = s.spawn(game.crate, -2, 5, 0, null);
-    Entity b = s.spawn(game.crate, 0, 5, 0, null);
-    Joint<Entity> joint = s.connect(JointDef.revolute(a.body(), b.body(), -1, 5));
+    HostEntity a = s.spawn(game.crate, -2, 5, 0, null);
+    HostEntity b = s.spawn(game.crate, 0, 5, 0, null);
+    Joint<HostEntity> joint = s.connect(JointDef.revolute(a.body(), b.body(), -1, 5));
     b.body().setVelocity(3, 0);
     b.become(game.rock);
     assertEquals(BodyType.STATIC, b.body().type());
@@ -211,8 +211,8 @@ class BecomeTest {
 
   @Test
   void anAreaComesAndGoesWithTheArchetype() {
-    Entity e = s.spawn(game.crate, 5, 5, 0, null);
-    Entity other = s.spawn(game.crate, -5, 5, 0, null);
+    HostEntity e = s.spawn(game.crate, 5, 5, 0, null);
+    HostEntity other = s.spawn(game.crate, -5, 5, 0, null);
     e.become(game.fan);
     s.step();
     assertTrue(other.body().velocityY() > 0, "gravity points up");
@@ -224,7 +224,7 @@ class BecomeTest {
 
   @Test
   void savedStatesAndBytesHaveTheArchetypeOfTheirTime() throws Exception {
-    Entity e = s.join("Ann").body();
+    HostEntity e = s.join("Ann").body();
     s.step();
     SimState before = s.save(null);
     final long hashBefore = s.stateHash();
@@ -243,7 +243,7 @@ class BecomeTest {
     ArchiveWriter bytes = new ArchiveWriter();
     after.write(bytes); // while the simulation stands elsewhere
     Rules twin = new Rules();
-    Simulation fresh = start(twin, Role.AUTHORITY);
+    SimulationHost fresh = start(twin, Role.AUTHORITY);
     fresh.restore(fresh.read(new ArchiveReader(bytes.toBytes())));
     assertSame(twin.ice, fresh.entity(e.id()).archetype());
     assertEquals(hashAfter, fresh.stateHash());
@@ -261,10 +261,10 @@ class BecomeTest {
     // Goal: whatever an entity became, exact rows say so, with fields that begin otherwise. Method:
     // crates in a heap become others at random; a client takes all over now and then.
     Rules twin = new Rules();
-    Simulation client = start(twin, Role.PREDICTION);
+    SimulationHost client = start(twin, Role.PREDICTION);
     Neighbourhood here = new Neighbourhood();
     Neighbourhood there = new Neighbourhood();
-    List<Entity> heap = new ArrayList<>();
+    List<HostEntity> heap = new ArrayList<>();
     for (int i = 0; i < 12; i++) {
       int row = i / 4;
       heap.add(s.spawn(game.crate, i % 4 * 1.02f, 0.5f + row * 1.01f, 0, null));
@@ -275,11 +275,11 @@ class BecomeTest {
     int alike = 0;
     for (int tick = 0; tick < 600; tick++) {
       if (tick % 20 == 0) {
-        Entity e = heap.get(random.nextInt(heap.size()));
+        HostEntity e = heap.get(random.nextInt(heap.size()));
         e.become(kinds.get(random.nextInt(kinds.size())));
         there.readAll(s);
         client.mirror().tick(s.tick());
-        there.write(client, id -> Entity.NO_OWNER);
+        there.write(client, id -> HostEntity.NO_OWNER);
         assertEquals(
             e.archetype().index(), client.entity(e.id()).archetype().index(), "seed=" + seed);
         assertEquals(e.get(HEALTH), client.entity(e.id()).get(HEALTH), "seed=" + seed);
@@ -296,7 +296,7 @@ class BecomeTest {
 
   @Test
   void nonsenseIsRefusedWithTheReason() {
-    Entity e = s.spawn(game.crate, 0, 5, 0, null);
+    HostEntity e = s.spawn(game.crate, 0, 5, 0, null);
     final Rules other = new Rules();
     start(other, Role.AUTHORITY);
     String text = refused(IllegalArgumentException.class, () -> e.become(other.ice));
@@ -304,10 +304,10 @@ class BecomeTest {
         "archetype=ice#2 isn't one of this simulation; register it by archetypes().add in"
             + " Game.setUp",
         text);
-    Entity floor = s.statics().get(0);
+    HostEntity floor = s.statics().get(0);
     text = refused(IllegalStateException.class, () -> floor.become(game.ice));
     assertTrue(text.startsWith("entity=" + floor + " is static geometry of the level"), text);
-    Entity root = s.spawn(s.assemblies().all().get(0), 5, 5, 0, null);
+    HostEntity root = s.spawn(s.assemblies().all().get(0), 5, 5, 0, null);
     text = refused(IllegalStateException.class, () -> root.become(game.ice));
     assertTrue(text.startsWith("entity=" + root + " is the root of an assembly"), text);
     s.despawn(e);
@@ -322,7 +322,7 @@ class BecomeTest {
 
   @Test
   void inputMayLetItsBodyBecomeAnother() {
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     game.inInput = e -> e.become(s.tick() % 2 == 0 ? game.ice : game.crate);
     for (int i = 0; i < 20; i++) {
       s.step();

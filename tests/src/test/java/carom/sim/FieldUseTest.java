@@ -9,9 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.fixtures.PlainGame;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -36,12 +36,12 @@ final class FieldUseTest {
   private static final Ratio FUEL = Field.ratio("fuel").of(ENTITY).to(Audience.OWNER);
 
   private final Rules rules = new Rules();
-  private Simulation s;
+  private SimulationHost s;
 
   private static final class Rules extends PlainGame {
-    BiConsumer<Simulation, Player> input = (s, p) -> {};
-    BiConsumer<Simulation, Entity> forces = (s, e) -> {};
-    Consumer<Simulation> afterStep = s -> {};
+    BiConsumer<SimulationHost, HostPlayer> input = (s, p) -> {};
+    BiConsumer<SimulationHost, HostEntity> forces = (s, e) -> {};
+    Consumer<SimulationHost> afterStep = s -> {};
     private Archetype disc;
 
     Rules() {
@@ -54,29 +54,29 @@ final class FieldUseTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       disc =
           s.archetypes()
               .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(disc, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       input.accept(s, p);
     }
 
     @Override
-    public void forces(Simulation s, Entity e) {
+    public void forces(SimulationHost s, HostEntity e) {
       forces.accept(s, e);
     }
 
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       afterStep.accept(s);
     }
   }
@@ -87,7 +87,7 @@ final class FieldUseTest {
         "{\"name\": \"t\", \"game\": \"test\", \"gravity\": [0, 0],"
             + " \"bounds\": {\"min\": [-50, -50], \"max\": [50, 50]}}";
     Level level = Level.parse("t.json", json.getBytes(StandardCharsets.UTF_8));
-    s = new Simulation(rules, level, 1, 60, Role.AUTHORITY);
+    s = new SimulationHost(rules, level, 1, 60, Role.AUTHORITY);
     for (int i = 0; i < 3; i++) {
       s.join("p" + i);
     }

@@ -11,7 +11,7 @@ import carom.physics.Material;
 import carom.physics.QueryHit;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
@@ -39,7 +39,7 @@ final class ForcesTest {
 
   /** A game whose forces a test gives. */
   private static final class Rules extends PlainGame {
-    BiConsumer<Simulation, Entity> forces = (s, e) -> {};
+    BiConsumer<SimulationHost, HostEntity> forces = (s, e) -> {};
     Archetype crate;
     Archetype marked;
     Archetype post;
@@ -57,7 +57,7 @@ final class ForcesTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       crate = s.archetypes().add(new ArchetypeDef("crate").shape(new Box(0.5f, 0.5f), wood()));
       marked =
           s.archetypes().add(new ArchetypeDef("marked").tag(7).shape(new Box(0.5f, 0.5f), wood()));
@@ -90,12 +90,12 @@ final class ForcesTest {
     }
 
     @Override
-    public void forces(Simulation s, Entity e) {
+    public void forces(SimulationHost s, HostEntity e) {
       forces.accept(s, e);
     }
   }
 
-  private Simulation simulation(float gravityY, String areas) throws Exception {
+  private SimulationHost simulation(float gravityY, String areas) throws Exception {
     String json =
         "{\"name\": \"t\", \"game\": \"test\", \"gravity\": [0, "
             + gravityY
@@ -104,10 +104,10 @@ final class ForcesTest {
             + "], \"statics\": [{\"at\": [0, -1], \"shape\": {\"type\": \"box\", \"width\": 90,"
             + " \"height\": 2}}]}";
     Level level = Level.parse("t.json", json.getBytes(StandardCharsets.UTF_8));
-    return new Simulation(rules, level, 1, 60, Role.AUTHORITY);
+    return new SimulationHost(rules, level, 1, 60, Role.AUTHORITY);
   }
 
-  private static void run(Simulation s, int ticks) {
+  private static void run(SimulationHost s, int ticks) {
     for (int i = 0; i < ticks; i++) {
       s.step();
     }
@@ -115,13 +115,13 @@ final class ForcesTest {
 
   @Test
   void everyAwakeDynamicEntityIsVisitedOncePerTickAndNothingElse() throws Exception {
-    Simulation s = simulation(0, "");
-    Entity awake = s.spawn(rules.crate, 0, 5, 0, null);
-    Entity asleep = s.spawn(rules.crate, 4, 5, 0, null);
+    SimulationHost s = simulation(0, "");
+    HostEntity awake = s.spawn(rules.crate, 0, 5, 0, null);
+    HostEntity asleep = s.spawn(rules.crate, 4, 5, 0, null);
     s.spawn(rules.post, 8, 5, 0, null);
     awake.body().setVelocity(1, 0);
     asleep.body().sleep();
-    List<Entity> visited = new ArrayList<>();
+    List<HostEntity> visited = new ArrayList<>();
     rules.forces = (sim, e) -> visited.add(e);
     run(s, 2);
     assertEquals(List.of(awake, awake), visited);
@@ -129,8 +129,8 @@ final class ForcesTest {
 
   @Test
   void aForceActsInTheStepOfItsTick() throws Exception {
-    Simulation s = simulation(0, "");
-    Entity crate = s.spawn(rules.crate, 0, 5, 0, null);
+    SimulationHost s = simulation(0, "");
+    HostEntity crate = s.spawn(rules.crate, 0, 5, 0, null);
     rules.forces = (sim, e) -> e.body().applyForce(3, 0);
     s.step();
     assertEquals(3 * DT / crate.body().mass(), crate.body().velocityX(), 1e-6);
@@ -138,7 +138,7 @@ final class ForcesTest {
 
   @Test
   void whatAClientCannotDoIsRefusedByName() throws Exception {
-    Simulation s = simulation(0, "");
+    SimulationHost s = simulation(0, "");
     s.spawn(rules.crate, 0, 5, 0, null);
     refused(s, "spawn", (sim, e) -> sim.spawn(rules.crate, 0, 0, 0, null));
     refused(s, "despawn", (sim, e) -> sim.despawn(e));
@@ -150,7 +150,7 @@ final class ForcesTest {
     s.random();
   }
 
-  private void refused(Simulation s, String what, BiConsumer<Simulation, Entity> forces) {
+  private void refused(SimulationHost s, String what, BiConsumer<SimulationHost, HostEntity> forces) {
     rules.forces = forces;
     IllegalStateException e = assertThrows(IllegalStateException.class, s::step);
     assertTrue(e.getMessage().startsWith(what + " can't be called in Game.forces"), e::getMessage);
@@ -158,9 +158,9 @@ final class ForcesTest {
 
   @Test
   void forcesThatTouchAnotherBodyAreFoundOnce() throws Exception {
-    Simulation s = simulation(0, "");
-    final Entity one = s.spawn(rules.crate, 0, 5, 0, null);
-    final Entity other = s.spawn(rules.marked, 5, 5, 0, null);
+    SimulationHost s = simulation(0, "");
+    final HostEntity one = s.spawn(rules.crate, 0, 5, 0, null);
+    final HostEntity other = s.spawn(rules.marked, 5, 5, 0, null);
     rules.forces = (sim, e) -> e.body().applyForce(1, 0);
     run(s, 100);
     assertEquals(0, s.findings().count());
@@ -178,11 +178,11 @@ final class ForcesTest {
 
   @Test
   void queriesSeeTheLevelAlone() throws Exception {
-    Simulation s = simulation(0, "");
-    final Entity low = s.spawn(rules.crate, 0, 2, 0, null);
+    SimulationHost s = simulation(0, "");
+    final HostEntity low = s.spawn(rules.crate, 0, 2, 0, null);
     s.spawn(rules.crate, 0, 6, 0, null);
-    List<Entity> seen = new ArrayList<>();
-    QueryHit<Entity> hit = new QueryHit<>();
+    List<HostEntity> seen = new ArrayList<>();
+    QueryHit<HostEntity> hit = new QueryHit<>();
     rules.forces =
         (sim, e) -> {
           assertTrue(sim.world().queries().rayClosest(0, 4, 0, -20, null, hit));
@@ -198,13 +198,13 @@ final class ForcesTest {
 
   @Test
   void anAreaActsOnTheTagItNamesOnly() throws Exception {
-    Simulation s =
+    SimulationHost s =
         simulation(
             0,
             "{\"type\": \"wind\", \"min\": [-9, 1], \"max\": [9, 9], \"velocity\": [5, 0], \"tag\":"
                 + " 7}");
-    Entity crate = s.spawn(rules.crate, -3, 5, 0, null);
-    Entity marked = s.spawn(rules.marked, 3, 5, 0, null);
+    HostEntity crate = s.spawn(rules.crate, -3, 5, 0, null);
+    HostEntity marked = s.spawn(rules.marked, 3, 5, 0, null);
     run(s, 30);
     assertEquals(0, crate.body().velocityX());
     assertEquals(5 * (1 - Math.pow(1 / (1 + DT), 30)), marked.body().velocityX(), 1e-3);
@@ -212,12 +212,12 @@ final class ForcesTest {
 
   @Test
   void gravityOfAnAreaReplacesTheWorlds() throws Exception {
-    Simulation s =
+    SimulationHost s =
         simulation(
             -10,
             "{\"type\": \"gravity\", \"min\": [-9, 1], \"max\": [9, 20], \"gravity\": [2, 4]}");
-    Entity inside = s.spawn(rules.crate, 0, 5, 0, null);
-    Entity outside = s.spawn(rules.crate, 20, 5, 0, null);
+    HostEntity inside = s.spawn(rules.crate, 0, 5, 0, null);
+    HostEntity outside = s.spawn(rules.crate, 20, 5, 0, null);
     s.step();
     assertEquals(2 * DT, inside.body().velocityX(), 1e-5);
     assertEquals(4 * DT, inside.body().velocityY(), 1e-5);
@@ -226,12 +226,12 @@ final class ForcesTest {
 
   @Test
   void aCrateFloatsInWaterAndFallsAsleepThere() throws Exception {
-    Simulation s =
+    SimulationHost s =
         simulation(
             -10,
             "{\"type\": \"water\", \"min\": [-40, 0], \"max\": [40, 6], \"density\": 2,"
                 + " \"drag\": 3, \"angularDrag\": 3}");
-    Entity crate = s.spawn(rules.crate, 0, 5, 0.3f, null);
+    HostEntity crate = s.spawn(rules.crate, 0, 5, 0.3f, null);
     run(s, 900);
     assertEquals(6, crate.body().y(), 0.05, "half of it is under water");
     assertFalse(crate.body().awake());
@@ -239,10 +239,10 @@ final class ForcesTest {
 
   @Test
   void aCarriedAreaWakesWhatItReachesWhenItComesMovesAndGoes() throws Exception {
-    Simulation s = simulation(0, "");
-    Entity crate = s.spawn(rules.crate, 0, 5, 0, null);
+    SimulationHost s = simulation(0, "");
+    HostEntity crate = s.spawn(rules.crate, 0, 5, 0, null);
     crate.body().sleep();
-    Entity magnet = s.spawn(rules.magnet, 3, 5, 0, null);
+    HostEntity magnet = s.spawn(rules.magnet, 3, 5, 0, null);
     assertTrue(crate.body().awake(), "it came");
     s.step();
     assertEquals(20 * DT, crate.body().velocityX(), 1e-4);
@@ -264,9 +264,9 @@ final class ForcesTest {
 
   @Test
   void aFieldSwitchesACarriedAreaAndSaysHowStrongItIs() throws Exception {
-    Simulation s = simulation(0, "");
-    final Entity crate = s.spawn(rules.crate, 0, 5, 0, null);
-    final Entity magnet = s.spawn(rules.switched, 3, 5, 0, null);
+    SimulationHost s = simulation(0, "");
+    final HostEntity crate = s.spawn(rules.crate, 0, 5, 0, null);
+    final HostEntity magnet = s.spawn(rules.switched, 3, 5, 0, null);
     crate.body().sleep();
     run(s, 3);
     assertFalse(crate.body().awake(), "it is off");
@@ -295,8 +295,8 @@ final class ForcesTest {
 
   @Test
   void aRestoredSimulationHasTheAreasOfItsCarriers() throws Exception {
-    Simulation s = simulation(0, "");
-    Entity crate = s.spawn(rules.crate, 0, 5, 0, null);
+    SimulationHost s = simulation(0, "");
+    HostEntity crate = s.spawn(rules.crate, 0, 5, 0, null);
     SimState without = s.save(null);
     s.spawn(rules.magnet, 3, 5, 0, null);
     SimState with = s.save(null);
@@ -312,7 +312,7 @@ final class ForcesTest {
 
   @Test
   void areasAndForcesAllocateNothing() throws Exception {
-    Simulation s =
+    SimulationHost s =
         simulation(
             -10,
             "{\"type\": \"water\", \"min\": [-40, 0], \"max\": [40, 6], \"density\": 2},{\"type\":"

@@ -21,8 +21,8 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Transform;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -68,7 +68,7 @@ final class LookingBackTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       for (int i = 0; i < SHAPES.length; i++) {
         kinds[i] = s.archetypes().add(new ArchetypeDef("thing" + i).shape(SHAPES[i], SKIN));
       }
@@ -81,18 +81,18 @@ final class LookingBackTest {
 
   private final Random random = new Random(SEED);
   private final Things game = new Things();
-  private final Simulation s = start(game);
-  private final Player player = s.join("ann");
+  private final SimulationHost s = start(game);
+  private final HostPlayer player = s.join("ann");
   private final List<List<Was>> past = new ArrayList<>();
 
-  private static Simulation start(Game game) {
+  private static SimulationHost start(Game game) {
     try {
       String json =
           "{\"name\":\"x\",\"game\":\"things\",\"gravity\":[0,0],"
               + "\"bounds\":{\"min\":[-50,-50],\"max\":[50,50]},\"statics\":[{\"at\":[0,-12],"
               + "\"shape\":{\"type\":\"box\",\"width\":30,\"height\":1}}]}";
       Level level = Level.parse("x.json", json.getBytes(StandardCharsets.UTF_8));
-      return new Simulation(game, level, 1, 60, Role.AUTHORITY);
+      return new SimulationHost(game, level, 1, 60, Role.AUTHORITY);
     } catch (LevelException e) {
       throw new IllegalStateException(e);
     }
@@ -103,7 +103,7 @@ final class LookingBackTest {
   }
 
   private void addThing() {
-    Entity e =
+    HostEntity e =
         s.spawn(
             game.kinds[random.nextInt(SHAPES.length)], between(-12, 12), between(-10, 10), 0, null);
     e.body().setVelocity(between(-20, 20), between(-20, 20));
@@ -115,15 +115,15 @@ final class LookingBackTest {
     s.step();
     List<Was> now = new ArrayList<>();
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null) {
-        Body<Entity> b = e.body();
+        Body<HostEntity> b = e.body();
         now.add(new Was(id, e.generation(), e.archetype().index(), b.x(), b.y(), b.cos(), b.sin()));
       }
     }
     past.add(now);
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null && random.nextInt(200) == 0) {
         s.despawn(e);
         addThing();
@@ -137,7 +137,7 @@ final class LookingBackTest {
   private World<Was> oracle(int tick) {
     World<Was> world = new World<>(new WorldDef());
     for (Was was : past.get(tick - 1)) {
-      Entity e = s.entity(was.id());
+      HostEntity e = s.entity(was.id());
       if (e != null && e.generation() == was.generation()) {
         Body<Was> body =
             world.createBody(
@@ -162,8 +162,8 @@ final class LookingBackTest {
         continue;
       }
       int ago = random.nextInt(16);
-      player.viewDelay(ago * Player.VIEW_STEPS);
-      Queries<Entity> then = s.asSeenBy(player);
+      player.viewDelay(ago * HostPlayer.VIEW_STEPS);
+      Queries<HostEntity> then = s.asSeenBy(player);
       World<Was> world = oracle(s.tick() - ago);
       String what = "seed=" + SEED + " tick=" + s.tick() + " ago=" + ago;
       for (int n = 0; n < 8; n++) {
@@ -171,7 +171,7 @@ final class LookingBackTest {
         float y = between(-11, 11);
         float dx = between(-15, 15);
         float dy = between(-15, 15);
-        QueryHit<Entity> hit = new QueryHit<>();
+        QueryHit<HostEntity> hit = new QueryHit<>();
         QueryHit<Was> truth = new QueryHit<>();
         boolean any = world.queries().rayClosest(x, y, dx, dy, null, truth);
         assertEquals(any, then.rayClosest(x, y, dx, dy, null, hit), what);
@@ -201,41 +201,41 @@ final class LookingBackTest {
   }
 
   private static int idOf(QueryHit<Was> hit) {
-    return hit.body().user() == null ? Entity.LEVEL : hit.body().user().id();
+    return hit.body().user() == null ? HostEntity.LEVEL : hit.body().user().id();
   }
 
   @Test
   void betweenTwoTicksBodiesAreBetweenTwoPlaces() {
-    Entity e = s.spawn(game.kinds[0], 0, 0, 0, null);
+    HostEntity e = s.spawn(game.kinds[0], 0, 0, 0, null);
     e.body().setVelocity(6, 0); // 0.1 m a tick
     for (int i = 0; i < 20; i++) {
       s.step();
     }
-    for (int delay = 0; delay < 15 * Player.VIEW_STEPS; delay++) {
+    for (int delay = 0; delay < 15 * HostPlayer.VIEW_STEPS; delay++) {
       player.viewDelay(delay);
-      QueryHit<Entity> hit = new QueryHit<>();
+      QueryHit<HostEntity> hit = new QueryHit<>();
       assertTrue(s.asSeenBy(player).rayClosest(-5, 0, 10, 0, null, hit));
-      float centre = 2 - 0.1f * delay / Player.VIEW_STEPS;
+      float centre = 2 - 0.1f * delay / HostPlayer.VIEW_STEPS;
       assertEquals(centre - 0.5f, hit.x(), 1e-4, "delay=" + delay);
     }
-    player.viewDelay(Player.MAX_VIEW_DELAY);
-    QueryHit<Entity> hit = new QueryHit<>();
+    player.viewDelay(HostPlayer.MAX_VIEW_DELAY);
+    QueryHit<HostEntity> hit = new QueryHit<>();
     assertTrue(s.asSeenBy(player).rayClosest(-5, 0, 10, 0, null, hit));
     assertEquals(0.5f - 0.5f, hit.x(), 1e-4, "not farther back than a quarter of a second");
   }
 
   @Test
   void whoCameSinceIsNotThereAndWhoJumpedIsWhereItWas() {
-    Entity e = s.spawn(game.kinds[0], 5, 0, 0, null);
+    HostEntity e = s.spawn(game.kinds[0], 5, 0, 0, null);
     for (int i = 0; i < 20; i++) {
       s.step();
     }
-    Entity young = s.spawn(game.kinds[0], -5, 0, 0, null);
+    HostEntity young = s.spawn(game.kinds[0], -5, 0, 0, null);
     e.body().setPose(5, 8, 0);
     for (int i = 0; i < 3; i++) {
       s.step();
     }
-    player.viewDelay(10 * Player.VIEW_STEPS);
+    player.viewDelay(10 * HostPlayer.VIEW_STEPS);
     assertFalse(s.asSeenBy(player).rayAny(-5, 3, 0, -3, null), "not yet there");
     assertTrue(s.asSeenBy(player).rayAny(5, 3, 0, -3, null));
     assertFalse(s.asSeenBy(player).rayAny(5, 10, 0, -3, null));
@@ -254,7 +254,7 @@ final class LookingBackTest {
     for (int i = 0; i < 40; i++) {
       tick();
     }
-    player.viewDelay(12 * Player.VIEW_STEPS + 3);
+    player.viewDelay(12 * HostPlayer.VIEW_STEPS + 3);
     SimState state = s.save(null);
     List<Float> before = scan();
     for (int i = 0; i < 25; i++) {
@@ -266,7 +266,7 @@ final class LookingBackTest {
 
   private List<Float> scan() {
     List<Float> seen = new ArrayList<>();
-    QueryHit<Entity> hit = new QueryHit<>();
+    QueryHit<HostEntity> hit = new QueryHit<>();
     for (int i = 0; i < 200; i++) {
       boolean any = s.asSeenBy(player).rayClosest(-14, -10 + 0.1f * i, 28, 0, null, hit);
       seen.add(any ? hit.fraction() : -1f);
@@ -278,8 +278,8 @@ final class LookingBackTest {
   void whoNeverLooksBackPaysNothingAndIsTold() {
     Things other = new Things();
     other.looksBack = false;
-    Simulation forgetful = start(other);
-    Player p = forgetful.join("ben");
+    SimulationHost forgetful = start(other);
+    HostPlayer p = forgetful.join("ben");
     assertTrue(
         assertThrows(IllegalStateException.class, () -> forgetful.asSeenBy(p))
             .getMessage()
@@ -288,9 +288,9 @@ final class LookingBackTest {
 
   @Test
   void aPredictionAnswersWithWhatItPredicts() throws Exception {
-    Simulation client =
-        new Simulation(Games.create("arena"), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
-    Player p = client.mirror().join(3, "me");
+    SimulationHost client =
+        new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
+    HostPlayer p = client.mirror().join(3, "me");
     p.viewDelay(100);
     assertSame(client.world().queries(), client.asSeenBy(p));
   }

@@ -17,7 +17,7 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.field.PlayerRef;
@@ -67,7 +67,7 @@ final class RosterTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       disc =
           s.archetypes()
               .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
@@ -75,55 +75,55 @@ final class RosterTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       calls.add("join " + p.id());
       p.team(s.teamSize(1) <= s.teamSize(2) ? 1 : 2);
       s.spawn(disc, p.id(), 0, 0, p);
     }
 
     @Override
-    public void leave(Simulation s, Player p) {
+    public void leave(SimulationHost s, HostPlayer p) {
       calls.add("leave " + p.id());
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       p.body().body().applyForce(9 * in.moveX(), 9 * in.moveY());
     }
 
     @Override
-    public void message(Simulation s, Player p, carom.sim.message.Message m) {
+    public void message(SimulationHost s, HostPlayer p, carom.sim.message.Message m) {
       calls.add(m.kind().name() + " " + p.id());
     }
 
     @Override
-    public void teamChanged(Simulation s, Player p) {
+    public void teamChanged(SimulationHost s, HostPlayer p) {
       calls.add("team " + p.id() + " " + p.team());
     }
 
     @Override
-    public String refuseRole(Simulation s, Player p, PlayerRole role) {
+    public String refuseRole(SimulationHost s, HostPlayer p, PlayerRole role) {
       return shut;
     }
   }
 
   private final Discs discs = new Discs();
-  private final Simulation s = simulation(discs);
+  private final SimulationHost s = simulation(discs);
 
-  private static Simulation simulation(Game game) {
+  private static SimulationHost simulation(Game game) {
     try {
-      return new Simulation(game, Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
+      return new SimulationHost(game, Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
     } catch (Exception e) {
       return fail(e);
     }
   }
 
-  private void asksFor(Player p, PlayerRole role) {
+  private void asksFor(HostPlayer p, PlayerRole role) {
     assertTrue(s.receive(p, BuiltInKinds.ROLE.of(role)));
     s.step();
   }
 
-  private void asksFor(Player p, int team) {
+  private void asksFor(HostPlayer p, int team) {
     assertTrue(s.receive(p, BuiltInKinds.TEAM.of(team)));
     s.step();
   }
@@ -144,8 +144,8 @@ final class RosterTest {
   @Test
   void aPlayerIsReadyWhenItSaysSoAndAllAreWhenEachIs() {
     assertFalse(s.allReady());
-    Player ann = s.join("Ann");
-    Player bob = s.join("Bob");
+    HostPlayer ann = s.join("Ann");
+    HostPlayer bob = s.join("Bob");
     s.receive(ann, BuiltInKinds.READY.of(true));
     s.step();
     assertTrue(ann.isReady());
@@ -160,8 +160,8 @@ final class RosterTest {
 
   @Test
   void aSpectatorIsHiddenFromTheGameAndHasNothing() {
-    Player ann = s.join("Ann");
-    Player bob = s.join("Bob");
+    HostPlayer ann = s.join("Ann");
+    HostPlayer bob = s.join("Bob");
     ann.score(5);
     ann.ready(true);
     ann.set(Discs.LIVES, 1);
@@ -173,7 +173,7 @@ final class RosterTest {
     assertNull(ann.body());
     assertFalse(ann.isAlive());
     assertFalse(ann.isReady());
-    assertEquals(Player.NO_TEAM, ann.team());
+    assertEquals(HostPlayer.NO_TEAM, ann.team());
     assertEquals(0, ann.score());
     assertEquals(3, ann.get(Discs.LIVES));
     assertNull(s.get(Discs.LEADER));
@@ -187,7 +187,7 @@ final class RosterTest {
 
   @Test
   void aSpectatorThatPlaysAgainJoinsAnew() {
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     asksFor(ann, PlayerRole.SPECTATOR);
     asksFor(ann, PlayerRole.PLAYER);
     assertEquals(List.of("join 0", "leave 0", "join 0"), discs.calls);
@@ -198,7 +198,7 @@ final class RosterTest {
 
   @Test
   void theGameMayRefuseARoleInWords() {
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     discs.shut = "Not during the final";
     asksFor(ann, PlayerRole.SPECTATOR);
     assertFalse(ann.isSpectator());
@@ -207,7 +207,7 @@ final class RosterTest {
 
   @Test
   void whoComesToAFullGameWatchesUntilThereIsAPlace() {
-    Player[] players = {s.join("Ann"), s.join("Bob"), s.join("Cid"), s.join("Dan")};
+    HostPlayer[] players = {s.join("Ann"), s.join("Bob"), s.join("Cid"), s.join("Dan")};
     assertTrue(players[3].isSpectator());
     assertEquals(3, s.playerCount());
     assertEquals(List.of("3: All 3 places are taken: you watch"), told());
@@ -225,12 +225,12 @@ final class RosterTest {
 
   @Test
   void aPlayerMayNotMakeTeamsUnequal() {
-    Player ann = s.join("Ann"); // Red
-    Player bob = s.join("Bob"); // Blue
+    HostPlayer ann = s.join("Ann"); // Red
+    HostPlayer bob = s.join("Bob"); // Blue
     asksFor(ann, 2);
     assertEquals(1, ann.team());
     assertEquals(List.of("0: Blue has more players than Red"), told());
-    Player cid = s.join("Cid"); // Red
+    HostPlayer cid = s.join("Cid"); // Red
     asksFor(cid, 2);
     assertEquals(2, cid.team());
     asksFor(cid, 2);
@@ -241,7 +241,7 @@ final class RosterTest {
 
   @Test
   void anUnknownTeamIsRefused() {
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     asksFor(ann, 0);
     asksFor(ann, 3);
     asksFor(ann, 255);
@@ -259,7 +259,7 @@ final class RosterTest {
 
   @Test
   void aSpectatorChatsButTheGameGetsNoMessageOfIt() {
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     s.join("Bob");
     s.receive(ann, Discs.WAVE.of());
     asksFor(ann, PlayerRole.SPECTATOR);
@@ -276,22 +276,22 @@ final class RosterTest {
 
   @Test
   void aRoleCanNotChangeInLeave() {
-    Simulation s2 =
+    SimulationHost s2 =
         simulation(
             new Discs() {
               @Override
-              public void leave(Simulation s, Player p) {
+              public void leave(SimulationHost s, HostPlayer p) {
                 s.role(p, PlayerRole.SPECTATOR);
               }
             });
-    Player ann = s2.join("Ann");
+    HostPlayer ann = s2.join("Ann");
     assertThrows(IllegalStateException.class, () -> s2.role(ann, PlayerRole.SPECTATOR));
   }
 
   @Test
   void rolesAndReadinessAreSavedHashedAndWritten() {
-    Player ann = s.join("Ann");
-    Player bob = s.join("Bob");
+    HostPlayer ann = s.join("Ann");
+    HostPlayer bob = s.join("Bob");
     s.step();
     long playing = s.stateHash();
     SimState before = s.save(null);
@@ -309,7 +309,7 @@ final class RosterTest {
     s.restore(after);
     assertEquals(watching, s.stateHash());
     assertNull(s.player(0));
-    Simulation other = simulation(new Discs());
+    SimulationHost other = simulation(new Discs());
     byte[] bytes = java.util.Arrays.copyOf(archive.array(), archive.length());
     other.restore(other.read(new ArchiveReader(bytes)));
     assertEquals(watching, other.stateHash());
@@ -319,11 +319,11 @@ final class RosterTest {
 
   @Test
   void arenaChangesTheDiscWithTheTeamAndKeepsTeamsBalanced() throws Exception {
-    Simulation arena =
-        new Simulation(Games.create("arena"), Level.builtIn("arena"), 1, 60, Role.AUTHORITY);
-    Player ann = arena.join("Ann");
+    SimulationHost arena =
+        new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 1, 60, Role.AUTHORITY);
+    HostPlayer ann = arena.join("Ann");
     arena.join("Bob");
-    Player cid = arena.join("Cid");
+    HostPlayer cid = arena.join("Cid");
     assertEquals(1, cid.team());
     arena.receive(cid, BuiltInKinds.TEAM.of(2));
     arena.receive(ann, BuiltInKinds.TEAM.of(2));

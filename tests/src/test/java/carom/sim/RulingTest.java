@@ -9,8 +9,8 @@ import carom.fixtures.ForceGame;
 import carom.fixtures.PlainGame;
 import carom.physics.Body;
 import carom.physics.rows.BodyRow;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.ruling.Ruling;
 import carom.sim.ruling.RulingLog;
 import java.util.Random;
@@ -25,9 +25,9 @@ final class RulingTest {
 
   private final int[] row = new int[BodyRow.INTS];
 
-  private static Simulation tower(int ticks) {
-    Simulation s =
-        new Simulation(new ForceGame(), ForceGame.level(-10, CRATES), 1, 60, Role.AUTHORITY);
+  private static SimulationHost tower(int ticks) {
+    SimulationHost s =
+        new SimulationHost(new ForceGame(), ForceGame.level(-10, CRATES), 1, 60, Role.AUTHORITY);
     for (int i = 0; i < ticks; i++) {
       s.step();
     }
@@ -49,12 +49,12 @@ final class RulingTest {
     }
   }
 
-  private void check(long seed, int ticks, Consumer<Body<Entity>> rule) {
-    Simulation server = tower(ticks);
-    Simulation client = tower(ticks);
+  private void check(long seed, int ticks, Consumer<Body<HostEntity>> rule) {
+    SimulationHost server = tower(ticks);
+    SimulationHost client = tower(ticks);
     int[] before = new int[BodyRow.INTS];
     int[] after = new int[BodyRow.INTS];
-    Body<Entity> body = server.entity(3).body();
+    Body<HostEntity> body = server.entity(3).body();
     body.readRow(before, 0);
     rule.accept(body);
     body.readRow(after, 0);
@@ -90,23 +90,23 @@ final class RulingTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       push(s);
     }
 
     @Override
-    public void leave(Simulation s, Player p) {
+    public void leave(SimulationHost s, HostPlayer p) {
       push(s);
     }
 
     @Override
-    public void beforeStep(Simulation s) {
+    public void beforeStep(SimulationHost s) {
       if (pushes) {
         push(s);
       }
     }
 
-    private static void push(Simulation s) {
+    private static void push(SimulationHost s) {
       s.entity(3).body().applyImpulse(1, 2);
     }
   }
@@ -114,11 +114,11 @@ final class RulingTest {
   @Test
   void whatJoinLeaveAndBeforeStepDoToABodyIsOneRuling() {
     Pusher game = new Pusher();
-    Simulation server = new Simulation(game, ForceGame.level(-10, CRATES), 1, 60, Role.AUTHORITY);
-    Simulation client = tower(0);
+    SimulationHost server = new SimulationHost(game, ForceGame.level(-10, CRATES), 1, 60, Role.AUTHORITY);
+    SimulationHost client = tower(0);
     for (int n = 0; n < 4; n++) {
       game.pushes = n >= 2;
-      Entity crate = server.entity(3);
+      HostEntity crate = server.entity(3);
       server.interference().watch(crate);
       final long told = server.interference().rulings().next();
       if (n % 2 == 0) {

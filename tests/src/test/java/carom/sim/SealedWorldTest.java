@@ -23,9 +23,9 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ExactRows;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -127,7 +127,7 @@ class SealedWorldTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       disc =
           s.archetypes()
               .add(
@@ -135,7 +135,7 @@ class SealedWorldTest {
                       .shape(new Circle(0.5f), new Material(1, 0.5f, 0))
                       .bullet(true)
                       .filter(new Filter(2, 1, 0)));
-      Body<Entity> floor = s.statics().get(0).body();
+      Body<HostEntity> floor = s.statics().get(0).body();
       if (changesStatics) {
         floor.setMaterial(0, new Material(1, 0, 1));
         floor.setFilter(0, new Filter(4, -1, 0));
@@ -149,17 +149,17 @@ class SealedWorldTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(disc, 0, 2, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       p.body().body().applyForce(in.moveX(), in.moveY());
     }
   }
 
-  private static Simulation start(Rules game, Role role) throws Exception {
+  private static SimulationHost start(Rules game, Role role) throws Exception {
     String json =
         """
         {"name": "sealed", "game": "sealed", "gravity": [0, -10],
@@ -167,7 +167,7 @@ class SealedWorldTest {
          "statics": [{"at": [0, -1], "shape": {"type": "box", "width": 30, "height": 2}}]}
         """;
     Level level = Level.parse("sealed.json", json.getBytes(StandardCharsets.UTF_8));
-    return new Simulation(game, level, 1, 60, role);
+    return new SimulationHost(game, level, 1, 60, role);
   }
 
   private static void assertRefused(String call, Executable what) {
@@ -177,9 +177,9 @@ class SealedWorldTest {
   }
 
   /** Returns each refused call of the public face, by its name, with a way to make it. */
-  private static Map<String, Executable> refused(Simulation s, Entity e) {
-    Body<Entity> b = e.body();
-    World<Entity> w = s.world();
+  private static Map<String, Executable> refused(SimulationHost s, HostEntity e) {
+    Body<HostEntity> b = e.body();
+    World<HostEntity> w = s.world();
     ShapeDef shape = new ShapeDef(new Circle(1));
     WorldState state = w.save(null);
     Map<String, Executable> calls = new TreeMap<>();
@@ -221,18 +221,18 @@ class SealedWorldTest {
     return calls;
   }
 
-  private static Entity spawn(Simulation s, Rules game) {
+  private static HostEntity spawn(SimulationHost s, Rules game) {
     return s.role() == Role.AUTHORITY
         ? s.spawn(game.disc, 0, 5, 0, null)
-        : s.mirror().spawn(0, 0, game.disc, 0, 5, 0, Entity.NO_OWNER, false);
+        : s.mirror().spawn(0, 0, game.disc, 0, 5, 0, HostEntity.NO_OWNER, false);
   }
 
   @ParameterizedTest
   @EnumSource(Role.class)
   void whatClientsDontLearnOfIsRefusedByNameAndChangesNothing(Role role) throws Exception {
     Rules game = new Rules(false);
-    Simulation s = start(game, role);
-    Entity e = spawn(s, game);
+    SimulationHost s = start(game, role);
+    HostEntity e = spawn(s, game);
     s.step();
     long before = s.stateHash();
     Map<String, Executable> calls = refused(s, e);
@@ -241,7 +241,7 @@ class SealedWorldTest {
       assertRefused(name, call.getValue());
       assertEquals(before, s.stateHash(), name);
     }
-    Body<Entity> floor = s.statics().get(0).body();
+    Body<HostEntity> floor = s.statics().get(0).body();
     int[] row = new int[BodyRow.INTS];
     floor.readRow(row, 0);
     assertRefused("setPose", () -> floor.setPose(1, 0, 0));
@@ -260,7 +260,7 @@ class SealedWorldTest {
   @Test
   void refusalsSayWhatToDoInstead() throws Exception {
     Rules game = new Rules(false);
-    Simulation s = start(game, Role.AUTHORITY);
+    SimulationHost s = start(game, Role.AUTHORITY);
     Map<String, Executable> calls = refused(s, spawn(s, game));
     Map<String, String> advice =
         Map.of(
@@ -284,7 +284,7 @@ class SealedWorldTest {
   @Test
   void everyMutatorIsSharedRefusedOrHarmless() throws Exception {
     Rules game = new Rules(false);
-    Simulation s = start(game, Role.AUTHORITY);
+    SimulationHost s = start(game, Role.AUTHORITY);
     Set<String> known = new TreeSet<>(refused(s, spawn(s, game)).keySet());
     SHARED.values().forEach(known::addAll);
     HARMLESS.values().forEach(known::addAll);
@@ -312,8 +312,8 @@ class SealedWorldTest {
   @ParameterizedTest
   @EnumSource(Role.class)
   void staticsMayBeChangedWhileBothSidesSetUp(Role role) throws Exception {
-    Simulation s = start(new Rules(true), role);
-    Body<Entity> floor = s.statics().get(0).body();
+    SimulationHost s = start(new Rules(true), role);
+    Body<HostEntity> floor = s.statics().get(0).body();
     assertEquals(1, floor.material(0).restitution());
     assertEquals(4, floor.filter(0).category());
     assertTrue(floor.sensor(0));
@@ -326,8 +326,8 @@ class SealedWorldTest {
   @Test
   void archetypesSayWhichBodiesAreBulletsAndWhatTheyMeet() throws Exception {
     Rules game = new Rules(false);
-    Simulation s = start(game, Role.AUTHORITY);
-    Body<Entity> b = spawn(s, game).body();
+    SimulationHost s = start(game, Role.AUTHORITY);
+    Body<HostEntity> b = spawn(s, game).body();
     assertTrue(b.isBullet());
     assertEquals(new Filter(2, 1, 0), b.filter(0));
   }
@@ -335,12 +335,12 @@ class SealedWorldTest {
   @Test
   void aBodyThatIsMoreThanItsArchetypeIsFoundOnceAClientPredictsIt() throws Exception {
     Rules game = new Rules(false);
-    Simulation s = start(game, Role.AUTHORITY);
+    SimulationHost s = start(game, Role.AUTHORITY);
     InterferenceLog log = s.interference();
     log.watch(spawn(s, game));
     log.watch(s.spawn(game.disc, game.disc.body(3, 5, 1).velocity(1, 2)));
     assertEquals(0, s.findings().count(), "places and velocities are told");
-    Entity plain = s.spawn(game.disc, game.disc.body(6, 5, 1).bullet(false));
+    HostEntity plain = s.spawn(game.disc, game.disc.body(6, 5, 1).bullet(false));
     assertEquals(0, s.findings().count(), "nobody predicts it");
     log.watch(plain);
     log.watch(plain);

@@ -17,9 +17,9 @@ import carom.physics.ShapeDef;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
@@ -59,26 +59,26 @@ class SimulationTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       disc =
           s.archetypes()
               .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(disc, p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       p.add(STEPS, 1);
     }
   }
 
   private final Quiet game = new Quiet();
 
-  private Simulation start(Role role, String bodies) {
+  private SimulationHost start(Role role, String bodies) {
     String json =
         "{\"name\":\"t\",\"game\":\"quiet\",\"gravity\":[0,0],"
             + "\"bounds\":{\"min\":[-9,-9],\"max\":[9,9]},\"statics\":[{\"at\":[0,-8],"
@@ -86,7 +86,7 @@ class SimulationTest {
             + bodies
             + "]}";
     try {
-      return new Simulation(game, Level.parse("t", json.getBytes(UTF_8)), 7, 60, role);
+      return new SimulationHost(game, Level.parse("t", json.getBytes(UTF_8)), 7, 60, role);
     } catch (LevelException e) {
       throw new AssertionError(e);
     }
@@ -94,15 +94,15 @@ class SimulationTest {
 
   @Test
   void givesTheSmallestFreeIdWithAnotherGeneration() {
-    Simulation s = start(Role.AUTHORITY, "");
-    Entity a = s.spawn(game.disc, 0, 0, 0, null);
-    Entity b = s.spawn(game.disc, 2, 0, 0, null);
+    SimulationHost s = start(Role.AUTHORITY, "");
+    HostEntity a = s.spawn(game.disc, 0, 0, 0, null);
+    HostEntity b = s.spawn(game.disc, 2, 0, 0, null);
     s.spawn(game.disc, 4, 0, 0, null);
     assertEquals(1, b.id());
     s.despawn(b);
     s.despawn(a);
     assertNull(s.entity(0));
-    Entity again = s.spawn(game.disc, 0, 0, 0, null);
+    HostEntity again = s.spawn(game.disc, 0, 0, 0, null);
     assertEquals(0, again.id());
     assertEquals(1, again.generation());
     s.despawn(a); // the old handle harms nobody
@@ -113,9 +113,9 @@ class SimulationTest {
 
   @Test
   void generationsWrapAtTwoHundredAndFiftySix() {
-    Simulation s = start(Role.AUTHORITY, "");
+    SimulationHost s = start(Role.AUTHORITY, "");
     for (int i = 0; i < 300; i++) {
-      Entity e = s.spawn(game.disc, 0, 0, 0, null);
+      HostEntity e = s.spawn(game.disc, 0, 0, 0, null);
       assertEquals(0, e.id());
       assertEquals(i & 0xff, e.generation());
       s.despawn(e);
@@ -124,23 +124,23 @@ class SimulationTest {
 
   @Test
   void staticsComeFirstOnBothRolesAndHaveNoId() {
-    Simulation server = start(Role.AUTHORITY, "");
-    Simulation client = start(Role.PREDICTION, "");
+    SimulationHost server = start(Role.AUTHORITY, "");
+    SimulationHost client = start(Role.PREDICTION, "");
     assertEquals(1, client.statics().size());
     assertTrue(client.statics().get(0).isLevel());
     assertEquals(server.statics().get(0).body().index(), client.statics().get(0).body().index());
-    assertNull(client.entity(Entity.LEVEL));
+    assertNull(client.entity(HostEntity.LEVEL));
   }
 
   @Test
   void aPredictionOnlyMirrors() {
-    Simulation s = start(Role.PREDICTION, "");
+    SimulationHost s = start(Role.PREDICTION, "");
     assertThrows(IllegalStateException.class, () -> s.spawn(game.disc, 0, 0, 0, null));
     assertThrows(IllegalStateException.class, () -> s.join("ann"));
-    Player p = s.mirror().join(200, "ann");
+    HostPlayer p = s.mirror().join(200, "ann");
     assertThrows(IllegalStateException.class, () -> p.score(1));
     assertNull(p.body());
-    Entity e = s.mirror().spawn(500, 9, game.disc, 1, 2, 0, 200);
+    HostEntity e = s.mirror().spawn(500, 9, game.disc, 1, 2, 0, 200);
     assertSame(e, p.body());
     assertSame(p, s.owner(e));
     assertEquals(501, s.entityCapacity());
@@ -154,7 +154,7 @@ class SimulationTest {
 
   @Test
   void thePredictionRefusesWhatTheServerAlone() {
-    Simulation s = start(Role.AUTHORITY, "");
+    SimulationHost s = start(Role.AUTHORITY, "");
     assertThrows(IllegalStateException.class, () -> s.mirror().tick(5));
     assertThrows(IllegalStateException.class, () -> s.mirror().join(0, "ann"));
     assertThrows(IllegalStateException.class, () -> s.mirror().spawn(0, 0, game.disc, 0, 0, 0, -1));
@@ -163,8 +163,8 @@ class SimulationTest {
   @Test
   void everythingThatDecidesTheFutureIsInTheHash() {
     List<Runnable> changes = new ArrayList<>();
-    Simulation s = start(Role.AUTHORITY, "");
-    Player p = s.join("ann");
+    SimulationHost s = start(Role.AUTHORITY, "");
+    HostPlayer p = s.join("ann");
     changes.add(() -> p.score(1));
     changes.add(() -> p.team(2));
     changes.add(() -> p.set(STEPS, 7));
@@ -192,12 +192,12 @@ class SimulationTest {
 
   @Test
   void restoreBringsBackWhoHasGoneAndRemovesWhoCame() {
-    Simulation s = start(Role.AUTHORITY, "");
-    Player ann = s.join("ann");
-    Entity body = ann.body();
+    SimulationHost s = start(Role.AUTHORITY, "");
+    HostPlayer ann = s.join("ann");
+    HostEntity body = ann.body();
     SimState saved = s.save(null);
     s.leave(ann);
-    Player bob = s.join("bob");
+    HostPlayer bob = s.join("bob");
     s.join("cy");
     assertEquals(0, bob.id());
     s.restore(saved);
@@ -217,7 +217,7 @@ class SimulationTest {
     String path =
         "{\"type\":\"kinematic\",\"at\":[-3,1],\"shape\":{\"type\":\"circle\",\"radius\":1},"
             + "\"motion\":{\"to\":[3,4],\"period\":4}}";
-    Simulation s = start(Role.AUTHORITY, path);
+    SimulationHost s = start(Role.AUTHORITY, path);
     ScriptedMotion m = s.entity(0).archetype().motion();
     for (int tick = 1; tick <= 600; tick++) {
       s.step();
@@ -231,7 +231,7 @@ class SimulationTest {
 
   @Test
   void noticesAreBounded() {
-    Simulation s = start(Role.AUTHORITY, "");
+    SimulationHost s = start(Role.AUTHORITY, "");
     for (int i = 0; i < 20; i++) {
       s.notice("n" + i + "x".repeat(200));
     }
@@ -244,8 +244,8 @@ class SimulationTest {
 
   @Test
   void thousandAndTwentyFourPlayersAreEnough() {
-    Simulation s = start(Role.AUTHORITY, "");
-    for (int i = 0; i < Simulation.MAX_PLAYERS; i++) {
+    SimulationHost s = start(Role.AUTHORITY, "");
+    for (int i = 0; i < SimulationHost.MAX_PLAYERS; i++) {
       s.join("p" + i);
     }
     IllegalStateException e = assertThrows(IllegalStateException.class, () -> s.join("late"));
@@ -265,11 +265,11 @@ class SimulationTest {
   @ParameterizedTest
   @EnumSource(Role.class)
   void shapesLocksAndConstantsOfASharedWorldAreRefusedByName(Role role) {
-    Simulation s = start(role, "");
-    Entity e =
+    SimulationHost s = start(role, "");
+    HostEntity e =
         role == Role.AUTHORITY
             ? s.spawn(game.disc, 0, 0, 0, null)
-            : s.mirror().spawn(0, 0, game.disc, 0, 0, 0, Entity.NO_OWNER, false);
+            : s.mirror().spawn(0, 0, game.disc, 0, 0, 0, HostEntity.NO_OWNER, false);
     long before = s.world().stateHash();
     List<Executable> edits =
         List.of(
@@ -296,11 +296,11 @@ class SimulationTest {
     Body<String> body = w.createBody(lift.body(0, 3, 0), "lift");
     assertEquals(locks, body.motionLocks());
     assertEquals(0.5f, body.sleepSpeed());
-    Simulation s =
+    SimulationHost s =
         start(
             Role.AUTHORITY,
             "{\"at\":[1,2],\"lockX\":true,\"shape\":{\"type\":\"circle\",\"radius\":1}}");
-    Body<Entity> ofLevel = s.entity(0).body();
+    Body<HostEntity> ofLevel = s.entity(0).body();
     assertEquals(new MotionLocks(true, false, false), ofLevel.motionLocks());
     ofLevel.applyImpulse(3, 3);
     s.step();

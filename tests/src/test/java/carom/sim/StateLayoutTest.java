@@ -9,7 +9,7 @@ import carom.physics.Material;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.EntityRef;
@@ -86,14 +86,14 @@ final class StateLayoutTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       ball =
           s.archetypes()
               .add(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0.3f, 0.5f)));
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(ball, 2 - p.id(), 5, 0, p);
       p.set(AMMO, 3 + p.id());
       p.set(TARGET, p.body());
@@ -102,12 +102,12 @@ final class StateLayoutTest {
     }
   }
 
-  private static Simulation start() throws LevelException {
+  private static SimulationHost start() throws LevelException {
     Level level = Level.parse("all", LEVEL.getBytes(StandardCharsets.UTF_8));
-    return new Simulation(new AllGame(), level, 7, 60, Role.AUTHORITY);
+    return new SimulationHost(new AllGame(), level, 7, 60, Role.AUTHORITY);
   }
 
-  private static byte[] bytes(Simulation s) {
+  private static byte[] bytes(SimulationHost s) {
     ArchiveWriter out = new ArchiveWriter();
     s.save(null).write(out);
     return out.toBytes();
@@ -116,7 +116,7 @@ final class StateLayoutTest {
   @Test
   void aStateOfThePastIsReadAndWrittenAsItWas() throws Exception {
     if (Boolean.getBoolean("carom.renew")) {
-      Simulation s = start();
+      SimulationHost s = start();
       s.join("Ann");
       s.join("Zoë");
       for (int i = 0; i < 90; i++) {
@@ -131,7 +131,7 @@ final class StateLayoutTest {
       assertNotNull(in, FILE + " is missing; write it with -Dcarom.renew=true");
       past = in.readAllBytes();
     }
-    Simulation s = start();
+    SimulationHost s = start();
     s.restore(s.read(new ArchiveReader(past)));
     assertEquals(90, s.tick());
     assertEquals("Zoë", s.participant(1).name());

@@ -13,9 +13,9 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -40,7 +40,7 @@ class TriggerTest {
     Archetype square;
     Archetype coin;
     boolean takesCoins;
-    Entity goes;
+    HostEntity goes;
     String goesIn = "";
     boolean readsOverlaps;
 
@@ -49,7 +49,7 @@ class TriggerTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       Material skin = new Material(1, 0, 0);
       disc = s.archetypes().add(new ArchetypeDef("disc").shape(new Circle(0.5f), skin));
       square = s.archetypes().add(new ArchetypeDef("square").shape(new Box(0.5f, 0.5f), skin));
@@ -69,12 +69,12 @@ class TriggerTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(disc, -4, 3, 0, p);
     }
 
     @Override
-    public void entered(Simulation s, Entity sensor, Entity visitor) {
+    public void entered(SimulationHost s, HostEntity sensor, HostEntity visitor) {
       note(s, "enters", sensor, visitor);
       if (takesCoins && sensor.archetype() == coin) {
         s.despawn(sensor);
@@ -82,21 +82,21 @@ class TriggerTest {
     }
 
     @Override
-    public void left(Simulation s, Entity sensor, Entity visitor) {
+    public void left(SimulationHost s, HostEntity sensor, HostEntity visitor) {
       note(s, "leaves", sensor, visitor);
     }
 
-    private void note(Simulation s, String does, Entity sensor, Entity visitor) {
+    private void note(SimulationHost s, String does, HostEntity sensor, HostEntity visitor) {
       log.add(s.tick() + " " + visitor.id() + " " + does + " " + sensor.archetype().name());
     }
 
     @Override
-    public void beforeStep(Simulation s) {
+    public void beforeStep(SimulationHost s) {
       go(s, "beforeStep");
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       go(s, "input");
       if (readsOverlaps) {
         p.body().body().forEachOverlap(other -> true);
@@ -104,11 +104,11 @@ class TriggerTest {
     }
 
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       go(s, "afterStep");
     }
 
-    private void go(Simulation s, String callback) {
+    private void go(SimulationHost s, String callback) {
       if (goes != null && callback.equals(goesIn)) {
         s.despawn(goes);
         goes = null;
@@ -140,17 +140,17 @@ class TriggerTest {
     return Level.parse("gates.json", json.getBytes(StandardCharsets.UTF_8));
   }
 
-  private Simulation start(Gates of) throws Exception {
-    return new Simulation(of, level(), 1, 60, Role.AUTHORITY);
+  private SimulationHost start(Gates of) throws Exception {
+    return new SimulationHost(of, level(), 1, 60, Role.AUTHORITY);
   }
 
-  private static Entity glide(Simulation s, Archetype kind, float x, float speed) {
-    Entity e = s.spawn(kind, x, 0, 0, null);
+  private static HostEntity glide(SimulationHost s, Archetype kind, float x, float speed) {
+    HostEntity e = s.spawn(kind, x, 0, 0, null);
     e.body().setVelocity(speed, 0);
     return e;
   }
 
-  private static void run(Simulation s, int ticks) {
+  private static void run(SimulationHost s, int ticks) {
     for (int i = 0; i < ticks; i++) {
       s.step();
     }
@@ -158,7 +158,7 @@ class TriggerTest {
 
   @Test
   void anEntityThatGlidesThroughEntersAndLeavesOnce() throws Exception {
-    Simulation s = start(game);
+    SimulationHost s = start(game);
     glide(s, game.disc, -3, 6);
     run(s, 90);
     assertEquals(List.of("0 enters gate", "0 leaves gate"), game.heard());
@@ -166,8 +166,8 @@ class TriggerTest {
 
   @Test
   void aVisitOfSeveralShapesIsOne() throws Exception {
-    Simulation s = start(game);
-    Entity e = glide(s, game.dumbbell, -3, 4);
+    SimulationHost s = start(game);
+    HostEntity e = glide(s, game.dumbbell, -3, 4);
     e.body().setAngularVelocity(3);
     run(s, 120);
     assertEquals(List.of("0 enters gate", "0 leaves gate"), game.heard());
@@ -175,9 +175,9 @@ class TriggerTest {
 
   @Test
   void aBulletThatCrossesAThinSensorInATickIsHeard() throws Exception {
-    Simulation s = start(game);
-    Entity coin = s.spawn(game.coin, -6, 0, 0, null);
-    Entity e = glide(s, game.disc, -9.9f, 300);
+    SimulationHost s = start(game);
+    HostEntity coin = s.spawn(game.coin, -6, 0, 0, null);
+    HostEntity e = glide(s, game.disc, -9.9f, 300);
     run(s, 6);
     assertTrue(coin.body().isValid());
     assertTrue(e.body().x() > 3, "x=" + e.body().x());
@@ -190,9 +190,9 @@ class TriggerTest {
   @Test
   void whatGoesInAVisitLeavesOnceInTheSameTick() throws Exception {
     for (String callback : List.of("beforeStep", "input", "afterStep")) {
-      Simulation s = start(game);
+      SimulationHost s = start(game);
       s.join("ann"); // has an input
-      Entity e = glide(s, game.disc, 1, 0);
+      HostEntity e = glide(s, game.disc, 1, 0);
       run(s, 5);
       assertEquals(List.of("1 enters gate"), game.heard(), callback);
       game.goes = e;
@@ -207,9 +207,9 @@ class TriggerTest {
 
   @Test
   void whoGoesBetweenTwoTicksLeavesAtOnce() throws Exception {
-    Simulation s = start(game);
-    Player ann = s.join("ann");
-    Entity e = glide(s, game.disc, 0.5f, 0);
+    SimulationHost s = start(game);
+    HostPlayer ann = s.join("ann");
+    HostEntity e = glide(s, game.disc, 0.5f, 0);
     ann.body().teleport(1.5f, 0.5f, 0);
     s.step();
     assertEquals(2, game.heard().size());
@@ -223,7 +223,7 @@ class TriggerTest {
 
   @Test
   void aCoinThatTheFirstTakesIsNotEnteredByTheSecond() throws Exception {
-    Simulation s = start(game);
+    SimulationHost s = start(game);
     game.takesCoins = true;
     s.spawn(game.coin, -6, 0, 0, null);
     glide(s, game.disc, -6.6f, 0);
@@ -234,8 +234,8 @@ class TriggerTest {
 
   @Test
   void whatBecomesAnotherKindLeavesAndEntersAgain() throws Exception {
-    Simulation s = start(game);
-    Entity e = glide(s, game.disc, 1, 0);
+    SimulationHost s = start(game);
+    HostEntity e = glide(s, game.disc, 1, 0);
     s.step();
     assertEquals(List.of("0 enters gate"), game.heard());
     e.become(game.square);
@@ -245,8 +245,8 @@ class TriggerTest {
 
   @Test
   void whatSleepsInASensorStaysInIt() throws Exception {
-    Simulation s = start(game);
-    Entity e = glide(s, game.disc, 1, 0);
+    SimulationHost s = start(game);
+    HostEntity e = glide(s, game.disc, 1, 0);
     run(s, 200);
     assertFalse(e.body().awake());
     e.body().setVelocity(6, 0);
@@ -255,11 +255,11 @@ class TriggerTest {
   }
 
   /** Discs and dumbbells come and go through the gate and coins, some despawned within. */
-  private static void play(Simulation s, Gates of, int fromTick, int toTick) {
+  private static void play(SimulationHost s, Gates of, int fromTick, int toTick) {
     for (int tick = fromTick; tick < toTick; tick++) {
       if (tick % 7 == 0) {
         Archetype kind = tick % 2 == 0 ? of.disc : of.dumbbell;
-        Entity e = s.spawn(kind, -6, tick % 5 - 2, tick, null);
+        HostEntity e = s.spawn(kind, -6, tick % 5 - 2, tick, null);
         e.body().setVelocity(5 + tick % 3, 0.3f * (tick % 4 - 1));
         e.body().setAngularVelocity(tick % 9 - 4);
       }
@@ -276,7 +276,7 @@ class TriggerTest {
 
   @Test
   void aRestoredOrReadStateGoesOnHearingTheSame() throws Exception {
-    Simulation s = start(game);
+    SimulationHost s = start(game);
     play(s, game, 0, 150);
     int before = game.log.size();
     SimState saved = s.save(null);
@@ -294,7 +294,7 @@ class TriggerTest {
     assertEquals(hash, s.stateHash());
 
     Gates second = new Gates();
-    Simulation other = start(second);
+    SimulationHost other = start(second);
     other.restore(other.read(new ArchiveReader(bytes.toBytes())));
     play(other, second, 150, 300);
     assertEquals(expected, second.log);
@@ -303,7 +303,7 @@ class TriggerTest {
 
   @Test
   void eachVisitBeginsAndEndsInTurn() throws Exception {
-    Simulation s = start(game);
+    SimulationHost s = start(game);
     play(s, game, 0, 600);
     List<String> inside = new ArrayList<>();
     for (String line : game.log) {
@@ -324,8 +324,8 @@ class TriggerTest {
 
   @Test
   void isInsideSaysWhatEnteredTellsInTheSameTick() throws Exception {
-    Simulation s = start(game);
-    Entity e = glide(s, game.dumbbell, -3, 4);
+    SimulationHost s = start(game);
+    HostEntity e = glide(s, game.dumbbell, -3, 4);
     e.body().setAngularVelocity(3);
     for (int i = 0; i < 120; i++) {
       boolean inside = s.isInside(e, "gate");
@@ -340,8 +340,8 @@ class TriggerTest {
 
   @Test
   void aNameThatIsNoSensorOfTheLevelIsRefused() throws Exception {
-    Simulation s = start(game);
-    Entity e = glide(s, game.disc, 1, 0);
+    SimulationHost s = start(game);
+    HostEntity e = glide(s, game.disc, 1, 0);
     for (String name : List.of("wall", "coin", "Gate")) {
       String text =
           assertThrows(IllegalArgumentException.class, () -> s.isInside(e, name)).getMessage();
@@ -356,8 +356,8 @@ class TriggerTest {
 
   @Test
   void anInputThatReadsOverlapsWhichClientsLackIsFoundOnce() throws Exception {
-    Simulation s = start(game);
-    Player ann = s.join("ann");
+    SimulationHost s = start(game);
+    HostPlayer ann = s.join("ann");
     game.readsOverlaps = true;
     run(s, 5);
     assertEquals(0, s.findings().count());
@@ -376,12 +376,12 @@ class TriggerTest {
 
   @Test
   void steadyVisitsAllocateNothingAndChangeNoBit() throws Exception {
-    Simulation s = start(game);
-    Simulation silent =
-        new Simulation(
+    SimulationHost s = start(game);
+    SimulationHost silent =
+        new SimulationHost(
             new PlainGame("gates") {
               @Override
-              public void setUp(Simulation of) {
+              public void setUp(SimulationHost of) {
                 game.setUp(of);
               }
             },
@@ -389,8 +389,8 @@ class TriggerTest {
             1,
             60,
             Role.AUTHORITY);
-    for (Simulation of : List.of(s, silent)) {
-      Body<Entity> body = of.spawn(of.archetypes().find("disc"), -3, 0, 0, null).body();
+    for (SimulationHost of : List.of(s, silent)) {
+      Body<HostEntity> body = of.spawn(of.archetypes().find("disc"), -3, 0, 0, null).body();
       body.setVelocity(6, 0);
       run(of, 90);
     }

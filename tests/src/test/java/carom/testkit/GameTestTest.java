@@ -16,10 +16,10 @@ import carom.physics.geometry.Circle;
 import carom.server.CaromMain;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -57,25 +57,25 @@ class GameTestTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       disc =
           s.archetypes()
               .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(disc, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       float speed = speed(s, p, in);
-      Body<Entity> body = p.body().body();
+      Body<HostEntity> body = p.body().body();
       body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10 * body.mass());
     }
 
-    float speed(Simulation s, Player p, Input in) {
+    float speed(SimulationHost s, HostPlayer p, Input in) {
       return 5;
     }
   }
@@ -83,12 +83,12 @@ class GameTestTest {
   /** Writes a field in afterStep that input reads. */
   public static final class WritesLate extends Good {
     @Override
-    float speed(Simulation s, Player p, Input in) {
+    float speed(SimulationHost s, HostPlayer p, Input in) {
       return 3 + 4 * p.get(NITRO);
     }
 
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       for (int id = 0; id < s.playerCapacity(); id++) {
         if (s.player(id) != null) {
           s.player(id).add(NITRO, s.tick() % 60 < 30 ? -0.02f : 0.02f);
@@ -100,7 +100,7 @@ class GameTestTest {
   /** Pushes bodies in beforeStep. */
   public static final class PushesEarly extends Good {
     @Override
-    public void beforeStep(Simulation s) {
+    public void beforeStep(SimulationHost s) {
       for (int id = 0; id < s.playerCapacity(); id++) {
         if (s.player(id) != null) {
           s.player(id).body().body().applyForce(3, 0);
@@ -112,7 +112,7 @@ class GameTestTest {
   /** Reads what only the server knows. */
   public static final class ReadsSecret extends Good {
     @Override
-    float speed(Simulation s, Player p, Input in) {
+    float speed(SimulationHost s, HostPlayer p, Input in) {
       return 5 + p.get(LUCK);
     }
   }
@@ -120,7 +120,7 @@ class GameTestTest {
   /** Throws now and then. */
   public static final class Throws extends Good {
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       if (s.tick() % 100 == 99) {
         throw new IllegalStateException("the flag is gone");
       }
@@ -132,7 +132,7 @@ class GameTestTest {
     private int calls;
 
     @Override
-    float speed(Simulation s, Player p, Input in) {
+    float speed(SimulationHost s, HostPlayer p, Input in) {
       calls++;
       return 4 + calls % 300 / 100f;
     }
@@ -143,7 +143,7 @@ class GameTestTest {
     private final Random random = new Random();
 
     @Override
-    float speed(Simulation s, Player p, Input in) {
+    float speed(SimulationHost s, HostPlayer p, Input in) {
       return 4 + random.nextFloat();
     }
   }
@@ -151,7 +151,7 @@ class GameTestTest {
   /** Does otherwise on clients. */
   public static final class KnowsItsRole extends Good {
     @Override
-    float speed(Simulation s, Player p, Input in) {
+    float speed(SimulationHost s, HostPlayer p, Input in) {
       return s.role() == Role.AUTHORITY ? 5 : 6;
     }
   }
@@ -238,7 +238,7 @@ class GameTestTest {
     private static int pressed;
 
     @Override
-    float speed(Simulation s, Player p, Input in) {
+    float speed(SimulationHost s, HostPlayer p, Input in) {
       pressed += in.held(Input.SECOND) && in.moveX() == 1 ? 1 : 0;
       return 5;
     }

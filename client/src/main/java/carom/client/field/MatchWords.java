@@ -2,7 +2,7 @@ package carom.client.field;
 
 import carom.net.field.FieldTables;
 import carom.net.snapshot.table.TableInbox;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.field.Field;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
@@ -14,7 +14,7 @@ import java.util.Arrays;
  * prediction's; allocates nothing.
  */
 public final class MatchWords {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final Schema schema;
   private final int[] words;
   private final int[] ticks;
@@ -23,7 +23,7 @@ public final class MatchWords {
   private boolean stale;
 
   /** Creates words that are as declared. */
-  public MatchWords(Simulation simulation) {
+  public MatchWords(SimulationHost simulation) {
     this.simulation = simulation;
     schema = simulation.schema();
     words = new int[schema.toldWords(Scope.MATCH)];

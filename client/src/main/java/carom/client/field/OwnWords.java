@@ -1,7 +1,7 @@
 package carom.client.field;
 
 import carom.net.snapshot.exact.OwnState;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.Field;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
@@ -10,14 +10,14 @@ import carom.sim.field.Scope;
 /** The words of the own section: those of the own player's fields that players are told. */
 public final class OwnWords {
   private final Schema schema;
-  private final Player player;
+  private final HostPlayer player;
 
   /**
    * Creates the words of a player.
    *
    * @param schema declares the fields
    */
-  public OwnWords(Schema schema, Player player) {
+  public OwnWords(Schema schema, HostPlayer player) {
     this.schema = schema;
     this.player = player;
   }

@@ -1,8 +1,8 @@
 package carom.client.field;
 
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Scope;
@@ -12,11 +12,11 @@ import carom.sim.field.Scope;
  * the values, so that nothing can be changed. One thread; allocates for each look.
  */
 public final class RecordedFields implements ShownFields {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final FieldStore store;
 
   /** Creates the fields of a simulation. */
-  public RecordedFields(Simulation simulation) {
+  public RecordedFields(SimulationHost simulation) {
     this.simulation = simulation;
     store = new FieldStore(simulation.schema(), simulation::tick, new Finder());
   }
@@ -40,13 +40,13 @@ public final class RecordedFields implements ShownFields {
 
   @Override
   public FieldView player(int id) {
-    Player player = simulation.player(id);
+    HostPlayer player = simulation.player(id);
     return view(Scope.PLAYER, id + 1, player == null ? null : player.fieldValues());
   }
 
   @Override
   public FieldView entity(int id, int generation) {
-    Entity entity = simulation.entity(id);
+    HostEntity entity = simulation.entity(id);
     boolean same = entity != null && entity.generation() == generation;
     return view(Scope.ENTITY, 0, same ? entity.fieldValues() : null);
   }

@@ -12,9 +12,9 @@ import carom.physics.rows.FieldRow;
 import carom.physics.rows.JointRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.joint.JointTable;
 import carom.sim.near.JointTies;
 import carom.sim.near.Neighbourhood;
@@ -36,7 +36,7 @@ final class Corrector {
 
   private static final float DERIVED_OMEGA = 0.3f;
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final SnapshotRecords records;
   private final OwnWords words;
 
@@ -61,7 +61,7 @@ final class Corrector {
   private final JointTies ties = new JointTies();
   private final OwnAssembly assembly;
 
-  Corrector(Simulation simulation, Player player, SnapshotRecords records, OwnWords words) {
+  Corrector(SimulationHost simulation, HostPlayer player, SnapshotRecords records, OwnWords words) {
     this.simulation = simulation;
     this.records = records;
     this.words = words;
@@ -439,8 +439,8 @@ final class Corrector {
    * shows in the next pose.
    */
   private boolean isAtTarget(int key) {
-    Entity e = simulation.entity(Neighbourhood.id(key));
-    Body<Entity> body = e.body();
+    HostEntity e = simulation.entity(Neighbourhood.id(key));
+    Body<HostEntity> body = e.body();
     return Math.abs(body.x() - target.x) <= POSITION_TOLERANCE
         && Math.abs(body.y() - target.y) <= POSITION_TOLERANCE
         && Math.abs(Pose.wrap(body.angle() - target.angle)) <= ANGLE_TOLERANCE;
@@ -453,7 +453,7 @@ final class Corrector {
   private void moveBody() {
     float cos = (float) Math.cos(target.angle);
     float sin = (float) Math.sin(target.angle);
-    Entity e = simulation.entity(Neighbourhood.id(bodyRow[BodyRow.KEY]));
+    HostEntity e = simulation.entity(Neighbourhood.id(bodyRow[BodyRow.KEY]));
     float localX = e == null ? 0 : e.body().localCenterX();
     float localY = e == null ? 0 : e.body().localCenterY();
     bodyRow[BodyRow.X] = Float.floatToRawIntBits(target.x + cos * localX - sin * localY);

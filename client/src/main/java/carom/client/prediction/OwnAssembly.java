@@ -7,8 +7,8 @@ import carom.physics.rows.BodyRow;
 import carom.physics.rows.ExactRows;
 import carom.physics.rows.JointRow;
 import carom.physics.rows.RowKind;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.joint.Assembly;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
@@ -69,11 +69,11 @@ final class OwnAssembly {
   }
 
   /** Puts the members where their records say; they have been made at the origin. */
-  public void place(Simulation simulation, int ownKey, int tick) {
+  public void place(SimulationHost simulation, int ownKey, int tick) {
     for (int i = 0; i < count; i++) {
-      Entity e = simulation.entity(Neighbourhood.id(keys[i]));
+      HostEntity e = simulation.entity(Neighbourhood.id(keys[i]));
       if (keys[i] != ownKey && e != null && records.readPose(keys[i], tick, pose)) {
-        Body<Entity> body = e.body();
+        Body<HostEntity> body = e.body();
         body.setPose(pose.x, pose.y, pose.angle);
         body.setVelocity(pose.vx, pose.vy);
         body.setAngularVelocity(pose.omega);

@@ -1,9 +1,9 @@
 package carom.client.prediction;
 
 import carom.net.snapshot.exact.RelayedInputs;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import java.util.Arrays;
 
 /**
@@ -15,8 +15,8 @@ final class PlayerInputs {
   /** Time for which a player's last known input is repeated, fading, ticks. */
   private static final int REPEAT_TICKS = 30;
 
-  private final Simulation simulation;
-  private final Player player;
+  private final SimulationHost simulation;
+  private final HostPlayer player;
   private final SnapshotRecords records;
   private final int mask;
   private final long[] own;
@@ -26,7 +26,7 @@ final class PlayerInputs {
   private int newest = -1;
 
   /** By player: the input each tick was simulated with; null for a player that was never near. */
-  private final long[][] used = new long[Simulation.MAX_PLAYERS][];
+  private final long[][] used = new long[SimulationHost.MAX_PLAYERS][];
 
   /**
    * Creates an empty history.
@@ -34,7 +34,7 @@ final class PlayerInputs {
    * @param player the own one
    * @param ticks to keep; a power of two
    */
-  public PlayerInputs(Simulation simulation, Player player, SnapshotRecords records, int ticks) {
+  public PlayerInputs(SimulationHost simulation, HostPlayer player, SnapshotRecords records, int ticks) {
     this.simulation = simulation;
     this.player = player;
     this.records = records;
@@ -77,7 +77,7 @@ final class PlayerInputs {
   public void apply(int tick, long input, boolean repeat) {
     player.input().unpack(input);
     for (int id = 0; id < simulation.playerCapacity(); id++) {
-      Player other = simulation.player(id);
+      HostPlayer other = simulation.player(id);
       if (other == null || other == player) {
         continue;
       }
@@ -110,7 +110,7 @@ final class PlayerInputs {
   public boolean areConfirmed(int tick) {
     RelayedInputs relayed = records.inputs();
     for (int id = 0; id < simulation.playerCapacity(); id++) {
-      Player other = simulation.player(id);
+      HostPlayer other = simulation.player(id);
       if (other == null || other == player || other.body() == null) {
         continue;
       }

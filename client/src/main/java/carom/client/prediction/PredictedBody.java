@@ -3,7 +3,7 @@ package carom.client.prediction;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
 import carom.physics.Body;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Archetype;
 import carom.sim.spawn.Origin;
 
@@ -36,7 +36,7 @@ final class PredictedBody {
   boolean wasThere;
 
   /** The simulated entity; null once the body has left the predicted set. */
-  Entity entity;
+  HostEntity entity;
 
   private float blend;
   private int teleports;
@@ -49,7 +49,7 @@ final class PredictedBody {
   }
 
   /** Becomes the picture of another entity, which takes the place of this one. */
-  void become(Entity other, int counter) {
+  void become(HostEntity other, int counter) {
     id = other.id();
     generation = other.generation();
     entity = other;
@@ -85,7 +85,7 @@ final class PredictedBody {
       out.set(course);
       return;
     }
-    Body<Entity> body = entity.body();
+    Body<HostEntity> body = entity.body();
     out.set(
         body.x(),
         body.y(),

@@ -2,8 +2,8 @@ package carom.client.prediction;
 
 import carom.client.interpolation.Pose;
 import carom.net.snapshot.exact.NearState;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Archetype;
 import carom.sim.near.Neighbourhood;
 import carom.sim.spawn.Origin;
@@ -18,7 +18,7 @@ final class PredictedPoses {
   /** Ticks by which an input may count earlier or later at the server, for one picture to go on. */
   private static final int MOST_TICKS_APART = 12;
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final SnapshotRecords records;
   private final List<PredictedBody> others = new ArrayList<>();
   private final Pose scratch = new Pose();
@@ -30,7 +30,7 @@ final class PredictedPoses {
   /** Index in {@link #others} that was found last: searches mostly ask for the one after it. */
   private int cursor;
 
-  PredictedPoses(Simulation simulation, SnapshotRecords records) {
+  PredictedPoses(SimulationHost simulation, SnapshotRecords records) {
     this.simulation = simulation;
     this.records = records;
   }
@@ -80,7 +80,7 @@ final class PredictedPoses {
     own.archetype = own.entity == null ? own.archetype : own.entity.archetype();
     for (int i = others.size() - 1; i >= 0; i--) {
       PredictedBody body = others.get(i);
-      Entity e = simulation.entity(body.id);
+      HostEntity e = simulation.entity(body.id);
       if (e == null || e.generation() != body.generation) {
         body.detach(corrected ? body.before : body.previous);
       } else {
@@ -89,7 +89,7 @@ final class PredictedPoses {
       }
     }
     for (int id = 0; id < simulation.entityCapacity(); id++) {
-      Entity e = simulation.entity(id);
+      HostEntity e = simulation.entity(id);
       if (e != null
           && id != own.id
           && find(id, e.generation()) == null
@@ -98,7 +98,7 @@ final class PredictedPoses {
       }
     }
     for (int i = 0; i < simulation.mirror().provisionalCount(); i++) {
-      Entity e = simulation.mirror().provisional(i);
+      HostEntity e = simulation.mirror().provisional(i);
       if (find(e.id(), 0) == null && !takeOver(e, corrected)) {
         PredictedBody body = add(e, 1);
         body.previous.x -= body.previous.vx * simulation.tickSeconds(); // where it was spawned
@@ -107,7 +107,7 @@ final class PredictedPoses {
     }
   }
 
-  private PredictedBody add(Entity e, float blend) {
+  private PredictedBody add(HostEntity e, float blend) {
     PredictedBody body = new PredictedBody(e.id(), e.generation(), e.archetype(), blend);
     body.entity = e;
     body.isOwn = e.ownerId() == own.entity.ownerId();
@@ -121,7 +121,7 @@ final class PredictedPoses {
     return body;
   }
 
-  private int teleports(Entity e) {
+  private int teleports(HostEntity e) {
     return e.isProvisional() ? 0 : records.teleports(e.id(), e.generation());
   }
 
@@ -131,7 +131,7 @@ final class PredictedPoses {
    *
    * @return whether there was one
    */
-  private boolean takeOver(Entity e, boolean corrected) {
+  private boolean takeOver(HostEntity e, boolean corrected) {
     PredictedBody nearest = null;
     int best = MOST_TICKS_APART + 1;
     for (int i = 0; i < others.size() && e.origin() != Origin.NONE; i++) {

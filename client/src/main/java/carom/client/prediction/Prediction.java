@@ -6,9 +6,9 @@ import carom.client.interpolation.Pose;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.joint.Assembly;
 import carom.sim.level.Archetype;
 import carom.sim.near.Neighbourhood;
@@ -54,8 +54,8 @@ public final class Prediction {
   /** States for which the exact state of a new own machine is waited for; its joints may break. */
   private static final int MOST_WAITED = 30;
 
-  private final Simulation simulation;
-  private final Player player;
+  private final SimulationHost simulation;
+  private final HostPlayer player;
   private final SnapshotRecords records;
   private final OwnWords words;
   private final MatchWords match;
@@ -95,7 +95,7 @@ public final class Prediction {
    *     compare the hashes; for developers, takes ten times as long
    */
   public Prediction(
-      Simulation simulation,
+      SimulationHost simulation,
       int playerId,
       String name,
       int maxRollbackTicks,
@@ -143,7 +143,7 @@ public final class Prediction {
   }
 
   /** Returns the predicted simulation, for debug drawing. Do not change it. */
-  public Simulation simulation() {
+  public SimulationHost simulation() {
     return simulation;
   }
 
@@ -309,7 +309,7 @@ public final class Prediction {
     if (origin == Origin.NONE || !records.spawns().wasPredicted(origin)) {
       return false;
     }
-    Entity entity = simulation.entity(id);
+    HostEntity entity = simulation.entity(id);
     boolean isPredicted = entity != null && entity.generation() == generation;
     return !isPredicted && records.spawns().key(origin) != key;
   }
@@ -353,7 +353,7 @@ public final class Prediction {
   }
 
   /** Returns the own player, as predicted. Do not change it. */
-  public Player player() {
+  public HostPlayer player() {
     return player;
   }
 

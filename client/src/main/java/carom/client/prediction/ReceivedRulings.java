@@ -3,9 +3,9 @@ package carom.client.prediction;
 import carom.net.snapshot.exact.NearState;
 import carom.physics.Joint;
 import carom.physics.rows.BodyRow;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.joint.JointTable;
 import carom.sim.near.Neighbourhood;
 import carom.sim.ruling.Ruling;
@@ -37,16 +37,16 @@ final class ReceivedRulings implements Rulings {
   private final Ruling read = new Ruling();
   private final int[] row = new int[BodyRow.INTS];
   private long received;
-  private final Simulation s;
+  private final SimulationHost s;
   private final int ownId;
 
   /** By tick: the last one in which the effect of an input was a guess. */
   private final int[] guessed = new int[GUESS_TICKS];
 
-  private Joint<Entity> joint;
+  private Joint<HostEntity> joint;
   private int wantedJoint;
-  private JointTable<Entity> table;
-  private final Consumer<Joint<Entity>> lookAt = this::lookAt;
+  private JointTable<HostEntity> table;
+  private final Consumer<Joint<HostEntity>> lookAt = this::lookAt;
 
   /**
    * Creates a store without rulings.
@@ -54,7 +54,7 @@ final class ReceivedRulings implements Rulings {
    * @param s applies them
    * @param ownId the own player's id, whose fields are known
    */
-  public ReceivedRulings(Simulation s, int ownId) {
+  public ReceivedRulings(SimulationHost s, int ownId) {
     this.s = s;
     this.ownId = ownId;
     Arrays.fill(guessed, -1);
@@ -118,7 +118,7 @@ final class ReceivedRulings implements Rulings {
   }
 
   @Override
-  public boolean input(Player player) {
+  public boolean input(HostPlayer player) {
     if (player.id() == ownId || s.tick() > newestTick || !isTold(s.tick(), player.body())) {
       return false;
     }
@@ -126,7 +126,7 @@ final class ReceivedRulings implements Rulings {
     return true;
   }
 
-  private boolean isTold(int tick, Entity body) {
+  private boolean isTold(int tick, HostEntity body) {
     int key = Neighbourhood.key(body.id(), body.generation());
     for (Ruling ruling : rulings) {
       if (ruling != null
@@ -141,7 +141,7 @@ final class ReceivedRulings implements Rulings {
   }
 
   @Override
-  public void readHidden(Player player, boolean untold) {
+  public void readHidden(HostPlayer player, boolean untold) {
     if (untold || player.id() != ownId) {
       guessed[s.tick() & GUESS_TICKS - 1] = s.tick();
     }
@@ -161,7 +161,7 @@ final class ReceivedRulings implements Rulings {
   }
 
   /** Applies the rulings of a moment; of those in inputs only the ones of a player. */
-  private void apply(Ruling.Moment moment, Player player) {
+  private void apply(Ruling.Moment moment, HostPlayer player) {
     if (s.tick() > newestTick) {
       return;
     }
@@ -169,7 +169,7 @@ final class ReceivedRulings implements Rulings {
       if (ruling == null || ruling.tick != s.tick() || ruling.moment != moment) {
         continue;
       }
-      Entity e = s.entity(Neighbourhood.id(ruling.key));
+      HostEntity e = s.entity(Neighbourhood.id(ruling.key));
       if (e == null
           || e.generation() != Neighbourhood.generation(ruling.key)
           || (player != null && e.ownerId() != player.id())) {
@@ -183,7 +183,7 @@ final class ReceivedRulings implements Rulings {
     }
   }
 
-  private void applyToJoint(Entity e, Ruling ruling) {
+  private void applyToJoint(HostEntity e, Ruling ruling) {
     joint = null;
     wantedJoint = ruling.joint;
     table = s.joints();
@@ -193,7 +193,7 @@ final class ReceivedRulings implements Rulings {
     }
   }
 
-  private void lookAt(Joint<Entity> candidate) {
+  private void lookAt(Joint<HostEntity> candidate) {
     boolean isWanted = JointTable.index(table.key(candidate.index())) == wantedJoint;
     joint = isWanted ? candidate : joint;
   }

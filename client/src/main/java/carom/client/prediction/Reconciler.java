@@ -3,7 +3,7 @@ package carom.client.prediction;
 import carom.client.field.OwnWords;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.near.Neighbourhood;
 
 /**
@@ -12,7 +12,7 @@ import carom.sim.near.Neighbourhood;
  * prediction's; allocates nothing unless it corrects.
  */
 final class Reconciler {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final PlayerInputs inputs;
   private final PredictedPoses poses;
   private final Timeline timeline;
@@ -28,7 +28,7 @@ final class Reconciler {
   private int stateTick;
 
   Reconciler(
-      Simulation simulation,
+      SimulationHost simulation,
       PlayerInputs inputs,
       PredictedPoses poses,
       Timeline timeline,

@@ -13,8 +13,8 @@ import carom.net.snapshot.table.TableInbox;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.rows.JointDefRow;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.near.JointDefinitions;
@@ -28,7 +28,7 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
   /** Longest time that the newest state is extrapolated in a straight line, ticks. */
   private static final int MAX_EXTRAPOLATION_TICKS = 9;
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final DecodedHistory states = new DecodedHistory();
   private final SpawnMatches spawns;
   private final Velocity velocity;
@@ -39,7 +39,7 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
    *
    * @param playerId the own player's id
    */
-  public SnapshotRecords(Simulation simulation, int playerId) {
+  public SnapshotRecords(SimulationHost simulation, int playerId) {
     this.simulation = simulation;
     velocity = new Velocity(simulation.tickRate());
     spawns = new SpawnMatches(playerId);
@@ -103,15 +103,15 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
    * than a predicted set holds. They keep their velocity, without forces, until the next exact
    * state.
    */
-  public void holdCut(Simulation s) {
+  public void holdCut(SimulationHost s) {
     for (int i = 0; i < jointLimit(); i++) {
       if (jointKey(i) >= 0) {
         int endA = jointWord(i, JointWords.END_A);
         int endB = jointWord(i, JointWords.END_B);
-        Entity a = find(s, endA);
-        Entity b = find(s, endB);
+        HostEntity a = find(s, endA);
+        HostEntity b = find(s, endB);
         if (endA >= 0 && endB >= 0 && (a == null) != (b == null)) {
-          Body<Entity> body = (a == null ? b : a).body();
+          Body<HostEntity> body = (a == null ? b : a).body();
           if (body.type() == BodyType.DYNAMIC) {
             s.mirror().permit("setType");
             body.setType(BodyType.KINEMATIC);
@@ -121,8 +121,8 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
     }
   }
 
-  private static Entity find(Simulation s, int key) {
-    Entity e = key < 0 ? null : s.entity(Neighbourhood.id(key));
+  private static HostEntity find(SimulationHost s, int key) {
+    HostEntity e = key < 0 ? null : s.entity(Neighbourhood.id(key));
     return e != null && e.generation() == Neighbourhood.generation(key) ? e : null;
   }
 

@@ -4,7 +4,7 @@ import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.exact.SpawnList;
 import carom.net.snapshot.frame.Ownership;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.spawn.Origin;
 import carom.sim.spawn.OwnSpawns;
 
@@ -47,7 +47,7 @@ public final class SpawnMatches implements OwnSpawns {
         origins[at] = told.origin(i);
         keys[at] = told.key(i);
         near[at] = false;
-        ownerships[at] = Entity.NO_OWNER;
+        ownerships[at] = HostEntity.NO_OWNER;
       }
       near[at] |= isNear(own.near(), told.key(i));
     }
@@ -91,7 +91,7 @@ public final class SpawnMatches implements OwnSpawns {
 
   /**
    * Notes the owner of a provisional entity that becomes one of the server's, or {@link
-   * Entity#NO_OWNER}.
+   * HostEntity#NO_OWNER}.
    */
   public void settle(int key, int owner) {
     int at = find(keys, key);
@@ -103,7 +103,7 @@ public final class SpawnMatches implements OwnSpawns {
   /** Returns the {@link Ownership} of an entity that was a provisional one, -1 for no owner. */
   int ownership(int key) {
     int at = find(keys, key);
-    return at < 0 ? Entity.NO_OWNER : ownerships[at];
+    return at < 0 ? HostEntity.NO_OWNER : ownerships[at];
   }
 
   /** Notes that an entity is predicted. */

@@ -2,8 +2,8 @@ package carom.client.prediction;
 
 import carom.net.snapshot.exact.SpawnList;
 import carom.physics.rows.BodyRow;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.field.Scope;
 import carom.sim.near.Neighbourhood;
 
@@ -13,14 +13,14 @@ import carom.sim.near.Neighbourhood;
  * it doesn't list go. One prediction's; allocates nothing but entities.
  */
 final class SpawnSettler {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final SnapshotRecords records;
   private final int[] row = new int[BodyRow.INTS];
   private final int[] words;
   private long matched;
   private long retracted;
 
-  SpawnSettler(Simulation simulation, SnapshotRecords records) {
+  SpawnSettler(SimulationHost simulation, SnapshotRecords records) {
     this.simulation = simulation;
     this.records = records;
     words = new int[simulation.schema().words(Scope.ENTITY)];
@@ -42,7 +42,7 @@ final class SpawnSettler {
    */
   void settle(SpawnList told) {
     for (int i = simulation.mirror().provisionalCount() - 1; i >= 0; i--) {
-      Entity entity = simulation.mirror().provisional(i);
+      HostEntity entity = simulation.mirror().provisional(i);
       int key = key(told, entity.origin());
       if (key < 0 || !isSameKind(entity, key)) {
         simulation.despawn(entity);
@@ -63,13 +63,13 @@ final class SpawnSettler {
     return -1;
   }
 
-  private boolean isSameKind(Entity entity, int key) {
+  private boolean isSameKind(HostEntity entity, int key) {
     return !records.isKnown(key) || records.archetype(Neighbourhood.id(key)) == entity.archetype();
   }
 
-  private void become(Entity entity, int key) {
+  private void become(HostEntity entity, int key) {
     int id = Neighbourhood.id(key);
-    Entity known = simulation.entity(id);
+    HostEntity known = simulation.entity(id);
     boolean isThere = known != null && known.generation() == Neighbourhood.generation(key);
     if (known != null && !isThere) {
       simulation.despawn(known); // the server has given its id to this one
@@ -81,7 +81,7 @@ final class SpawnSettler {
     records.spawns().settle(key, entity.ownerId()); // its first record may still be on the way
     entity.body().readRow(row, 0);
     entity.fieldValues().copyTo(words, 0);
-    Entity real =
+    HostEntity real =
         simulation
             .mirror()
             .spawn(

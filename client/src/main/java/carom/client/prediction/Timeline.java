@@ -6,9 +6,9 @@ import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.near.Neighbourhood;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
@@ -23,7 +23,7 @@ final class Timeline {
 
   private static final int MASK = RING - 1;
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final OwnWords words;
   private final MatchWords match;
   private final PlayerInputs inputs;
@@ -40,8 +40,8 @@ final class Timeline {
   private int correctedTick;
 
   Timeline(
-      Simulation simulation,
-      Player player,
+      SimulationHost simulation,
+      HostPlayer player,
       OwnWords words,
       MatchWords match,
       PlayerInputs inputs,
@@ -124,7 +124,7 @@ final class Timeline {
 
   private void readOwn(OwnState out) {
     PredictedBody own = poses.own();
-    Body<Entity> body = own.entity.body();
+    Body<HostEntity> body = own.entity.body();
     out.setBody(
         own.id,
         own.generation,

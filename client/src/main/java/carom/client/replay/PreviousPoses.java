@@ -1,8 +1,8 @@
 package carom.client.replay;
 
 import carom.client.interpolation.Pose;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import java.util.Arrays;
 
 /**
@@ -25,7 +25,7 @@ final class PreviousPoses {
   }
 
   /** Notes the present poses; call it before a tick. */
-  void read(Simulation s) {
+  void read(SimulationHost s) {
     int limit = s.entityCapacity();
     if (generations.length < limit) {
       poses = new float[6 * limit];
@@ -33,7 +33,7 @@ final class PreviousPoses {
     }
     clear();
     for (int id = 0; id < limit; id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null) {
         poses[3 * id] = e.body().x();
         poses[3 * id + 1] = e.body().y();
@@ -49,7 +49,7 @@ final class PreviousPoses {
    * @param pose the present one
    * @param fraction of the tick that has passed, 0..1
    */
-  void interpolate(Entity e, float fraction, Pose pose) {
+  void interpolate(HostEntity e, float fraction, Pose pose) {
     int id = e.id();
     if (id >= generations.length || generations[id] != e.generation()) {
       return;

@@ -13,9 +13,9 @@ import carom.physics.Body;
 import carom.replay.Divergence;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.outbox.Event;
 import carom.sim.scene.SceneGame;
 import java.io.IOException;
@@ -95,7 +95,7 @@ public final class ReplayClient implements AutoCloseable {
       reader.close();
       throw e;
     }
-    Simulation s = replay.simulation();
+    SimulationHost s = replay.simulation();
     marks.reset(FIRST_GAP_SECONDS * s.tickRate());
     view.game(s.game().name(), s.level(), -1, s.tickRate(), s);
     view.fields(new RecordedFields(s));
@@ -185,13 +185,13 @@ public final class ReplayClient implements AutoCloseable {
   }
 
   private void show() {
-    Simulation s = replay.simulation();
+    SimulationHost s = replay.simulation();
     view.tick(s.tick());
     view.renderTick(s.tick());
     if (hasNewRoster(s)) {
       List<RosterEntry> entries = new ArrayList<>();
       for (int id = 0; id < s.playerCapacity(); id++) {
-        Player p = s.participant(id);
+        HostPlayer p = s.participant(id);
         if (p != null) {
           entries.add(entry(p));
         }
@@ -201,7 +201,7 @@ public final class ReplayClient implements AutoCloseable {
     view.invalidate();
   }
 
-  private static RosterEntry entry(Player p) {
+  private static RosterEntry entry(HostPlayer p) {
     return new RosterEntry(
         p.id(),
         p.name(),
@@ -214,10 +214,10 @@ public final class ReplayClient implements AutoCloseable {
         p.colour().number());
   }
 
-  private boolean hasNewRoster(Simulation s) {
+  private boolean hasNewRoster(SimulationHost s) {
     int at = 0;
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.participant(id);
+      HostPlayer p = s.participant(id);
       if (p != null) {
         if (at == view().players().size() || !isShown(view().players().get(at), p)) {
           return true;
@@ -228,7 +228,7 @@ public final class ReplayClient implements AutoCloseable {
     return at != view().players().size();
   }
 
-  private static boolean isShown(RosterEntry entry, Player p) {
+  private static boolean isShown(RosterEntry entry, HostPlayer p) {
     return entry.playerId() == p.id()
         && entry.score() == p.score()
         && entry.team() == p.team()
@@ -241,16 +241,16 @@ public final class ReplayClient implements AutoCloseable {
 
   private void compose() {
     view.clear();
-    Simulation s = replay.simulation();
-    Player p = s.player(followed);
+    SimulationHost s = replay.simulation();
+    HostPlayer p = s.player(followed);
     float fraction = paused || target >= 0 ? 1 : (float) Math.max(0, Math.min(1, due));
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e == null) {
         continue;
       }
       Pose pose = view.add(id, e.generation(), e.archetype(), e.ownerId(), 1, 1);
-      Body<Entity> body = e.body();
+      Body<HostEntity> body = e.body();
       pose.set(
           body.x(),
           body.y(),
@@ -347,7 +347,7 @@ public final class ReplayClient implements AutoCloseable {
 
   /** Makes the camera follow the next player with a body, or none after the last one. */
   public void followNext() {
-    Simulation s = replay.simulation();
+    SimulationHost s = replay.simulation();
     for (int id = followed + 1; id < s.playerCapacity(); id++) {
       if (s.player(id) != null && s.player(id).body() != null) {
         followed = id;
@@ -403,7 +403,7 @@ public final class ReplayClient implements AutoCloseable {
   }
 
   /** Returns the computed game. Do not change it. */
-  public Simulation simulation() {
+  public SimulationHost simulation() {
     return replay.simulation();
   }
 

@@ -9,8 +9,8 @@ import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.physics.Queries;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
@@ -138,13 +138,13 @@ public final class ClientView {
   String game = "";
   Level level;
   Pools pools;
-  Queries<Entity> geometry;
+  Queries<HostEntity> geometry;
   int playerId = -1;
   int tickRate = 60;
   int tick;
   double renderTick;
   int watchedPlayer = -1;
-  Simulation predictedWorld;
+  SimulationHost predictedWorld;
   ShownFields fields;
   final Input input = new Input();
 
@@ -495,7 +495,7 @@ public final class ClientView {
    * Returns the predicted simulation, for debug drawing of contacts, AABBs and tree cells; null if
    * nothing is predicted. Do not change it.
    */
-  public Simulation predictedWorld() {
+  public SimulationHost predictedWorld() {
     return predictedWorld;
   }
 }

@@ -7,8 +7,8 @@ import carom.physics.Joint;
 import carom.physics.JointType;
 import carom.physics.rows.JointDefRow;
 import carom.physics.rows.JointRow;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
@@ -52,7 +52,7 @@ final class JointCloser {
   private final TableInbox tables;
 
   /** Null if nothing is predicted. */
-  private final Simulation predicted;
+  private final SimulationHost predicted;
 
   private ClientView.Drawn[] drawnA = {};
   private ClientView.Drawn[] drawnB = {};
@@ -68,7 +68,7 @@ final class JointCloser {
   private boolean isOpen;
   private final Pose still = new Pose();
 
-  JointCloser(ClientView view, TableInbox tables, Simulation predicted) {
+  JointCloser(ClientView view, TableInbox tables, SimulationHost predicted) {
     this.view = view;
     this.tables = tables;
     this.predicted = predicted;
@@ -144,7 +144,7 @@ final class JointCloser {
     if (index < 0) {
       return 0;
     }
-    Joint<Entity> joint = predicted.joints().get(index);
+    Joint<HostEntity> joint = predicted.joints().get(index);
     float dx = joint.anchorBX() - joint.anchorAX();
     float dy = joint.anchorBY() - joint.anchorAY();
     return slides

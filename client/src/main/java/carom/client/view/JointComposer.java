@@ -5,7 +5,7 @@ import carom.net.snapshot.table.TableInbox;
 import carom.physics.JointType;
 import carom.physics.rows.JointDefRow;
 import carom.physics.rows.JointRow;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
@@ -31,7 +31,7 @@ final class JointComposer {
   private final TableInbox tables;
 
   /** Null if nothing is predicted. */
-  private final Simulation predicted;
+  private final SimulationHost predicted;
 
   private final JointCloser closer;
 
@@ -49,7 +49,7 @@ final class JointComposer {
   private float alpha;
   private boolean isPredicted;
 
-  JointComposer(ClientView view, TableInbox tables, Simulation predicted) {
+  JointComposer(ClientView view, TableInbox tables, SimulationHost predicted) {
     this.view = view;
     this.tables = tables;
     this.predicted = predicted;

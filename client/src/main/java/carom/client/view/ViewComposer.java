@@ -9,7 +9,7 @@ import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.Ownership;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Archetype;
 import carom.sim.outbox.Event;
 import carom.sim.spawn.Origin;
@@ -67,7 +67,7 @@ public final class ViewComposer {
 
   private final ClientView view;
   private final SnapshotDecoder decoder;
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final Prediction prediction;
   private final Interpolator interpolator;
   private final DecodedHistory states = new DecodedHistory();
@@ -96,7 +96,7 @@ public final class ViewComposer {
   public ViewComposer(
       ClientView view,
       SnapshotDecoder decoder,
-      Simulation simulation,
+      SimulationHost simulation,
       Prediction prediction,
       int tickRate) {
     this.view = view;

@@ -8,8 +8,8 @@ import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.physics.Queries;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
@@ -51,7 +51,7 @@ public final class ViewWriter {
    * @param playerId the own player's id, or -1
    * @param predicted the predicted simulation, for debug drawing, or null
    */
-  public void game(String game, Level level, int playerId, int tickRate, Simulation predicted) {
+  public void game(String game, Level level, int playerId, int tickRate, SimulationHost predicted) {
     view.game = game;
     view.level = level;
     view.playerId = playerId;
@@ -70,7 +70,7 @@ public final class ViewWriter {
   }
 
   /** Sets the world whose static geometry {@link ClientView#isWall} asks, or null. */
-  public void geometry(Queries<Entity> geometry) {
+  public void geometry(Queries<HostEntity> geometry) {
     view.geometry = geometry;
   }
 

@@ -14,7 +14,7 @@ import carom.server.room.match.MatchLoader;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.SimState;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -195,7 +195,7 @@ public final class RoomCheckpoints {
     if (abandoned) {
       return;
     }
-    Simulation s = course.match().simulation();
+    SimulationHost s = course.match().simulation();
     if (s.game().keepsMore()) {
       LOG.error(
           "{}no checkpoints: game={} keeps more than its state; after a crash the room begins anew",
@@ -299,7 +299,7 @@ public final class RoomCheckpoints {
   }
 
   private void beginSlot() {
-    Simulation s = course.match().simulation();
+    SimulationHost s = course.match().simulation();
     SlotFile next = new SlotFile(disk, folder, ++lastSlot);
     BlockSink sink = (type, bytes, length) -> take(next, type, bytes, length);
     dueTick = s.tick() + intervalTicks;

@@ -9,8 +9,8 @@ import carom.server.room.match.Match;
 import carom.server.room.match.MatchLoader;
 import carom.server.session.Seats;
 import carom.server.session.Session;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.match.NextMatch;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -83,10 +83,10 @@ final class RoomResume {
           proven);
       play(proven);
     }
-    Simulation s = match.simulation();
+    SimulationHost s = match.simulation();
     long provenHash = s.stateHash();
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player player = s.participant(id);
+      HostPlayer player = s.participant(id);
       if (player != null && bySeat[id] == null) {
         s.leave(player); // its seat is none of this room
       }
@@ -141,7 +141,7 @@ final class RoomResume {
     trouble = null;
     try (RecordingReader reader = RecordingReader.open(folder.log(slot))) {
       match = loader.again(reader.header(), saved.match());
-      Simulation s = match.simulation();
+      SimulationHost s = match.simulation();
       if (s.game().keepsMore()) {
         throw new SlotException("game=" + s.game().name() + " keeps more than its state");
       }
@@ -167,7 +167,7 @@ final class RoomResume {
     }
   }
 
-  private void requireWhole(Simulation s) throws SlotException {
+  private void requireWhole(SimulationHost s) throws SlotException {
     if (s.tick() != saved.tick()) {
       throw new SlotException(
           "its log has no whole state of tick=" + saved.tick() + ", to which its seats belong");
@@ -183,7 +183,7 @@ final class RoomResume {
   }
 
   private int replay(Replay replay, int last) {
-    Simulation s = replay.simulation();
+    SimulationHost s = replay.simulation();
     int proven = s.tick();
     try {
       while (s.tick() < last && replay.step() == Replay.Progress.TICK) {
@@ -217,14 +217,14 @@ final class RoomResume {
 
   /** Gives seats back to the saved players that are in the match, and takes them from others. */
   private void seatPlayers() {
-    Simulation s = match.simulation();
+    SimulationHost s = match.simulation();
     for (int id = 0; id < bySeat.length; id++) {
       if (bySeat[id] != null && s.participant(id) != bySeat[id].player()) {
         vacate(id);
       }
     }
     for (SavedSeat seat : seats) {
-      Player player = s.participant(seat.id());
+      HostPlayer player = s.participant(seat.id());
       if (player != null
           && seat.id() < bySeat.length
           && bySeat[seat.id()] == null
@@ -264,7 +264,7 @@ final class RoomResume {
     return seat;
   }
 
-  private void seat(SavedSeat saved, Player player) {
+  private void seat(SavedSeat saved, HostPlayer player) {
     Seats.Seat seat = restore(saved);
     if (seat == null) {
       return; // the room has fewer seats now

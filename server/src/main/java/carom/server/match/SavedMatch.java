@@ -5,7 +5,7 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.server.config.DataFolder;
 import carom.sim.SimState;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.io.ByteArrayInputStream;
@@ -58,7 +58,7 @@ public final class SavedMatch {
   }
 
   /** Copies the state of a match. The room's thread. */
-  public static SavedMatch of(MatchInfo match, Simulation simulation) {
+  public static SavedMatch of(MatchInfo match, SimulationHost simulation) {
     ArchiveWriter archive = new ArchiveWriter();
     simulation.save(null).write(archive);
     return new SavedMatch(match.game(), match.level(), match.seed(), archive.toBytes());
@@ -69,7 +69,7 @@ public final class SavedMatch {
    *
    * @throws IllegalArgumentException if the state doesn't fit; the message says why
    */
-  public void restore(Simulation simulation) {
+  public void restore(SimulationHost simulation) {
     try {
       simulation.restore(simulation.read(new ArchiveReader(state)));
     } catch (ArchiveException e) {

@@ -3,7 +3,7 @@ package carom.server.picture;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.geometry.Shape;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -12,8 +12,8 @@ import java.util.List;
  * Immutable.
  *
  * @param slot the body's slot in the world; another body gets it when this one is gone
- * @param entity id of its entity, {@link Entity#LEVEL} for bodies of the level that are no entities
- * @param owner id of the player that owns it, or {@link Entity#NO_OWNER}
+ * @param entity id of its entity, {@link HostEntity#LEVEL} for bodies of the level that are no entities
+ * @param owner id of the player that owns it, or {@link HostEntity#NO_OWNER}
  * @param kind name of its archetype
  * @param type whether and how it moves
  * @param rgb colour, 0xRRGGBB
@@ -30,8 +30,8 @@ public record BodyLook(
     boolean sensor,
     List<Shape> shapes) {
   /** Describes a body. The room's thread. */
-  static BodyLook of(Body<Entity> body) {
-    Entity e = body.user();
+  static BodyLook of(Body<HostEntity> body) {
+    HostEntity e = body.user();
     boolean sensor = body.shapeCount() > 0;
     List<Shape> shapes = new ArrayList<>(body.shapeCount());
     for (int i = 0; i < body.shapeCount(); i++) {
@@ -40,8 +40,8 @@ public record BodyLook(
     }
     return new BodyLook(
         body.index(),
-        e == null ? Entity.LEVEL : e.id(),
-        e == null ? Entity.NO_OWNER : e.ownerId(),
+        e == null ? HostEntity.LEVEL : e.id(),
+        e == null ? HostEntity.NO_OWNER : e.ownerId(),
         kindOf(e),
         body.type(),
         rgbOf(e),
@@ -49,16 +49,16 @@ public record BodyLook(
         List.copyOf(shapes));
   }
 
-  private static String kindOf(Entity e) {
+  private static String kindOf(HostEntity e) {
     return e == null ? "" : e.archetype().name();
   }
 
-  private static int rgbOf(Entity e) {
+  private static int rgbOf(HostEntity e) {
     return e == null ? 0 : e.archetype().appearance().rgb();
   }
 
   /** Returns whether the body is still of this kind and colour, and moves and is shaped alike. */
-  boolean isOf(Body<Entity> body) {
+  boolean isOf(Body<HostEntity> body) {
     if (type != body.type()
         || shapes.size() != body.shapeCount()
         || rgb != rgbOf(body.user())

@@ -7,8 +7,8 @@ import carom.physics.particles.Particles;
 import carom.server.match.MatchInfo;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.pool.Pools;
 import carom.sim.pool.ShownParticles;
 import java.util.ArrayList;
@@ -39,7 +39,7 @@ public final class RoomPictures {
   // The room's thread only.
   private final Floats cells = new Floats(Picture.CELL * MAX_CELLS);
   private final Floats contacts = new Floats(Picture.CONTACT * MAX_CONTACTS);
-  private World<Entity> world;
+  private World<HostEntity> world;
   private BodyLook[] looks = {};
   private int[] generations = {};
   private boolean broken;
@@ -80,7 +80,7 @@ public final class RoomPictures {
    * Makes the picture that is wanted. An exception is logged once, and then there are no more
    * pictures: watching must not hurt a room. The room's thread, between two ticks.
    */
-  public void take(MatchInfo match, Simulation simulation, Session[] bySeat) {
+  public void take(MatchInfo match, SimulationHost simulation, Session[] bySeat) {
     PictureRequest request = wanted.getAndSet(null);
     if (request == null || broken) {
       return;
@@ -95,7 +95,7 @@ public final class RoomPictures {
   }
 
   private Picture draw(
-      PictureRequest request, MatchInfo match, Simulation simulation, Session[] bySeat) {
+      PictureRequest request, MatchInfo match, SimulationHost simulation, Session[] bySeat) {
     if (world != simulation.world()) {
       world = simulation.world();
       Arrays.fill(looks, null);
@@ -110,7 +110,7 @@ public final class RoomPictures {
     boolean[] awake = new boolean[bodies.length];
     int count = 0;
     for (int slot = 0; slot < slots && count < bodies.length; slot++) {
-      Body<Entity> body = world.body(slot);
+      Body<HostEntity> body = world.body(slot);
       if (body != null) {
         bodies[count] = look(body);
         poses[Picture.POSE * count] = body.x();
@@ -135,7 +135,7 @@ public final class RoomPictures {
         request.players() ? players(bySeat) : null);
   }
 
-  private BodyLook look(Body<Entity> body) {
+  private BodyLook look(Body<HostEntity> body) {
     int slot = body.index();
     BodyLook look = looks[slot];
     if (look == null || generations[slot] != body.generation() || !look.isOf(body)) {
@@ -150,7 +150,7 @@ public final class RoomPictures {
     float[] values = new float[Picture.JOINT * world.jointCount()];
     int at = 0;
     for (int i = 0; i < world.jointSlotCount() && at < values.length; i++) {
-      Joint<Entity> joint = world.joint(i);
+      Joint<HostEntity> joint = world.joint(i);
       if (joint != null) {
         values[at++] = joint.type().ordinal();
         values[at++] = joint.bodyA() == null ? -1 : joint.bodyA().index();

@@ -1,13 +1,13 @@
 package carom.server.prediction;
 
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
 /** A list of entities that can be put in the order of the world. Allocates only to grow. */
 final class EntityList {
-  private Entity[] entities = new Entity[16];
+  private HostEntity[] entities = new HostEntity[16];
   private long[] order = new long[16];
   private int count;
 
@@ -15,7 +15,7 @@ final class EntityList {
     count = 0;
   }
 
-  void add(Entity entity) {
+  void add(HostEntity entity) {
     if (count == entities.length) {
       entities = Arrays.copyOf(entities, 2 * count);
     }
@@ -23,7 +23,7 @@ final class EntityList {
   }
 
   /** Removes the last entity and returns it. */
-  Entity removeLast() {
+  HostEntity removeLast() {
     return entities[--count];
   }
 
@@ -31,7 +31,7 @@ final class EntityList {
     return count;
   }
 
-  Entity get(int index) {
+  HostEntity get(int index) {
     return entities[index];
   }
 
@@ -39,18 +39,18 @@ final class EntityList {
     return key(entities[index]);
   }
 
-  static int key(Entity entity) {
+  static int key(HostEntity entity) {
     return Neighbourhood.key(entity.id(), entity.generation());
   }
 
   /** Returns the entity of a key; null when it is gone. */
-  static Entity find(Simulation simulation, int key) {
-    Entity entity = simulation.entity(Neighbourhood.id(key));
+  static HostEntity find(SimulationHost simulation, int key) {
+    HostEntity entity = simulation.entity(Neighbourhood.id(key));
     return entity != null && key(entity) == key ? entity : null;
   }
 
   /** Sorts by the bodies' places in the world. The solver follows that order. */
-  void sort(Simulation simulation) {
+  void sort(SimulationHost simulation) {
     if (order.length < count) {
       order = new long[entities.length];
     }

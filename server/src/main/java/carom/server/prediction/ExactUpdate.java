@@ -5,7 +5,7 @@ import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.exact.UpdateDelivery;
 import carom.net.snapshot.ledger.DatagramLedger;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.ruling.InterferenceLog;
 
 /**
@@ -37,7 +37,7 @@ import carom.sim.ruling.InterferenceLog;
  * <p>The room's thread; allocates only to grow.
  */
 final class ExactUpdate {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final InterferenceLog interference;
   private final UpdateRows rows;
   private final UpdateDelivery delivery;
@@ -58,7 +58,7 @@ final class ExactUpdate {
   /** True if the last update was given up before all of it arrived. */
   private boolean givenUp;
 
-  ExactUpdate(Simulation simulation, int viewer, SnapshotEncoder encoder) {
+  ExactUpdate(SimulationHost simulation, int viewer, SnapshotEncoder encoder) {
     rows = new UpdateRows(viewer);
     delivery = encoder.updates();
     ledger = encoder.ledger();

@@ -4,10 +4,10 @@ import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.physics.math.Aabb;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.area.AreaForces;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Scope;
 import java.util.function.Predicate;
@@ -18,12 +18,12 @@ import java.util.function.Predicate;
  * allocation but by {@link #predictedSet}.
  */
 public final class OwnCapture {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final EntityMarks marks = new EntityMarks();
   private final Aabb box = new Aabb();
 
   /** Creates a reader of a room's simulation. */
-  public OwnCapture(Simulation simulation) {
+  public OwnCapture(SimulationHost simulation) {
     this.simulation = simulation;
   }
 
@@ -35,7 +35,7 @@ public final class OwnCapture {
    * @param mayKnow returns whether the game lets that player know of an entity, at present
    */
   public PredictedSet predictedSet(
-      Player viewer, SnapshotEncoder encoder, Predicate<Entity> mayKnow) {
+      HostPlayer viewer, SnapshotEncoder encoder, Predicate<HostEntity> mayKnow) {
     return new PredictedSet(simulation, viewer, encoder, marks, mayKnow);
   }
 
@@ -49,10 +49,10 @@ public final class OwnCapture {
    *
    * @param mayKnow returns whether the game lets that player know of an entity, at present
    */
-  public void capture(Player player, Predicate<Entity> mayKnow, OwnState out) {
+  public void capture(HostPlayer player, Predicate<HostEntity> mayKnow, OwnState out) {
     out.spawned().clear();
     for (int i = 0; i < player.spawnedCount(); i++) {
-      Entity spawned = player.spawned(i);
+      HostEntity spawned = player.spawned(i);
       if (mayKnow.test(spawned)) {
         out.spawned().add(spawned.origin(), EntityList.key(spawned));
       }
@@ -61,12 +61,12 @@ public final class OwnCapture {
     for (int i = 0; i < out.words(); i++) {
       out.setWord(i, fields.word(i));
     }
-    Entity entity = player.body();
+    HostEntity entity = player.body();
     if (entity == null) {
       out.clearBody();
       return;
     }
-    Body<Entity> body = entity.body();
+    Body<HostEntity> body = entity.body();
     out.setBody(
         entity.id(),
         entity.generation(),
@@ -81,8 +81,8 @@ public final class OwnCapture {
   }
 
   /** Returns whether an entity carries an area that may act on a player's body. */
-  public boolean isInArea(Player player) {
-    AreaForces<Entity> areas = simulation.areas();
+  public boolean isInArea(HostPlayer player) {
+    AreaForces<HostEntity> areas = simulation.areas();
     for (int i = 0; player.body() != null && i < areas.carriers(); i++) {
       areas.reach(i, box);
       box.grow(1);
@@ -95,9 +95,9 @@ public final class OwnCapture {
 
   /**
    * Returns the last tick whose state of a player's body the game itself changed; see {@link
-   * carom.sim.ruling.InterferenceLog#lastTick(Player)}.
+   * carom.sim.ruling.InterferenceLog#lastTick(HostPlayer)}.
    */
-  public int interferedTick(Player player) {
+  public int interferedTick(HostPlayer player) {
     return simulation.interference().lastTick(player);
   }
 }

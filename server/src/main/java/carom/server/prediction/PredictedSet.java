@@ -4,9 +4,9 @@ import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.exact.RulingDelivery;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.near.Neighbourhood;
 import carom.sim.ruling.InterferenceLog;
 import carom.sim.ruling.Ruling;
@@ -37,7 +37,7 @@ import java.util.function.Predicate;
  * <p>Belongs to one session. The room's thread; allocates only to grow.
  */
 public final class PredictedSet {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final int viewer;
   private final InterferenceLog interference;
   private final PredictedSetChooser chooser;
@@ -62,11 +62,11 @@ public final class PredictedSet {
   private long disagreements;
 
   PredictedSet(
-      Simulation simulation,
-      Player viewer,
+      SimulationHost simulation,
+      HostPlayer viewer,
       SnapshotEncoder encoder,
       EntityMarks marks,
-      Predicate<Entity> mayKnow) {
+      Predicate<HostEntity> mayKnow) {
     state = new Neighbourhood(viewer.id());
     this.simulation = simulation;
     this.viewer = viewer.id();
@@ -88,7 +88,7 @@ public final class PredictedSet {
    *     and if this isn't positive the update waits
    * @param out receives the set; has the own body already
    */
-  public void capture(Player player, boolean all, int disagreedTick, int rowBits, OwnState out) {
+  public void capture(HostPlayer player, boolean all, int disagreedTick, int rowBits, OwnState out) {
     if (update.endIfArrived()) {
       limits.arrived();
     }
@@ -157,19 +157,19 @@ public final class PredictedSet {
   }
 
   private void noteInput(Ruling ruling) {
-    Entity e = simulation.entity(Neighbourhood.id(ruling.key));
+    HostEntity e = simulation.entity(Neighbourhood.id(ruling.key));
     if (ruling.moment == Ruling.Moment.INPUT && e != null) {
       interference.toldInput(e);
     }
   }
 
   private boolean isChosen(Ruling ruling) {
-    Entity e = simulation.entity(Neighbourhood.id(ruling.key));
+    HostEntity e = simulation.entity(Neighbourhood.id(ruling.key));
     boolean isOwnInput = ruling.moment == Ruling.Moment.INPUT && e != null && e.ownerId() == viewer;
     return !isOwnInput && chooser.isChosen(Neighbourhood.id(ruling.key));
   }
 
-  private void updateIfNeeded(Player player, int disagreedTick) {
+  private void updateIfNeeded(HostPlayer player, int disagreedTick) {
     boolean disagreed = mayTellDisagreement(disagreedTick);
     boolean interfered = mayTellInterference();
     if (!disagreed && !interfered && update.members().isOf(chooser.chosen())) {
@@ -208,7 +208,7 @@ public final class PredictedSet {
     int tick = simulation.tick();
     boolean interfered = mustTellAll;
     for (int i = 0; i < chooser.chosen().count(); i++) {
-      Entity e = chooser.chosen().get(i);
+      HostEntity e = chooser.chosen().get(i);
       int last = interference.lastUntoldTick(e);
       if (last > capturedTick) {
         interfered = true;
@@ -223,7 +223,7 @@ public final class PredictedSet {
     hasOutsideCause = changed;
     hasHiddenCause = false;
     for (int i = 0; i < chooser.chosen().count(); i++) {
-      Entity e = chooser.chosen().get(i);
+      HostEntity e = chooser.chosen().get(i);
       state.add(e);
       hasOutsideCause |= interference.lastTick(e) > capturedTick;
       hasHiddenCause |= interference.lastHiddenTick(e) > capturedTick && e.ownerId() != viewer;
@@ -233,10 +233,10 @@ public final class PredictedSet {
     hasOutsideCause |= state.leaks() > 0 || state.cutJoints() > 0 || chooser.isReachedFromOutside();
   }
 
-  private void relayInputs(Player player, OwnState out) {
+  private void relayInputs(HostPlayer player, OwnState out) {
     out.relayed().clear();
     for (int i = 0; i < chooser.chosen().count(); i++) {
-      Player owner = simulation.owner(chooser.chosen().get(i));
+      HostPlayer owner = simulation.owner(chooser.chosen().get(i));
       relayChooser.offer(owner, player, capturedTick, simulation.tick(), out.relayed());
     }
   }

@@ -7,10 +7,10 @@ import carom.physics.BodyType;
 import carom.physics.BodyVisitor;
 import carom.physics.Joint;
 import carom.physics.math.Aabb;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.area.AreaForces;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 import java.util.function.Consumer;
@@ -63,17 +63,17 @@ final class PredictedSetChooser {
   /** Entities that don't touch the body are added while there are fewer than these. */
   private static final int MOST_CLOSE = 63;
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final EntityMarks marks;
-  private final Predicate<Entity> mayKnow;
+  private final Predicate<HostEntity> mayKnow;
   private final EntityList chosen = new EntityList();
   private final Candidates candidates = new Candidates(4 * MOST_CLOSE);
   private final Aabb box = new Aabb();
-  private final BodyVisitor<Entity> considerVisitor = this::consider;
-  private final BodyContactVisitor<Entity> addVisitor =
+  private final BodyVisitor<HostEntity> considerVisitor = this::consider;
+  private final BodyContactVisitor<HostEntity> addVisitor =
       (other, normalX, normalY, impulse) -> addIfFit(other.user());
 
-  private final Consumer<Joint<Entity>> jointVisitor = this::follow;
+  private final Consumer<Joint<HostEntity>> jointVisitor = this::follow;
 
   /** True while the own body is being chosen, with all that joints tie to it. */
   private boolean choosesOwn;
@@ -91,11 +91,11 @@ final class PredictedSetChooser {
   private int limit;
 
   /** The body around which candidates are gathered, and how close they must be, metres. */
-  private Body<Entity> centre;
+  private Body<HostEntity> centre;
 
   private float enterMetres;
 
-  PredictedSetChooser(Simulation simulation, EntityMarks marks, Predicate<Entity> mayKnow) {
+  PredictedSetChooser(SimulationHost simulation, EntityMarks marks, Predicate<HostEntity> mayKnow) {
     this.simulation = simulation;
     this.marks = marks;
     this.mayKnow = mayKnow;
@@ -114,10 +114,10 @@ final class PredictedSetChooser {
    * @param before what was chosen before
    * @param most the most entities to choose
    */
-  void choose(Player player, boolean all, KeyList before, int most) {
+  void choose(HostPlayer player, boolean all, KeyList before, int most) {
     marks.clear(simulation.entityCapacity());
     for (int i = 0; i < before.count(); i++) {
-      Entity e = EntityList.find(simulation, before.get(i));
+      HostEntity e = EntityList.find(simulation, before.get(i));
       if (e != null) {
         marks.member(e.id());
       }
@@ -146,10 +146,10 @@ final class PredictedSetChooser {
 
   /** Adds the entities whose areas act on a chosen one, or soon may. */
   private void addCarriers() {
-    AreaForces<Entity> areas = simulation.areas();
+    AreaForces<HostEntity> areas = simulation.areas();
     reachedFromOutside = false;
     for (int i = 0; i < areas.carriers(); i++) {
-      Entity carrier = simulation.entity(areas.carrierId(i));
+      HostEntity carrier = simulation.entity(areas.carrierId(i));
       areas.reach(i, box);
       box.grow(CARRIER_METRES * (marks.isMember(carrier.id()) ? LEAVE : 1));
       if (!marks.isListed(carrier.id()) && isOneWithin(box)) {
@@ -161,7 +161,7 @@ final class PredictedSetChooser {
 
   private boolean isOneWithin(Aabb area) {
     for (int i = 0; i < chosen.count(); i++) {
-      Body<Entity> body = chosen.get(i).body();
+      Body<HostEntity> body = chosen.get(i).body();
       if (area.contains(body.centerX(), body.centerY())) {
         return true;
       }
@@ -191,7 +191,7 @@ final class PredictedSetChooser {
     chosen.clear();
     marks.clear(simulation.entityCapacity());
     for (int i = 0; i < before.count(); i++) {
-      Entity e = EntityList.find(simulation, before.get(i));
+      HostEntity e = EntityList.find(simulation, before.get(i));
       if (e == null || !mayKnow.test(e)) {
         return false;
       }
@@ -202,7 +202,7 @@ final class PredictedSetChooser {
   }
 
   /** Adds an entity and all that it touches, directly or through others, while there is room. */
-  private void addWithContacts(Entity from) {
+  private void addWithContacts(HostEntity from) {
     int first = chosen.count();
     addIfFit(from);
     spreadContacts(first);
@@ -215,7 +215,7 @@ final class PredictedSetChooser {
     }
   }
 
-  private void addIfFit(Entity e) {
+  private void addIfFit(HostEntity e) {
     if (!(choosesOwn || affectsOthers(e))
         || chosen.count() >= limit
         || !mayKnow.test(e)
@@ -245,20 +245,20 @@ final class PredictedSetChooser {
     fits = true;
     isTooLarge = false;
     for (int i = first; i < chosen.count() && fits; i++) {
-      Body<Entity> body = chosen.get(i).body();
+      Body<HostEntity> body = chosen.get(i).body();
       if (body.type() == BodyType.DYNAMIC) {
         body.forEachJoint(jointVisitor);
       }
     }
   }
 
-  private void follow(Joint<Entity> joint) {
+  private void follow(Joint<HostEntity> joint) {
     addTied(joint.bodyA());
     addTied(joint.bodyB());
   }
 
-  private void addTied(Body<Entity> body) {
-    Entity e = body == null ? null : body.user();
+  private void addTied(Body<HostEntity> body) {
+    HostEntity e = body == null ? null : body.user();
     if (e == null || e.isLevel() || marks.isListed(e.id())) {
       return;
     }
@@ -271,12 +271,12 @@ final class PredictedSetChooser {
     chosen.add(e);
   }
 
-  private static boolean affectsOthers(Entity e) {
+  private static boolean affectsOthers(HostEntity e) {
     return !e.isLevel() && Neighbourhood.affectsOthers(e.archetype());
   }
 
   /** Adds what is close to a body or soon will be, the closest first. */
-  private void addClose(Body<Entity> body, float metres) {
+  private void addClose(Body<HostEntity> body, float metres) {
     centre = body;
     enterMetres = metres;
     gatherCandidates();
@@ -301,8 +301,8 @@ final class PredictedSetChooser {
   }
 
   /** Makes a body a candidate if it is close enough, or soon will be. */
-  private boolean consider(Body<Entity> body) {
-    Entity e = body.user();
+  private boolean consider(Body<HostEntity> body) {
+    HostEntity e = body.user();
     if (!affectsOthers(e) || body == centre || !mayKnow.test(e)) {
       return true;
     }
@@ -331,7 +331,7 @@ final class PredictedSetChooser {
   /** Entities sorted by distance. */
   private static final class Candidates {
     private final int most;
-    private Entity[] entities = new Entity[16];
+    private HostEntity[] entities = new HostEntity[16];
     private float[] distances = new float[16];
     private int count;
 
@@ -343,7 +343,7 @@ final class PredictedSetChooser {
       return count;
     }
 
-    Entity get(int index) {
+    HostEntity get(int index) {
       return entities[index];
     }
 
@@ -352,7 +352,7 @@ final class PredictedSetChooser {
       count = 0;
     }
 
-    void insert(Entity e, float distance) {
+    void insert(HostEntity e, float distance) {
       if (count == entities.length) {
         if (count >= most) {
           return; // a crowd: the order of the query decides

@@ -2,8 +2,8 @@ package carom.server.prediction;
 
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.PlayerSet;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import java.util.Arrays;
 import java.util.function.Predicate;
 
@@ -20,12 +20,12 @@ import java.util.function.Predicate;
 final class RelayChooser {
   private static final int NEVER = -1_000;
 
-  private final Predicate<Entity> mayKnow;
+  private final Predicate<HostEntity> mayKnow;
 
   /** The last tick at which a player's inputs were relayed, by player id. */
   private int[] lastTick = {};
 
-  RelayChooser(Predicate<Entity> mayKnow) {
+  RelayChooser(Predicate<HostEntity> mayKnow) {
     this.mayKnow = mayKnow;
   }
 
@@ -38,7 +38,7 @@ final class RelayChooser {
    * @param tick the tick of this capture
    * @param out receives it; at most {@link OwnState#MAX_RELAYED}
    */
-  void offer(Player owner, Player to, int before, int tick, PlayerSet out) {
+  void offer(HostPlayer owner, HostPlayer to, int before, int tick, PlayerSet out) {
     if (owner == null || owner == to || out.size() >= OwnState.MAX_RELAYED) {
       return;
     }

@@ -8,7 +8,7 @@ import carom.physics.rows.JointRow;
 import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
@@ -46,7 +46,7 @@ final class UpdateRows implements UpdateDelivery.Content {
   }
 
   /** Reads the base, of which nothing is told yet. */
-  void begin(EntityList entities, Simulation simulation) {
+  void begin(EntityList entities, SimulationHost simulation) {
     base.clear();
     for (int i = 0; i < entities.count(); i++) {
       base.add(entities.get(i));

@@ -6,9 +6,9 @@ import carom.net.snapshot.frame.SlotSet;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.RowAudience;
 import carom.net.snapshot.table.TableOutbox;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 
 /**
  * Decides what one player's client may know of joints, and of the fields of others. It goes by each
@@ -21,10 +21,10 @@ final class FieldAudience implements RowAudience {
   /** Ticks between two looks at which players' bodies are in sight. */
   private static final int LOOK_TICKS = 4;
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final FieldCapture fields;
   private final RowAudience joints;
-  private final Player player;
+  private final HostPlayer player;
   private final int chunks;
   private SnapshotEncoder encoder;
 
@@ -34,7 +34,7 @@ final class FieldAudience implements RowAudience {
   private int teamChanges = -1;
   private boolean sawAll;
 
-  FieldAudience(FrameCapture capture, RowAudience joints, Player player) {
+  FieldAudience(FrameCapture capture, RowAudience joints, HostPlayer player) {
     simulation = capture.index().simulation();
     fields = capture.fields();
     this.joints = joints;
@@ -76,8 +76,8 @@ final class FieldAudience implements RowAudience {
     }
   }
 
-  private boolean seesBody(Player other) {
-    Entity body = other == null ? null : other.body();
+  private boolean seesBody(HostPlayer other) {
+    HostEntity body = other == null ? null : other.body();
     return body != null && (encoder.inSight(body.id() >> 6) >>> body.id() & 1) != 0;
   }
 
@@ -104,7 +104,7 @@ final class FieldAudience implements RowAudience {
     };
   }
 
-  private int ofPlayer(Player other) {
+  private int ofPlayer(HostPlayer other) {
     if (other == null || other == player) {
       return NOBODY;
     }
@@ -113,11 +113,11 @@ final class FieldAudience implements RowAudience {
         all || near.has(other.id()), all || other.team() == player.team(), all);
   }
 
-  private int ofEntity(Entity entity) {
+  private int ofEntity(HostEntity entity) {
     if (entity == null) {
       return NOBODY;
     }
-    Player owner = simulation.owner(entity);
+    HostPlayer owner = simulation.owner(entity);
     boolean team = owner != null && owner.team() == player.team();
     return FieldTables.audience(true, sawAll || team, sawAll || owner == player);
   }

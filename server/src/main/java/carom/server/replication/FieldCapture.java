@@ -6,9 +6,9 @@ import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.Table;
 import carom.net.snapshot.table.TableLayout;
 import carom.net.snapshot.table.Tables;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
@@ -23,7 +23,7 @@ import java.util.List;
  * <p>The room's thread; no allocation but to grow.
  */
 final class FieldCapture {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final Schema schema;
   private final List<Table> tables;
 
@@ -31,17 +31,17 @@ final class FieldCapture {
   private final int[] words;
 
   // By id: the player or entity of the table's row, and how new the row is.
-  private Player[] players = {};
+  private HostPlayer[] players = {};
   private long[] playerStamps = {};
   private int[] teams = {};
-  private Entity[] entities = {};
+  private HostEntity[] entities = {};
   private long[] entityStamps = {};
   private long matchStamp;
   private long entityChanges;
   private long roster = -1;
   private int teamChanges;
 
-  FieldCapture(Simulation simulation) {
+  FieldCapture(SimulationHost simulation) {
     this.simulation = simulation;
     schema = simulation.schema();
     FieldTables of =
@@ -87,7 +87,7 @@ final class FieldCapture {
       teams = Arrays.copyOf(teams, players.length);
     }
     for (int id = 0; id < capacity; id++) {
-      Player player = simulation.player(id);
+      HostPlayer player = simulation.player(id);
       boolean isNew = player != players[id];
       if (isNew || (player != null && player.team() != teams[id])) {
         teamChanges++;
@@ -114,7 +114,7 @@ final class FieldCapture {
       entityStamps = Arrays.copyOf(entityStamps, entities.length);
     }
     for (int id = 0; id < capacity; id++) {
-      Entity entity = simulation.entity(id);
+      HostEntity entity = simulation.entity(id);
       if (entity != null
           && (entity != entities[id] || entity.fieldValues().stamp() != entityStamps[id])) {
         entityStamps[id] = entity.fieldValues().stamp();

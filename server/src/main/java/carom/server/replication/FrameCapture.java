@@ -12,9 +12,9 @@ import carom.net.snapshot.table.Tables;
 import carom.physics.World;
 import carom.physics.math.Trig;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.joint.JointTable;
 import carom.sim.outbox.Event;
@@ -39,7 +39,7 @@ public final class FrameCapture {
 
   private static final Audience[] AUDIENCES = Audience.values();
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final FrameRing ring;
   private final Deltas deltas;
   private final InterestIndex index;
@@ -69,7 +69,7 @@ public final class FrameCapture {
   private boolean teamSecrets;
 
   /** Creates an empty ring for a simulation's entities, which starts from the level's bodies. */
-  public FrameCapture(Simulation simulation) {
+  public FrameCapture(SimulationHost simulation) {
     this.simulation = simulation;
     this.ring = new FrameRing(ProtocolLimits.MAX_ENTITIES);
     this.index = new InterestIndex(simulation);
@@ -114,7 +114,7 @@ public final class FrameCapture {
     putAudiences(frame);
     putPoses(frame);
     for (int id = 0, count = simulation.playerCapacity(); id < count; id++) {
-      Player player = simulation.player(id);
+      HostPlayer player = simulation.player(id);
       if (player != null) {
         frame.putInput(id, player.input().pack());
       }
@@ -143,7 +143,7 @@ public final class FrameCapture {
     }
     Arrays.fill(slots, 0, bodyCount, NOBODY);
     for (int id = 0; id < capacity; id++) {
-      Entity entity = simulation.entity(id);
+      HostEntity entity = simulation.entity(id);
       if (entity != null) {
         ids[entityCount++] = id;
         slots[entity.bodySlot()] = id;
@@ -154,8 +154,8 @@ public final class FrameCapture {
   }
 
   /** Returns whose an entity is, as frames have it. */
-  private int ownership(Entity entity) {
-    Player owner = simulation.owner(entity);
+  private int ownership(HostEntity entity) {
+    HostPlayer owner = simulation.owner(entity);
     if (owner == null) {
       return entity.ownerId();
     }
@@ -165,10 +165,10 @@ public final class FrameCapture {
   private void putAudiences(FrameState frame) {
     Game game = simulation.game();
     for (int i = 0; i < entityCount; i++) {
-      Entity entity = simulation.entity(ids[i]);
+      HostEntity entity = simulation.entity(ids[i]);
       Audience audience = game.audience(simulation, entity.root());
       if (audience != Audience.NEAR) {
-        Player owner = simulation.owner(entity);
+        HostPlayer owner = simulation.owner(entity);
         int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;
         teamSecrets |= audience == Audience.TEAM;
         frame.setAudience(ids[i], recipients(audience, team));
@@ -178,7 +178,7 @@ public final class FrameCapture {
 
   /** Quantises column by column, in loops that compilers turn into vector instructions. */
   private void putPoses(FrameState frame) {
-    World<Entity> world = simulation.world();
+    World<HostEntity> world = simulation.world();
     int blocks = Math.max(1, bodyCount / BLOCK);
     for (int block = 0, from = 0; block < blocks; block++) {
       int count = (bodyCount - from) / (blocks - block);
@@ -214,14 +214,14 @@ public final class FrameCapture {
     record.place(e.x(), e.y());
     record.strength(e.strength());
     record.data = e.data();
-    Player by = simulation.player(e.player());
+    HostPlayer by = simulation.player(e.player());
     int team = e.audience() == Audience.TEAM && by != null ? by.team() : 0;
     teamSecrets |= e.audience() == Audience.TEAM;
     ring.events().add(record, recipients(e.audience(), team));
   }
 
   /** Returns the joints of the simulation, by index. */
-  JointTable<Entity> joints() {
+  JointTable<HostEntity> joints() {
     return simulation.joints();
   }
 

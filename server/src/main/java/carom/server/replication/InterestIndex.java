@@ -5,7 +5,7 @@ import carom.net.snapshot.frame.FrameState;
 import carom.physics.broadphase.AabbArray;
 import carom.physics.broadphase.IntVisitor;
 import carom.physics.broadphase.KdTree;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.event.Audience;
 import java.util.Arrays;
 
@@ -19,7 +19,7 @@ import java.util.Arrays;
 final class InterestIndex {
   private static final int MIN_LENGTH = 64;
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final AabbArray boxes = new AabbArray(MIN_LENGTH);
   private final KdTree tree = new KdTree(boxes);
   private final float[] reach;
@@ -30,7 +30,7 @@ final class InterestIndex {
   private int tick = -1;
   private boolean narrow;
 
-  InterestIndex(Simulation simulation) {
+  InterestIndex(SimulationHost simulation) {
     this.simulation = simulation;
     reach = new float[simulation.archetypes().size()];
     for (int i = 0; i < reach.length; i++) {
@@ -106,7 +106,7 @@ final class InterestIndex {
   }
 
   /** Returns the simulation that the entities belong to. */
-  Simulation simulation() {
+  SimulationHost simulation() {
     return simulation;
   }
 }

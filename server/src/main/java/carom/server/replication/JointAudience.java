@@ -5,7 +5,7 @@ import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.RowAudience;
 import carom.physics.Body;
 import carom.physics.Joint;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 
 /** Says which joints one client is told: those of which it sees both bodies. The room's thread. */
 final class JointAudience implements RowAudience {
@@ -34,12 +34,12 @@ final class JointAudience implements RowAudience {
 
   /** Returns whether the client sees both bodies of a joint. That a joint is gone is no secret. */
   private boolean sees(int index) {
-    Joint<Entity> joint = capture.joints().get(index);
+    Joint<HostEntity> joint = capture.joints().get(index);
     return joint == null || (sees(joint.bodyA()) && sees(joint.bodyB()));
   }
 
-  private boolean sees(Body<Entity> body) {
-    Entity e = body == null ? null : body.user();
+  private boolean sees(Body<HostEntity> body) {
+    HostEntity e = body == null ? null : body.user();
     FrameState frame = capture.frames().newest();
     return e == null || e.isLevel() || view.sees(frame, e.id(), true);
   }

@@ -6,8 +6,8 @@ import carom.physics.Body;
 import carom.physics.Joint;
 import carom.physics.rows.JointDefRow;
 import carom.physics.rows.JointRow;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.joint.JointTable;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
@@ -18,7 +18,7 @@ import java.util.Arrays;
  * The room's thread; allocates only to grow.
  */
 final class JointCapture {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final Table table = new Table(JointWords.LAYOUT);
   private final int[] words = new int[JointWords.WORDS];
   private final int[] definition = new int[JointDefRow.INTS];
@@ -28,7 +28,7 @@ final class JointCapture {
   /** By index: how often its settings had been changed when it was captured last. */
   private int[] changes = {};
 
-  JointCapture(Simulation simulation) {
+  JointCapture(SimulationHost simulation) {
     this.simulation = simulation;
     JointTable.forEachOfLevel(
         simulation.level(),
@@ -45,7 +45,7 @@ final class JointCapture {
 
   /** Takes over the joints after the simulation's last step. */
   void capture() {
-    JointTable<Entity> joints = simulation.joints();
+    JointTable<HostEntity> joints = simulation.joints();
     boolean isNew = joints.version() != version;
     version = joints.version();
     limit = Math.max(limit, joints.limit());
@@ -53,7 +53,7 @@ final class JointCapture {
       changes = Arrays.copyOf(changes, 2 * limit);
     }
     for (int i = 0; i < limit; i++) {
-      Joint<Entity> joint = i < joints.limit() ? joints.get(i) : null;
+      Joint<HostEntity> joint = i < joints.limit() ? joints.get(i) : null;
       if (joint == null) {
         table.remove(i, simulation.tick());
       } else if (isNew || simulation.world().jointChanges(i) != changes[i]) {
@@ -62,8 +62,8 @@ final class JointCapture {
     }
   }
 
-  private void capture(int index, Joint<Entity> joint) {
-    JointTable<Entity> joints = simulation.joints();
+  private void capture(int index, Joint<HostEntity> joint) {
+    JointTable<HostEntity> joints = simulation.joints();
     changes[index] = simulation.world().jointChanges(index);
     joints.definition(index, definition, 0);
     int endA = end(joint.bodyA());
@@ -75,11 +75,11 @@ final class JointCapture {
     table.put(index, generation, words, 0, simulation.tick());
   }
 
-  private static int end(Body<Entity> body) {
+  private static int end(Body<HostEntity> body) {
     if (body == null) {
       return JointRow.GROUND;
     }
-    Entity e = body.user();
+    HostEntity e = body.user();
     boolean isEntity = e != null && !e.isLevel();
     return isEntity ? Neighbourhood.key(e.id(), e.generation()) : ~body.index();
   }

@@ -3,7 +3,7 @@ package carom.server.replication;
 import carom.net.field.PoolTable;
 import carom.net.snapshot.table.Table;
 import carom.physics.archive.ArchiveWriter;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.pool.OrderLog;
 import carom.sim.pool.PoolsState;
 
@@ -12,13 +12,13 @@ import carom.sim.pool.PoolsState;
  * the whole state. The room's thread; a tick allocates nothing.
  */
 final class PoolCapture {
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final Table table;
   private final ArchiveWriter archive = new ArchiveWriter();
   private PoolsState saved;
   private byte[] state;
 
-  PoolCapture(Simulation simulation, Table table) {
+  PoolCapture(SimulationHost simulation, Table table) {
     this.simulation = simulation;
     this.table = table;
   }

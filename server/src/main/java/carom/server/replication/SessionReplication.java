@@ -18,8 +18,8 @@ import carom.server.prediction.PredictedSet;
 import carom.server.prediction.PredictionAudit;
 import carom.server.prediction.PredictionAudit.Finding;
 import carom.server.thin.ThinLink;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import java.util.Arrays;
 import java.util.function.LongConsumer;
 import java.util.function.Predicate;
@@ -38,7 +38,7 @@ public final class SessionReplication {
   /** Ticks before tick 0, longer than any wait. */
   private static final int NEVER_TICKS = 1 << 20;
 
-  private final Player player;
+  private final HostPlayer player;
   private final Supplier<ServerConfig> config;
   private final FrameCapture frames;
   private final OwnCapture capture;
@@ -80,8 +80,8 @@ public final class SessionReplication {
   private long mispredictions;
   private int preparedTick;
   private boolean touched;
-  private final Predicate<Entity> mayKnow = this::mayKnow;
-  private final BodyContactVisitor<Entity> touchVisitor =
+  private final Predicate<HostEntity> mayKnow = this::mayKnow;
+  private final BodyContactVisitor<HostEntity> touchVisitor =
       (other, normalX, normalY, impulse) -> touched |= other.type() != BodyType.STATIC;
 
   /**
@@ -92,7 +92,7 @@ public final class SessionReplication {
    * @param capture reads the player's own section
    */
   public SessionReplication(
-      Player player,
+      HostPlayer player,
       Supplier<ServerConfig> config,
       FrameCapture frames,
       OwnCapture capture,
@@ -105,7 +105,7 @@ public final class SessionReplication {
     this.counters = counters;
   }
 
-  private boolean mayKnow(Entity e) {
+  private boolean mayKnow(HostEntity e) {
     return sender.mayKnow(e);
   }
 

@@ -9,9 +9,9 @@ import carom.net.snapshot.frame.FrameState;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.broadphase.IntVisitor;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
@@ -71,7 +71,7 @@ final class SessionView implements Interest {
   private static final float MAX_SIZE_FACTOR = 4;
 
   private final InterestIndex index;
-  private final Player player;
+  private final HostPlayer player;
   private final float limit;
   private final boolean smallLevel;
   private final boolean automatic;
@@ -100,7 +100,7 @@ final class SessionView implements Interest {
         return true;
       };
 
-  private final BodyContactVisitor<Entity> touch =
+  private final BodyContactVisitor<HostEntity> touch =
       (other, normalX, normalY, impulse) -> {
         int slot = other.user().id();
         if (slot >= 0 && touchedCount < MAX_TOUCHED) {
@@ -113,7 +113,7 @@ final class SessionView implements Interest {
    *
    * @param viewMetres largest half width and half height; 0 = automatic
    */
-  SessionView(InterestIndex index, Player player, int viewMetres, int tickRateHz) {
+  SessionView(InterestIndex index, HostPlayer player, int viewMetres, int tickRateHz) {
     this.index = index;
     this.player = player;
     automatic = viewMetres == 0;
@@ -178,9 +178,9 @@ final class SessionView implements Interest {
 
   /** Moves to where the player is, which is all that {@link #hears} needs. */
   void follow(FrameState frame) {
-    Entity own = player.body();
+    HostEntity own = player.body();
     ownSlot = own == null ? -1 : own.id();
-    Entity middle = own == null ? followedBody() : own;
+    HostEntity middle = own == null ? followedBody() : own;
     if (middle != null) {
       spectatorX = middle.body().x(); // without a body the player goes on looking at where it was
       spectatorY = middle.body().y();
@@ -193,10 +193,10 @@ final class SessionView implements Interest {
   }
 
   /** Returns the body that the client wants to follow, if the game lets it; or null. */
-  private Entity followedBody() {
-    Simulation s = index.simulation();
-    Player other = followed < 0 ? null : s.player(followed);
-    Entity body = other == null ? null : other.body();
+  private HostEntity followedBody() {
+    SimulationHost s = index.simulation();
+    HostPlayer other = followed < 0 ? null : s.player(followed);
+    HostEntity body = other == null ? null : other.body();
     return body != null && s.game().mayFollow(s, player, other) ? body : null;
   }
 
@@ -253,8 +253,8 @@ final class SessionView implements Interest {
   }
 
   private int bodyOf(int id) {
-    Player other = id < 0 ? null : index.simulation().player(id);
-    Entity body = other == null ? null : other.body();
+    HostPlayer other = id < 0 ? null : index.simulation().player(id);
+    HostEntity body = other == null ? null : other.body();
     return body == null ? EventRecord.NONE : Neighbourhood.key(body.id(), body.generation());
   }
 
@@ -288,7 +288,7 @@ final class SessionView implements Interest {
    * Returns whether the game lets the player know of an entity, wherever it is. An entity that
    * isn't in the frame is hidden, because the game hasn't been asked yet.
    */
-  boolean mayKnow(FrameState frame, Entity e) {
+  boolean mayKnow(FrameState frame, HostEntity e) {
     return holds(frame, Neighbourhood.key(e.id(), e.generation())) && mayKnow(frame, e.id());
   }
 
@@ -323,7 +323,7 @@ final class SessionView implements Interest {
     return Math.max(0, Math.max(dx / halfWidth, dy / halfHeight));
   }
 
-  private static float speed(Body<Entity> body) {
+  private static float speed(Body<HostEntity> body) {
     return Math.max(Math.abs(body.velocityX()), Math.abs(body.velocityY()));
   }
 
@@ -332,7 +332,7 @@ final class SessionView implements Interest {
     float distance = distance(frame, slot);
     float near = 1 / (1 + FAR * distance * distance);
     float size = Math.min(MAX_SIZE_FACTOR, Math.max(1, index.reach(frame, slot) / SIZE));
-    Entity entity = index.simulation().entity(slot);
+    HostEntity entity = index.simulation().entity(slot);
     float speed = entity == null ? 0 : speed(entity.body());
     float moving = Math.min(MAX_SPEED_FACTOR, 1 + speed / SPEED);
     float priority = near * size * moving;

@@ -12,8 +12,8 @@ import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 
@@ -100,7 +100,7 @@ final class SnapshotSender {
    */
   public SnapshotSender(
       FrameCapture capture,
-      Player player,
+      HostPlayer player,
       int epoch,
       Supplier<ServerConfig> settings,
       Counters counters) {
@@ -185,7 +185,7 @@ final class SnapshotSender {
   }
 
   /** Returns whether the game lets the player know of an entity; of the own body it always does. */
-  public boolean mayKnow(Entity e) {
+  public boolean mayKnow(HostEntity e) {
     return view.mayKnow(frames.newest(), e);
   }
 

@@ -2,9 +2,9 @@ package carom.server.replication;
 
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinServerMessage.FieldValue;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
@@ -42,16 +42,16 @@ final class ThinFields {
   private static final int TEAM = 2;
   private static final int OWNER = 4;
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final Schema schema;
-  private final Player player;
+  private final HostPlayer player;
   private final IntPredicate sees;
   private final List<Known> players = new ArrayList<>();
   private final List<Known> entities = new ArrayList<>();
   private final Known match;
   private final List<FieldValue> changes = new ArrayList<>();
 
-  ThinFields(Simulation simulation, Player player, IntPredicate sees) {
+  ThinFields(SimulationHost simulation, HostPlayer player, IntPredicate sees) {
     this.simulation = simulation;
     this.schema = simulation.schema();
     this.player = player;
@@ -65,7 +65,7 @@ final class ThinFields {
     compare(Scope.MATCH, 0, simulation, simulation.fieldValues(), NEAR | TEAM | OWNER, match);
     if (schema.toldWords(Scope.PLAYER) > 0) {
       for (int id = 0; id < simulation.playerCapacity(); id++) {
-        Player other = simulation.player(id);
+        HostPlayer other = simulation.player(id);
         if (other != null) {
           compare(
               Scope.PLAYER,
@@ -79,7 +79,7 @@ final class ThinFields {
     }
     if (schema.toldWords(Scope.ENTITY) > 0) {
       for (int id = 0; id < simulation.entityCapacity(); id++) {
-        Entity entity = simulation.entity(id);
+        HostEntity entity = simulation.entity(id);
         if (entity != null && sees.test(id)) {
           compare(
               Scope.ENTITY,
@@ -106,17 +106,17 @@ final class ThinFields {
     return all.get(id);
   }
 
-  private int ofPlayer(Player other, boolean all) {
+  private int ofPlayer(HostPlayer other, boolean all) {
     if (all || other == player) {
       return NEAR | TEAM | OWNER;
     }
-    Entity body = other.body();
+    HostEntity body = other.body();
     return (body != null && sees.test(body.id()) ? NEAR : 0)
         | (other.team() == player.team() ? TEAM : 0);
   }
 
-  private int ofEntity(Entity entity, boolean all) {
-    Player owner = simulation.owner(entity);
+  private int ofEntity(HostEntity entity, boolean all) {
+    HostPlayer owner = simulation.owner(entity);
     boolean team = owner != null && owner.team() == player.team();
     return NEAR | (all || team ? TEAM : 0) | (all || owner == player ? OWNER : 0);
   }

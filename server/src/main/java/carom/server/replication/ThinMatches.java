@@ -14,8 +14,8 @@ import carom.server.thin.ThinServerMessage.Part;
 import carom.server.thin.ThinServerMessage.Team;
 import carom.server.thin.ThinServerMessage.Theme;
 import carom.server.thin.ThinServerMessage.Zone;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.event.EventKind;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
@@ -33,7 +33,7 @@ final class ThinMatches {
   private ThinMatches() {}
 
   /** Returns the description for a player; the room's thread, once per link and match. */
-  static ThinServerMessage.Match of(Simulation s, int player, String room) {
+  static ThinServerMessage.Match of(SimulationHost s, int player, String room) {
     Level.Bounds bounds = s.level().bounds();
     return new ThinServerMessage.Match(
         player,
@@ -74,10 +74,10 @@ final class ThinMatches {
    *
    * @param sees tells whether the client sees an entity
    */
-  static ThinServerMessage.Joints joints(Simulation s, IntPredicate sees) {
+  static ThinServerMessage.Joints joints(SimulationHost s, IntPredicate sees) {
     List<Joint> all = new ArrayList<>();
     for (int i = 0; i < s.joints().limit(); i++) {
-      carom.physics.Joint<Entity> joint = s.joints().get(i);
+      carom.physics.Joint<HostEntity> joint = s.joints().get(i);
       if (joint == null || !sees(joint.bodyA(), sees) || !sees(joint.bodyB(), sees)) {
         continue;
       }
@@ -95,24 +95,24 @@ final class ThinMatches {
   }
 
   /** Returns the entity that a thin client knows a body by, or -1 for what never moves. */
-  private static int entity(Body<Entity> body) {
-    Entity e = body == null ? null : body.user();
+  private static int entity(Body<HostEntity> body) {
+    HostEntity e = body == null ? null : body.user();
     return e == null || e.isLevel() ? -1 : e.id();
   }
 
-  private static boolean sees(Body<Entity> body, IntPredicate sees) {
+  private static boolean sees(Body<HostEntity> body, IntPredicate sees) {
     return entity(body) < 0 || sees.test(entity(body));
   }
 
-  private static float localX(Body<Entity> body, float x, float y) {
+  private static float localX(Body<HostEntity> body, float x, float y) {
     return entity(body) < 0 ? x : body.cos() * (x - body.x()) + body.sin() * (y - body.y());
   }
 
-  private static float localY(Body<Entity> body, float x, float y) {
+  private static float localY(Body<HostEntity> body, float x, float y) {
     return entity(body) < 0 ? y : body.cos() * (y - body.y()) - body.sin() * (x - body.x());
   }
 
-  private static List<Archetype> archetypes(Simulation s) {
+  private static List<Archetype> archetypes(SimulationHost s) {
     List<Archetype> all = new ArrayList<>();
     for (int i = 0; i < s.archetypes().size(); i++) {
       all.add(archetype(s.archetypes().get(i)));
@@ -139,10 +139,10 @@ final class ThinMatches {
     }
   }
 
-  private static List<Ground> ground(Simulation s) {
+  private static List<Ground> ground(SimulationHost s) {
     List<Ground> all = new ArrayList<>();
     for (int slot = 0; slot < s.world().slotCount(); slot++) {
-      Body<Entity> body = s.world().body(slot);
+      Body<HostEntity> body = s.world().body(slot);
       if (body != null && body.user() != null && body.user().isLevel()) {
         all.add(new Ground(body.x(), body.y(), body.angle(), archetype(body.user().archetype())));
       }
@@ -150,7 +150,7 @@ final class ThinMatches {
     return all;
   }
 
-  private static List<EventLook> events(Simulation s) {
+  private static List<EventLook> events(SimulationHost s) {
     List<EventLook> all = new ArrayList<>();
     for (int i = 0; i < s.eventKinds().size(); i++) {
       EventKind kind = s.eventKinds().get(i);
@@ -166,7 +166,7 @@ final class ThinMatches {
     return all;
   }
 
-  private static List<Gauge> gauges(Simulation s) {
+  private static List<Gauge> gauges(SimulationHost s) {
     List<Gauge> all = new ArrayList<>();
     for (carom.sim.gauge.Gauge gauge : s.game().gauges()) {
       Field<?> field = gauge.field();
@@ -183,7 +183,7 @@ final class ThinMatches {
     return all;
   }
 
-  private static List<Team> teams(Simulation s) {
+  private static List<Team> teams(SimulationHost s) {
     List<Team> all = new ArrayList<>();
     for (int i = 0; i < s.game().teams().size(); i++) {
       all.add(new Team(s.game().teams().get(i), s.game().teamRgb(i + 1)));
@@ -191,7 +191,7 @@ final class ThinMatches {
     return all;
   }
 
-  private static List<Kind> messages(Simulation s) {
+  private static List<Kind> messages(SimulationHost s) {
     List<Kind> all = new ArrayList<>();
     for (MessageKind kind : s.messageKinds().own()) {
       String from =

@@ -11,8 +11,8 @@ import carom.server.metrics.Counters;
 import carom.server.thin.ThinLink;
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinSnapshot;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 import java.util.List;
@@ -53,7 +53,7 @@ final class ThinSender {
   private static final int BURST_PER_SECOND = 2;
 
   private final FrameRing frames;
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final ThinLink link;
   private final Supplier<ServerConfig> config;
   private final Counters counters;
@@ -95,7 +95,7 @@ final class ThinSender {
    */
   ThinSender(
       FrameCapture capture,
-      Player player,
+      HostPlayer player,
       ThinLink link,
       int epoch,
       Supplier<ServerConfig> config,

@@ -10,7 +10,7 @@ import carom.server.room.match.RoomContext;
 import carom.server.session.Admission;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Message;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -122,7 +122,7 @@ final class Arrivals {
     Session session = sessions.onSeat(id);
     boolean resumed = session != null;
     if (session == null) {
-      Player player = room.simulation().join(id, a.seat().name());
+      HostPlayer player = room.simulation().join(id, a.seat().name());
       session =
           new Session(
               a.seat(),

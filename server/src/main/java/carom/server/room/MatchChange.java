@@ -18,8 +18,8 @@ import carom.server.room.match.RoomContext;
 import carom.server.session.RosterNews;
 import carom.server.session.Session;
 import carom.server.threads.LoaderThread;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.match.NextMatch;
 import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
@@ -325,7 +325,7 @@ final class MatchChange implements RoomCourse {
    * @param wanted says what players bring with them
    */
   void begin(Match next, NextMatch wanted, long nowNs) {
-    Simulation simulation = next.simulation();
+    SimulationHost simulation = next.simulation();
     boolean brings =
         (wanted.keepsTeams() || wanted.keepsScores()) && !simulation.game().keepsMore();
     boolean begun = simulation.tick() > 0;
@@ -340,12 +340,12 @@ final class MatchChange implements RoomCourse {
     }
     for (int id = 0; id < ProtocolLimits.MAX_PLAYERS; id++) {
       Session session = sessions.onSeat(id);
-      Player saved = simulation.participant(id);
+      HostPlayer saved = simulation.participant(id);
       if (saved != null && (session == null || !saved.name().equals(session.player().name()))) {
         simulation.leave(saved);
       }
       if (session != null) {
-        Player player = enter(simulation, session.player(), wanted, brings);
+        HostPlayer player = enter(simulation, session.player(), wanted, brings);
         session.enter(player, next.replicationTo(player), next.messagesOf(player));
       }
     }
@@ -373,8 +373,8 @@ final class MatchChange implements RoomCourse {
   }
 
   /** Lets a participant into the next match; spectators go on watching. */
-  private static Player enter(Simulation next, Player before, NextMatch wanted, boolean brings) {
-    Player saved = next.participant(before.id());
+  private static HostPlayer enter(SimulationHost next, HostPlayer before, NextMatch wanted, boolean brings) {
+    HostPlayer saved = next.participant(before.id());
     if (saved != null) {
       return saved;
     }

@@ -12,7 +12,7 @@ import carom.server.room.match.RoomContext;
 import carom.server.session.Moderator;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.field.FieldHolder;
 import carom.sim.match.NextMatch;
 import carom.sim.message.BuiltInKinds;
@@ -387,7 +387,7 @@ public final class OperatorCommands {
   }
 
   private FieldHolder<?, ?> find(String of) {
-    Simulation s = room.simulation();
+    SimulationHost s = room.simulation();
     if (of.startsWith(PLAYER)) {
       return s.player(Integer.parseInt(of, PLAYER.length(), of.length(), 10));
     }

@@ -26,8 +26,8 @@ import carom.server.session.SeatRequests;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.server.threads.LoaderThread;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -472,7 +472,7 @@ public final class Room {
   }
 
   /** Returns the world and the players of the present match, for reading. */
-  public Simulation simulation() {
+  public SimulationHost simulation() {
     return context.simulation();
   }
 
@@ -483,11 +483,11 @@ public final class Room {
 
   /**
    * Questions about the world as a session's client shows it: casts, overlaps, nearest points; see
-   * {@link Simulation#asSeenBy}. On the room's thread.
+   * {@link SimulationHost#asSeenBy}. On the room's thread.
    *
    * @throws IllegalStateException when the game doesn't look back
    */
-  public Queries<Entity> asSeenBy(Session session) {
+  public Queries<HostEntity> asSeenBy(Session session) {
     return simulation().asSeenBy(session.player());
   }
 

@@ -10,7 +10,7 @@ import carom.server.recording.RecordingFile;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.server.room.match.RoomContext;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.sim.message.BuiltInKinds;
@@ -80,7 +80,7 @@ public final class RoomRecording {
    * @param newSink takes the blocks, on the room's thread; stays the caller's to close
    */
   public void begin(BlockSink newSink) {
-    Simulation simulation = room.simulation();
+    SimulationHost simulation = room.simulation();
     long seed = room.match().info().seed();
     Recorder before = recorder;
     recorder =
@@ -117,7 +117,7 @@ public final class RoomRecording {
   }
 
   private boolean isOver() {
-    Simulation simulation = room.simulation();
+    SimulationHost simulation = room.simulation();
     return simulation.game().clock() != null && MatchClock.phase(simulation) == MatchPhase.OVER;
   }
 
@@ -247,7 +247,7 @@ public final class RoomRecording {
       toldLeftOut = true;
       LOG.warn("{}the recording leaves whole states out: {}", room.label(), recorder.leftOut());
     }
-    Simulation simulation = room.simulation();
+    SimulationHost simulation = room.simulation();
     double seconds = (simulation.tick() - begunAt) / (double) simulation.tickRate();
     if (rotation != null && rotation.isFull(seconds)) {
       recorder.end("ROTATED");

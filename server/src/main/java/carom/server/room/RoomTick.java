@@ -9,7 +9,7 @@ import carom.server.metrics.TurnStage;
 import carom.server.room.match.Match;
 import carom.server.room.match.RoomContext;
 import carom.server.session.Session;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.match.MatchClock;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -24,7 +24,7 @@ import org.slf4j.LoggerFactory;
  *   Departures          sessions end, or begin their grace period
  *   RoomMoves           players see the other rooms, and go there
  *   Session             one input per player
- *   Simulation.step
+ *   SimulationHost.step
  *   FrameCapture        the frame state, quantised once for all sessions
  *   SnapshotRound       each session's snapshot
  *   MessageDelivery     messages of the game, which Session collected before the step
@@ -71,7 +71,7 @@ final class RoomTick {
 
   /** Lets other threads see the tick and phase of the present match. */
   void show() {
-    Simulation simulation = context.simulation();
+    SimulationHost simulation = context.simulation();
     tick = simulation.tick();
     phase = simulation.game().clock() == null ? "" : MatchClock.phase(simulation).text();
   }
@@ -121,7 +121,7 @@ final class RoomTick {
     parts.departures.serve(nowNs);
     parts.moves.serve(nowNs);
     Match match = context.match();
-    Simulation simulation = match.simulation();
+    SimulationHost simulation = match.simulation();
     takeInputs(simulation.tick() + 1);
     stages.end(TurnStage.INPUTS);
     boolean stepped = step(simulation);
@@ -161,7 +161,7 @@ final class RoomTick {
   }
 
   /** Returns false when the step itself threw; the callbacks of the game can't. */
-  private boolean step(Simulation simulation) {
+  private boolean step(SimulationHost simulation) {
     try {
       simulation.step();
       return true;

@@ -1,7 +1,7 @@
 package carom.server.session;
 
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.message.PlayerRole;
 
 /**
@@ -30,12 +30,12 @@ public final class Moderator {
    *
    * @param sessions by seat, null where there is none
    */
-  public static String spectate(Simulation s, Session[] sessions, String name) {
+  public static String spectate(SimulationHost s, Session[] sessions, String name) {
     Session session = named(sessions, name);
     if (session == null) {
       return nobody(name);
     }
-    Player player = session.player();
+    HostPlayer player = session.player();
     if (player.isSpectator()) {
       return player.name() + " watches already";
     }

@@ -5,7 +5,7 @@ import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Broadcast;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -121,7 +121,7 @@ public final class RosterNews {
     if (session == null || entry == null) {
       return session == null && entry == null;
     }
-    Player p = session.player();
+    HostPlayer p = session.player();
     return entry.score() == p.score()
         && entry.team() == p.team()
         && entry.spectator() == p.isSpectator()
@@ -159,7 +159,7 @@ public final class RosterNews {
   }
 
   private static RosterEntry entry(Session session, int pingMs) {
-    Player p = session.player();
+    HostPlayer p = session.player();
     return new RosterEntry(
         p.id(),
         session.seat().name(),

@@ -14,7 +14,7 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.replication.SessionReplication;
 import carom.server.thin.ThinLink;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -51,7 +51,7 @@ public final class Session implements LinkHandler {
   private static final long NS_PER_MS = 1_000_000;
 
   private final Seats.Seat seat;
-  private Player player;
+  private HostPlayer player;
   private final ServerConfig config;
   private final Counters counters;
   private SessionReplication replication;
@@ -82,7 +82,7 @@ public final class Session implements LinkHandler {
    */
   public Session(
       Seats.Seat seat,
-      Player player,
+      HostPlayer player,
       ServerConfig config,
       SessionReplication replication,
       SessionMessages messages,
@@ -137,7 +137,7 @@ public final class Session implements LinkHandler {
    * @param newMessages of the match's game; those of the last one that wait are forgotten
    */
   public void enter(
-      Player newPlayer, SessionReplication newReplication, SessionMessages newMessages) {
+      HostPlayer newPlayer, SessionReplication newReplication, SessionMessages newMessages) {
     replication.end();
     messages = newMessages;
     player = newPlayer;
@@ -393,7 +393,7 @@ public final class Session implements LinkHandler {
   }
 
   /** Returns the player in the room's simulation. */
-  public Player player() {
+  public HostPlayer player() {
     return player;
   }
 

@@ -9,7 +9,7 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.replication.SessionReplication;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 
 /**
  * The way of one player's inputs from datagrams to ticks, and the feedback on it that snapshots
@@ -101,7 +101,7 @@ final class SessionInputs {
   }
 
   /** Sets a player's input for a tick, which must be the one after the last consumed. */
-  void consume(int tick, Player player) {
+  void consume(int tick, HostPlayer player) {
     long input = buffer.consume(tick);
     idleTicks++;
     if (!buffer.lastWasMissing() && input != lastInput) {
@@ -118,7 +118,7 @@ final class SessionInputs {
   }
 
   /** Sets the input of a thin client's player, for which the newest counts, whenever it came. */
-  void consumeNewest(long input, Player player) {
+  void consumeNewest(long input, HostPlayer player) {
     idleTicks++;
     if (input != lastInput) {
       lastInput = input;

@@ -7,8 +7,8 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
@@ -26,8 +26,8 @@ public final class SessionMessages {
   /** Most messages of a client that wait for their turn. */
   private static final int MAX_WAITING = 128;
 
-  private final Simulation simulation;
-  private final Player player;
+  private final SimulationHost simulation;
+  private final HostPlayer player;
   private final Counters counters;
   private final MessageRates rates;
   private final MessageStream stream = new MessageStream();
@@ -36,7 +36,7 @@ public final class SessionMessages {
   private final ArrayDeque<Message> waiting = new ArrayDeque<>();
 
   /** Creates the messages of a new session. */
-  public SessionMessages(Simulation simulation, Player player, Counters counters) {
+  public SessionMessages(SimulationHost simulation, HostPlayer player, Counters counters) {
     this.simulation = simulation;
     this.player = player;
     this.counters = counters;

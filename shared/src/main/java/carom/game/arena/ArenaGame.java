@@ -15,10 +15,10 @@ import carom.physics.WorldDef;
 import carom.physics.math.Trig;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
@@ -143,7 +143,7 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     pitch = new Pitch(s);
     discs = new Discs(pitch);
     goals = new Goals(pitch, discs);
@@ -170,19 +170,19 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     p.team(s.teamSize(1) <= s.teamSize(2) ? 1 : 2);
     discs.give(s, p);
   }
 
   @Override
-  public void teamChanged(Simulation s, Player p) {
+  public void teamChanged(SimulationHost s, HostPlayer p) {
     discs.changeTeam(s, p);
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
-    Body<Entity> body = p.body().body();
+  public void input(SimulationHost s, HostPlayer p, Input in) {
+    Body<HostEntity> body = p.body().body();
     float x = in.moveX();
     float y = in.moveY();
     float length = (float) Math.sqrt(x * x + y * y);
@@ -219,7 +219,7 @@ public final class ArenaGame implements Game {
   }
 
   /** Turns a disc towards its movement. This is for the eye only: discs don't roll. */
-  private static void face(Body<Entity> body, float x, float y, float length) {
+  private static void face(Body<HostEntity> body, float x, float y, float length) {
     if (length < 0.1f) {
       body.setAngularVelocity(0);
       return;
@@ -231,9 +231,9 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public void hit(Simulation s, Collision<Entity> c) {
-    Entity a = c.self().user();
-    Entity b = c.other().user();
+  public void hit(SimulationHost s, Collision<HostEntity> c) {
+    HostEntity a = c.self().user();
+    HostEntity b = c.other().user();
     if (c.hitSpeed() < MIN_HIT_SPEED || !(isHeard(a) || isHeard(b))) {
       return;
     }
@@ -244,31 +244,31 @@ public final class ArenaGame implements Game {
    * Returns whether hits of an entity emit events: those of balls and discs do, those among crates
    * don't.
    */
-  private boolean isHeard(Entity e) {
-    return e.archetype() == pitch.ball || e.ownerId() != Entity.NO_OWNER;
+  private boolean isHeard(HostEntity e) {
+    return e.archetype() == pitch.ball || e.ownerId() != HostEntity.NO_OWNER;
   }
 
   @Override
-  public Audience audience(Simulation s, Entity e) {
+  public Audience audience(SimulationHost s, HostEntity e) {
     return e.archetype() == pitch.ball ? Audience.ALL : Audience.NEAR; // all know where to run
   }
 
   @Override
-  public void beforeStep(Simulation s) {
+  public void beforeStep(SimulationHost s) {
     if (!isOver(s)) {
       balls.kickOffMissing(s);
     }
   }
 
   /** Returns whether a match is over and the next one hasn't begun. */
-  static boolean isOver(Simulation s) {
+  static boolean isOver(SimulationHost s) {
     return MatchClock.phase(s) == MatchPhase.OVER;
   }
 
   @Override
-  public void afterStep(Simulation s) {
+  public void afterStep(SimulationHost s) {
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p != null && p.body() != null && p.get(JOLTS)) {
         jolts.give(s, p);
       }
@@ -284,7 +284,7 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public void phase(Simulation s, MatchPhase now) {
+  public void phase(SimulationHost s, MatchPhase now) {
     if (now == MatchPhase.PLAYING) {
       goals.clear(s);
       Balls.removeAll(s);

@@ -11,9 +11,9 @@ import static carom.game.arena.ArenaFields.UNTIL_STUCK;
 
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 
 /** The balls: when each is kicked off, who touched it last, and when it leaves the pitch. */
@@ -28,20 +28,20 @@ final class Balls {
   private static final float STUCK_SECONDS = 4;
   private static final float STUCK_RADIUS = 1.5f;
 
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final Pitch pitch;
   private final Goals goals;
-  private final BodyContactVisitor<Entity> touch = this::touched;
-  private Player lastTouch;
+  private final BodyContactVisitor<HostEntity> touch = this::touched;
+  private HostPlayer lastTouch;
 
-  Balls(Simulation simulation, Pitch pitch, Goals goals) {
+  Balls(SimulationHost simulation, Pitch pitch, Goals goals) {
     this.simulation = simulation;
     this.pitch = pitch;
     this.goals = goals;
   }
 
   /** Kicks off each ball that is missing and whose time has come. */
-  void kickOffMissing(Simulation s) {
+  void kickOffMissing(SimulationHost s) {
     int wanted = Math.min(MAX_BALLS, 1 + s.playerCount() / ArenaGame.PLAYERS_PER_BALL);
     for (int i = 0; i < wanted; i++) {
       if (s.get(BALL, i) == null && s.get(BALL_WAIT, i) == 0) {
@@ -51,7 +51,7 @@ final class Balls {
   }
 
   /** Follows each ball: touches, speed, goals, and balls that are stuck or lost. */
-  void follow(Simulation s) {
+  void follow(SimulationHost s) {
     for (int i = 0; i < MAX_BALLS; i++) {
       if (s.get(BALL, i) != null) {
         follow(s, i, s.get(BALL, i));
@@ -60,14 +60,14 @@ final class Balls {
   }
 
   /** Lets every ball be kicked off in the next tick. */
-  static void clearWaits(Simulation s) {
+  static void clearWaits(SimulationHost s) {
     for (int i = 0; i < MAX_BALLS; i++) {
       s.set(BALL_WAIT, i, 0);
     }
   }
 
-  private void follow(Simulation s, int i, Entity e) {
-    Body<Entity> body = e.body();
+  private void follow(SimulationHost s, int i, HostEntity e) {
+    Body<HostEntity> body = e.body();
     lastTouch = null;
     body.forEachContact(touch);
     if (lastTouch != null && lastTouch != e.get(TOUCHED)) {
@@ -92,8 +92,8 @@ final class Balls {
   }
 
   /** Returns whether a ball has stayed around one place for long since it was first played. */
-  private boolean isStuck(Simulation s, int i, Entity e) {
-    Body<Entity> body = e.body();
+  private boolean isStuck(SimulationHost s, int i, HostEntity e) {
+    Body<HostEntity> body = e.body();
     Level.Spawn spot = pitch.kickOffs.get(i % pitch.kickOffs.size());
     float dx = body.x() - e.get(PLACE_X);
     float dy = body.y() - e.get(PLACE_Y);
@@ -107,15 +107,15 @@ final class Balls {
     return e.get(UNTIL_STUCK) == 0;
   }
 
-  private void touched(Body<Entity> other, float normalX, float normalY, float impulse) {
-    Player owner = simulation.owner(other.user());
+  private void touched(Body<HostEntity> other, float normalX, float normalY, float impulse) {
+    HostPlayer owner = simulation.owner(other.user());
     if (owner != null) {
       lastTouch = owner;
     }
   }
 
   /** Takes all balls off the pitch. */
-  static void removeAll(Simulation s) {
+  static void removeAll(SimulationHost s) {
     for (int i = 0; i < MAX_BALLS; i++) {
       if (s.get(BALL, i) != null) {
         remove(s, i, s.get(BALL, i));
@@ -123,14 +123,14 @@ final class Balls {
     }
   }
 
-  private void kickOff(Simulation s, int i) {
+  private void kickOff(SimulationHost s, int i) {
     Level.Spawn spot = pitch.kickOffs.get(i % pitch.kickOffs.size());
-    Entity e = s.spawn(pitch.ball, spot.x(), spot.y(), 0, null);
+    HostEntity e = s.spawn(pitch.ball, spot.x(), spot.y(), 0, null);
     e.set(UNTIL_STUCK, s.ticks(STUCK_SECONDS));
     s.set(BALL, i, e);
   }
 
-  private static void remove(Simulation s, int i, Entity e) {
+  private static void remove(SimulationHost s, int i, HostEntity e) {
     s.despawn(e);
     s.set(BALL_WAIT, i, s.ticks(KICK_OFF_SECONDS));
   }

@@ -2,9 +2,9 @@ package carom.game.arena;
 
 import carom.physics.Body;
 import carom.physics.BodyType;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 
 /** The players' discs and teams: where discs appear, and what brings them and crates back. */
@@ -19,7 +19,7 @@ final class Discs {
   }
 
   /** Gives a player the disc of its new team, and tells all players. */
-  void changeTeam(Simulation s, Player p) {
+  void changeTeam(SimulationHost s, HostPlayer p) {
     give(s, p);
     s.notice(p.name() + " now plays for " + Pitch.TEAM_NAMES[p.team()]);
   }
@@ -28,10 +28,10 @@ final class Discs {
    * Moves the newest players of the larger team to the other one, until the sizes differ by one at
    * most.
    */
-  void balance(Simulation s) {
+  void balance(SimulationHost s) {
     for (int id = s.playerCapacity() - 1; id >= 0; id--) {
       int more = s.teamSize(1) - s.teamSize(2);
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p != null && ((more > 1 && p.team() == 1) || (more < -1 && p.team() == 2))) {
         p.team(Pitch.TEAMS + 1 - p.team());
         changeTeam(s, p);
@@ -40,27 +40,27 @@ final class Discs {
   }
 
   /** Brings back players and crates that left the field, and crates that block a goal. */
-  void bringBack(Simulation s) {
+  void bringBack(SimulationHost s) {
     Level.Bounds bounds = s.level().bounds();
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p != null && p.body() != null) {
-        Body<Entity> body = p.body().body();
+        Body<HostEntity> body = p.body().body();
         if (!bounds.contains(body.x(), body.y())) {
           give(s, p);
         }
       }
     }
     for (int id = 0; id < s.level().bodies().size(); id++) {
-      Body<Entity> body = s.entity(id).body();
+      Body<HostEntity> body = s.entity(id).body();
       if (!bounds.contains(body.x(), body.y()) || pitch.isInGoal(body.x(), body.y())) {
         sendHome(s, id);
       }
     }
   }
 
-  private static void sendHome(Simulation s, int id) {
-    Body<Entity> body = s.entity(id).body();
+  private static void sendHome(SimulationHost s, int id) {
+    Body<HostEntity> body = s.entity(id).body();
     if (body.type() == BodyType.DYNAMIC) {
       Level.Placement p = s.level().bodies().get(id);
       s.entity(id).teleport(p.x(), p.y(), p.angle());
@@ -70,7 +70,7 @@ final class Discs {
   }
 
   /** Gives a player a new body at a free place of the team's home. */
-  void give(Simulation s, Player p) {
+  void give(SimulationHost s, HostPlayer p) {
     if (p.body() != null) {
       s.despawn(p.body());
     }
@@ -94,10 +94,10 @@ final class Discs {
     s.spawn(pitch.discs[p.team()], x, y, p.team() == 1 ? 0 : (float) Math.PI, p);
   }
 
-  private static boolean isFree(Simulation s, float x, float y) {
+  private static boolean isFree(SimulationHost s, float x, float y) {
     float distance = RADIUS + 0.7f;
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null && !e.archetype().sensor()) {
         float dx = e.body().x() - x;
         float dy = e.body().y() - y;

@@ -6,9 +6,9 @@ import static carom.game.arena.ArenaFields.TOUCHED;
 import static carom.game.arena.ArenaFields.TOUCHED_BEFORE;
 import static carom.sim.event.Audience.ALL;
 
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.match.MatchClock;
@@ -24,12 +24,12 @@ final class Goals {
   }
 
   /** Counts a goal for a team and for the scorer, and tells all players. */
-  void count(Simulation s, Entity ball, int team) {
+  void count(SimulationHost s, HostEntity ball, int team) {
     s.add(GOALS, team, 1);
-    Player last = ball.get(TOUCHED);
-    Player before = ball.get(TOUCHED_BEFORE);
+    HostPlayer last = ball.get(TOUCHED);
+    HostPlayer before = ball.get(TOUCHED_BEFORE);
     String by = "";
-    Player scorer = last;
+    HostPlayer scorer = last;
     if (last != null && last.team() == team) {
       last.score(last.score() + 1);
       by = ": " + last.name();
@@ -46,7 +46,7 @@ final class Goals {
   }
 
   /** Goes on after a goal: lamps, and the end of the match, or teams of equal size. */
-  void settle(Simulation s, int team) {
+  void settle(SimulationHost s, int team) {
     setLamps(s);
     if (s.get(GOALS, team) < ArenaGame.GOALS_TO_WIN) {
       discs.balance(s);
@@ -58,7 +58,7 @@ final class Goals {
   }
 
   /** Sets all scores and goals to 0. */
-  void clear(Simulation s) {
+  void clear(SimulationHost s) {
     for (int team = 1; team <= Pitch.TEAMS; team++) {
       s.set(GOALS, team, 0);
     }
@@ -71,7 +71,7 @@ final class Goals {
   }
 
   /** Names the winner of a match that is over. */
-  void decide(Simulation s) {
+  void decide(SimulationHost s) {
     int red = s.get(GOALS, 1);
     int blue = s.get(GOALS, 2);
     int winner = red == blue ? 0 : red > blue ? 1 : 2;
@@ -81,13 +81,13 @@ final class Goals {
   }
 
   /** Places one lamp for each goal that wins, and lights one for each goal scored. */
-  void setLamps(Simulation s) {
+  void setLamps(SimulationHost s) {
     for (Level.Zone zone : s.level().zones("lamps")) {
       int team = zone.team();
       for (int i = 0; i < ArenaGame.GOALS_TO_WIN && team >= 1 && team <= Pitch.TEAMS; i++) {
         Archetype kind = pitch.lamps[s.get(GOALS, team) > i ? team : 0];
         int slot = (team - 1) * ArenaGame.GOALS_TO_WIN + i;
-        Entity lamp = s.get(LAMP, slot);
+        HostEntity lamp = s.get(LAMP, slot);
         if (lamp != null && lamp.archetype() != kind) {
           s.despawn(lamp);
           lamp = null;

@@ -3,7 +3,7 @@ package carom.game.arena;
 import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.level.Appearance;
@@ -48,7 +48,7 @@ final class Pitch {
   final List<Level.Spawn> kickOffs;
 
   /** Declares the kinds, and finds the zones of the level. */
-  Pitch(Simulation s) {
+  Pitch(SimulationHost s) {
     Material skin = new Material(1, 0.3f, 0.4f);
     for (int team = 1; team <= TEAMS; team++) {
       discs[team] =
@@ -105,7 +105,7 @@ final class Pitch {
     require(s, homes[1] != null && homes[2] != null, "zones named \"home\" of teams 1 and 2");
   }
 
-  private static void require(Simulation s, boolean met, String what) {
+  private static void require(SimulationHost s, boolean met, String what) {
     if (!met) {
       throw new IllegalArgumentException(
           "level \"" + s.level().name() + "\" can't be played as arena: it needs " + what);

@@ -5,8 +5,8 @@ import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.level.Appearance;
@@ -47,7 +47,7 @@ final class Course {
    *
    * @throws IllegalArgumentException if the level lacks a place, or has too many coins
    */
-  Course(Simulation s) {
+  Course(SimulationHost s) {
     // No friction: walls must not hold a jumper, and steering brakes better than friction.
     Material skin = new Material(1.2f, 0, 0);
     for (int i = 0; i < COLORS.length; i++) {
@@ -154,7 +154,7 @@ final class Course {
    * Returns whether a body has left the bounds for good: to a side, or downwards. What leaves by
    * the upper edge comes back by gravity.
    */
-  boolean isLost(Body<Entity> body) {
+  boolean isLost(Body<HostEntity> body) {
     return body.x() < bounds.minX() || body.x() > bounds.maxX() || body.y() < bounds.minY();
   }
 }

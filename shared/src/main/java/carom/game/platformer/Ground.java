@@ -2,7 +2,7 @@ package carom.game.platformer;
 
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 
 /** The body that a player stands on; of several, the one that bears most. Scratch, no state. */
 final class Ground {
@@ -13,14 +13,14 @@ final class Ground {
    */
   private static final float MAX_NORMAL = -0.6f;
 
-  private final BodyContactVisitor<Entity> visitor = this::visit;
+  private final BodyContactVisitor<HostEntity> visitor = this::visit;
   private float impulse;
   private float velocityX;
   private float velocityY;
   private boolean oneWay;
 
   /** Looks below a body. */
-  void find(Body<Entity> body) {
+  void find(Body<HostEntity> body) {
     impulse = 0;
     velocityX = 0;
     velocityY = 0;
@@ -28,7 +28,7 @@ final class Ground {
     body.forEachContact(visitor);
   }
 
-  private void visit(Body<Entity> other, float normalX, float normalY, float pressure) {
+  private void visit(Body<HostEntity> other, float normalX, float normalY, float pressure) {
     if (normalY < MAX_NORMAL && pressure > impulse) {
       impulse = pressure;
       velocityX = other.velocityX();

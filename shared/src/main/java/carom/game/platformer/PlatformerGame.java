@@ -4,10 +4,10 @@ import carom.physics.Collision;
 import carom.physics.WorldDef;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
 import carom.sim.match.MatchClock;
@@ -111,7 +111,7 @@ public final class PlatformerGame implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     course = new Course(s);
     runners = new Runners(course);
     treasure = new Treasure(course);
@@ -122,32 +122,32 @@ public final class PlatformerGame implements Game {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     respawns.join(s, p);
   }
 
   @Override
-  public void beforeStep(Simulation s) {
+  public void beforeStep(SimulationHost s) {
     treasure.bringBack(s);
     respawns.bringBack(s);
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
+  public void input(SimulationHost s, HostPlayer p, Input in) {
     runners.move(s, p, in);
   }
 
   @Override
-  public boolean collision(Simulation s, Collision<Entity> c) {
-    Entity self = c.self().user();
-    Entity other = c.other().user();
+  public boolean collision(SimulationHost s, Collision<HostEntity> c) {
+    HostEntity self = c.self().user();
+    HostEntity other = c.other().user();
     boolean drops = runners.drops(s, self, other) || runners.drops(s, other, self);
     return !drops && ONE_WAY.preSolve(c);
   }
 
   @Override
-  public void entered(Simulation s, Entity sensor, Entity visitor) {
-    Player p = s.owner(visitor);
+  public void entered(SimulationHost s, HostEntity sensor, HostEntity visitor) {
+    HostPlayer p = s.owner(visitor);
     if (p == null || p.body() != visitor || !MatchClock.isPlaying(s)) {
       return;
     }
@@ -158,15 +158,15 @@ public final class PlatformerGame implements Game {
   }
 
   @Override
-  public void afterStep(Simulation s) {
+  public void afterStep(SimulationHost s) {
     respawns.loseFallen(s);
     respawns.returnCrates(s);
   }
 
   @Override
-  public void phase(Simulation s, MatchPhase now) {
+  public void phase(SimulationHost s, MatchPhase now) {
     if (now == MatchPhase.OVER) {
-      Player best = s.leader();
+      HostPlayer best = s.leader();
       CLOCK.decide(s, best, 0);
       s.notice(best == null ? "A draw!" : best.name() + " wins with " + best.score() + " points!");
     }

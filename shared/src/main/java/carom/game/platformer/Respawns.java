@@ -5,9 +5,9 @@ import static carom.game.platformer.PlatformerFields.RESPAWN_PLACE;
 
 import carom.physics.Body;
 import carom.physics.BodyType;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 
 /** Players who join, fall and come back, and crates that fall; the server's. */
@@ -21,14 +21,14 @@ final class Respawns {
   }
 
   /** Gives a player who joins a body. */
-  void join(Simulation s, Player p) {
+  void join(SimulationHost s, HostPlayer p) {
     giveBody(s, p, p.id() % course.places.size());
   }
 
   /** Gives players who have waited long enough a body. */
-  void bringBack(Simulation s) {
+  void bringBack(SimulationHost s) {
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p != null && p.body() == null && p.get(RESPAWN) == 0) {
         giveBody(s, p, p.get(RESPAWN_PLACE));
       }
@@ -36,13 +36,13 @@ final class Respawns {
   }
 
   /** Takes players who have fallen out of the game for a while. */
-  void loseFallen(Simulation s) {
+  void loseFallen(SimulationHost s) {
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p == null || p.body() == null || !course.isLost(p.body().body())) {
         continue;
       }
-      Body<Entity> body = p.body().body();
+      Body<HostEntity> body = p.body().body();
       int place = course.nearestPlace(body.x(), body.y());
       s.emit(course.fallEvent).at(body.x(), body.y()).by(p);
       s.despawn(p.body());
@@ -52,9 +52,9 @@ final class Respawns {
   }
 
   /** Puts bodies of the level that have fallen out back home. */
-  void returnCrates(Simulation s) {
+  void returnCrates(SimulationHost s) {
     for (int id = 0; id < s.level().bodies().size(); id++) {
-      Body<Entity> body = s.entity(id).body();
+      Body<HostEntity> body = s.entity(id).body();
       if (body.type() == BodyType.DYNAMIC && course.isLost(body)) {
         Level.Placement home = s.level().bodies().get(id);
         s.entity(id).teleport(home.x(), home.y(), home.angle());
@@ -65,7 +65,7 @@ final class Respawns {
   }
 
   /** Gives a player a body at a spawn, above any player who stands there already. */
-  private void giveBody(Simulation s, Player p, int place) {
+  private void giveBody(SimulationHost s, HostPlayer p, int place) {
     Level.Spawn spot = course.places.get(place);
     p.resetFields();
     float y = spot.y();
@@ -75,9 +75,9 @@ final class Respawns {
     s.spawn(course.player(p.id()), spot.x(), y, 0, p);
   }
 
-  private static boolean isFree(Simulation s, float x, float y) {
+  private static boolean isFree(SimulationHost s, float x, float y) {
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p != null
           && p.body() != null
           && Math.abs(p.body().body().x() - x) < PlatformerGame.PLAYER_WIDTH

@@ -7,10 +7,10 @@ import static carom.game.platformer.PlatformerFields.JUMP_HELD;
 import static carom.game.platformer.PlatformerFields.WANTS_JUMP;
 
 import carom.physics.Body;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 
 /** Running, jumping and dropping through platforms; both roles. */
 final class Runners {
@@ -33,8 +33,8 @@ final class Runners {
   }
 
   /** Moves a player as it commands. */
-  void move(Simulation s, Player p, Input in) {
-    Body<Entity> body = p.body().body();
+  void move(SimulationHost s, HostPlayer p, Input in) {
+    Body<HostEntity> body = p.body().body();
     ground.find(body);
     boolean rises = p.get(JUMPING) && body.velocityY() > ground.velocityY();
     boolean grounded = ground.bears() && !rises;
@@ -42,7 +42,7 @@ final class Runners {
     run(body, in, grounded);
   }
 
-  private void jump(Simulation s, Player p, Input in, boolean grounded, boolean rises) {
+  private void jump(SimulationHost s, HostPlayer p, Input in, boolean grounded, boolean rises) {
     boolean held = in.held(Input.JUMP);
     boolean jumping = rises;
     if (grounded) {
@@ -58,7 +58,7 @@ final class Runners {
       p.set(DROPS, s.ticks(DROP_SECONDS));
       p.set(CAN_JUMP, 0);
     }
-    Body<Entity> body = p.body().body();
+    Body<HostEntity> body = p.body().body();
     if (p.get(WANTS_JUMP) > 0 && p.get(CAN_JUMP) > 0) {
       p.set(WANTS_JUMP, 0);
       p.set(CAN_JUMP, 0);
@@ -74,7 +74,7 @@ final class Runners {
     p.set(JUMP_HELD, held);
   }
 
-  private void run(Body<Entity> body, Input in, boolean grounded) {
+  private void run(Body<HostEntity> body, Input in, boolean grounded) {
     float steer = grounded ? GROUND_STEER : in.moveX() == 0 ? AIR_DRAG : AIR_STEER;
     float goal = in.moveX() * PlatformerGame.SPEED + ground.velocityX();
     body.applyForce(steer * body.mass() * (goal - body.velocityX()), 0);
@@ -84,11 +84,11 @@ final class Runners {
   }
 
   /** Returns whether an entity is a player that drops through a one-way platform now. */
-  boolean drops(Simulation s, Entity rider, Entity platform) {
+  boolean drops(SimulationHost s, HostEntity rider, HostEntity platform) {
     if (!platform.archetype().oneWay()) {
       return false;
     }
-    Player p = s.owner(rider);
+    HostPlayer p = s.owner(rider);
     return p != null && p.body() == rider && p.get(DROPS) > 0;
   }
 }

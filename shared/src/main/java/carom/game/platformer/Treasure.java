@@ -7,9 +7,9 @@ import static carom.game.platformer.PlatformerFields.FLAG_PLACE;
 import static carom.game.platformer.PlatformerFields.FLAG_WAIT;
 import static carom.sim.event.Audience.ALL;
 
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 
 /** Coins and the flag: where they are, who gets them, when they come back; the server's. */
@@ -24,7 +24,7 @@ final class Treasure {
   }
 
   /** Puts everything there at the start of a match. */
-  void begin(Simulation s) {
+  void begin(SimulationHost s) {
     for (int i = 0; i < course.coins.size(); i++) {
       placeCoin(s, i);
     }
@@ -32,7 +32,7 @@ final class Treasure {
   }
 
   /** Brings back what was collected long enough ago. */
-  void bringBack(Simulation s) {
+  void bringBack(SimulationHost s) {
     for (int i = 0; i < course.coins.size(); i++) {
       if (s.get(COIN, i) == null && s.get(COIN_WAIT, i) == 0) {
         placeCoin(s, i);
@@ -44,7 +44,7 @@ final class Treasure {
   }
 
   /** Gives a player what it has touched; returns its points, 0 if that is worth nothing. */
-  int collect(Simulation s, Player p, Entity touched) {
+  int collect(SimulationHost s, HostPlayer p, HostEntity touched) {
     float x = touched.body().x();
     float y = touched.body().y();
     if (touched.archetype() == course.coin) {
@@ -64,7 +64,7 @@ final class Treasure {
     return 0;
   }
 
-  private static int placeOf(Simulation s, Entity coin) {
+  private static int placeOf(SimulationHost s, HostEntity coin) {
     int place = 0;
     while (s.get(COIN, place) != coin) {
       place++;
@@ -72,13 +72,13 @@ final class Treasure {
     return place;
   }
 
-  private void placeCoin(Simulation s, int i) {
+  private void placeCoin(SimulationHost s, int i) {
     Level.Spawn spot = course.coins.get(i);
     s.set(COIN, i, s.spawn(course.coin, spot.x(), spot.y(), 0, null));
   }
 
   /** Puts the flag at another place than last time. */
-  private void placeFlag(Simulation s) {
+  private void placeFlag(SimulationHost s) {
     int places = course.flags.size();
     if (places > 1) {
       int further = 1 + s.random().nextInt(places - 1);

@@ -13,10 +13,10 @@ import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.field.Cooldown;
@@ -86,15 +86,15 @@ public final class RocketGame implements Game {
 
   private final String name;
   private final float reloadSeconds;
-  private final BodyContactVisitor<Entity> touch = this::touch;
-  private final BodyVisitor<Entity> push = this::push;
+  private final BodyContactVisitor<HostEntity> touch = this::touch;
+  private final BodyVisitor<HostEntity> push = this::push;
   private Archetype player;
   private Archetype rocket;
   private EventKind shot;
   private EventKind boom;
   private int ownerOfTouching;
   private boolean touches;
-  private Body<Entity> blast;
+  private Body<HostEntity> blast;
 
   /** Creates the game, for the service loader. */
   public RocketGame() {
@@ -143,7 +143,7 @@ public final class RocketGame implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     player =
         s.archetypes()
             .add(
@@ -167,7 +167,7 @@ public final class RocketGame implements Game {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     p.set(HEALTH, HEALTH.max());
@@ -175,11 +175,11 @@ public final class RocketGame implements Game {
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
-    Body<Entity> body = p.body().body();
+  public void input(SimulationHost s, HostPlayer p, Input in) {
+    Body<HostEntity> body = p.body().body();
     body.seekVelocity(in.moveX() * SPEED, in.moveY() * SPEED, STEER * body.mass());
     for (int i = p.spawnedCount() - 1; i >= 0; i--) {
-      Entity fired = p.spawned(i);
+      HostEntity fired = p.spawned(i);
       if (isSpent(p, fired, 0)) {
         s.emit(boom).at(fired.body().x(), fired.body().y()).of(fired).by(p);
         s.despawn(fired);
@@ -193,10 +193,10 @@ public final class RocketGame implements Game {
     }
   }
 
-  private void fire(Simulation s, Player p, float wayX, float wayY) {
+  private void fire(SimulationHost s, HostPlayer p, float wayX, float wayY) {
     float x = p.body().body().x() + MUZZLE * wayX;
     float y = p.body().body().y() + MUZZLE * wayY;
-    Entity fired = s.spawn(rocket, x, y, 0, p);
+    HostEntity fired = s.spawn(rocket, x, y, 0, p);
     fired.body().setVelocity(ROCKET_SPEED * wayX, ROCKET_SPEED * wayY);
     fired.set(FUEL, s.ticks(FUEL_SECONDS));
     s.emit(shot).at(x, y).by(p);
@@ -207,34 +207,34 @@ public final class RocketGame implements Game {
    *
    * @param ticksUntil ticks until that tick's input: 0 in it, 1 in the tick before
    */
-  private boolean isSpent(Player p, Entity fired, int ticksUntil) {
+  private boolean isSpent(HostPlayer p, HostEntity fired, int ticksUntil) {
     touches = false;
     ownerOfTouching = fired.ownerId();
     fired.body().forEachContact(touch);
     return touches || p.get(SETS_OFF) || fired.get(FUEL) <= ticksUntil;
   }
 
-  private void touch(Body<Entity> other, float normalX, float normalY, float impulse) {
+  private void touch(Body<HostEntity> other, float normalX, float normalY, float impulse) {
     touches |= other.user().ownerId() != ownerOfTouching;
   }
 
   /** Rockets pass through their player and through each other. */
   @Override
-  public boolean collision(Simulation s, Collision<Entity> c) {
+  public boolean collision(SimulationHost s, Collision<HostEntity> c) {
     int owner = c.self().user().ownerId();
-    return owner == Entity.NO_OWNER || owner != c.other().user().ownerId();
+    return owner == HostEntity.NO_OWNER || owner != c.other().user().ownerId();
   }
 
   @Override
-  public void afterStep(Simulation s) {
+  public void afterStep(SimulationHost s) {
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p == null) {
         continue;
       }
       boolean isOut = p.body() == null; // then no input goes on with its rockets
       for (int i = p.spawnedCount() - 1; i >= 0; i--) {
-        Entity fired = p.spawned(i);
+        HostEntity fired = p.spawned(i);
         if (isOut || isSpent(p, fired, 1)) {
           goOff(s, p, fired);
         }
@@ -249,14 +249,14 @@ public final class RocketGame implements Game {
   }
 
   /** Pushes what is near a rocket, and takes health from players. */
-  private void goOff(Simulation s, Player p, Entity fired) {
+  private void goOff(SimulationHost s, HostPlayer p, HostEntity fired) {
     blast = fired.body();
     float x = blast.x();
     float y = blast.y();
     s.world()
         .queryAabb(x - BLAST_RADIUS, y - BLAST_RADIUS, x + BLAST_RADIUS, y + BLAST_RADIUS, push);
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player other = s.player(id);
+      HostPlayer other = s.player(id);
       if (other == null || other == p || other.body() == null || force(other.body().body()) == 0) {
         continue;
       }
@@ -269,7 +269,7 @@ public final class RocketGame implements Game {
     }
   }
 
-  private static void score(Simulation s, Player p) {
+  private static void score(SimulationHost s, HostPlayer p) {
     if (MatchClock.phase(s) == MatchPhase.OVER) {
       return;
     }
@@ -285,7 +285,7 @@ public final class RocketGame implements Game {
   }
 
   @Override
-  public void phase(Simulation s, MatchPhase now) {
+  public void phase(SimulationHost s, MatchPhase now) {
     if (now == MatchPhase.OVER) {
       CLOCK.decide(s, s.leader(), 0);
     } else if (now == MatchPhase.PLAYING) {
@@ -293,7 +293,7 @@ public final class RocketGame implements Game {
     }
   }
 
-  private static void forgetPractice(Simulation s) {
+  private static void forgetPractice(SimulationHost s) {
     for (int id = 0; id < s.playerCapacity(); id++) {
       if (s.player(id) != null) {
         s.player(id).score(0);
@@ -303,13 +303,13 @@ public final class RocketGame implements Game {
   }
 
   /** Returns how much of a blast a body gets, 0..1. */
-  private float force(Body<Entity> body) {
+  private float force(Body<HostEntity> body) {
     float dx = body.centerX() - blast.x();
     float dy = body.centerY() - blast.y();
     return Math.max(0, 1 - (float) Math.sqrt(dx * dx + dy * dy) / BLAST_RADIUS);
   }
 
-  private boolean push(Body<Entity> body) {
+  private boolean push(Body<HostEntity> body) {
     float force = force(body);
     if (body.type() == BodyType.DYNAMIC && force > 0 && body.user().archetype() != rocket) {
       float dx = body.centerX() - blast.x();

@@ -7,18 +7,18 @@ import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 import java.util.Objects;
 
-/** Lets entities become other archetypes, see {@link Entity#become}. One simulation's. */
+/** Lets entities become other archetypes, see {@link HostEntity#become}. One simulation's. */
 final class ArchetypeChange {
   private final EntityTable table;
   private final WorldSeal seal;
-  private final AreaForces<Entity> areas;
+  private final AreaForces<HostEntity> areas;
   private final CallRules calls;
   private final Archetypes archetypes;
 
   ArchetypeChange(
       EntityTable table,
       WorldSeal seal,
-      AreaForces<Entity> areas,
+      AreaForces<HostEntity> areas,
       CallRules calls,
       Archetypes archetypes) {
     this.table = table;
@@ -29,14 +29,14 @@ final class ArchetypeChange {
   }
 
   /** Makes an entity one of another archetype. */
-  void change(Entity entity, Archetype other) {
+  void change(HostEntity entity, Archetype other) {
     Objects.requireNonNull(other, "archetype");
     calls.requireOutsidePhysics("become");
     check(entity, other);
     if (other == entity.archetype()) {
       return;
     }
-    Body<Entity> body = entity.body();
+    Body<HostEntity> body = entity.body();
     areas.go(entity.id());
     seal.permit("become");
     body.become(other.body(0, 0, 0));
@@ -49,7 +49,7 @@ final class ArchetypeChange {
     table.noteChange();
   }
 
-  private void check(Entity entity, Archetype other) {
+  private void check(HostEntity entity, Archetype other) {
     if (archetypes.get(other.index()) != other) {
       throw new IllegalArgumentException(
           "archetype="

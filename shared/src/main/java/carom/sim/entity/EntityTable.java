@@ -28,21 +28,21 @@ import java.util.function.IntSupplier;
  * its generation, so that its next entity gets another one.
  */
 public final class EntityTable
-    implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
+    implements TrackedBodies<HostEntity>, FieldStore.References<HostEntity, HostPlayer> {
   /** Most entities at a time; ids are 0..65534. */
   public static final int MAX_ENTITIES = 65_535;
 
-  private final World<Entity> world;
+  private final World<HostEntity> world;
   private final WorldSeal seal;
-  private final AreaForces<Entity> areas;
+  private final AreaForces<HostEntity> areas;
   private final Assemblies assemblies;
-  private final JointTable<Entity> joints;
+  private final JointTable<HostEntity> joints;
   private final int tickRate;
   private final FieldStore fields;
   private final EntityFields entityFields;
   private final PlayerTable players;
   private final ArchetypeChange changes;
-  private Entity[] entities = new Entity[64];
+  private HostEntity[] entities = new HostEntity[64];
   private byte[] generations = new byte[64];
   private final ProvisionalEntities provisional = new ProvisionalEntities();
 
@@ -62,11 +62,11 @@ public final class EntityTable
    * @param clock returns the tick
    */
   public EntityTable(
-      World<Entity> world,
+      World<HostEntity> world,
       WorldSeal seal,
-      AreaForces<Entity> areas,
+      AreaForces<HostEntity> areas,
       Assemblies assemblies,
-      JointTable<Entity> joints,
+      JointTable<HostEntity> joints,
       int tickRate,
       Schema schema,
       Archetypes archetypes,
@@ -85,7 +85,7 @@ public final class EntityTable
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
-  public Entity get(int id) {
+  public HostEntity get(int id) {
     if (Origin.isProvisional(id)) {
       return provisional.get(id);
     }
@@ -113,7 +113,7 @@ public final class EntityTable
   }
 
   /** Lets the fields of an entity count as begun as its archetype says; their values stay. */
-  void begunAs(Entity entity) {
+  void begunAs(HostEntity entity) {
     entityFields.begunAs(entity.archetype(), entity.fieldValues());
   }
 
@@ -132,18 +132,18 @@ public final class EntityTable
   }
 
   @Override
-  public Entity entity(int id, int generation) {
-    Entity entity = get(id);
+  public HostEntity entity(int id, int generation) {
+    HostEntity entity = get(id);
     return entity != null && entity.generation() == generation ? entity : null;
   }
 
   @Override
-  public Player player(int id) {
+  public HostPlayer player(int id) {
     return players.get(id);
   }
 
   /** Returns whether an entity has not been despawned. */
-  public boolean holds(Entity entity) {
+  public boolean holds(HostEntity entity) {
     return get(entity.id()) == entity;
   }
 
@@ -163,7 +163,7 @@ public final class EntityTable
   }
 
   /** Notes that an entity is about to be put elsewhere, or has been: its area, if any, wakes. */
-  void wakeAround(Entity entity) {
+  void wakeAround(HostEntity entity) {
     areas.wakeAround(entity.id());
   }
 
@@ -178,8 +178,8 @@ public final class EntityTable
   }
 
   @Override
-  public Body<Entity> body(int id) {
-    Entity entity = entities[id];
+  public Body<HostEntity> body(int id) {
+    HostEntity entity = entities[id];
     return entity == null ? null : entity.body();
   }
 
@@ -189,13 +189,13 @@ public final class EntityTable
   }
 
   @Override
-  public boolean isTracked(Body<Entity> body) {
+  public boolean isTracked(Body<HostEntity> body) {
     return body.user() != null && !body.user().isLevel();
   }
 
   /** Creates an entity of static level geometry. The table does not list it. */
-  public Entity createStatic(Archetype archetype, Level.Placement p) {
-    Entity entity = new Entity(this, Entity.LEVEL, 0, archetype, Entity.NO_OWNER);
+  public HostEntity createStatic(Archetype archetype, Level.Placement p) {
+    HostEntity entity = new HostEntity(this, HostEntity.LEVEL, 0, archetype, HostEntity.NO_OWNER);
     createBody(entity, p.x(), p.y(), p.angle());
     return entity;
   }
@@ -205,22 +205,22 @@ public final class EntityTable
    *
    * @param tick determines where on its path a kinematic body begins
    */
-  public Entity spawn(Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
+  public HostEntity spawn(Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
     int id = takeFreeId(archetype);
-    return add(new Entity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
+    return add(new HostEntity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
   }
 
   /** Creates an entity without an owner under the smallest free id, with a body as defined. */
-  public Entity spawn(Archetype archetype, BodyDef def) {
+  public HostEntity spawn(Archetype archetype, BodyDef def) {
     int id = takeFreeId(archetype);
-    Entity entity = new Entity(this, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
+    HostEntity entity = new HostEntity(this, id, generations[id] & 0xff, archetype, HostEntity.NO_OWNER);
     seal.permit("createBody");
     entity.body(world.createBody(def, entity));
     return register(entity, true);
   }
 
   /** Creates an entity under a given id; see {@code Simulation.spawnAs}. */
-  public Entity spawnAs(
+  public HostEntity spawnAs(
       int id,
       int generation,
       Archetype archetype,
@@ -239,7 +239,7 @@ public final class EntityTable
       throw new IllegalStateException(
           "id=" + id + " is taken by " + entities[id] + "; despawn it first");
     }
-    Entity entity = new Entity(this, id, generation, archetype, ownerId);
+    HostEntity entity = new HostEntity(this, id, generation, archetype, ownerId);
     createBody(entity, x, y, angle, tick);
     return register(entity, mayBeBody);
   }
@@ -250,12 +250,12 @@ public final class EntityTable
    *
    * @param id its origin, or {@link Origin#passing}
    */
-  public Entity spawnProvisional(
+  public HostEntity spawnProvisional(
       int id, Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
     if (provisional.get(id) != null) {
       despawn(provisional.get(id));
     }
-    Entity entity = new Entity(this, id, 0, archetype, ownerId);
+    HostEntity entity = new HostEntity(this, id, 0, archetype, ownerId);
     createBody(entity, x, y, angle, tick);
     provisional.add(entity);
     noteChange();
@@ -267,8 +267,8 @@ public final class EntityTable
    * Notes that {@code Game.input} of an entity's owner spawned it. If the owner has too many of
    * them, the oldest is an entity like others from now on, or goes if it is provisional.
    */
-  public void setOrigin(Entity entity, int origin) {
-    Player owner = players.get(entity.ownerId());
+  public void setOrigin(HostEntity entity, int origin) {
+    HostPlayer owner = players.get(entity.ownerId());
     if (owner == null || origin == entity.origin()) {
       return;
     }
@@ -277,7 +277,7 @@ public final class EntityTable
     if (origin == Origin.NONE) {
       return;
     }
-    Entity oldest = owner.addSpawned(entity);
+    HostEntity oldest = owner.addSpawned(entity);
     if (oldest != null) {
       oldest.origin(Origin.NONE);
       if (oldest.isProvisional()) {
@@ -287,14 +287,14 @@ public final class EntityTable
   }
 
   /** Creates the bodies and joints of an assembly; returns its root. */
-  public Entity spawn(Assembly assembly, float x, float y, float angle, int ownerId, int tick) {
+  public HostEntity spawn(Assembly assembly, float x, float y, float angle, int ownerId, int tick) {
     if (count + assembly.bodyCount() > MAX_ENTITIES) {
       throw new IllegalStateException(
           "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
     }
     Transform pose = new Transform();
     pose.set(x, y, Trig.cos(angle), Trig.sin(angle));
-    Entity[] members = new Entity[assembly.bodyCount()];
+    HostEntity[] members = new HostEntity[assembly.bodyCount()];
     for (int i = 0; i < members.length; i++) {
       float dx = assembly.x(i);
       float dy = assembly.y(i);
@@ -310,17 +310,17 @@ public final class EntityTable
     }
     for (int i = 0; i < assembly.jointCount(); i++) {
       int at = i * JointDefRow.INTS;
-      Body<Entity> a = members[assembly.bodyA(i)].body();
-      Body<Entity> b = members[assembly.bodyB(i)].body();
+      Body<HostEntity> a = members[assembly.bodyA(i)].body();
+      Body<HostEntity> b = members[assembly.bodyB(i)].body();
       joints.place(pose, members[0].id(), i, a, b, assembly.definitions(), at);
     }
     return members[0];
   }
 
   /** Moves an assembly rigidly to where its root shall be. */
-  void moveAssembly(Entity root, float x, float y, float angle) {
+  void moveAssembly(HostEntity root, float x, float y, float angle) {
     Transform before = new Transform();
-    Body<Entity> body = root.body();
+    Body<HostEntity> body = root.body();
     before.set(body.x(), body.y(), body.cos(), body.sin());
     Transform after = new Transform();
     after.set(x, y, Trig.cos(angle), Trig.sin(angle));
@@ -334,7 +334,7 @@ public final class EntityTable
   }
 
   /** Makes an entity a member of the assembly whose root has an id. */
-  public void join(int root, Entity member) {
+  public void join(int root, HostEntity member) {
     member.rootId(root);
   }
 
@@ -360,12 +360,12 @@ public final class EntityTable
     }
   }
 
-  private Entity add(Entity entity, float x, float y, float angle, int tick) {
+  private HostEntity add(HostEntity entity, float x, float y, float angle, int tick) {
     createBody(entity, x, y, angle, tick);
     return register(entity, true);
   }
 
-  private void createBody(Entity entity, float x, float y, float angle, int tick) {
+  private void createBody(HostEntity entity, float x, float y, float angle, int tick) {
     ScriptedMotion path = entity.archetype().motion();
     if (path == null) {
       createBody(entity, x, y, angle);
@@ -375,21 +375,21 @@ public final class EntityTable
   }
 
   /** Creates the body. Players' bodies never sleep, because a game may act on them at any time. */
-  private void createBody(Entity entity, float x, float y, float angle) {
+  private void createBody(HostEntity entity, float x, float y, float angle) {
     BodyDef body = entity.archetype().body(x, y, angle);
-    body.sleepAllowed(entity.ownerId() == Entity.NO_OWNER);
+    body.sleepAllowed(entity.ownerId() == HostEntity.NO_OWNER);
     seal.permit("createBody");
     entity.body(world.createBody(body, entity));
   }
 
-  private Entity register(Entity entity, boolean mayBeBody) {
+  private HostEntity register(HostEntity entity, boolean mayBeBody) {
     int id = entity.id();
     entities[id] = entity;
     noteChange();
     generations[id] = (byte) entity.generation();
     capacity = Math.max(capacity, id + 1);
     count++;
-    Player owner = players.get(entity.ownerId());
+    HostPlayer owner = players.get(entity.ownerId());
     boolean isBody = mayBeBody && !assemblies.isPart(entity.archetype());
     if (isBody && owner != null && owner.body == null) {
       owner.body = entity;
@@ -399,7 +399,7 @@ public final class EntityTable
   }
 
   /** Destroys an entity that the table {@linkplain #holds holds}, and its body. */
-  public void despawn(Entity entity) {
+  public void despawn(HostEntity entity) {
     int id = entity.id();
     areas.go(id);
     seal.permit("destroyBody");
@@ -416,7 +416,7 @@ public final class EntityTable
     generations[id] = (byte) (entity.generation() + 1);
     count--;
     firstFree = Math.min(firstFree, id);
-    Player owner = players.get(entity.ownerId());
+    HostPlayer owner = players.get(entity.ownerId());
     if (owner != null && owner.body == entity) {
       owner.body = null;
     }
@@ -425,14 +425,14 @@ public final class EntityTable
   /** Moves every body with a path to where it was a tick ago, with the velocity to where it is. */
   public void followPaths(int tick) {
     for (int i = 0; i < capacity; i++) {
-      Entity e = entities[i];
+      HostEntity e = entities[i];
       if (e == null || e.archetype().motion() == null) {
         continue;
       }
       e.archetype().motion().drive(e.body(), tick, tickRate);
     }
     for (int i = 0; i < provisional.count(); i++) {
-      Entity e = provisional.at(i);
+      HostEntity e = provisional.at(i);
       if (e.archetype().motion() != null) {
         e.archetype().motion().drive(e.body(), tick, tickRate);
       }
@@ -443,13 +443,13 @@ public final class EntityTable
   public long hash(long hash) {
     long h = hash;
     for (int i = 0; i < capacity; i++) {
-      Entity e = entities[i];
+      HostEntity e = entities[i];
       long identity = generations[i] & 0xff;
       if (e != null) {
         identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
         h = e.fieldValues().hash(h);
         h = SimRandom.mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
-        h = e.rootId() == Entity.NO_ROOT ? h : SimRandom.mix(h, e.rootId());
+        h = e.rootId() == HostEntity.NO_ROOT ? h : SimRandom.mix(h, e.rootId());
         h = e.origin() == Origin.NONE ? h : SimRandom.mix(h, e.origin());
       }
       h = SimRandom.mix(h, identity);
@@ -501,9 +501,9 @@ public final class EntityTable
     firstFree = 0;
   }
 
-  private void addRestored(Entity entity) {
+  private void addRestored(HostEntity entity) {
     areas.add(entity.id(), entity.body(), entity.archetype());
-    Player owner = players.get(entity.ownerId());
+    HostPlayer owner = players.get(entity.ownerId());
     if (owner != null && entity.origin() != Origin.NONE) {
       entity.fieldValues().spawner(owner);
       owner.addSpawned(entity);

@@ -12,11 +12,11 @@ public final class PartNames {
   private final Level level;
   private final Assemblies assemblies;
   private final EntityTable entities;
-  private final JointTable<Entity> joints;
+  private final JointTable<HostEntity> joints;
 
   /** Creates the names of a simulation's parts. */
   public PartNames(
-      Level level, Assemblies assemblies, EntityTable entities, JointTable<Entity> joints) {
+      Level level, Assemblies assemblies, EntityTable entities, JointTable<HostEntity> joints) {
     this.level = level;
     this.assemblies = assemblies;
     this.entities = entities;
@@ -28,7 +28,7 @@ public final class PartNames {
    *
    * @throws IllegalArgumentException if the level has no joint of that name
    */
-  public Joint<Entity> joint(String name) {
+  public Joint<HostEntity> joint(String name) {
     for (int i = 0; i < level.joints().size(); i++) {
       if (level.joints().get(i).name().equals(name)) {
         return joints.find(JointTable.LEVEL, i);
@@ -43,8 +43,8 @@ public final class PartNames {
    *
    * @throws IllegalArgumentException if the assembly has no joint of that name
    */
-  public Joint<Entity> joint(Entity member, String name) {
-    Entity root = member.root();
+  public Joint<HostEntity> joint(HostEntity member, String name) {
+    HostEntity root = member.root();
     return joints.find(root.id(), assembly(root).joint(name));
   }
 
@@ -53,12 +53,12 @@ public final class PartNames {
    *
    * @throws IllegalArgumentException if the assembly has no body of that name
    */
-  public Entity body(Entity member, String name) {
-    Entity root = member.root();
+  public HostEntity body(HostEntity member, String name) {
+    HostEntity root = member.root();
     Assembly assembly = assembly(root);
     Archetype archetype = assembly.archetypes().get(assembly.body(name));
     for (int i = 0; i < entities.capacity(); i++) {
-      Entity e = entities.get(i);
+      HostEntity e = entities.get(i);
       if (e != null && e.root() == root && e.archetype() == archetype) {
         return e;
       }
@@ -66,7 +66,7 @@ public final class PartNames {
     return null;
   }
 
-  private Assembly assembly(Entity root) {
+  private Assembly assembly(HostEntity root) {
     Assembly assembly = assemblies.of(root.archetype());
     if (assembly == null) {
       throw new IllegalArgumentException(

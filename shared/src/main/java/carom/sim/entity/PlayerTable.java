@@ -14,7 +14,7 @@ public final class PlayerTable {
   /** Most players at a time; ids are 0..1,023. */
   public static final int MAX_PLAYERS = 1_024;
 
-  private final Player[] players = new Player[MAX_PLAYERS];
+  private final HostPlayer[] players = new HostPlayer[MAX_PLAYERS];
   private final FieldStore fields;
   private final Consumer<String> authority;
 
@@ -32,13 +32,13 @@ public final class PlayerTable {
   }
 
   /** Returns the player under an id, or null when no player has it. */
-  public Player get(int id) {
-    Player p = participant(id);
+  public HostPlayer get(int id) {
+    HostPlayer p = participant(id);
     return p == null || p.isSpectator() ? null : p;
   }
 
   /** Returns the player or spectator under an id, or null when the id is free or out of range. */
-  public Player participant(int id) {
+  public HostPlayer participant(int id) {
     return id >= 0 && id < limit ? players[id] : null;
   }
 
@@ -55,7 +55,7 @@ public final class PlayerTable {
   public int teamSize(int team) {
     int n = 0;
     for (int id = 0; id < limit; id++) {
-      Player p = get(id);
+      HostPlayer p = get(id);
       n += p != null && p.team() == team ? 1 : 0;
     }
     return n;
@@ -65,7 +65,7 @@ public final class PlayerTable {
   public boolean allReady() {
     boolean any = false;
     for (int id = 0; id < limit; id++) {
-      Player p = get(id);
+      HostPlayer p = get(id);
       if (p != null && !p.isReady()) {
         return false;
       }
@@ -75,11 +75,11 @@ public final class PlayerTable {
   }
 
   /** Returns the player with the highest score, or null if several have it. */
-  public Player leader() {
-    Player best = null;
+  public HostPlayer leader() {
+    HostPlayer best = null;
     boolean alone = false;
     for (int id = 0; id < limit; id++) {
-      Player p = get(id);
+      HostPlayer p = get(id);
       if (p != null && (best == null || p.score() >= best.score())) {
         alone = best == null || p.score() > best.score();
         best = p;
@@ -115,20 +115,20 @@ public final class PlayerTable {
   }
 
   /** Creates a player that is in no table yet. */
-  Player create(int id, String name) {
-    return new Player(id, name, fields.create(Scope.PLAYER), authority);
+  HostPlayer create(int id, String name) {
+    return new HostPlayer(id, name, fields.create(Scope.PLAYER), authority);
   }
 
   /** Creates a player under an id that is free. */
-  public Player add(int id, String name) {
-    Player player = create(id, name);
+  public HostPlayer add(int id, String name) {
+    HostPlayer player = create(id, name);
     players[id] = player;
     limit = Math.max(limit, id + 1);
     return player;
   }
 
   /** Lets a participant play or watch, with nothing left from before but name, colour and input. */
-  public void become(Player participant, PlayerRole role) {
+  public void become(HostPlayer participant, PlayerRole role) {
     participant.become(role);
   }
 
@@ -144,7 +144,7 @@ public final class PlayerTable {
   public long hash(long hash) {
     long h = hash;
     for (int i = 0; i < limit; i++) {
-      Player p = players[i];
+      HostPlayer p = players[i];
       if (p != null) {
         h =
             SimRandom.mix(
@@ -164,7 +164,7 @@ public final class PlayerTable {
   public void save(SavedPlayers s) {
     s.limit(limit);
     for (int i = 0; i < limit; i++) {
-      Player p = players[i];
+      HostPlayer p = players[i];
       s.players[i] = p;
       if (p != null) {
         s.bodies[i] = p.body;
@@ -183,7 +183,7 @@ public final class PlayerTable {
     int before = limit;
     limit = s.limit;
     for (int i = 0; i < Math.max(before, limit); i++) {
-      Player p = i < limit ? s.players[i] : null;
+      HostPlayer p = i < limit ? s.players[i] : null;
       players[i] = p;
       if (p != null) {
         p.body = s.bodies[i];

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * spawned. Few at a time; a server has none. Allocates only to grow.
  */
 public final class ProvisionalEntities {
-  private Entity[] entities = {};
+  private HostEntity[] entities = {};
   private int count;
 
   /** Returns the number of provisional entities. */
@@ -17,12 +17,12 @@ public final class ProvisionalEntities {
   }
 
   /** Returns one by its index, below {@link #count}. */
-  public Entity at(int index) {
+  public HostEntity at(int index) {
     return entities[index];
   }
 
   /** Returns the one with an origin, or null. */
-  Entity get(int origin) {
+  HostEntity get(int origin) {
     for (int i = 0; i < count; i++) {
       if (entities[i].id() == origin) {
         return entities[i];
@@ -31,14 +31,14 @@ public final class ProvisionalEntities {
     return null;
   }
 
-  void add(Entity entity) {
+  void add(HostEntity entity) {
     if (count == entities.length) {
       entities = Arrays.copyOf(entities, Math.max(4, 2 * count));
     }
     entities[count++] = entity;
   }
 
-  void remove(Entity entity) {
+  void remove(HostEntity entity) {
     int at = 0;
     while (entities[at] != entity) {
       at++;
@@ -51,7 +51,7 @@ public final class ProvisionalEntities {
   long hash(long hash) {
     long h = hash;
     for (int i = 0; i < count; i++) {
-      Entity e = entities[i];
+      HostEntity e = entities[i];
       h = SimRandom.mix(e.fieldValues().hash(h), (long) e.id() << 32 | e.bodySlot());
       h = SimRandom.mix(h, e.archetype().index());
     }

@@ -18,7 +18,7 @@ public final class SavedEntities {
   final SavedFields fields;
   int count;
   int capacity;
-  Entity[] entities = {};
+  HostEntity[] entities = {};
   private Archetype[] archetypes = {};
   int[] tags = {};
   int[] teleports = {};
@@ -47,7 +47,7 @@ public final class SavedEntities {
   /** Makes room. What was saved is lost when there isn't enough. */
   void ensureRoom(int room) {
     if (entities.length < room) {
-      entities = new Entity[room];
+      entities = new HostEntity[room];
       archetypes = new Archetype[room];
       tags = new int[room];
       roots = new int[room];
@@ -58,7 +58,7 @@ public final class SavedEntities {
   }
 
   /** Saves an entity at a place, or that there is none. Ids are places. */
-  void save(int at, Entity entity) {
+  void save(int at, HostEntity entity) {
     entities[at] = entity;
     if (entity != null) {
       archetypes[at] = entity.archetype();
@@ -70,13 +70,13 @@ public final class SavedEntities {
     } else {
       tags[at] = 0;
       teleports[at] = 0;
-      roots[at] = Entity.NO_ROOT;
+      roots[at] = HostEntity.NO_ROOT;
       origins[at] = Origin.NONE;
     }
   }
 
   /** Gives an entity what was saved at a place. */
-  void restore(int at, Entity entity) {
+  void restore(int at, HostEntity entity) {
     entity.archetype(archetypes[at]);
     entity.tag(tags[at]);
     entity.teleports(teleports[at]);
@@ -100,17 +100,17 @@ public final class SavedEntities {
     }
     slots = new int[n];
     for (int id = 0; !a.reads() && id < n; id++) {
-      Entity e = entities[id];
+      HostEntity e = entities[id];
       kinds[id] = e == null ? -1 : archetypes[id].index();
-      owners[id] = e == null ? Entity.NO_OWNER : e.ownerId();
+      owners[id] = e == null ? HostEntity.NO_OWNER : e.ownerId();
       slots[id] = e == null ? -1 : e.bodySlot();
     }
     a.bytes("generation of entity", generations, n, Byte.MIN_VALUE, Byte.MAX_VALUE);
     a.integers("archetype of entity", kinds, n, -1, registered.size() - 1);
-    a.integers("owner of entity", owners, n, Entity.NO_OWNER, PlayerTable.MAX_PLAYERS - 1);
+    a.integers("owner of entity", owners, n, HostEntity.NO_OWNER, PlayerTable.MAX_PLAYERS - 1);
     a.integers("tag of entity", tags, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("teleports of entity", teleports, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
-    a.integers("root of entity", roots, n, Entity.NO_ROOT, EntityTable.MAX_ENTITIES - 1);
+    a.integers("root of entity", roots, n, HostEntity.NO_ROOT, EntityTable.MAX_ENTITIES - 1);
     a.integers("origin of entity", origins, n, Origin.NONE, Origin.LAST);
     a.integers("body of entity", slots, n, -1, Integer.MAX_VALUE);
     for (int id = 0; id < n; id++) {
@@ -130,15 +130,15 @@ public final class SavedEntities {
   }
 
   /** Returns the table's own entity if it is the same one, and a new one otherwise. */
-  private Entity entity(EntityTable table, int id, Archetype kind, int ownerId) {
+  private HostEntity entity(EntityTable table, int id, Archetype kind, int ownerId) {
     int generation = generations[id] & 0xff;
-    Entity known = table.get(id);
+    HostEntity known = table.get(id);
     boolean same =
         known != null
             && known.generation() == generation
             && known.ownerId() == ownerId
             && known.bodySlot() == slots[id];
-    return same ? known : new Entity(table, id, generation, kind, ownerId);
+    return same ? known : new HostEntity(table, id, generation, kind, ownerId);
   }
 
   private void listBySlot() {
@@ -153,14 +153,14 @@ public final class SavedEntities {
   }
 
   /** Returns the entity with the body in a slot, or null for static level geometry. */
-  public Entity user(int slot) {
+  public HostEntity user(int slot) {
     int i = Arrays.binarySearch(bySlot, (long) slot << 32);
     int at = i < 0 ? -1 - i : i;
     return at < bySlot.length && bySlot[at] >>> 32 == slot ? entities[(int) bySlot[at]] : null;
   }
 
   /** Gives the entities that were read their bodies, of a world that was read. */
-  public void attachBodies(ArchiveReader archive, World<Entity> world, WorldState state) {
+  public void attachBodies(ArchiveReader archive, World<HostEntity> world, WorldState state) {
     for (int id = 0; id < capacity; id++) {
       if (entities[id] != null) {
         attachBody(archive, id, world.bodyIn(state, slots[id]));
@@ -168,11 +168,11 @@ public final class SavedEntities {
     }
   }
 
-  private void attachBody(ArchiveReader archive, int id, Body<Entity> body) {
+  private void attachBody(ArchiveReader archive, int id, Body<HostEntity> body) {
     if (body == null || body.user() != entities[id]) {
       throw archive.refused("body=" + slots[id] + " isn't that of entity=" + id);
     }
-    Entity e = entities[id];
+    HostEntity e = entities[id];
     if (e.body() == null) {
       e.body(body);
     } else if (e.body() != body) {

@@ -10,8 +10,8 @@ public final class SavedPlayers {
 
   final SavedFields fields;
   int limit;
-  Player[] players = {};
-  Entity[] bodies = {};
+  HostPlayer[] players = {};
+  HostEntity[] bodies = {};
   int[] scores = {};
   int[] teams = {};
   int[] standings = {};
@@ -61,7 +61,7 @@ public final class SavedPlayers {
   private void pass(Archive a, int id, PlayerTable table, SavedEntities entities) {
     String name = a.text("name", players[id] == null ? "" : players[id].name(), MAX_NAME);
     if (a.reads()) {
-      Player known = table.participant(id);
+      HostPlayer known = table.participant(id);
       players[id] = known != null && known.name().equals(name) ? known : table.create(id, name);
     }
     int least = Integer.MIN_VALUE;
@@ -73,12 +73,12 @@ public final class SavedPlayers {
     scores[id] = a.integer("score", scores[id], least, most);
     teams[id] = a.integer("team", teams[id], least, most);
     standings[id] = a.integer("role, readiness and colour", standings[id], 0, most);
-    a.require(Player.isStanding(standings[id]), "player=" + id + " standing=" + standings[id]);
+    a.require(HostPlayer.isStanding(standings[id]), "player=" + id + " standing=" + standings[id]);
     a.require(
-        body < 0 || !Player.watches(standings[id]),
+        body < 0 || !HostPlayer.watches(standings[id]),
         "player=" + id + " watches and has body=" + body);
     inputs[id] = a.bits("input", inputs[id]);
-    viewDelays[id] = a.integer("view delay", viewDelays[id], 0, Player.MAX_VIEW_DELAY);
+    viewDelays[id] = a.integer("view delay", viewDelays[id], 0, HostPlayer.MAX_VIEW_DELAY);
     fields.pass(a, Scope.PLAYER, id);
   }
 }

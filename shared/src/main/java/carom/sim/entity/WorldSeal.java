@@ -18,7 +18,7 @@ import java.util.function.BiConsumer;
  *
  * <p>One simulation's; one thread. Allocates for a refusal only.
  */
-public final class WorldSeal implements Seal<Entity> {
+public final class WorldSeal implements Seal<HostEntity> {
   private static final String CLIENTS = "clients compute it, too, and know ";
   private static final String BODY = CLIENTS + "bodies by archetypes alone; ";
   private static final String ANOTHER = BODY + "let the entity become another archetype";
@@ -82,7 +82,7 @@ public final class WorldSeal implements Seal<Entity> {
 
   private boolean isSetUp;
   private String permitted;
-  private BiConsumer<Entity, Entity> overlapReader = (asked, other) -> {};
+  private BiConsumer<HostEntity, HostEntity> overlapReader = (asked, other) -> {};
 
   /** Creates a seal of a world that is being set up. */
   public WorldSeal() {}
@@ -93,12 +93,12 @@ public final class WorldSeal implements Seal<Entity> {
   }
 
   /** Sets what receives each overlap that is read. */
-  public void overlapReader(BiConsumer<Entity, Entity> reader) {
+  public void overlapReader(BiConsumer<HostEntity, HostEntity> reader) {
     overlapReader = reader;
   }
 
   @Override
-  public void overlapRead(Body<Entity> asked, Body<Entity> other) {
+  public void overlapRead(Body<HostEntity> asked, Body<HostEntity> other) {
     overlapReader.accept(asked.user(), other.user());
   }
 
@@ -112,7 +112,7 @@ public final class WorldSeal implements Seal<Entity> {
   }
 
   @Override
-  public String refusal(String call, Body<Entity> body) {
+  public String refusal(String call, Body<HostEntity> body) {
     if (call.equals(permitted)) {
       permitted = null;
       return null;

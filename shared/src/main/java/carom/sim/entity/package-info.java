@@ -2,12 +2,12 @@
  * The content of a simulation besides its physics: entities, the players who own some of them, and
  * the input of each player.
  *
- * <p>Games use {@link carom.sim.entity.Entity}, {@link carom.sim.entity.Player} and {@link
+ * <p>Games use {@link carom.sim.entity.HostEntity}, {@link carom.sim.entity.HostPlayer} and {@link
  * carom.sim.entity.Input}. The tables and their saved states are for {@code carom.sim}, which hands
  * none of them out.
  *
  * <p>Allowed imports: {@code carom.physics..} and the packages of {@code carom.sim} that know no
- * entity. Read first: {@link carom.sim.entity.Entity}, {@link carom.sim.entity.Player}, {@link
+ * entity. Read first: {@link carom.sim.entity.HostEntity}, {@link carom.sim.entity.HostPlayer}, {@link
  * carom.sim.entity.EntityTable}.
  */
 package carom.sim.entity;

@@ -1,6 +1,6 @@
 package carom.sim.match;
 
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.entity.PlayerTable;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
@@ -101,7 +101,7 @@ public final class MatchClock {
     return new MatchClock(enough, waitsForReady, countdownSeconds, playSeconds, overSeconds, next);
   }
 
-  /** Returns a copy whose warm-up lasts until all players are {@linkplain Player#isReady ready}. */
+  /** Returns a copy whose warm-up lasts until all players are {@linkplain HostPlayer#isReady ready}. */
   public MatchClock whenReady() {
     return new MatchClock(
         Math.max(1, players), true, countdownSeconds, playSeconds, overSeconds, next);
@@ -195,7 +195,7 @@ public final class MatchClock {
   }
 
   /** Ends a match that is played, won by a player. Does nothing in another phase. */
-  public void finish(FieldHolder<?, ?> match, Player winner) {
+  public void finish(FieldHolder<?, ?> match, HostPlayer winner) {
     finish(match, winner.id(), 0);
   }
 
@@ -220,7 +220,7 @@ public final class MatchClock {
    * @param winner null for none
    * @param winningTeam 0 for none
    */
-  public void decide(FieldHolder<?, ?> match, Player winner, int winningTeam) {
+  public void decide(FieldHolder<?, ?> match, HostPlayer winner, int winningTeam) {
     decide(match, winner == null ? NOBODY : winner.id(), winningTeam);
   }
 

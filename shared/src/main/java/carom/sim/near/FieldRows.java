@@ -3,8 +3,8 @@ package carom.sim.near;
 import carom.physics.rows.FieldRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.Field;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
@@ -60,7 +60,7 @@ final class FieldRows {
    * Adds the rows of an entity and, if it is the body of its owner, of that player. The viewer's
    * own words are in its own section instead.
    */
-  void read(Schema of, int place, Entity entity, Player owner, Rows to) {
+  void read(Schema of, int place, HostEntity entity, HostPlayer owner, Rows to) {
     use(of);
     row[FieldRow.PLACE] = place;
     read(entity.fieldValues(), ofEntity, 0, entity.ownerId(), to);
@@ -95,7 +95,7 @@ final class FieldRows {
   }
 
   /** Makes all words of another player that the viewer knows what they are at the start. */
-  void reset(Schema of, Player player) {
+  void reset(Schema of, HostPlayer player) {
     use(of);
     for (int word = 0; player.id() != viewer && word < ofPlayer.count; word++) {
       if (viewer < 0 || ofPlayer.shared[word]) {
@@ -112,7 +112,7 @@ final class FieldRows {
    * @param at where it begins
    * @param owner the player whose body the entity is, or null
    */
-  void write(Schema of, int[] from, int at, Entity entity, Player owner) {
+  void write(Schema of, int[] from, int at, HostEntity entity, HostPlayer owner) {
     use(of);
     int chunk = from[at + FieldRow.CHUNK];
     boolean isOfPlayer = chunk >= OF_PLAYER;

@@ -5,8 +5,8 @@ import carom.physics.Joint;
 import carom.physics.rows.ExactRows;
 import carom.physics.rows.JointRow;
 import carom.physics.rows.Rows;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.joint.JointTable;
 
 /**
@@ -22,7 +22,7 @@ final class NearJoints {
   NearJoints() {}
 
   /** Completes the rows of joints that a world has read. */
-  void read(Simulation s, ExactRows rows) {
+  void read(SimulationHost s, ExactRows rows) {
     Rows joints = rows.joints();
     for (int i = 0; i < joints.count(); i++) {
       joints.set(i, JointRow.KEY, s.joints().key(rows.jointSlot(i)));
@@ -31,7 +31,7 @@ final class NearJoints {
   }
 
   /** Turns the settings of a row into their difference to the definition, or back. */
-  private static void toggle(JointTable<Entity> table, ExactRows rows, int row) {
+  private static void toggle(JointTable<HostEntity> table, ExactRows rows, int row) {
     int[] ints = rows.joints().ints();
     int at = rows.joints().at(row) + JointRow.SETTINGS;
     for (int i = 0; i < JointRow.SETTING_INTS; i++) {
@@ -43,10 +43,10 @@ final class NearJoints {
    * Makes the joints of the rows, whose bodies have been made, and gives the rows their slots. A
    * joint is left out if its definition is unknown or damaged, or one of its ends is no body.
    */
-  void make(Simulation s, ExactRows rows, JointDefinitions definitions) {
+  void make(SimulationHost s, ExactRows rows, JointDefinitions definitions) {
     Rows joints = rows.joints();
     for (int i = 0; i < joints.count(); i++) {
-      Joint<Entity> joint = null;
+      Joint<HostEntity> joint = null;
       if (definitions.read(joints.get(i, JointRow.KEY), definition)) {
         joint = make(s, rows, i);
       }
@@ -54,10 +54,10 @@ final class NearJoints {
     }
   }
 
-  private Joint<Entity> make(Simulation s, ExactRows rows, int row) {
+  private Joint<HostEntity> make(SimulationHost s, ExactRows rows, int row) {
     int endA = rows.joints().get(row, JointRow.END_A);
-    Entity a = entity(s, rows, endA);
-    Entity b = entity(s, rows, rows.joints().get(row, JointRow.END_B));
+    HostEntity a = entity(s, rows, endA);
+    HostEntity b = entity(s, rows, rows.joints().get(row, JointRow.END_B));
     if (b == null || (a == null && endA != JointRow.GROUND)) {
       return null;
     }
@@ -76,16 +76,16 @@ final class NearJoints {
     }
   }
 
-  private static Entity entity(Simulation s, ExactRows rows, int end) {
+  private static HostEntity entity(SimulationHost s, ExactRows rows, int end) {
     if (end == JointRow.GROUND || end >= rows.bodies().count()) {
       return null;
     }
-    Body<Entity> body = s.world().body(end >= 0 ? rows.slot(end) : ~end);
+    Body<HostEntity> body = s.world().body(end >= 0 ? rows.slot(end) : ~end);
     return body == null || (end < 0 && !body.user().isLevel()) ? null : body.user();
   }
 
   /** Turns the settings of all rows into what the physics reads, or back into differences. */
-  void toggle(Simulation s, ExactRows rows) {
+  void toggle(SimulationHost s, ExactRows rows) {
     for (int i = 0; i < rows.joints().count(); i++) {
       if (rows.jointSlot(i) >= 0) {
         toggle(s.joints(), rows, i);

@@ -5,9 +5,9 @@ import carom.physics.rows.ExactRows;
 import carom.physics.rows.FieldRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Archetype;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
@@ -31,7 +31,7 @@ public final class Neighbourhood {
   private final int viewer;
 
   /** Entities to read, or scratch of {@link #despawnAll}. */
-  private Entity[] listed = new Entity[8];
+  private HostEntity[] listed = new HostEntity[8];
 
   private int listedCount;
   private int leaks;
@@ -84,7 +84,7 @@ public final class Neighbourhood {
   }
 
   /** Lists an entity, in any order; {@link #read} sorts them. */
-  public void add(Entity entity) {
+  public void add(HostEntity entity) {
     if (listedCount == listed.length) {
       listed = Arrays.copyOf(listed, 2 * listedCount);
     }
@@ -92,7 +92,7 @@ public final class Neighbourhood {
   }
 
   /** Reads the state of the listed entities from the simulation they belong to. */
-  public void read(Simulation s) {
+  public void read(SimulationHost s) {
     sort();
     rows.clear();
     for (int i = 0; i < listedCount; i++) {
@@ -102,10 +102,10 @@ public final class Neighbourhood {
     joints.read(s, rows);
     Rows bodies = rows.bodies();
     for (int i = 0; i < listedCount; i++) {
-      Entity e = listed[i];
+      HostEntity e = listed[i];
       bodies.set(i, BodyRow.KEY, key(e.id(), e.generation()));
       bodies.set(i, BodyRow.ARCHETYPE, e.archetype().index());
-      Player owner = s.owner(e);
+      HostPlayer owner = s.owner(e);
       fields.read(s.schema(), i, e, owner, rows.of(RowKind.FIELDS));
     }
   }
@@ -114,10 +114,10 @@ public final class Neighbourhood {
    * Lists and reads the viewer's own body, and all entities that affect the motion of others: by
    * what they are, or by a joint. A sensor that hangs on a car has a mass, too.
    */
-  public void readAll(Simulation s) {
+  public void readAll(SimulationHost s) {
     clear();
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null && (affectsOthers(e.archetype()) || e.body().hasJoints() || isOwnBody(s, e))) {
         add(e);
       }
@@ -125,7 +125,7 @@ public final class Neighbourhood {
     read(s);
   }
 
-  private boolean isOwnBody(Simulation s, Entity e) {
+  private boolean isOwnBody(SimulationHost s, HostEntity e) {
     return e.ownerId() == viewer && s.owner(e) != null && s.owner(e).body() == e;
   }
 
@@ -135,7 +135,7 @@ public final class Neighbourhood {
    */
   private void sort() {
     for (int i = 1; i < listedCount; i++) {
-      Entity e = listed[i];
+      HostEntity e = listed[i];
       int j = i;
       for (; j > 0 && listed[j - 1].body().index() > e.body().index(); j--) {
         listed[j] = listed[j - 1];
@@ -151,7 +151,7 @@ public final class Neighbourhood {
       return (key, to) -> false;
     }
 
-    /** Returns the player that the entity of a key belongs to, or {@link Entity#NO_OWNER}. */
+    /** Returns the player that the entity of a key belongs to, or {@link HostEntity#NO_OWNER}. */
     int owner(int key);
 
     /** Returns whether the entity of a key may be the body of its owner. */
@@ -173,21 +173,21 @@ public final class Neighbourhood {
    * @param s of role {@code Role.PREDICTION}, of the same level and game
    * @param who gives owners and definitions of joints
    */
-  public void write(Simulation s, Identity who) {
+  public void write(SimulationHost s, Identity who) {
     despawnAll(s, who);
     Rows bodies = rows.bodies();
     for (int i = 0; i < bodies.count(); i++) {
       int key = bodies.get(i, BodyRow.KEY);
       int id = id(key);
       int owner = who.owner(key);
-      if (owner != Entity.NO_OWNER && s.player(owner) == null) {
+      if (owner != HostEntity.NO_OWNER && s.player(owner) == null) {
         s.mirror().join(owner, "");
       }
       Archetype archetype = s.archetypes().get(bodies.get(i, BodyRow.ARCHETYPE));
-      Entity e = s.mirror().spawn(id, generation(key), archetype, 0, 0, 0, owner, who.isBody(key));
+      HostEntity e = s.mirror().spawn(id, generation(key), archetype, 0, 0, 0, owner, who.isBody(key));
       s.mirror().identify(e, who.origin(key));
       rows.setSlot(i, e.body().index());
-      Player player = s.player(owner);
+      HostPlayer player = s.player(owner);
       if (player != null && player.body() == e) {
         fields.reset(s.schema(), player);
       }
@@ -200,11 +200,11 @@ public final class Neighbourhood {
     writeFields(s);
   }
 
-  private void writeFields(Simulation s) {
+  private void writeFields(SimulationHost s) {
     Rows from = rows.of(RowKind.FIELDS);
     for (int row = 0; row < from.count(); row++) {
-      Entity e = s.entity(id(key(from.get(row, FieldRow.PLACE))));
-      Player owner = s.owner(e);
+      HostEntity e = s.entity(id(key(from.get(row, FieldRow.PLACE))));
+      HostPlayer owner = s.owner(e);
       boolean isBody = owner != null && owner.body() == e;
       fields.write(s.schema(), from.ints(), from.at(row), e, isBody ? owner : null);
     }
@@ -214,20 +214,20 @@ public final class Neighbourhood {
    * Destroys all joints and despawns all entities, with the provisional ones that these rows are
    * of. New bodies and joints then get slots in order.
    */
-  private void despawnAll(Simulation s, Identity who) {
+  private void despawnAll(SimulationHost s, Identity who) {
     s.mirror().permit("destroyJoints");
     s.world().destroyJoints();
     Arrays.fill(listed, 0, listedCount, null);
     listedCount = 0;
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null) {
         add(e);
       }
     }
     for (int i = 0; s.mirror().provisionalCount() > 0 && i < count(); i++) {
       int origin = who.origin(key(i));
-      Entity e = origin == Origin.NONE ? null : s.entity(origin);
+      HostEntity e = origin == Origin.NONE ? null : s.entity(origin);
       if (e != null) {
         add(e);
       }

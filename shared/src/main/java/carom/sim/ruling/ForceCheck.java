@@ -2,7 +2,7 @@ package carom.sim.ruling;
 
 import carom.physics.Body;
 import carom.physics.World;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.finding.Findings;
 import java.util.function.Consumer;
 
@@ -15,17 +15,17 @@ public final class ForceCheck {
   /** A body is checked in every tick of so many. */
   private static final int TICKS = 16;
 
-  private final World<Entity> world;
+  private final World<HostEntity> world;
   private final Findings findings;
-  private final Consumer<Body<Entity>> add = this::add;
+  private final Consumer<Body<HostEntity>> add = this::add;
   private int visited;
   private int checked;
-  private Body<Entity> subject;
+  private Body<HostEntity> subject;
   private long sum;
   private long before;
 
   /** Creates a check of one world. */
-  public ForceCheck(World<Entity> world, Findings findings) {
+  public ForceCheck(World<HostEntity> world, Findings findings) {
     this.world = world;
     this.findings = findings;
   }
@@ -37,7 +37,7 @@ public final class ForceCheck {
   }
 
   /** Notes that forces are about to be called for a body. */
-  public void begin(Body<Entity> body) {
+  public void begin(Body<HostEntity> body) {
     if (visited++ == checked) {
       subject = body;
       before = others();
@@ -45,12 +45,12 @@ public final class ForceCheck {
   }
 
   /** Notes that forces have been called for the body that began last. */
-  public void end(Body<Entity> body, int tick) {
+  public void end(Body<HostEntity> body, int tick) {
     if (subject != body) {
       return;
     }
     if (others() != before) {
-      Entity e = body.user();
+      HostEntity e = body.user();
       findings.add(
           "forces " + e.archetype().index(),
           "forces of entity "
@@ -71,7 +71,7 @@ public final class ForceCheck {
     return sum;
   }
 
-  private void add(Body<Entity> body) {
+  private void add(Body<HostEntity> body) {
     sum += body == subject ? 0 : body.stamp();
   }
 }

@@ -2,9 +2,9 @@ package carom.sim.ruling;
 
 import carom.physics.BodyType;
 import carom.physics.rows.BodyRow;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.EntityTable;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.entity.PlayerTable;
 import carom.sim.field.FieldStore;
 import carom.sim.field.Scope;
@@ -33,7 +33,7 @@ import java.util.function.IntUnaryOperator;
  * else needs the exact state of the entity: see {@link #lastUntoldTick}.
  *
  * <p>Only watched entities are compared, so the others cost nothing; the bodies of players are
- * always compared, see {@link #lastTick(Player)}. The log is no part of the simulation's state. It
+ * always compared, see {@link #lastTick(HostPlayer)}. The log is no part of the simulation's state. It
  * is filled on {@code Role.AUTHORITY} only. One thread; allocates only to grow.
  */
 public final class InterferenceLog {
@@ -74,7 +74,7 @@ public final class InterferenceLog {
   private final IntUnaryOperator jointKey;
   private final JointNotes joints = new JointNotes();
   private final int[] row = new int[BodyRow.INTS];
-  private Entity[] watched = new Entity[16];
+  private HostEntity[] watched = new HostEntity[16];
   private int watchedCount;
 
   /** True while the state before the rules is noted, and that after them isn't. */
@@ -95,7 +95,7 @@ public final class InterferenceLog {
   }
 
   /** Compares an entity in the next step, too. A second call before that step has no effect. */
-  public void watch(Entity entity) {
+  public void watch(HostEntity entity) {
     ofEntities = grown(ofEntities, entity.id());
     if (find(ofEntities, entity.id(), entity) == null) {
       findWhatClientsLack(entity);
@@ -116,7 +116,7 @@ public final class InterferenceLog {
   }
 
   /** Tells if a body was spawned with more than its archetype says. */
-  private void findWhatClientsLack(Entity entity) {
+  private void findWhatClientsLack(HostEntity entity) {
     String what = definitions.difference(entity.archetype(), entity.body());
     if (what != null) {
       findings.add(
@@ -136,7 +136,7 @@ public final class InterferenceLog {
    * Returns the last tick in which the game interfered with an entity while it was watched, or -1.
    * Waking a body counts, even if the game did so by what it put beside it.
    */
-  public int lastTick(Entity entity) {
+  public int lastTick(HostEntity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
     return mark == null ? -1 : mark.lastTick;
   }
@@ -147,7 +147,7 @@ public final class InterferenceLog {
    * or of its player outside of {@code Game.input}, and to make, destroy or change one of its
    * joints.
    */
-  public int lastUntoldTick(Entity entity) {
+  public int lastUntoldTick(HostEntity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
     return mark == null ? -1 : mark.lastUntoldTick;
   }
@@ -156,7 +156,7 @@ public final class InterferenceLog {
    * Returns the last tick in which the input of an entity's owner read what not all players near
    * are told, while the entity was watched, or -1.
    */
-  public int lastHiddenTick(Entity entity) {
+  public int lastHiddenTick(HostEntity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
     return mark == null ? -1 : mark.lastHiddenTick;
   }
@@ -165,9 +165,9 @@ public final class InterferenceLog {
    * Notes that a client is told, or would have to be, what an input did to an entity because of
    * {@link #lastHiddenTick}.
    */
-  public void toldInput(Entity entity) {
+  public void toldInput(HostEntity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
-    Player owner = players.get(entity.ownerId());
+    HostPlayer owner = players.get(entity.ownerId());
     if (mark != null && mark.hiddenScope != null && owner != null) {
       entities
           .fields()
@@ -186,7 +186,7 @@ public final class InterferenceLog {
    * bodies that this one touches are affected in the same tick. Otherwise nothing but this entity
    * differs after that tick.
    */
-  public boolean wasBeforeStep(Entity entity) {
+  public boolean wasBeforeStep(HostEntity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
     return mark != null && mark.beforeStep;
   }
@@ -196,7 +196,7 @@ public final class InterferenceLog {
    * alone, or -1. The game then moved, pushed or exchanged the body, or wrote the player's fields.
    * A push in {@code Game.afterStep} shows a tick later, so it counts for the tick after.
    */
-  public int lastTick(Player player) {
+  public int lastTick(HostPlayer player) {
     Mark mark = find(ofPlayers, player.id(), player);
     return mark == null ? -1 : mark.lastTick;
   }
@@ -213,7 +213,7 @@ public final class InterferenceLog {
     rulesRun = true;
     ofPlayers = grown(ofPlayers, players.limit());
     for (int id = 0; id < players.limit(); id++) {
-      Player player = players.get(id);
+      HostPlayer player = players.get(id);
       if (player != null) {
         claim(ofPlayers, id, player).stamp = player.body() == null ? 0 : bodyStamp(player);
       }
@@ -225,7 +225,7 @@ public final class InterferenceLog {
     }
   }
 
-  private static void noteBefore(Entity entity, Mark mark) {
+  private static void noteBefore(HostEntity entity, Mark mark) {
     mark.stamp = stamp(entity);
     mark.row = mark.row == null ? new int[BodyRow.INTS] : mark.row;
     Ruling.readRow(entity, mark.row);
@@ -250,7 +250,7 @@ public final class InterferenceLog {
     rulesRun = false;
     ofPlayers = grown(ofPlayers, players.limit());
     for (int id = 0; id < players.limit(); id++) {
-      Player player = players.get(id);
+      HostPlayer player = players.get(id);
       if (player != null && player.body() != null) {
         Mark mark = claim(ofPlayers, id, player);
         if (bodyStamp(player) != mark.stamp) {
@@ -286,8 +286,8 @@ public final class InterferenceLog {
       return;
     }
     for (int i = 0; i < watchedCount; i++) {
-      Entity entity = watched[i];
-      if (entity.ownerId() == Entity.NO_OWNER || !entities.holds(entity)) {
+      HostEntity entity = watched[i];
+      if (entity.ownerId() == HostEntity.NO_OWNER || !entities.holds(entity)) {
         continue;
       }
       Mark mark = ofEntities[entity.id()];
@@ -307,13 +307,13 @@ public final class InterferenceLog {
    * @param tick the tick being computed
    * @param fields know what it read and wrote
    */
-  public void endInput(Player player, int tick, FieldStore fields) {
+  public void endInput(HostPlayer player, int tick, FieldStore fields) {
     if (fields.hasReadUntold()) {
       ofPlayers = grown(ofPlayers, players.limit());
       claim(ofPlayers, player.id(), player).lastTick = tick; // its own client can't know it either
     }
     for (int i = 0; i < watchedCount; i++) {
-      Entity entity = watched[i];
+      HostEntity entity = watched[i];
       if (entity.ownerId() != player.id() || !entities.holds(entity)) {
         continue;
       }
@@ -331,7 +331,7 @@ public final class InterferenceLog {
     }
   }
 
-  private boolean noteInput(Entity entity, Mark mark, int tick, boolean always) {
+  private boolean noteInput(HostEntity entity, Mark mark, int tick, boolean always) {
     Ruling.readRow(entity, row);
     ruling.setDifference(mark.row, row);
     if (row[BodyRow.SLEEP_TIME] == BodyRow.ASLEEP) {
@@ -343,7 +343,7 @@ public final class InterferenceLog {
     return true;
   }
 
-  private boolean noteJoints(Entity entity, Mark mark, int tick) {
+  private boolean noteJoints(HostEntity entity, Mark mark, int tick) {
     if (stamp(entity) == mark.stamp) {
       return true;
     }
@@ -360,7 +360,7 @@ public final class InterferenceLog {
     return told && (any || joints.count() == 0);
   }
 
-  private void addInput(Entity entity, int tick) {
+  private void addInput(HostEntity entity, int tick) {
     ruling.tick = tick;
     ruling.moment = Ruling.Moment.INPUT;
     ruling.key = entity.id() | entity.generation() << 16;
@@ -372,7 +372,7 @@ public final class InterferenceLog {
    *
    * @return false if they did something that a ruling can't say
    */
-  private boolean noteRuling(Entity entity, Mark mark, int tick, boolean beforeStep) {
+  private boolean noteRuling(HostEntity entity, Mark mark, int tick, boolean beforeStep) {
     Ruling.readRow(entity, row);
     ruling.setDifference(mark.row, row);
     if (ruling.mask == 0) {
@@ -393,14 +393,14 @@ public final class InterferenceLog {
   }
 
   /** Counts what the rules wrote to an entity's fields and to those of the player it is of. */
-  private long ruled(Entity entity) {
-    Player owner = players.get(entity.ownerId());
+  private long ruled(HostEntity entity) {
+    HostPlayer owner = players.get(entity.ownerId());
     boolean isBody = owner != null && owner.body() == entity;
     return entity.fieldValues().ruled() + (isBody ? owner.fieldValues().ruled() : 0);
   }
 
   /** Tells that the rules change a body again and again. */
-  private void find(Entity entity, int firstTick, String callback) {
+  private void find(HostEntity entity, int firstTick, String callback) {
     String deed = deed(ruling.mask);
     String advice;
     if (entity.archetype().type() != BodyType.DYNAMIC && (ruling.mask & Ruling.ARCHETYPE) == 0) {
@@ -446,11 +446,11 @@ public final class InterferenceLog {
     return ((1 << count) - 1) << from - BodyRow.MOTION;
   }
 
-  private static long bodyStamp(Player player) {
+  private static long bodyStamp(HostPlayer player) {
     return player.body().body().stamp();
   }
 
-  private static long stamp(Entity entity) {
+  private static long stamp(HostEntity entity) {
     return entity.body().jointStamp();
   }
 

@@ -2,7 +2,7 @@ package carom.sim.ruling;
 
 import carom.physics.Body;
 import carom.physics.Joint;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
@@ -11,8 +11,8 @@ import java.util.function.Consumer;
  * is its body A's. One thread; allocates only to grow.
  */
 final class JointNotes {
-  private final Consumer<Joint<Entity>> add = this::add;
-  private Entity entity;
+  private final Consumer<Joint<HostEntity>> add = this::add;
+  private HostEntity entity;
   private int[] slots = {};
   private int[] settings = {};
   private int count;
@@ -20,14 +20,14 @@ final class JointNotes {
   JointNotes() {}
 
   /** Notes the joints of a body as they are now. */
-  void read(Entity of) {
+  void read(HostEntity of) {
     entity = of;
     count = 0;
     of.body().forEachJoint(add);
   }
 
-  private void add(Joint<Entity> joint) {
-    Body<Entity> a = joint.bodyA();
+  private void add(Joint<HostEntity> joint) {
+    Body<HostEntity> a = joint.bodyA();
     boolean isA = a == entity.body();
     if (!isA && a != null && a.user().ownerId() == entity.ownerId()) {
       return;

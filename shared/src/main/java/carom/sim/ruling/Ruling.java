@@ -3,7 +3,7 @@ package carom.sim.ruling;
 import carom.physics.Body;
 import carom.physics.Joint;
 import carom.physics.rows.BodyRow;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 
@@ -83,7 +83,7 @@ public final class Ruling {
   }
 
   /** Reads the row of an entity, which rulings compare. */
-  static void readRow(Entity entity, int[] row) {
+  static void readRow(HostEntity entity, int[] row) {
     entity.body().readRow(row, 0);
     row[BodyRow.ARCHETYPE] = entity.archetype().index();
   }
@@ -130,7 +130,7 @@ public final class Ruling {
    *
    * @param scratch room for a row
    */
-  public void apply(Joint<Entity> target, int[] scratch) {
+  public void apply(Joint<HostEntity> target, int[] scratch) {
     try {
       JointSettings.change(target, mask, row, BodyRow.MOTION, scratch);
     } catch (IllegalArgumentException | IllegalStateException e) {
@@ -144,8 +144,8 @@ public final class Ruling {
    * @param archetypes those of its simulation
    * @param scratch room for a row
    */
-  public void apply(Entity entity, Archetypes archetypes, int[] scratch) {
-    Body<Entity> body = entity.body();
+  public void apply(HostEntity entity, Archetypes archetypes, int[] scratch) {
+    Body<HostEntity> body = entity.body();
     if ((mask & ARCHETYPE) != 0 && !entity.isRoot()) {
       Archetype other = archetypes.get(row[BodyRow.ARCHETYPE]);
       entity.become(other == null ? entity.archetype() : other);

@@ -1,6 +1,6 @@
 package carom.sim.ruling;
 
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 
 /**
  * Tells a predicted simulation what the server computes and it can't: the effects of rules, which
@@ -16,7 +16,7 @@ public interface Rulings {
    *
    * @return whether it has; if so, {@code Game.input} isn't called
    */
-  boolean input(Player player);
+  boolean input(HostPlayer player);
 
   /**
    * Notes that a player's input of the tick being computed has read a field that not all players
@@ -24,7 +24,7 @@ public interface Rulings {
    *
    * @param untold whether it has read one that no player is told
    */
-  void readHidden(Player player, boolean untold);
+  void readHidden(HostPlayer player, boolean untold);
 
   /** Applies what the rules of the tick being computed did after the physics. */
   void afterStep();

@@ -12,10 +12,10 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
@@ -49,7 +49,7 @@ public final class SceneGame implements Game {
   private final Scene scene;
   private final Map<String, Archetype> kinds = new TreeMap<>();
   private Archetype dot;
-  private SceneWorld<Entity> stage;
+  private SceneWorld<HostEntity> stage;
 
   /**
    * Creates the game of a scene.
@@ -116,14 +116,14 @@ public final class SceneGame implements Game {
   }
 
   @Override
-  public boolean seesAll(Simulation s, Player p) {
+  public boolean seesAll(SimulationHost s, HostPlayer p) {
     return true; // a spectator
   }
 
   @Override
-  public void setUp(Simulation s) {
-    World<Entity> still = new World<>(world(s.level()));
-    SceneWorld<Entity> preview =
+  public void setUp(SimulationHost s) {
+    World<HostEntity> still = new World<>(world(s.level()));
+    SceneWorld<HostEntity> preview =
         new SceneWorld<>(
             still,
             def -> {
@@ -147,7 +147,7 @@ public final class SceneGame implements Game {
   }
 
   /** The scene that the server's simulation runs. */
-  private record Told(Simulation simulation, SceneWorld<Entity> stage) implements ParticleWorld {
+  private record Told(SimulationHost simulation, SceneWorld<HostEntity> stage) implements ParticleWorld {
     @Override
     public List<ShownParticles> particles() {
       return stage.particles();
@@ -160,11 +160,11 @@ public final class SceneGame implements Game {
     }
   }
 
-  private Body<Entity> enter(Simulation s, BodyDef def) {
+  private Body<HostEntity> enter(SimulationHost s, BodyDef def) {
     return s.spawn(kinds.getOrDefault(look(def), dot), def).body();
   }
 
-  private static void leave(Simulation s, Body<Entity> body) {
+  private static void leave(SimulationHost s, Body<HostEntity> body) {
     s.despawn(body.user());
   }
 
@@ -206,22 +206,22 @@ public final class SceneGame implements Game {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     // A spectator has no body.
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
+  public void input(SimulationHost s, HostPlayer p, Input in) {
     // There is nothing to steer.
   }
 
   @Override
-  public void beforeStep(Simulation s) {
+  public void beforeStep(SimulationHost s) {
     stage.beforeStep(s.tick() - 1, s.tickSeconds());
   }
 
   @Override
-  public boolean collision(Simulation s, Collision<Entity> c) {
+  public boolean collision(SimulationHost s, Collision<HostEntity> c) {
     return stage == null || stage.listener() == null || stage.listener().preSolve(c);
   }
 }

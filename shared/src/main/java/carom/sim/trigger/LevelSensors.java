@@ -6,7 +6,7 @@ import carom.physics.QueryHit;
 import carom.physics.QueryVisitor;
 import carom.physics.World;
 import carom.physics.math.Transform;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import java.util.Set;
@@ -18,7 +18,7 @@ import java.util.TreeSet;
  * predictions and restores. One thread; a question allocates nothing.
  */
 public final class LevelSensors {
-  private final World<Entity> world;
+  private final World<HostEntity> world;
 
   /** Names of the level's statics that are sensors. */
   private final Set<String> names = new TreeSet<>();
@@ -26,11 +26,11 @@ public final class LevelSensors {
   private final Transform pose = new Transform();
   private String wanted;
   private boolean found;
-  private final QueryFilter<Entity> filter = (body, shape) -> isWanted(body.user());
-  private final QueryVisitor<Entity> visitor = this::find;
+  private final QueryFilter<HostEntity> filter = (body, shape) -> isWanted(body.user());
+  private final QueryVisitor<HostEntity> visitor = this::find;
 
   /** Creates the answers about a level that was built into a world. */
-  public LevelSensors(World<Entity> world, Level level, Archetypes archetypes) {
+  public LevelSensors(World<HostEntity> world, Level level, Archetypes archetypes) {
     this.world = world;
     for (Level.Placement placement : level.statics()) {
       if (archetypes.get(placement.archetype()).sensor()) {
@@ -45,7 +45,7 @@ public final class LevelSensors {
    * @param name of the sensor, or of several
    * @throws IllegalArgumentException if the level has no static sensor of that name
    */
-  public boolean contain(Entity entity, String name) {
+  public boolean contain(HostEntity entity, String name) {
     if (!names.contains(name)) {
       throw new IllegalArgumentException(
           "sensor=\""
@@ -54,7 +54,7 @@ public final class LevelSensors {
               + names
               + "; of sensors that move or are spawned, Game.entered and left tell");
     }
-    Body<Entity> body = entity.body();
+    Body<HostEntity> body = entity.body();
     pose.set(body.x(), body.y(), body.cos(), body.sin());
     wanted = name;
     found = false;
@@ -64,13 +64,13 @@ public final class LevelSensors {
     return found;
   }
 
-  private boolean isWanted(Entity entity) {
+  private boolean isWanted(HostEntity entity) {
     return entity.isLevel()
         && entity.archetype().sensor()
         && entity.archetype().name().equals(wanted);
   }
 
-  private boolean find(QueryHit<Entity> hit) {
+  private boolean find(QueryHit<HostEntity> hit) {
     found = true;
     return false;
   }

@@ -1,7 +1,7 @@
 package carom.sim.trigger;
 
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.finding.Findings;
 
 /**
@@ -13,7 +13,7 @@ public final class OverlapUse {
   private final Findings findings;
 
   /** The player whose input runs; null outside of inputs. */
-  private Player player;
+  private HostPlayer player;
 
   /** Creates it; what it finds goes to a list. */
   public OverlapUse(Findings findings) {
@@ -21,16 +21,16 @@ public final class OverlapUse {
   }
 
   /** Notes that a player's input begins, or with null that it has ended. */
-  public void inputOf(Player value) {
+  public void inputOf(HostPlayer value) {
     player = value;
   }
 
   /** Receives an overlap that the game asked for. */
-  public void read(Entity asked, Entity other) {
+  public void read(HostEntity asked, HostEntity other) {
     if (player == null || asked == null || other == null) {
       return;
     }
-    Entity sensor = asked.archetype().sensor() ? asked : other;
+    HostEntity sensor = asked.archetype().sensor() ? asked : other;
     boolean isSimulated = sensor.ownerId() == player.id() || sensor.archetype().area() != null;
     String id = "overlaps " + sensor.archetype().index();
     if (isSimulated || !findings.isNew(id)) {

@@ -3,7 +3,7 @@ package carom.sim.trigger;
 import carom.physics.Body;
 import carom.physics.BodyVisitor;
 import carom.physics.Collision;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.EntityTable;
 import java.util.Arrays;
 import java.util.List;
@@ -28,10 +28,10 @@ public final class Triggers {
   /** Is told of visits. It may spawn and despawn. */
   public interface Listener {
     /** Receives that an entity entered a sensor. Both exist. */
-    void entered(Entity sensor, Entity visitor);
+    void entered(HostEntity sensor, HostEntity visitor);
 
     /** Receives that an entity left a sensor. Either may be despawned. */
-    void left(Entity sensor, Entity visitor);
+    void left(HostEntity sensor, HostEntity visitor);
   }
 
   private static final byte ENTERED = 0;
@@ -43,28 +43,28 @@ public final class Triggers {
   private static final byte NOTHING = 3;
 
   private final EntityTable entities;
-  private final List<Entity> statics;
+  private final List<HostEntity> statics;
   private final Listener listener;
 
   // The visits that last: two body slots, by which they are sorted; sensor and visitor.
   private int count;
   private long[] keys = new long[16];
-  private Entity[] pairs = new Entity[32];
+  private HostEntity[] pairs = new HostEntity[32];
 
   // What happened and isn't told yet: what; key; sensor and visitor.
   private int waiting;
   private byte[] kinds = new byte[16];
   private long[] waitingKeys = new long[16];
-  private Entity[] waitingPairs = new Entity[32];
+  private HostEntity[] waitingPairs = new HostEntity[32];
 
   private boolean telling;
 
   // Scratch of questions about overlaps.
-  private Body<Entity> sought;
-  private Entity host;
+  private Body<HostEntity> sought;
+  private HostEntity host;
   private boolean found;
-  private final BodyVisitor<Entity> seek = this::seek;
-  private final BodyVisitor<Entity> collect = this::collect;
+  private final BodyVisitor<HostEntity> seek = this::seek;
+  private final BodyVisitor<HostEntity> collect = this::collect;
 
   /**
    * Creates the visits of a simulation that has none yet.
@@ -73,28 +73,28 @@ public final class Triggers {
    * @param statics the static geometry of the level, which may still grow
    * @param listener is told of them
    */
-  public Triggers(EntityTable entities, List<Entity> statics, Listener listener) {
+  public Triggers(EntityTable entities, List<HostEntity> statics, Listener listener) {
     this.entities = entities;
     this.statics = statics;
     this.listener = listener;
   }
 
   /** Notes a contact that begins, if it is one of a sensor. */
-  public void begin(Collision<Entity> c) {
+  public void begin(Collision<HostEntity> c) {
     if (!c.isSensor()) {
       return;
     }
-    Entity self = c.self().user();
-    Entity other = c.other().user();
-    Entity sensor = self.archetype().sensor() ? self : other;
-    Entity visitor = sensor == self ? other : self;
+    HostEntity self = c.self().user();
+    HostEntity other = c.other().user();
+    HostEntity sensor = self.archetype().sensor() ? self : other;
+    HostEntity visitor = sensor == self ? other : self;
     if (sensor.archetype().sensor() && add(sensor, visitor)) {
       queue(ENTERED, key(sensor, visitor), sensor, visitor);
     }
   }
 
   /** Notes a contact that ends, if it is one of a sensor. */
-  public void end(Collision<Entity> c) {
+  public void end(Collision<HostEntity> c) {
     if (!c.isSensor()) {
       return;
     }
@@ -116,8 +116,8 @@ public final class Triggers {
     if (kinds[i] != CONTACT_ENDED) {
       return;
     }
-    Entity sensor = waitingPairs[2 * i];
-    Entity visitor = waitingPairs[2 * i + 1];
+    HostEntity sensor = waitingPairs[2 * i];
+    HostEntity visitor = waitingPairs[2 * i + 1];
     kinds[i] = NOTHING;
     int at = find(waitingKeys[i]);
     if (at >= 0 && pairs[2 * at] == sensor && !overlap(sensor, visitor)) {
@@ -147,7 +147,7 @@ public final class Triggers {
     }
   }
 
-  private void tell(byte kind, long key, Entity sensor, Entity visitor) {
+  private void tell(byte kind, long key, HostEntity sensor, HostEntity visitor) {
     if (kind == LEFT) {
       listener.left(sensor, visitor);
     } else if (kind == ENTERED && sensor.body().isValid() && visitor.body().isValid()) {
@@ -175,19 +175,19 @@ public final class Triggers {
     host = null;
   }
 
-  private void read(Entity entity) {
+  private void read(HostEntity entity) {
     if (entity != null && entity.archetype().sensor()) {
       host = entity;
       entity.body().forEachOverlap(collect);
     }
   }
 
-  private boolean collect(Body<Entity> other) {
+  private boolean collect(Body<HostEntity> other) {
     add(host, other.user());
     return true;
   }
 
-  private boolean overlap(Entity sensor, Entity visitor) {
+  private boolean overlap(HostEntity sensor, HostEntity visitor) {
     if (!sensor.body().isValid() || !visitor.body().isValid() || !sensor.archetype().sensor()) {
       return false;
     }
@@ -198,12 +198,12 @@ public final class Triggers {
     return found;
   }
 
-  private boolean seek(Body<Entity> other) {
+  private boolean seek(Body<HostEntity> other) {
     found |= other == sought;
     return !found;
   }
 
-  private static long key(Entity a, Entity b) {
+  private static long key(HostEntity a, HostEntity b) {
     int low = Math.min(a.bodySlot(), b.bodySlot());
     int high = Math.max(a.bodySlot(), b.bodySlot());
     return (long) low << 32 | high;
@@ -214,7 +214,7 @@ public final class Triggers {
   }
 
   /** Adds a visit; returns false if it lasts already. */
-  private boolean add(Entity sensor, Entity visitor) {
+  private boolean add(HostEntity sensor, HostEntity visitor) {
     long key = key(sensor, visitor);
     int at = find(key);
     if (at >= 0) {
@@ -242,7 +242,7 @@ public final class Triggers {
     pairs[2 * count + 1] = null;
   }
 
-  private void queue(byte kind, long key, Entity sensor, Entity visitor) {
+  private void queue(byte kind, long key, HostEntity sensor, HostEntity visitor) {
     if (waiting == kinds.length) {
       kinds = Arrays.copyOf(kinds, 2 * waiting);
       waitingKeys = Arrays.copyOf(waitingKeys, 2 * waiting);

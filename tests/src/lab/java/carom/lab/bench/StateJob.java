@@ -11,7 +11,7 @@ import carom.physics.World;
 import carom.physics.WorldState;
 import carom.server.replication.FrameCapture;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.SceneRun;
@@ -96,8 +96,8 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
    */
   private static Work quantise() {
     Scene scene = pile();
-    Simulation simulation =
-        new Simulation(
+    SimulationHost simulation =
+        new SimulationHost(
             new SceneGame(scene), SceneGame.level(scene), 1, scene.tickRate(), Role.AUTHORITY);
     FrameCapture capture = new FrameCapture(simulation);
     for (int i = 0; i < WARM; i++) {

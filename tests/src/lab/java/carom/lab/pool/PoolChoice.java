@@ -20,7 +20,7 @@ import carom.physics.particles.ParticleDef;
 import carom.physics.particles.Particles;
 import carom.server.config.ServerConfig;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.pool.Pool;
@@ -62,7 +62,7 @@ public final class PoolChoice {
     long nanos;
     int tick;
 
-    Free(SimulatedClient client, Simulation of) {
+    Free(SimulatedClient client, SimulationHost of) {
       this.client = client;
       world = new World<>(of.game().world(of.level()));
       for (Level.Placement p : of.level().statics()) {
@@ -87,7 +87,7 @@ public final class PoolChoice {
       }
     }
 
-    void step(Simulation of) {
+    void step(SimulationHost of) {
       for (Body<Void> b : bodies) {
         world.destroyBody(b);
       }
@@ -161,7 +161,7 @@ public final class PoolChoice {
       SimulatedClient p = stepper.add(all, far, Scripts.wander(42));
       SimulatedClient q = stepper.add("q", far, new Bot(2));
       stepper.run(4);
-      Simulation s = stepper.room().simulation();
+      SimulationHost s = stepper.room().simulation();
       Free[] free = {new Free(p, s), new Free(q, s)};
       final long bytes = p.stats().bytesIn();
       final long awake = p.stats().awakeBodies();
@@ -236,8 +236,8 @@ public final class PoolChoice {
 
   /** Prints what a tick of the level costs a server, with pools and without bodies that predict. */
   private static void cost() throws Exception {
-    Simulation s =
-        new Simulation(Games.create("platformer"), Level.builtIn("sluice"), 1, 60, Role.AUTHORITY);
+    SimulationHost s =
+        new SimulationHost(Games.create("platformer"), Level.builtIn("sluice"), 1, 60, Role.AUTHORITY);
     for (int i = 0; i < 600; i++) {
       s.step();
     }

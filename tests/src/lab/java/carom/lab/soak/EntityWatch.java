@@ -5,8 +5,8 @@ import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.server.room.Room;
 import carom.sim.Journal;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Level;
 import carom.testkit.SimulatedClient;
 import java.util.Arrays;
@@ -32,7 +32,7 @@ final class EntityWatch implements Journal {
   private int match = -1;
   private int begun;
   private boolean inView;
-  private Simulation followed;
+  private SimulationHost followed;
   private final Map<SimulatedClient, Integer> wellSince = new WeakHashMap<>();
 
   /** Follows the match that a room plays now, from the present tick on. */
@@ -62,14 +62,14 @@ final class EntityWatch implements Journal {
   }
 
   @Override
-  public void stepping(Simulation s) {}
+  public void stepping(SimulationHost s) {}
 
   /** Takes note of a tick, also of one that a room catches up with others in one turn. */
   @Override
-  public void stepped(Simulation s) {
+  public void stepped(SimulationHost s) {
     int id = 0;
     for (int left = s.entityCount(); left > 0; id++) {
-      Entity entity = s.entity(id);
+      HostEntity entity = s.entity(id);
       left -= entity == null ? 0 : 1;
       note(id, entity == null ? 0 : entity.generation() + 1, s.tick());
     }

@@ -12,8 +12,8 @@ import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.LevelException;
 import carom.sim.message.Emote;
 import carom.testkit.Folders;
@@ -257,14 +257,14 @@ final class Soak {
   }
 
   private void check(Room room) {
-    Simulation simulation = room.simulation();
+    SimulationHost simulation = room.simulation();
     for (int id = 0, left = simulation.entityCount(); left > 0; id++) {
-      Entity entity = simulation.entity(id);
+      HostEntity entity = simulation.entity(id);
       if (entity == null) {
         continue;
       }
       left--;
-      Body<Entity> body = entity.body();
+      Body<HostEntity> body = entity.body();
       float sum =
           body.x()
               + body.y()

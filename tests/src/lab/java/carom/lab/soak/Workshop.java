@@ -8,10 +8,10 @@ import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -106,37 +106,37 @@ final class Workshop implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     car = s.assemblies().add(Cars.car(new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), METAL)));
     crate = s.archetypes().add(new ArchetypeDef("crate").shape(new Box(0.4f, 0.4f), METAL));
     snap = s.eventKinds().add("snap", 0xffd166, 1, "snap");
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     s.spawn(car, spot.x(), spot.y() + p.id() / spots.size() * 2, 0, p);
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
-    Joint<Entity> drive = s.joint(p.body(), "drive");
+  public void input(SimulationHost s, HostPlayer p, Input in) {
+    Joint<HostEntity> drive = s.joint(p.body(), "drive");
     if (drive != null) {
       drive.setMotor(-12 * in.moveX(), 40);
     }
   }
 
   @Override
-  public void broke(Simulation s, Joint<Entity> joint) {
+  public void broke(SimulationHost s, Joint<HostEntity> joint) {
     s.emit(snap).at(joint.anchorAX(), joint.anchorAY());
   }
 
   @Override
-  public void afterStep(Simulation s) {
+  public void afterStep(SimulationHost s) {
     int crates = 0;
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null && e.archetype() == crate) {
         crates++;
         if (e.body().y() < -12) {
@@ -145,11 +145,11 @@ final class Workshop implements Game {
       }
     }
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p == null || p.body() == null) {
         continue;
       }
-      Body<Entity> body = p.body().body();
+      Body<HostEntity> body = p.body().body();
       if (body.y() < -12) {
         Level.Spawn spot = s.level().spawns("player").get(0);
         p.body().teleport(spot.x(), spot.y() + 3, 0);
@@ -162,10 +162,10 @@ final class Workshop implements Game {
   }
 
   /** Drops a crate that hangs on a rope; every third one takes another one's place. */
-  private void drop(Simulation s, Player p, Body<Entity> chassis) {
+  private void drop(SimulationHost s, HostPlayer p, Body<HostEntity> chassis) {
     float x = chassis.x();
     float y = chassis.y();
-    Body<Entity> dropped = s.spawn(crate, x, y + 2, 0, null).body();
+    Body<HostEntity> dropped = s.spawn(crate, x, y + 2, 0, null).body();
     p.add(DROPPED, 1);
     if (p.get(DROPPED) % 3 != 0) {
       s.connect(JointDef.rope(chassis, dropped, x, y, x, y + 2, 2.5f).breaksAt(300, 0));
@@ -174,9 +174,9 @@ final class Workshop implements Game {
     }
   }
 
-  private void removeFirst(Simulation s) {
+  private void removeFirst(SimulationHost s) {
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null && e.archetype() == crate) {
         s.despawn(e);
         return;

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.rockets.RocketGame;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.testkit.Stepper;
 import java.util.List;
 import java.util.Locale;
@@ -33,8 +33,8 @@ final class BotPlayTest {
       return 100.0 * cornered / looks;
     }
 
-    void look(Simulation s, Player p) {
-      Body<Entity> body = p.body().body();
+    void look(SimulationHost s, HostPlayer p) {
+      Body<HostEntity> body = p.body().body();
       boolean right = Math.abs(body.x()) > s.level().bounds().maxX() - 6;
       boolean up = Math.abs(body.y()) > s.level().bounds().maxY() - 5;
       looks++;
@@ -58,12 +58,12 @@ final class BotPlayTest {
         stepper.run(0.3); // so that ids are in this order
       }
       stepper.clients().forEach(c -> c.game().ready(true));
-      Simulation s = stepper.room().simulation();
+      SimulationHost s = stepper.room().simulation();
       int[] points = new int[bots];
       for (int i = 0; i < 10 * seconds; i++) {
         stepper.run(0.1);
         for (int id = 0; id < bots; id++) {
-          Player p = s.player(id);
+          HostPlayer p = s.player(id);
           points[id] = Math.max(points[id], p.score());
           if (p.body() != null) {
             all[id % 2].look(s, p);

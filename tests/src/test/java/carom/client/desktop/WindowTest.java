@@ -11,9 +11,9 @@ import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.suite.Alone;
 import com.badlogic.gdx.utils.GdxNativesLoader;
@@ -63,8 +63,8 @@ final class WindowTest {
                 System::nanoTime)) {
       server.start();
       Process window = openWindow(display, server, picture);
-      Simulation world = server.rooms().get(0).simulation();
-      Player joined = awaitPlayer(world, window);
+      SimulationHost world = server.rooms().get(0).simulation();
+      HostPlayer joined = awaitPlayer(world, window);
       // Nobody plays: everything rests, so that the server's state now is what the picture shows.
       assertTrue(window.waitFor(60, TimeUnit.SECONDS), "the window did not close by itself");
       assertEquals(0, window.exitValue(), () -> output(folder));
@@ -73,7 +73,7 @@ final class WindowTest {
       player[0] = lastX;
       player[1] = lastY;
       for (int id = 0; id < world.entityCapacity(); id++) {
-        Entity e = world.entity(id);
+        HostEntity e = world.entity(id);
         if (e != null && e.archetype().name().contains("crate")) {
           crates.add(new float[] {e.body().x(), e.body().y()});
           crateColour = e.archetype().appearance().rgb();
@@ -119,11 +119,11 @@ final class WindowTest {
   private volatile float lastY;
   private volatile int lastColour;
 
-  private Player awaitPlayer(Simulation world, Process window) throws InterruptedException {
+  private HostPlayer awaitPlayer(SimulationHost world, Process window) throws InterruptedException {
     long deadline = System.nanoTime() + 50_000_000_000L;
-    Player found = null;
+    HostPlayer found = null;
     while (window.isAlive() && System.nanoTime() < deadline) {
-      Player player;
+      HostPlayer player;
       try {
         player = world.player(0);
       } catch (IllegalStateException inTheMiddleOfAStep) {

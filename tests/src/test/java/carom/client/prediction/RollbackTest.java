@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.fixtures.IslandRig;
 import carom.fixtures.RollbackFigure;
 import carom.sim.Journal;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -116,10 +116,10 @@ class RollbackTest {
         .addJournal(
             new Journal() {
               @Override
-              public void stepping(Simulation s) {}
+              public void stepping(SimulationHost s) {}
 
               @Override
-              public void stepped(Simulation s) {
+              public void stepped(SimulationHost s) {
                 ns += nsPerTick;
                 steps++;
               }

@@ -8,8 +8,8 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.exact.SpawnList;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.near.Neighbourhood;
@@ -29,19 +29,19 @@ final class SnapshotRecordsTest {
     OwnState told = new OwnState();
     told.spawned().add(SpawnList.FIRST_ORIGIN, rocket);
     records.spawns().add(told);
-    assertEquals(Entity.NO_OWNER, records.owner(rocket));
+    assertEquals(HostEntity.NO_OWNER, records.owner(rocket));
     records.spawns().settle(rocket, ANN);
     assertEquals(ANN, records.owner(rocket));
     assertFalse(records.isBody(rocket), "a spawn is no player's body");
-    assertEquals(Entity.NO_OWNER, records.owner(Neighbourhood.key(70, 6)), "its successor");
-    records.spawns().settle(rocket, Entity.NO_OWNER);
-    assertEquals(Entity.NO_OWNER, records.owner(rocket));
+    assertEquals(HostEntity.NO_OWNER, records.owner(Neighbourhood.key(70, 6)), "its successor");
+    records.spawns().settle(rocket, HostEntity.NO_OWNER);
+    assertEquals(HostEntity.NO_OWNER, records.owner(rocket));
     assertFalse(records.isBody(rocket));
   }
 
   private static SnapshotRecords records() throws LevelException {
-    Simulation s =
-        new Simulation(Games.create("arena"), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
+    SimulationHost s =
+        new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
     SnapshotRecords records = new SnapshotRecords(s, ANN);
     records.readFrom(new SnapshotDecoder(100, 0, 0, 60));
     return records;

@@ -8,10 +8,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.GamesTest;
 import carom.physics.Body;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.sim.match.NextMatch;
@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 
 /** Goal: the arena's rules. Method: the shipped level, scripted players. */
 class ArenaGameTest {
-  private final Simulation s = GamesTest.start("arena", 1, Role.AUTHORITY);
+  private final SimulationHost s = GamesTest.start("arena", 1, Role.AUTHORITY);
   private final List<String> notices = new ArrayList<>();
 
   private void run(int ticks) {
@@ -32,11 +32,11 @@ class ArenaGameTest {
     }
   }
 
-  private Entity ball() {
+  private HostEntity ball() {
     return find("ball");
   }
 
-  private Entity find(String archetype) {
+  private HostEntity find(String archetype) {
     for (int id = 0; id < s.entityCapacity(); id++) {
       if (s.entity(id) != null && s.entity(id).archetype().name().equals(archetype)) {
         return s.entity(id);
@@ -55,14 +55,14 @@ class ArenaGameTest {
     return count;
   }
 
-  private static void put(Entity e, float x, float y) {
+  private static void put(HostEntity e, float x, float y) {
     e.body().setPose(x, y, 0);
     e.body().setVelocity(0, 0);
   }
 
   @Test
   void glidesToFullSpeedAndStops() {
-    Player p = s.join("ann");
+    HostPlayer p = s.join("ann");
     put(p.body(), -10, 0);
     p.input().move(1, 0);
     run(30);
@@ -74,22 +74,22 @@ class ArenaGameTest {
 
   @Test
   void diagonalsAreNotFaster() {
-    Player p = s.join("ann");
+    HostPlayer p = s.join("ann");
     put(p.body(), -12, -6);
     p.input().move(1, 1);
     run(30);
-    Body<Entity> b = p.body().body();
+    Body<HostEntity> b = p.body().body();
     double speed = Math.hypot(b.velocityX(), b.velocityY());
     assertEquals(ArenaGame.SPEED, speed, 0.2);
   }
 
   @Test
   void dashesOncePerCooldownAndPress() {
-    Player p = s.join("ann");
+    HostPlayer p = s.join("ann");
     put(p.body(), -10, 0);
     p.input().aim((float) Math.PI / 2).hold(Input.ACTION, true);
     run(5);
-    Body<Entity> b = p.body().body();
+    Body<HostEntity> b = p.body().body();
     assertTrue(b.velocityY() > 12, "vy=" + b.velocityY());
     run(60);
     assertEquals(0, b.velocityY(), 0.5f, "holding the button doesn't dash again");
@@ -108,7 +108,7 @@ class ArenaGameTest {
 
   @Test
   void aPlayerPushesTheBallIntoTheGoalAndScores() {
-    Player p = s.join("ann");
+    HostPlayer p = s.join("ann");
     run(2);
     put(ball(), 13, 0.2f);
     put(p.body(), 11, 0.2f);
@@ -128,7 +128,7 @@ class ArenaGameTest {
 
   @Test
   void anOwnGoalCountsForTheOthers() {
-    Player p = s.join("ann");
+    HostPlayer p = s.join("ann");
     run(2);
     put(p.body(), -15, 0);
     put(ball(), -16.35f, 0);
@@ -162,7 +162,7 @@ class ArenaGameTest {
 
   @Test
   void whoIsAlonePractisesUntilASecondPlayerComes() {
-    Player ann = s.join("ann");
+    HostPlayer ann = s.join("ann");
     for (int goal = 0; goal < ArenaGame.GOALS_TO_WIN; goal++) {
       assertEquals(goal, count("lamp.Red"));
       run(130);
@@ -234,10 +234,10 @@ class ArenaGameTest {
   @Test
   void nobodyStartsInsideAnother() {
     for (int i = 0; i < 50; i++) {
-      Player p = s.join("bot " + i);
+      HostPlayer p = s.join("bot " + i);
       for (int other = 0; other < i; other++) {
-        Body<Entity> a = p.body().body();
-        Body<Entity> b = s.player(other).body().body();
+        Body<HostEntity> a = p.body().body();
+        Body<HostEntity> b = s.player(other).body().body();
         double distance = Math.hypot(a.x() - b.x(), a.y() - b.y());
         assertTrue(distance > 1.2, i + " and " + other + " distance=" + distance);
       }
@@ -256,9 +256,9 @@ class ArenaGameTest {
 
   @Test
   void lostPlayersAndCratesComeBack() {
-    Player p = s.join("ann");
+    HostPlayer p = s.join("ann");
     put(p.body(), 60, 0);
-    Entity crate = find("crate");
+    HostEntity crate = find("crate");
     float x = crate.body().x();
     put(crate, 18.8f, 0);
     run(2);
@@ -274,7 +274,7 @@ class ArenaGameTest {
     }
     SimRandom random = new SimRandom(4);
     for (int tick = 0; tick < 5 * 60 * 60; tick++) {
-      Entity ball = ball();
+      HostEntity ball = ball();
       for (int id = 0; id < s.playerCapacity(); id++) {
         chase(s.player(id), ball, random);
       }
@@ -285,8 +285,8 @@ class ArenaGameTest {
   }
 
   /** Goes behind the ball, then dashes through it; half of them keep back. */
-  static void chase(Player p, Entity ball, SimRandom random) {
-    Body<Entity> me = p.body().body();
+  static void chase(HostPlayer p, HostEntity ball, SimRandom random) {
+    Body<HostEntity> me = p.body().body();
     float goal = p.team() == 1 ? 1 : -1;
     float ballX = ball == null ? 0 : ball.body().x();
     float ballY = ball == null ? 0 : ball.body().y();
@@ -318,8 +318,8 @@ class ArenaGameTest {
 
   @Test
   void aJoltPushesTheFirstThingInItsWay() {
-    Player ann = s.join("ann");
-    Player ben = s.join("ben");
+    HostPlayer ann = s.join("ann");
+    HostPlayer ben = s.join("ben");
     run(1);
     put(ann.body(), -8, 0);
     put(ball(), -3, 0.2f);
@@ -339,7 +339,7 @@ class ArenaGameTest {
 
   @Test
   void aJoltNeedsTimeAndAFreshPress() {
-    Player ann = s.join("ann");
+    HostPlayer ann = s.join("ann");
     run(1);
     put(ann.body(), -8, 0);
     int jolts = 0;
@@ -356,8 +356,8 @@ class ArenaGameTest {
 
   @Test
   void aJoltMeetsWhatThePlayerSaw() {
-    Player ann = s.join("ann");
-    Player ben = s.join("ben");
+    HostPlayer ann = s.join("ann");
+    HostPlayer ben = s.join("ben");
     run(1);
     put(ball(), 0, -6);
     put(ann.body(), -8, 0);
@@ -375,7 +375,7 @@ class ArenaGameTest {
     run(9); // ben is more than a metre farther now
     assertTrue(ben.body().body().y() - seenY > 1, "ben moves");
     ann.input().aim((float) Math.atan2(seenY, 6)).hold(Input.SECOND, true);
-    ann.viewDelay(11 * Player.VIEW_STEPS); // that of the picture with seenY
+    ann.viewDelay(11 * HostPlayer.VIEW_STEPS); // that of the picture with seenY
     float before = ben.body().body().velocityX();
     run(2);
     assertTrue(ben.body().body().velocityX() > before + 1, "seen there, hit where he is");

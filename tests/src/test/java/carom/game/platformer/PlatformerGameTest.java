@@ -10,10 +10,10 @@ import carom.game.Games;
 import carom.game.GamesTest;
 import carom.physics.Body;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.match.MatchClock;
@@ -27,7 +27,7 @@ class PlatformerGameTest {
   private static final float FEET = PlatformerGame.PLAYER_HEIGHT / 2;
 
   /** Ground from -20 to 20 at height 0, and whatever else. */
-  private static Simulation level(float spawnX, float spawnY, String statics, String bodies) {
+  private static SimulationHost level(float spawnX, float spawnY, String statics, String bodies) {
     String json =
         "{\"name\":\"t\",\"game\":\"platformer\",\"gravity\":[0,-26],"
             + "\"bounds\":{\"min\":[-30,-6],\"max\":[30,30]},"
@@ -44,7 +44,7 @@ class PlatformerGameTest {
             + "]}";
     try {
       Level level = Level.parse("t.json", json.getBytes(StandardCharsets.UTF_8));
-      return new Simulation(Games.create("platformer"), level, 1, 60, Role.AUTHORITY);
+      return new SimulationHost(Games.create("platformer"), level, 1, 60, Role.AUTHORITY);
     } catch (LevelException e) {
       throw new AssertionError(e);
     }
@@ -61,22 +61,22 @@ class PlatformerGameTest {
         + ",\"height\":0.3}}";
   }
 
-  private static void run(Simulation s, int ticks) {
+  private static void run(SimulationHost s, int ticks) {
     for (int i = 0; i < ticks; i++) {
       s.step();
     }
   }
 
-  private static Body<Entity> body(Simulation s) {
+  private static Body<HostEntity> body(SimulationHost s) {
     return s.player(0).body().body();
   }
 
   /** Lowest point above the ground's height. */
-  private static float feet(Simulation s) {
+  private static float feet(SimulationHost s) {
     return body(s).y() - FEET;
   }
 
-  private static float highest(Simulation s, int ticks) {
+  private static float highest(SimulationHost s, int ticks) {
     float top = -100;
     for (int i = 0; i < ticks; i++) {
       s.step();
@@ -85,8 +85,8 @@ class PlatformerGameTest {
     return top;
   }
 
-  private static Simulation standing(String statics, String bodies) {
-    Simulation s = level(0, 0.75f, statics, bodies);
+  private static SimulationHost standing(String statics, String bodies) {
+    SimulationHost s = level(0, 0.75f, statics, bodies);
     s.join("ann");
     run(s, 30);
     assertEquals(0, feet(s), 0.03f);
@@ -95,7 +95,7 @@ class PlatformerGameTest {
 
   @Test
   void aHeldJumpReachesThreeMetresAndATapHalfOfIt() {
-    Simulation s = standing("", "");
+    SimulationHost s = standing("", "");
     s.player(0).input().hold(Input.JUMP, true);
     float full = highest(s, 60);
     assertEquals(3.2f, full, 0.25f);
@@ -112,7 +112,7 @@ class PlatformerGameTest {
 
   @Test
   void aJumpPressedJustBeforeLandingCounts() {
-    Simulation s = level(0, 3, "", "");
+    SimulationHost s = level(0, 3, "", "");
     s.join("ann");
     while (feet(s) > 0.6f) {
       s.step();
@@ -123,7 +123,7 @@ class PlatformerGameTest {
 
   @Test
   void aJumpPressedJustAfterTheEdgeCounts() {
-    Simulation s = level(18, 0.75f, "", "");
+    SimulationHost s = level(18, 0.75f, "", "");
     s.join("ann");
     run(s, 20);
     s.player(0).input().move(1, 0);
@@ -139,7 +139,7 @@ class PlatformerGameTest {
 
   @Test
   void noSecondJumpInTheAir() {
-    Simulation s = standing("", "");
+    SimulationHost s = standing("", "");
     s.player(0).input().hold(Input.JUMP, true);
     run(s, 20);
     s.player(0).input().hold(Input.JUMP, false);
@@ -152,7 +152,7 @@ class PlatformerGameTest {
 
   @Test
   void runsAtFullSpeedInAThirdOfASecondAndStopsFaster() {
-    Simulation s = standing("", "");
+    SimulationHost s = standing("", "");
     s.player(0).input().move(1, 0);
     run(s, 20);
     assertEquals(PlatformerGame.SPEED, body(s).velocityX(), 0.4f);
@@ -163,7 +163,7 @@ class PlatformerGameTest {
 
   @Test
   void wallsDontHoldAJumper() {
-    Simulation s =
+    SimulationHost s =
         standing(",{\"at\":[1,5],\"shape\":{\"type\":\"box\",\"width\":1,\"height\":10}}", "");
     s.player(0).input().move(1, 0);
     s.player(0).input().hold(Input.JUMP, true);
@@ -174,7 +174,7 @@ class PlatformerGameTest {
 
   @Test
   void aOneWayPlatformPassesFromBelowAndHoldsFromAbove() {
-    Simulation s = standing(plank(0, 2.5f, 6), "");
+    SimulationHost s = standing(plank(0, 2.5f, 6), "");
     s.player(0).input().hold(Input.JUMP, true);
     float top = highest(s, 120);
     assertEquals(3.2f, top, 0.25f, "the platform didn't slow the jump");
@@ -186,7 +186,7 @@ class PlatformerGameTest {
   @Test
   void tooLowAJumpFallsBackThroughTheOneWayPlatform() {
     for (float height = 2.7f; height < 4.6f; height += 0.1f) {
-      Simulation s = standing(plank(0, height, 6), "");
+      SimulationHost s = standing(plank(0, height, 6), "");
       s.player(0).input().hold(Input.JUMP, true);
       float top = highest(s, 120);
       assertEquals(3.2f, top, 0.25f, "height=" + height);
@@ -198,7 +198,7 @@ class PlatformerGameTest {
   @Test
   void aFallFromHighAboveIsCaughtByTheOneWayPlatform() {
     for (float drop = 3; drop < 20; drop += 1.37f) {
-      Simulation s = level(0, 4 + drop, plank(0, 3, 6), "");
+      SimulationHost s = level(0, 4 + drop, plank(0, 3, 6), "");
       s.join("ann");
       run(s, 150);
       assertEquals(3, feet(s), 0.05f, "drop=" + drop);
@@ -207,7 +207,7 @@ class PlatformerGameTest {
 
   @Test
   void downDropsThrough() {
-    Simulation s = level(0, 4, plank(0, 3, 6), "");
+    SimulationHost s = level(0, 4, plank(0, 3, 6), "");
     s.join("ann");
     run(s, 60);
     assertEquals(3, feet(s), 0.03f);
@@ -220,7 +220,7 @@ class PlatformerGameTest {
 
   @Test
   void downOnSolidGroundDoesNothing() {
-    Simulation s = standing("", "");
+    SimulationHost s = standing("", "");
     s.player(0).input().move(0, -1).hold(Input.DOWN, true);
     run(s, 60);
     assertEquals(0, feet(s), 0.03f);
@@ -228,7 +228,7 @@ class PlatformerGameTest {
 
   @Test
   void cratesRestOnOneWayPlatforms() {
-    Simulation s =
+    SimulationHost s =
         level(
             10,
             1,
@@ -249,12 +249,12 @@ class PlatformerGameTest {
         "{\"type\":\"kinematic\",\"at\":[0,2.85],\"oneWay\":true,"
             + "\"shape\":{\"type\":\"box\",\"width\":3,\"height\":0.3},"
             + "\"motion\":{\"to\":[8,5.85],\"period\":6}}";
-    Simulation s = level(0, 4, "", ferry);
+    SimulationHost s = level(0, 4, "", ferry);
     s.join("ann");
     run(s, 45);
     for (int i = 0; i < 720; i++) {
       s.step();
-      Body<Entity> platform = s.entity(0).body();
+      Body<HostEntity> platform = s.entity(0).body();
       assertEquals(platform.x(), body(s).x(), 0.9f, "tick " + s.tick());
       assertEquals(platform.y() + 0.15f, feet(s), 0.08f, "tick " + s.tick());
     }
@@ -262,7 +262,7 @@ class PlatformerGameTest {
 
   @Test
   void aPlayerTopplesAStack() {
-    Simulation s =
+    SimulationHost s =
         standing(
             "",
             "{\"at\":[4,0.45],\"material\":{\"density\":0.4,\"friction\":0.6},"
@@ -277,7 +277,7 @@ class PlatformerGameTest {
 
   @Test
   void coinsCountAndComeBack() {
-    Simulation s = standing("", "");
+    SimulationHost s = standing("", "");
     int before = s.entityCount();
     s.player(0).input().move(1, 0);
     while (s.player(0).score() == 0 && s.tick() < 400) {
@@ -295,8 +295,8 @@ class PlatformerGameTest {
 
   @Test
   void whoFallsOutIsBackASecondLater() {
-    Simulation s = standing("", "");
-    Player p = s.player(0);
+    SimulationHost s = standing("", "");
+    HostPlayer p = s.player(0);
     p.input().move(1, 0);
     while (p.body() != null) {
       s.step();
@@ -312,10 +312,10 @@ class PlatformerGameTest {
 
   @Test
   void theFlagIsWorthTenAndMovesOn() throws Exception {
-    Simulation s = GamesTest.start("platformer", 1, Role.AUTHORITY);
-    Player p = s.join("ann");
+    SimulationHost s = GamesTest.start("platformer", 1, Role.AUTHORITY);
+    HostPlayer p = s.join("ann");
     for (int round = 0; round < 3; round++) {
-      Entity flag = flag(s);
+      HostEntity flag = flag(s);
       p.body().body().setPose(flag.body().x(), flag.body().y(), 0);
       p.body().body().setVelocity(0, 0);
       int before = p.score();
@@ -331,8 +331,8 @@ class PlatformerGameTest {
   /** A player who keeps running right and jumping crosses the shipped level and finds coins. */
   @Test
   void aSimpleRunnerCrossesTheLevel() {
-    Simulation s = GamesTest.start("platformer", 1, Role.AUTHORITY);
-    Player p = s.join("ann");
+    SimulationHost s = GamesTest.start("platformer", 1, Role.AUTHORITY);
+    HostPlayer p = s.join("ann");
     float farthest = -40;
     while (s.tick() < 60 * 60 && farthest < 36) {
       p.input().move(1, 0).hold(Input.JUMP, s.tick() % 40 < 25);
@@ -345,7 +345,7 @@ class PlatformerGameTest {
     assertTrue(p.score() >= 5, "score=" + p.score());
   }
 
-  private static Entity flag(Simulation s) {
+  private static HostEntity flag(SimulationHost s) {
     for (int id = 0; id < s.entityCapacity(); id++) {
       if (s.entity(id) != null && s.entity(id).archetype().name().equals("flag")) {
         return s.entity(id);
@@ -356,8 +356,8 @@ class PlatformerGameTest {
 
   @Test
   void sixtyPointsWinTheMatchAndTheNextBegins() {
-    Simulation s = level(15, 1, "", "");
-    Player ann = s.join("ann");
+    SimulationHost s = level(15, 1, "", "");
+    HostPlayer ann = s.join("ann");
     ann.score(PlatformerGame.POINTS_TO_WIN - 1);
     run(s, 2); // the spawn is at the coin
     assertEquals(PlatformerGame.POINTS_TO_WIN, ann.score());
@@ -370,9 +370,9 @@ class PlatformerGameTest {
 
   @Test
   void whoLeadsWhenTheTimeIsOverWins() {
-    Simulation s = level(0, 1, "", "");
-    Player ann = s.join("ann");
-    final Player ben = s.join("ben");
+    SimulationHost s = level(0, 1, "", "");
+    HostPlayer ann = s.join("ann");
+    final HostPlayer ben = s.join("ben");
     ann.score(1);
     ben.score(2);
     run(s, (int) (PlatformerGame.MATCH_SECONDS * 60) + 1);

@@ -7,18 +7,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.GamesTest;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import org.junit.jupiter.api.Test;
 
 /** Goal: the rules of a match. Method: the shipped level; two players; one shoots. */
 final class RocketGameTest {
-  private final Simulation s = GamesTest.start("rockets", 1, Role.AUTHORITY);
-  private final Player ann = s.join("ann");
-  private final Player ben = s.join("ben");
+  private final SimulationHost s = GamesTest.start("rockets", 1, Role.AUTHORITY);
+  private final HostPlayer ann = s.join("ann");
+  private final HostPlayer ben = s.join("ben");
 
   private void run(int ticks) {
     for (int i = 0; i < ticks; i++) {

@@ -7,10 +7,10 @@ import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
 import carom.sim.field.PlayerRef;
@@ -44,7 +44,7 @@ public final class TagGame implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     runner = s.archetypes().add(disc("runner", 0x4cc9f0));
     chaser = s.archetypes().add(disc("chaser", 0xef476f));
   }
@@ -57,7 +57,7 @@ public final class TagGame implements Game {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     Level.Spawn spot = s.level().spawns("player").get(0);
     s.spawn(runner, spot.x() + s.random().between(-3, 3), spot.y(), 0, p);
     if (s.get(IT) == null) {
@@ -66,16 +66,16 @@ public final class TagGame implements Game {
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
-    Body<Entity> body = p.body().body();
+  public void input(SimulationHost s, HostPlayer p, Input in) {
+    Body<HostEntity> body = p.body().body();
     body.seekVelocity(in.moveX() * 8, in.moveY() * 8, 10 * body.mass());
   }
 
   @Override
-  public void afterStep(Simulation s) {
-    Player it = s.get(IT);
+  public void afterStep(SimulationHost s) {
+    HostPlayer it = s.get(IT);
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p == null || p == it) {
         continue;
       }
@@ -88,13 +88,13 @@ public final class TagGame implements Game {
     }
   }
 
-  private static boolean touches(Player a, Player b) {
+  private static boolean touches(HostPlayer a, HostPlayer b) {
     float dx = a.body().body().x() - b.body().body().x();
     float dy = a.body().body().y() - b.body().body().y();
     return dx * dx + dy * dy < 1.05f * 1.05f;
   }
 
-  private void makeIt(Simulation s, Player p) {
+  private void makeIt(SimulationHost s, HostPlayer p) {
     if (s.get(IT) != null) {
       s.get(IT).body().become(runner);
     }

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
 import carom.net.snapshot.frame.PlayerSet;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import org.junit.jupiter.api.Test;
 
 /** Ids of players, and sets of them. */
@@ -33,7 +33,7 @@ class PlayerIdTest {
   @Test
   void allLayersAgreeHowManyThereAre() {
     assertEquals(ProtocolLimits.MAX_PLAYERS, PlayerId.MAX + 1);
-    assertEquals(ProtocolLimits.MAX_PLAYERS, Simulation.MAX_PLAYERS);
+    assertEquals(ProtocolLimits.MAX_PLAYERS, SimulationHost.MAX_PLAYERS);
   }
 
   @Test

@@ -7,10 +7,10 @@ import carom.physics.Material;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -84,7 +84,7 @@ final class CarRace implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     Material metal = new Material(1, 0.4f, 0.1f);
     ArchetypeDef wheel =
         new ArchetypeDef("wheel").shape(new Circle(0.45f), new Material(1, 1.2f, 0.1f));
@@ -106,32 +106,32 @@ final class CarRace implements Game {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     s.spawn(car, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
+  public void input(SimulationHost s, HostPlayer p, Input in) {
     boolean boost = in.held(Input.ACTION) && p.get(NITRO) > 0.01f;
     p.add(NITRO, boost ? -0.01f : 0.002f);
-    Joint<Entity> drive = s.joint(p.body(), "drive");
+    Joint<HostEntity> drive = s.joint(p.body(), "drive");
     if (drive != null) {
       drive.setMotor((boost ? -20 : -12) * in.moveX(), 40);
     }
   }
 
   @Override
-  public void broke(Simulation s, Joint<Entity> joint) {
+  public void broke(SimulationHost s, Joint<HostEntity> joint) {
     s.emit(snap).at(joint.anchorAX(), joint.anchorAY());
   }
 
   @Override
-  public void afterStep(Simulation s) {
+  public void afterStep(SimulationHost s) {
     Level.Spawn start = s.level().spawns("player").get(0);
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p == null || p.body() == null) {
         continue;
       }

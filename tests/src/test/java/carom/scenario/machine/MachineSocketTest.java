@@ -11,8 +11,8 @@ import carom.fixtures.MachineGame;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.suite.Alone;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -104,7 +104,7 @@ class MachineSocketTest {
       stepper.join("bob", FAR, driver(90));
       stepper.run(6);
       drives = false;
-      Simulation server = stepper.room().simulation();
+      SimulationHost server = stepper.room().simulation();
       stepper.runUntil("the machines stand still", () -> isStill(server), 30);
       stepper.run(1);
       String about = stepper.describe();
@@ -112,7 +112,7 @@ class MachineSocketTest {
       for (SimulatedClient client : stepper.clients()) {
         assertEquals(server.world().jointCount(), client.view().jointCount(), about);
         for (int id = 0; id < server.entityCapacity(); id++) {
-          Entity e = server.entity(id);
+          HostEntity e = server.entity(id);
           if (e != null) {
             ClientView.Drawn drawn = client.view().find(id);
             assertNotNull(drawn, e + " " + about);
@@ -124,9 +124,9 @@ class MachineSocketTest {
     }
   }
 
-  private static boolean isStill(Simulation s) {
+  private static boolean isStill(SimulationHost s) {
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null && Math.hypot(e.body().velocityX(), e.body().velocityY()) > 0.01) {
         return false;
       }

@@ -9,10 +9,10 @@ import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
@@ -75,7 +75,7 @@ public final class NitroCars extends PlainGame {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     Material metal = new Material(1, 0.4f, 0.1f);
     ArchetypeDef wheel =
         new ArchetypeDef("wheel").shape(new Circle(0.45f), new Material(1, 1.2f, 0.1f));
@@ -96,18 +96,18 @@ public final class NitroCars extends PlainGame {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     Level.Spawn spot = s.level().spawns("player").get(p.id() % 2);
     p.set(nitro, p.id() == 0 ? tank : 1);
     s.spawn(car, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
-    Body<Entity> body = p.body().body();
+  public void input(SimulationHost s, HostPlayer p, Input in) {
+    Body<HostEntity> body = p.body().body();
     boolean boost = in.held(Input.JUMP) && p.get(nitro) > 0;
     p.add(nitro, boost ? -0.01f : 0.001f);
-    Joint<Entity> drive = s.joint(p.body(), "drive");
+    Joint<HostEntity> drive = s.joint(p.body(), "drive");
     if (drive != null) {
       drive.setMotor((boost ? -40 : -20) * in.moveX(), 60);
     }

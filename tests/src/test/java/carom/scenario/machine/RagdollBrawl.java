@@ -7,10 +7,10 @@ import carom.physics.Material;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
@@ -58,7 +58,7 @@ final class RagdollBrawl implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     Material flesh = new Material(1, 0.6f, 0.1f);
     AssemblyDef def =
         new AssemblyDef("fighter")
@@ -89,18 +89,18 @@ final class RagdollBrawl implements Game {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     s.spawn(fighter, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
-    Body<Entity> torso = p.body().body();
+  public void input(SimulationHost s, HostPlayer p, Input in) {
+    Body<HostEntity> torso = p.body().body();
     torso.applyForce(in.moveX() * 60, 18 + in.moveY() * 40);
     torso.applyTorque(-8 * torso.angle() - torso.angularVelocity());
-    Entity arm = s.part(p.body(), in.moveX() < 0 ? "left arm" : "right arm");
+    HostEntity arm = s.part(p.body(), in.moveX() < 0 ? "left arm" : "right arm");
     if (in.held(Input.ACTION) && p.get(TIRED) == 0 && arm != null) {
       p.set(TIRED, s.ticks(0.6f));
       arm.body().applyAngularImpulse(in.moveX() < 0 ? -0.5f : 0.5f);
@@ -108,11 +108,11 @@ final class RagdollBrawl implements Game {
   }
 
   @Override
-  public void hit(Simulation s, Collision<Entity> c) {
-    Entity a = c.self().user();
-    Entity b = c.other().user();
-    Entity head = a.archetype().name().equals("head") ? a : b;
-    Player owner = s.owner(head);
+  public void hit(SimulationHost s, Collision<HostEntity> c) {
+    HostEntity a = c.self().user();
+    HostEntity b = c.other().user();
+    HostEntity head = a.archetype().name().equals("head") ? a : b;
+    HostPlayer owner = s.owner(head);
     if (head.archetype().name().equals("head") && owner != null && c.impulse() > 1) {
       owner.add(HEALTH, -Math.round(c.impulse()));
       s.emit(blow).at(head.body().x(), head.body().y());

@@ -9,10 +9,10 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Countdown;
 import carom.sim.field.EntityRef;
@@ -62,7 +62,7 @@ final class TowTruck implements Game {
   }
 
   @Override
-  public void setUp(Simulation s) {
+  public void setUp(SimulationHost s) {
     Material metal = new Material(1, 0.4f, 0.1f);
     ArchetypeDef wheel =
         new ArchetypeDef("wheel").shape(new Circle(0.45f), new Material(1, 1.2f, 0.1f));
@@ -97,16 +97,16 @@ final class TowTruck implements Game {
   }
 
   @Override
-  public void join(Simulation s, Player p) {
+  public void join(SimulationHost s, HostPlayer p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     s.spawn(truck, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(Simulation s, Player p, Input in) {
-    Joint<Entity> drive = s.joint(p.body(), "drive");
-    Joint<Entity> lift = s.joint(p.body(), "lift");
+  public void input(SimulationHost s, HostPlayer p, Input in) {
+    Joint<HostEntity> drive = s.joint(p.body(), "drive");
+    Joint<HostEntity> lift = s.joint(p.body(), "lift");
     if (drive != null) {
       drive.setMotor(-10 * in.moveX(), 60);
     }
@@ -116,9 +116,9 @@ final class TowTruck implements Game {
   }
 
   @Override
-  public void beforeStep(Simulation s) {
+  public void beforeStep(SimulationHost s) {
     for (int id = 0; id < s.playerCapacity(); id++) {
-      Player p = s.player(id);
+      HostPlayer p = s.player(id);
       if (p != null && p.body() != null && p.input().held(Input.ACTION) && p.get(PAUSE) == 0) {
         p.set(PAUSE, s.ticks(1));
         hook(s, p);
@@ -127,16 +127,16 @@ final class TowTruck implements Game {
   }
 
   /** Lets go what is on the hook, or takes the nearest wreck within reach. */
-  private void hook(Simulation s, Player p) {
-    Entity boom = s.part(p.body(), "boom");
-    Joint<Entity> rope = rope(boom);
+  private void hook(SimulationHost s, HostPlayer p) {
+    HostEntity boom = s.part(p.body(), "boom");
+    Joint<HostEntity> rope = rope(boom);
     if (rope != null) {
       s.disconnect(rope);
       p.set(TOWED, null);
       return;
     }
     for (int id = 0; id < s.entityCapacity(); id++) {
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null && e.archetype() == wreck) {
         float x = boom.body().x() - 0.7f;
         float dx = e.body().x() - x;
@@ -151,8 +151,8 @@ final class TowTruck implements Game {
     }
   }
 
-  private static Joint<Entity> rope(Entity boom) {
-    List<Joint<Entity>> found = new ArrayList<>();
+  private static Joint<HostEntity> rope(HostEntity boom) {
+    List<Joint<HostEntity>> found = new ArrayList<>();
     boom.body()
         .forEachJoint(j -> found.addAll(j.type() == JointType.DISTANCE ? List.of(j) : List.of()));
     return found.isEmpty() ? null : found.get(0);

@@ -24,8 +24,8 @@ import carom.physics.particles.Particles;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.TurnStage;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
@@ -74,7 +74,7 @@ final class RoomPicturesTest {
       assertEquals(stepper.room().tick(), picture.tick());
       assertEquals(world.bodyCount(), picture.bodies().size());
       for (int i = 0; i < picture.bodies().size(); i++) {
-        Body<Entity> body = world.body(picture.bodies().get(i).slot());
+        Body<HostEntity> body = world.body(picture.bodies().get(i).slot());
         assertEquals(body.user().id(), picture.bodies().get(i).entity());
         assertEquals(body.x(), picture.poses()[Picture.POSE * i]);
         assertEquals(body.y(), picture.poses()[Picture.POSE * i + 1]);
@@ -99,8 +99,8 @@ final class RoomPicturesTest {
 
   @Test
   void aBodyThatChangesItsShapeHasAnotherLook() {
-    World<Entity> world = new World<>(new WorldDef());
-    Body<Entity> body =
+    World<HostEntity> world = new World<>(new WorldDef());
+    Body<HostEntity> body =
         world.createBody(new BodyDef(BodyType.DYNAMIC).shape(new Circle(0.5f)), null);
     BodyLook before = BodyLook.of(body);
     assertTrue(before.isOf(body));
@@ -120,13 +120,13 @@ final class RoomPicturesTest {
     PlainGame game =
         new PlainGame("looks", "arena") {
           @Override
-          public void setUp(Simulation s) {
+          public void setUp(SimulationHost s) {
             kinds[0] = s.archetypes().add(plain("snow", disc, 0xffffff));
             kinds[1] = s.archetypes().add(plain("mud", disc, 0x554433));
           }
         };
-    Simulation s = new Simulation(game, Level.builtIn("arena"), 1, 60, Role.AUTHORITY);
-    Entity e = s.spawn(kinds[0], 0, 0, 0, null);
+    SimulationHost s = new SimulationHost(game, Level.builtIn("arena"), 1, 60, Role.AUTHORITY);
+    HostEntity e = s.spawn(kinds[0], 0, 0, 0, null);
     BodyLook before = BodyLook.of(e.body());
     assertTrue(before.isOf(e.body()));
     e.become(kinds[1]);

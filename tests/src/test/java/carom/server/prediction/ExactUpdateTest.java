@@ -10,7 +10,7 @@ import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -32,7 +32,7 @@ class ExactUpdateTest {
   private final FrameRing ring = new FrameRing(16);
   private final SnapshotEncoder encoder = new SnapshotEncoder(ring, 1, 60);
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
-  private Simulation simulation;
+  private SimulationHost simulation;
   private ExactUpdate update;
 
   /** Which of the 64 snapshots before the newest one have arrived, the newest of them lowest. */
@@ -43,7 +43,7 @@ class ExactUpdateTest {
   @BeforeEach
   void settleALine() throws Exception {
     Level level = Level.builtIn(Games.create("arena").defaultLevel());
-    simulation = new Simulation(Games.create("arena"), level, 1, 60, Role.AUTHORITY);
+    simulation = new SimulationHost(Games.create("arena"), level, 1, 60, Role.AUTHORITY);
     for (int i = 0; i < PLAYERS; i++) {
       simulation.join("player" + i);
     }

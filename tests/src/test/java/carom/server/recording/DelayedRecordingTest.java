@@ -11,7 +11,7 @@ import carom.replay.RecordingHeader;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import carom.suite.Alone;
 import java.io.ByteArrayOutputStream;
@@ -43,7 +43,7 @@ final class DelayedRecordingTest {
 
   @Test
   void whoComesLateBeginsWithTheLastStateShown() throws Exception {
-    Simulation s = new Simulation(new ArenaGame(), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
+    SimulationHost s = new SimulationHost(new ArenaGame(), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
     DelayedRecording recording =
         new DelayedRecording(new RecordingFile(folder.resolve("all.carom")), s::tick, false);
     recording.delay(DELAY);

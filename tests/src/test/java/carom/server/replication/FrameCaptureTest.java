@@ -8,8 +8,8 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.physics.Body;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.catalog.BenchmarkScenes;
@@ -19,9 +19,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class FrameCaptureTest {
-  private static Simulation pile(int bodies) {
+  private static SimulationHost pile(int bodies) {
     Scene scene = BenchmarkScenes.pile(bodies, 20, 30);
-    return new Simulation(
+    return new SimulationHost(
         new SceneGame(scene), SceneGame.level(scene), 1, scene.tickRate(), Role.AUTHORITY);
   }
 
@@ -29,16 +29,16 @@ class FrameCaptureTest {
   @ParameterizedTest
   @CsvSource({"220, 150", "3500, 20"})
   void everyNumberIsThatOfItsBodyQuantised(int bodies, int ticks) {
-    Simulation simulation = pile(bodies);
+    SimulationHost simulation = pile(bodies);
     FrameCapture capture = new FrameCapture(simulation);
     for (int tick = 0; tick < ticks; tick++) {
       simulation.step();
       FrameState frame = capture.capture();
       int seen = 0;
       for (int id = 0; id < simulation.entityCapacity(); id++) {
-        Entity entity = simulation.entity(id);
+        HostEntity entity = simulation.entity(id);
         if (entity != null) {
-          Body<Entity> body = entity.body();
+          Body<HostEntity> body = entity.body();
           assertEquals(Quantizer.position(body.x()), frame.x(id));
           assertEquals(Quantizer.position(body.y()), frame.y(id));
           assertEquals(Quantizer.angle(body.angle()), frame.angle(id));
@@ -54,7 +54,7 @@ class FrameCaptureTest {
 
   @Test
   void allocatesNothingOnceEveryFrameHasGrown() {
-    Simulation simulation = pile(220);
+    SimulationHost simulation = pile(220);
     FrameCapture capture = new FrameCapture(simulation);
     for (int tick = 0; tick < FrameRing.SIZE + 10; tick++) {
       simulation.step();

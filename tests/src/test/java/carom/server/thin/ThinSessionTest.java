@@ -15,10 +15,10 @@ import carom.physics.math.Trig;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -60,7 +60,7 @@ final class ThinSessionTest {
     Random random;
     Archetype ball;
     Archetype box;
-    Simulation simulation;
+    SimulationHost simulation;
     int busyUntil;
     Runnable stepping = () -> {};
 
@@ -81,7 +81,7 @@ final class ThinSessionTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       simulation = s;
       ball = s.archetypes().add(new ArchetypeDef("ball").shape(new Circle(0.4f), MATERIAL));
       box = s.archetypes().add(new ArchetypeDef("other").shape(new Circle(0.6f), MATERIAL));
@@ -90,12 +90,12 @@ final class ThinSessionTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(ball, p.id() * 3, 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       p.body().body().setVelocity(in.moveX() * 5, in.moveY() * 5);
       if (in.held(Input.JUMP)) {
         jumps.add(s.tick());
@@ -103,18 +103,18 @@ final class ThinSessionTest {
     }
 
     @Override
-    public void message(Simulation s, Player p, Message m) {
+    public void message(SimulationHost s, HostPlayer p, Message m) {
       if (m.is(PING)) {
         s.send(PONG.of(m.count("n"), m.text("word"))).to(p);
       }
     }
 
     @Override
-    public void beforeStep(Simulation s) {
+    public void beforeStep(SimulationHost s) {
       stepping.run();
       if (s.tick() >= busyUntil) {
         for (int id = 0; id < s.entityCapacity(); id++) {
-          Entity e = s.entity(id);
+          HostEntity e = s.entity(id);
           if (e != null && e.ownerId() < 0) {
             e.body().setVelocity(0, 0);
             e.body().setAngularVelocity(0);
@@ -124,13 +124,13 @@ final class ThinSessionTest {
       }
       if (random.nextInt(8) == 0) {
         Archetype kind = random.nextBoolean() ? ball : box;
-        Entity e =
+        HostEntity e =
             s.spawn(kind, random.nextFloat() * 80 - 40, random.nextFloat() * 40 - 15, 0, null);
         e.body().setVelocity(random.nextFloat() * 8 - 4, random.nextFloat() * 8 - 4);
         e.body().setAngularVelocity(random.nextFloat() * 6 - 3);
       }
       int id = random.nextInt(Math.max(1, s.entityCapacity()));
-      Entity e = s.entity(id);
+      HostEntity e = s.entity(id);
       if (e != null && e.ownerId() < 0) {
         switch (random.nextInt(12)) {
           case 0 -> s.despawn(e);
@@ -142,10 +142,10 @@ final class ThinSessionTest {
     }
 
     @Override
-    public void afterStep(Simulation s) {
+    public void afterStep(SimulationHost s) {
       Map<Integer, ThinDoor.Client.Shown> now = new HashMap<>();
       for (int id = 0; id < s.entityCapacity(); id++) {
-        Entity e = s.entity(id);
+        HostEntity e = s.entity(id);
         if (e != null) {
           now.put(
               id,

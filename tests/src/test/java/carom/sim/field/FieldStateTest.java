@@ -17,10 +17,10 @@ import carom.physics.geometry.Circle;
 import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
@@ -65,43 +65,43 @@ final class FieldStateTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       ball =
           s.archetypes()
               .add(new ArchetypeDef("ball").shape(new Circle(0.5f), new Material(1, 0, 0.5f)));
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(ball, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       inInput.run();
     }
 
     @Override
-    public boolean collision(Simulation s, Collision<Entity> c) {
+    public boolean collision(SimulationHost s, Collision<HostEntity> c) {
       inCollision.run();
       return true;
     }
 
     @Override
-    public void hit(Simulation s, Collision<Entity> c) {
+    public void hit(SimulationHost s, Collision<HostEntity> c) {
       inHit.run();
     }
   }
 
   private final Balls game = new Balls(ALL);
 
-  private static Simulation start(Game game, Role role) {
+  private static SimulationHost start(Game game, Role role) {
     String json =
         "{\"name\":\"t\",\"game\":\"balls\",\"gravity\":[0,0],\"bounds\":{\"min\":[-9,-9],"
             + "\"max\":[9,9]},\"statics\":[{\"at\":[0,-8],\"shape\":{\"type\":\"box\","
             + "\"width\":9,\"height\":1}}]}";
     try {
-      return new Simulation(
+      return new SimulationHost(
           game, Level.parse("t", json.getBytes(StandardCharsets.UTF_8)), 7, 60, role);
     } catch (LevelException e) {
       throw new AssertionError(e);
@@ -110,8 +110,8 @@ final class FieldStateTest {
 
   @Test
   void valuesStartAsDeclaredAndStopAtTheirLimits() {
-    Simulation s = start(game, Role.AUTHORITY);
-    Player p = s.join("ann");
+    SimulationHost s = start(game, Role.AUTHORITY);
+    HostPlayer p = s.join("ann");
     assertEquals(5, p.get(AMMO));
     assertEquals(1, p.body().get(FUEL));
     p.add(AMMO, -20);
@@ -128,8 +128,8 @@ final class FieldStateTest {
 
   @Test
   void aCountdownRunsDownByItselfAndChangesOnlyWhenSet() {
-    Simulation s = start(game, Role.AUTHORITY);
-    Player p = s.join("ann");
+    SimulationHost s = start(game, Role.AUTHORITY);
+    HostPlayer p = s.join("ann");
     p.set(RELOAD, 3);
     long stamp = p.fieldValues().stamp();
     for (int left = 3; left >= 0; left--) {
@@ -142,9 +142,9 @@ final class FieldStateTest {
 
   @Test
   void referencesMeanNobodyOnceTheirTargetIsGone() {
-    Simulation s = start(game, Role.AUTHORITY);
-    Player ann = s.join("ann");
-    Player bob = s.join("bob");
+    SimulationHost s = start(game, Role.AUTHORITY);
+    HostPlayer ann = s.join("ann");
+    HostPlayer bob = s.join("bob");
     ann.set(TARGET, bob.body());
     ann.body().set(TOUCHED, bob);
     s.set(KING, bob);
@@ -160,23 +160,23 @@ final class FieldStateTest {
 
   @Test
   void levelGeometryHasTheStartValuesAndRefusesWrites() {
-    Simulation s = start(game, Role.AUTHORITY);
-    Entity wall = s.statics().get(0);
+    SimulationHost s = start(game, Role.AUTHORITY);
+    HostEntity wall = s.statics().get(0);
     assertEquals(1, wall.get(FUEL));
     String message =
         assertThrows(IllegalStateException.class, () -> wall.set(FUEL, 0.5f)).getMessage();
     assertTrue(message.contains("entity.fuel"), message);
-    Player p = s.join("ann");
+    HostPlayer p = s.join("ann");
     assertThrows(IllegalArgumentException.class, () -> p.set(TARGET, wall));
   }
 
   @Test
   void aClientTakesOnlyTheWritesThatItCanPredict() {
-    Simulation s = start(game, Role.PREDICTION);
-    Player own = s.mirror().join(0, "ann");
-    Player other = s.mirror().join(1, "bob");
-    Entity body = s.mirror().spawn(0, 0, game.ball, 0, 0, 0, 0);
-    s.mirror().spawn(1, 0, game.ball, 0.9f, 0, 0, Entity.NO_OWNER).body().setVelocity(-9, 0);
+    SimulationHost s = start(game, Role.PREDICTION);
+    HostPlayer own = s.mirror().join(0, "ann");
+    HostPlayer other = s.mirror().join(1, "bob");
+    HostEntity body = s.mirror().spawn(0, 0, game.ball, 0, 0, 0, 0);
+    s.mirror().spawn(1, 0, game.ball, 0.9f, 0, 0, HostEntity.NO_OWNER).body().setVelocity(-9, 0);
     List<String> hits = new ArrayList<>();
     game.inHit =
         () -> {
@@ -206,8 +206,8 @@ final class FieldStateTest {
 
   @Test
   void collisionMustChangeNothing() {
-    Simulation s = start(game, Role.AUTHORITY);
-    Player p = s.join("ann");
+    SimulationHost s = start(game, Role.AUTHORITY);
+    HostPlayer p = s.join("ann");
     s.spawn(game.ball, 0.5f, 0, 0, null);
     game.inCollision = () -> p.add(AMMO, 1);
     String message = assertThrows(IllegalStateException.class, s::step).getMessage();
@@ -222,7 +222,7 @@ final class FieldStateTest {
     Random random = new Random(seed);
     String message = "seed=" + seed;
     for (int round = 0; round < 40; round++) {
-      Simulation s = start(new Balls(ALL), Role.AUTHORITY);
+      SimulationHost s = start(new Balls(ALL), Role.AUTHORITY);
       for (int i = 0; i < 1 + random.nextInt(5); i++) {
         s.join("p" + i);
       }
@@ -232,7 +232,7 @@ final class FieldStateTest {
       ArchiveWriter archive = new ArchiveWriter();
       saved.write(archive);
       byte[] bytes = Arrays.copyOf(archive.array(), archive.length());
-      Simulation fresh = start(new Balls(ALL), Role.AUTHORITY);
+      SimulationHost fresh = start(new Balls(ALL), Role.AUTHORITY);
       fresh.restore(fresh.read(new ArchiveReader(bytes)));
       assertEquals(hash, fresh.stateHash(), message);
       change(s, random);
@@ -252,7 +252,7 @@ final class FieldStateTest {
   }
 
   /** Gives every word of every target a random value of its range. */
-  private static void change(Simulation s, Random random) {
+  private static void change(SimulationHost s, Random random) {
     List<FieldValues> targets = new ArrayList<>(List.of(s.fieldValues()));
     for (int id = 0; id < s.playerCapacity(); id++) {
       targets.add(s.player(id).fieldValues());
@@ -269,7 +269,7 @@ final class FieldStateTest {
 
   @Test
   void aStateOfOtherFieldsOrWithADamagedValueIsRefusedByName() {
-    Simulation s = start(game, Role.AUTHORITY);
+    SimulationHost s = start(game, Role.AUTHORITY);
     s.join("ann");
     ArchiveWriter archive = new ArchiveWriter();
     s.save(null).write(archive);
@@ -297,7 +297,7 @@ final class FieldStateTest {
 
   @Test
   void aFieldThatIsNotDeclaredIsRefusedByName() {
-    Simulation s = start(new Balls(List.of(AMMO)), Role.AUTHORITY);
+    SimulationHost s = start(new Balls(List.of(AMMO)), Role.AUTHORITY);
     String message = assertThrows(IllegalArgumentException.class, () -> s.get(KING)).getMessage();
     assertEquals("field match.king isn't declared; return it from Game.fields", message);
   }

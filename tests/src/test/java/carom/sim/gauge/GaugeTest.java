@@ -9,7 +9,7 @@ import carom.client.field.FieldView;
 import carom.client.view.ClientView;
 import carom.game.Games;
 import carom.net.transport.Impairment;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
@@ -28,7 +28,7 @@ final class GaugeTest {
       SimulatedClient ann = stepper.join("Ann", Impairment.NONE, InputSource.IDLE);
       SimulatedClient bob = stepper.join("Bob", Impairment.NONE, InputSource.IDLE);
       ClientView view = ann.view();
-      Player hurt = stepper.player(bob);
+      HostPlayer hurt = stepper.player(bob);
       assertEquals(1, health.share(view.player(hurt.id())));
       hurt.add((Count) health.field(), -45);
       stepper.run(1);

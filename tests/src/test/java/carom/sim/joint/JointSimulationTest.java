@@ -15,10 +15,10 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.near.JointDefinitions;
 import carom.sim.near.Neighbourhood;
 import carom.sim.random.SimRandom;
@@ -31,9 +31,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Joints and assemblies as things of a simulation. */
 final class JointSimulationTest {
   private final MachineGame game = new MachineGame();
-  private final Simulation s = new Simulation(game, MachineGame.level(""), 1, 60, Role.AUTHORITY);
+  private final SimulationHost s = new SimulationHost(game, MachineGame.level(""), 1, 60, Role.AUTHORITY);
 
-  private static void run(Simulation s, int ticks) {
+  private static void run(SimulationHost s, int ticks) {
     for (int i = 0; i < ticks; i++) {
       s.step();
     }
@@ -41,14 +41,14 @@ final class JointSimulationTest {
 
   @Test
   void anAssemblyHasOneOwnerNamedPartsAndNamedJoints() {
-    Player ann = s.join("Ann");
-    Entity chassis = ann.body();
-    Entity rear = s.part(chassis, "rear");
+    HostPlayer ann = s.join("Ann");
+    HostEntity chassis = ann.body();
+    HostEntity rear = s.part(chassis, "rear");
     assertEquals("chassis", chassis.archetype().name());
     assertEquals(ann.id(), rear.ownerId());
     assertSame(chassis, rear.root());
     assertSame(chassis, s.part(rear, "chassis"));
-    Joint<Entity> drive = s.joint(rear, "drive");
+    Joint<HostEntity> drive = s.joint(rear, "drive");
     assertSame(rear.body(), drive.bodyB());
     assertTrue(drive.isDriven());
     assertFalse(s.joint(chassis, "roll").isDriven());
@@ -59,12 +59,12 @@ final class JointSimulationTest {
 
   @Test
   void anAssemblyDrivesIsTeleportedRigidlyAndDespawnedWhole() {
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     ann.input().move(1, 0);
     run(s, 240);
     assertTrue(ann.body().body().x() > -20, "x=" + ann.body().body().x());
     ann.input().move(0, 0);
-    Joint<Entity> drive = s.joint(ann.body(), "drive");
+    Joint<HostEntity> drive = s.joint(ann.body(), "drive");
     float gap = gap(drive);
     ann.body().teleport(5, 9, 2.5f);
     assertEquals(gap, gap(drive), 1e-5f);
@@ -78,21 +78,21 @@ final class JointSimulationTest {
     assertEquals(0, s.world().jointCount());
   }
 
-  private static float gap(Joint<Entity> j) {
+  private static float gap(Joint<HostEntity> j) {
     return (float) Math.hypot(j.anchorAX() - j.anchorBX(), j.anchorAY() - j.anchorBY());
   }
 
   @Test
   void gearsAndPulleysOfAnAssemblyGoWhereItIsSpawnedAndTeleported() {
-    Entity frame = game.gears(s, 4, 12, 1);
-    Joint<Entity> rope = s.joint(frame, "rope");
+    HostEntity frame = game.gears(s, 4, 12, 1);
+    Joint<HostEntity> rope = s.joint(frame, "rope");
     float length = rope.coordinate();
     assertEquals(2.3f + 2.8f, length, 1e-4f);
     assertEquals(4 + Math.cos(1) * -2.5 - Math.sin(1) * 4, rope.groundAX(), 1e-4f);
     assertEquals(0, s.joint(frame, "gear").coordinate(), 1e-5f);
     run(s, 60);
-    Entity small = s.part(frame, "small");
-    Entity large = s.part(frame, "large");
+    HostEntity small = s.part(frame, "small");
+    HostEntity large = s.part(frame, "large");
     assertTrue(Math.abs(small.body().angularVelocity()) > 1, "the motor drives it");
     assertEquals(
         -0.5f, large.body().angularVelocity() / small.body().angularVelocity(), 0.01f, "in gear");
@@ -115,7 +115,7 @@ final class JointSimulationTest {
 
   @Test
   void aMemberThatGoesTakesItsJointsAlong() {
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     s.despawn(s.part(ann.body(), "rear"));
     assertNull(s.part(ann.body(), "rear"));
     assertNull(s.joint(ann.body(), "drive"));
@@ -125,9 +125,9 @@ final class JointSimulationTest {
 
   @Test
   void jointsComeBackWithASavedStateAndWithItsBytes() {
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     game.ragdoll(s, 0, 0.2f);
-    Entity[] bridge = game.bridge(s, 0, 6, 8, 1e9f);
+    HostEntity[] bridge = game.bridge(s, 0, 6, 8, 1e9f);
     ann.input().move(1, 0);
     run(s, 60);
     SimState saved = s.save(null);
@@ -139,15 +139,15 @@ final class JointSimulationTest {
     run(s, 5);
     s.restore(saved);
     assertEquals(hashes, hashes(s, 120), "restored");
-    Simulation other =
-        new Simulation(new MachineGame(), MachineGame.level(""), 1, 60, Role.AUTHORITY);
+    SimulationHost other =
+        new SimulationHost(new MachineGame(), MachineGame.level(""), 1, 60, Role.AUTHORITY);
     other.restore(other.read(new ArchiveReader(bytes.toBytes())));
     assertEquals(hashes, hashes(other, 120), "from bytes");
     assertNotNull(other.joint(other.player(ann.id()).body(), "roll"));
     assertEquals(s.joints().key(0), other.joints().key(0));
   }
 
-  private static List<Long> hashes(Simulation s, int ticks) {
+  private static List<Long> hashes(SimulationHost s, int ticks) {
     List<Long> hashes = new ArrayList<>();
     for (int i = 0; i < ticks; i++) {
       s.step();
@@ -174,15 +174,15 @@ final class JointSimulationTest {
 
   @Test
   void onlyTheServerMakesJoints() {
-    Simulation client =
-        new Simulation(new MachineGame(), MachineGame.level(""), 1, 60, Role.PREDICTION);
-    Simulation server = s;
-    Player ann = server.join("Ann");
+    SimulationHost client =
+        new SimulationHost(new MachineGame(), MachineGame.level(""), 1, 60, Role.PREDICTION);
+    SimulationHost server = s;
+    HostPlayer ann = server.join("Ann");
     Neighbourhood near = new Neighbourhood();
     near.readAll(server);
     near.write(client, identity(server));
-    Entity chassis = client.entity(ann.body().id());
-    JointDef<Entity> def = JointDef.revolute(null, chassis.body(), 0, 0);
+    HostEntity chassis = client.entity(ann.body().id());
+    JointDef<HostEntity> def = JointDef.revolute(null, chassis.body(), 0, 0);
     int before = client.world().jointCount();
     assertEquals(2, before);
     assertThrows(IllegalStateException.class, () -> client.connect(def));
@@ -193,7 +193,7 @@ final class JointSimulationTest {
     assertEquals(before, client.world().jointCount());
   }
 
-  static Neighbourhood.Identity identity(Simulation server) {
+  static Neighbourhood.Identity identity(SimulationHost server) {
     return new Neighbourhood.Identity() {
       @Override
       public JointDefinitions joints() {
@@ -212,14 +212,14 @@ final class JointSimulationTest {
   void whoTakesMachinesOverGoesOnAlikeAndAlsoBreaksJointsAlike() {
     long seed = Long.getLong("carom.seed", System.nanoTime());
     SimRandom random = new SimRandom(seed);
-    Simulation client =
-        new Simulation(new MachineGame(), MachineGame.level(""), 1, 60, Role.PREDICTION);
-    Player ann = s.join("Ann");
-    Player bob = s.join("Bob");
+    SimulationHost client =
+        new SimulationHost(new MachineGame(), MachineGame.level(""), 1, 60, Role.PREDICTION);
+    HostPlayer ann = s.join("Ann");
+    HostPlayer bob = s.join("Bob");
     game.ragdoll(s, 3, 1);
     game.ragdoll(s, -3, 1);
     game.bridge(s, 0, 5, 8, 220);
-    Entity gears = game.gears(s, 16, 0.4f, 0);
+    HostEntity gears = game.gears(s, 16, 0.4f, 0);
     Neighbourhood there = new Neighbourhood();
     Neighbourhood here = new Neighbourhood();
     int joints = s.world().jointCount();
@@ -239,7 +239,7 @@ final class JointSimulationTest {
         mirrored = false;
       }
       if (mirrored) {
-        for (Player p : List.of(ann, bob)) {
+        for (HostPlayer p : List.of(ann, bob)) {
           client.player(p.id()).input().set(p.input());
           assertEquals(p.body().id(), client.player(p.id()).body().id());
         }
@@ -272,11 +272,11 @@ final class JointSimulationTest {
     SimRandom random = new SimRandom(seed);
     for (int run = 0; run < 4; run++) {
       MachineGame machines = new MachineGame();
-      Simulation server = new Simulation(machines, MachineGame.level(""), 1, 60, Role.AUTHORITY);
-      Simulation client =
-          new Simulation(new MachineGame(), MachineGame.level(""), 1, 60, Role.PREDICTION);
+      SimulationHost server = new SimulationHost(machines, MachineGame.level(""), 1, 60, Role.AUTHORITY);
+      SimulationHost client =
+          new SimulationHost(new MachineGame(), MachineGame.level(""), 1, 60, Role.PREDICTION);
       boolean all = machine.equals("all");
-      Player ann = all || machine.equals("car") ? server.join("Ann") : null;
+      HostPlayer ann = all || machine.equals("car") ? server.join("Ann") : null;
       if (all || machine.equals("ragdoll")) {
         machines.ragdoll(server, random.between(-20, 20), 4);
       }

@@ -12,8 +12,8 @@ import carom.physics.Joint;
 import carom.physics.JointType;
 import carom.sim.Role;
 import carom.sim.SchemaChecker;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import java.util.EnumSet;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -77,13 +77,13 @@ final class LevelJointTest {
   void everyTypeOfJointIsRead() throws Exception {
     Level level = level(ALL);
     assertEquals("", SchemaChecker.levels().check(Json.parse(FILE.formatted(ALL).getBytes(UTF_8))));
-    Simulation s = new Simulation(new ArenaGame(), level, 1, 60, Role.AUTHORITY);
+    SimulationHost s = new SimulationHost(new ArenaGame(), level, 1, 60, Role.AUTHORITY);
     Set<JointType> seen = EnumSet.noneOf(JointType.class);
     for (int i = 0; i < level.joints().size(); i++) {
       seen.add(s.world().joint(i).type());
     }
     assertEquals(EnumSet.allOf(JointType.class), seen);
-    Joint<Entity> hinge = s.joint("hinge");
+    Joint<HostEntity> hinge = s.joint("hinge");
     assertEquals("post", hinge.bodyA().user().archetype().name());
     assertEquals(s.entity(0).body(), hinge.bodyB());
     assertEquals(Math.toRadians(45), hinge.upper(), 1e-5);

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import carom.fixtures.PlainGame;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -30,12 +30,12 @@ class MatchClockTest {
     }
 
     @Override
-    public void phase(Simulation s, MatchPhase now) {
+    public void phase(SimulationHost s, MatchPhase now) {
       told.add(now.text() + "@" + s.tick());
     }
   }
 
-  private Simulation start(MatchClock withClock, Role role) throws Exception {
+  private SimulationHost start(MatchClock withClock, Role role) throws Exception {
     clock = withClock;
     String json =
         """
@@ -44,10 +44,10 @@ class MatchClockTest {
          "statics": [{"at": [0, -2], "shape": {"type": "box", "width": 9, "height": 1}}]}
         """;
     Level level = Level.parse("clock.json", json.getBytes(StandardCharsets.UTF_8));
-    return new Simulation(new ClockGame(), level, 1, 60, role);
+    return new SimulationHost(new ClockGame(), level, 1, 60, role);
   }
 
-  private static void run(Simulation s, int ticks) {
+  private static void run(SimulationHost s, int ticks) {
     for (int i = 0; i < ticks; i++) {
       s.step();
     }
@@ -55,14 +55,14 @@ class MatchClockTest {
 
   @Test
   void warmUpWaitsForEnoughPlayersWhoAreReady() throws Exception {
-    Simulation s =
+    SimulationHost s =
         start(MatchClock.playing(10).warmUp(2).whenReady().countdown(3).over(5), Role.AUTHORITY);
-    Player ann = s.join("Ann");
+    HostPlayer ann = s.join("Ann");
     ann.ready(true);
     run(s, 100);
     assertEquals(MatchPhase.WARM_UP, MatchClock.phase(s), "one player is too few");
     assertEquals(-1, MatchClock.ticksLeft(s));
-    Player bob = s.join("Bob");
+    HostPlayer bob = s.join("Bob");
     run(s, 100);
     assertEquals(MatchPhase.WARM_UP, MatchClock.phase(s), "Bob isn't ready");
     bob.ready(true);
@@ -83,8 +83,8 @@ class MatchClockTest {
   @Test
   void aClientKnowsThePhaseOfEveryTickWithoutAMessage() throws Exception {
     MatchClock timed = MatchClock.playing(2).countdown(1).over(1);
-    Simulation server = start(timed, Role.AUTHORITY);
-    Simulation client = start(timed, Role.PREDICTION);
+    SimulationHost server = start(timed, Role.AUTHORITY);
+    SimulationHost client = start(timed, Role.PREDICTION);
     for (int tick = 0; tick < 5 * 60; tick++) {
       assertEquals(MatchClock.phase(server), MatchClock.phase(client), "tick=" + tick);
       assertEquals(MatchClock.ticksLeft(server), MatchClock.ticksLeft(client), "tick=" + tick);
@@ -97,8 +97,8 @@ class MatchClockTest {
   @Test
   void aGameEndsItsMatchEarlyAndSaysWhoHasWon() throws Exception {
     NextMatch next = NextMatch.level("other").keepingTeams();
-    Simulation s = start(MatchClock.playing(0).over(2).next(next), Role.AUTHORITY);
-    Player ann = s.join("Ann");
+    SimulationHost s = start(MatchClock.playing(0).over(2).next(next), Role.AUTHORITY);
+    HostPlayer ann = s.join("Ann");
     run(s, 100_000 / 60);
     assertEquals(MatchPhase.PLAYING, MatchClock.phase(s));
     assertEquals(-1, MatchClock.ticksLeft(s), "nothing but the game ends it");
@@ -115,7 +115,7 @@ class MatchClockTest {
 
   @Test
   void anEarlyEndShowsTheResultForItsFullTime() throws Exception {
-    Simulation s = start(MatchClock.playing(10).countdown(1).over(3), Role.AUTHORITY);
+    SimulationHost s = start(MatchClock.playing(10).countdown(1).over(3), Role.AUTHORITY);
     s.join("Ann");
     run(s, 1 * 60 + 4 * 60);
     clock.finish(s);

@@ -11,8 +11,8 @@ import carom.game.GuardedGame;
 import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.outbox.Delivery;
 import carom.sim.outbox.Delivery.Recipients;
@@ -37,13 +37,13 @@ final class MessageOrderTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       s.messageKinds().add(ADD);
       s.messageKinds().add(SUM);
     }
 
     @Override
-    public void message(Simulation s, Player p, Message m) {
+    public void message(SimulationHost s, HostPlayer p, Message m) {
       heard.add(s.tick() + ": " + p.id() + " " + m);
       p.score(p.score() + m.count("n"));
       if (m.count("n") == 13) {
@@ -53,28 +53,28 @@ final class MessageOrderTest {
     }
 
     @Override
-    public void beforeStep(Simulation s) {
+    public void beforeStep(SimulationHost s) {
       heard.add(s.tick() + ": step");
     }
 
     @Override
-    public String chat(Simulation s, Player p, String text) {
+    public String chat(SimulationHost s, HostPlayer p, String text) {
       return text.equals(censored) ? null : text.replace("darn", "****");
     }
   }
 
   private final Notes game = new Notes();
-  private final Simulation s = simulation(new GuardedGame(game, (what, where, why) -> {}));
-  private final Player ann = s.join("Ann");
-  private final Player bob = s.join("Bob");
+  private final SimulationHost s = simulation(new GuardedGame(game, (what, where, why) -> {}));
+  private final HostPlayer ann = s.join("Ann");
+  private final HostPlayer bob = s.join("Bob");
 
-  private static Simulation simulation(Game game) {
+  private static SimulationHost simulation(Game game) {
     String json =
         "{\"name\":\"n\",\"game\":\"notes\",\"gravity\":[0,0],"
             + "\"bounds\":{\"min\":[-9,-9],\"max\":[9,9]},\"statics\":[]}";
     try {
       Level level = Level.parse("notes", json.getBytes(java.nio.charset.StandardCharsets.UTF_8));
-      return new Simulation(game, level, 1, 60, Role.AUTHORITY);
+      return new SimulationHost(game, level, 1, 60, Role.AUTHORITY);
     } catch (Exception e) {
       throw new IllegalStateException(e);
     }
@@ -124,7 +124,7 @@ final class MessageOrderTest {
   void messagesOfAPlayerWhoLeftAreForgottenAndAFailureStopsNoOther() {
     s.receive(ann, ADD.of(1));
     s.leave(ann);
-    Player cid = s.join("Cid");
+    HostPlayer cid = s.join("Cid");
     assertEquals(ann.id(), cid.id());
     s.receive(bob, ADD.of(13));
     s.receive(bob, ADD.of(5));

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.Games;
 import carom.physics.rows.BodyRow;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.random.SimRandom;
@@ -26,8 +26,8 @@ final class NeighbourhoodTest {
   @ValueSource(strings = {"arena", "platformer"})
   void whoTakesOverGoesOnAlike(String game) throws Exception {
     Level level = Level.builtIn(Games.create(game).defaultLevel());
-    Simulation server = new Simulation(Games.create(game), level, 1, 60, Role.AUTHORITY);
-    Simulation client = new Simulation(Games.create(game), level, 1, 60, Role.PREDICTION);
+    SimulationHost server = new SimulationHost(Games.create(game), level, 1, 60, Role.AUTHORITY);
+    SimulationHost client = new SimulationHost(Games.create(game), level, 1, 60, Role.PREDICTION);
     SimRandom random = new SimRandom(SEED);
     for (int i = 0; i < 6; i++) {
       server.join("p" + i);

@@ -13,9 +13,9 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
@@ -62,27 +62,27 @@ final class PoolsTest {
     }
   }
 
-  private static Simulation server() {
-    return new Simulation(new PlatformerGame(), level(POOLS), 1, RATE, Role.AUTHORITY);
+  private static SimulationHost server() {
+    return new SimulationHost(new PlatformerGame(), level(POOLS), 1, RATE, Role.AUTHORITY);
   }
 
-  private static Simulation client() {
-    return new Simulation(new PlatformerGame(), level(POOLS), 1, RATE, Role.PREDICTION);
+  private static SimulationHost client() {
+    return new SimulationHost(new PlatformerGame(), level(POOLS), 1, RATE, Role.PREDICTION);
   }
 
-  private static void steps(Simulation s, int ticks) {
+  private static void steps(SimulationHost s, int ticks) {
     for (int i = 0; i < ticks; i++) {
       s.step();
     }
   }
 
-  private static Body<Entity> body(Simulation s, int id) {
+  private static Body<HostEntity> body(SimulationHost s, int id) {
     return s.entity(id).body();
   }
 
   @Test
   void whatIsLighterThanWaterFloatsAndWhatIsHeavierSinks() {
-    Simulation s = server();
+    SimulationHost s = server();
     steps(s, 600);
     float crate = body(s, 0).y();
     float stone = body(s, 1).y();
@@ -93,7 +93,7 @@ final class PoolsTest {
 
   @Test
   void sandHoldsWhatIsLighterThanItHalfBuried() {
-    Simulation s = server();
+    SimulationHost s = server();
     steps(s, 600);
     float block = body(s, 2).y();
     float top = 0;
@@ -106,7 +106,7 @@ final class PoolsTest {
 
   @Test
   void aBodyThatFallsInStirsTheWater() {
-    Simulation s = server();
+    SimulationHost s = server();
     steps(s, 600);
     Pool lake = s.pools().find("lake");
     float level = surface(lake, -5);
@@ -133,7 +133,7 @@ final class PoolsTest {
 
   @Test
   void whatTheGameOrdersHappensAfterTheDelay() {
-    Simulation s = server();
+    SimulationHost s = server();
     steps(s, 300);
     Pool lake = s.pools().find("lake");
     int before = lake.particles().count();
@@ -161,11 +161,11 @@ final class PoolsTest {
   void aClientThatFollowsHasTheSameParticlesWheneverRowsArrive() {
     long seed = Long.getLong("carom.seed", 7);
     Random random = new Random(seed);
-    Simulation server = server();
-    Simulation client = client();
+    SimulationHost server = server();
+    SimulationHost client = client();
     steps(server, 100);
     transfer(server, client);
-    Player ann = server.join("Ann");
+    HostPlayer ann = server.join("Ann");
     Pool lake = server.pools().find("lake");
     int told = 0;
     for (int tick = 101; tick <= 1500; tick++) {
@@ -198,7 +198,7 @@ final class PoolsTest {
     assertSame(server, client, "seed=" + seed);
   }
 
-  private static void assertSame(Simulation a, Simulation b, String text) {
+  private static void assertSame(SimulationHost a, SimulationHost b, String text) {
     for (int i = 0; i < a.pools().count(); i++) {
       assertEquals(
           a.pools().get(i).particles().stateHash(),
@@ -207,7 +207,7 @@ final class PoolsTest {
     }
   }
 
-  private static void transfer(Simulation from, Simulation to) {
+  private static void transfer(SimulationHost from, SimulationHost to) {
     ArchiveWriter out = new ArchiveWriter();
     from.pools().save(null).write(out);
     to.pools().restore(to.pools().read(new ArchiveReader(out.toBytes())));
@@ -215,8 +215,8 @@ final class PoolsTest {
 
   @Test
   void aClientNoticesThatItsParticlesDiffer() {
-    Simulation server = server();
-    Simulation client = client();
+    SimulationHost server = server();
+    SimulationHost client = client();
     assertTrue(client.pools().needsState(0));
     steps(server, 60);
     transfer(server, client);
@@ -239,8 +239,8 @@ final class PoolsTest {
   void anyRowAndAnyStateIsReadWithoutHarm() {
     long seed = Long.getLong("carom.seed", 11);
     Random random = new Random(seed);
-    Simulation server = server();
-    Simulation client = client();
+    SimulationHost server = server();
+    SimulationHost client = client();
     steps(server, 30);
     ArchiveWriter out = new ArchiveWriter();
     server.pools().save(null).write(out);
@@ -274,7 +274,7 @@ final class PoolsTest {
 
   @Test
   void aSavedSimulationGoesOnBitByBit() {
-    Simulation s = server();
+    SimulationHost s = server();
     steps(s, 100);
     s.pools().find("lake").open("spring", true);
     steps(s, 7);
@@ -287,7 +287,7 @@ final class PoolsTest {
     assertNotEquals(hash, s.stateHash());
     steps(s, 100);
     assertEquals(hash, s.stateHash());
-    Simulation other = server();
+    SimulationHost other = server();
     other.restore(other.read(new ArchiveReader(out.toBytes())));
     steps(other, 100);
     assertEquals(hash, other.stateHash());
@@ -306,7 +306,7 @@ final class PoolsTest {
         assertThrows(
             IllegalArgumentException.class, () -> server().pools().get(0).open("fountain", true));
     assertTrue(e.getMessage().contains("spout=fountain"), e.getMessage());
-    Simulation s = server();
+    SimulationHost s = server();
     assertThrows(
         IllegalStateException.class, () -> s.pools().add(PoolDef.water("late", 0, 0, 1, 1, 0.3f)));
   }

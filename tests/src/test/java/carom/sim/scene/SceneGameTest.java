@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.scene.catalog.Scenes;
 import carom.sim.scene.catalog.ScenesTest;
 import java.util.stream.Stream;
@@ -23,15 +23,15 @@ final class SceneGameTest {
     return Scenes.names().contains(scene.name()) && Scenes.get(scene.name()).equals(scene);
   }
 
-  private static Simulation simulation(Scene scene, Role role) {
-    return new Simulation(new SceneGame(scene), SceneGame.level(scene), 1, scene.tickRate(), role);
+  private static SimulationHost simulation(Scene scene, Role role) {
+    return new SimulationHost(new SceneGame(scene), SceneGame.level(scene), 1, scene.tickRate(), role);
   }
 
   @ParameterizedTest
   @MethodSource("scenes")
   void theServersWorldIsTheScenesBitForBitAndAllOfItIsSeen(Scene scene) {
-    Simulation server = simulation(scene, Role.AUTHORITY);
-    Simulation client = simulation(scene, Role.PREDICTION);
+    SimulationHost server = simulation(scene, Role.AUTHORITY);
+    SimulationHost client = simulation(scene, Role.PREDICTION);
     SceneRun run = scene.with(scene.def().withSleeping(true).withContinuous(true)).start();
     for (int i = 0; i < 130; i++) {
       server.step();
@@ -48,7 +48,7 @@ final class SceneGameTest {
 
   @Test
   void bodiesThatASceneTakesAwayAreNoEntitiesAnyMore() {
-    Simulation server = simulation(Scenes.get("conveyor"), Role.AUTHORITY);
+    SimulationHost server = simulation(Scenes.get("conveyor"), Role.AUTHORITY);
     int most = 0;
     for (int i = 0; i < 2400; i++) {
       server.step();

@@ -17,10 +17,10 @@ import carom.physics.geometry.Circle;
 import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.EntityRef;
@@ -33,7 +33,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** {@link Simulation#spawn} and {@link Simulation#despawn} in {@link Game#input}. */
+/** {@link SimulationHost#spawn} and {@link SimulationHost#despawn} in {@link Game#input}. */
 final class SpawnInInputTest {
   private static final Count POWER = Field.count("power", 0, 100).of(Scope.ENTITY);
   private static final EntityRef LAST = Field.entity("last").to(Audience.OWNER);
@@ -56,7 +56,7 @@ final class SpawnInInputTest {
     }
 
     @Override
-    public void setUp(Simulation s) {
+    public void setUp(SimulationHost s) {
       man = s.archetypes().add(disc("man", 0.5f));
       rocket = s.archetypes().add(disc("rocket", 0.2f));
     }
@@ -66,18 +66,18 @@ final class SpawnInInputTest {
     }
 
     @Override
-    public void join(Simulation s, Player p) {
+    public void join(SimulationHost s, HostPlayer p) {
       s.spawn(man, 4 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(Simulation s, Player p, Input in) {
+    public void input(SimulationHost s, HostPlayer p, Input in) {
       for (int i = 0; in.held(Input.ACTION) && i < shots; i++) {
-        Player owner = foreign ? null : p;
+        HostPlayer owner = foreign ? null : p;
         if (plain) {
           s.spawn(rocket, new BodyDef());
         }
-        Entity fired = s.spawn(rocket, p.body().body().x(), 1 + i, 0, owner);
+        HostEntity fired = s.spawn(rocket, p.body().body().x(), 1 + i, 0, owner);
         fired.body().setVelocity(0, 20);
         fired.set(POWER, 40);
         p.set(LAST, fired);
@@ -92,21 +92,21 @@ final class SpawnInInputTest {
 
   private final Rules rules = new Rules();
 
-  private Simulation simulation(Role role) {
+  private SimulationHost simulation(Role role) {
     String json =
         "{\"name\": \"test\", \"game\": \"test\", \"gravity\": [0, 0], \"bounds\": {\"min\": [-99,"
             + " -99], \"max\": [99, 99]}}";
     try {
       Level level = Level.parse("test.json", json.getBytes(StandardCharsets.UTF_8));
-      return new Simulation(rules, level, 1, 60, role);
+      return new SimulationHost(rules, level, 1, 60, role);
     } catch (carom.sim.level.LevelException e) {
       throw new IllegalStateException(e);
     }
   }
 
   /** Returns a client's simulation in which Ann has a body, as on the server. */
-  private Simulation client(OwnSpawns own) {
-    Simulation s = simulation(Role.PREDICTION);
+  private SimulationHost client(OwnSpawns own) {
+    SimulationHost s = simulation(Role.PREDICTION);
     s.mirror().join(0, "Ann");
     s.mirror().spawn(0, 0, rules.man, 0, 0, 0, 0);
     s.mirror().ownSpawns(own);
@@ -129,12 +129,12 @@ final class SpawnInInputTest {
 
   @Test
   void anEntityOfTheInputMovesInItsTickAndIsFoundAgain() {
-    Simulation s = simulation(Role.AUTHORITY);
-    Player ann = s.join("Ann");
+    SimulationHost s = simulation(Role.AUTHORITY);
+    HostPlayer ann = s.join("Ann");
     ann.input().hold(Input.ACTION, true);
     s.step();
     ann.input().hold(Input.ACTION, false);
-    Entity rocket = ann.spawned(0);
+    HostEntity rocket = ann.spawned(0);
     assertEquals(1, ann.spawnedCount());
     assertEquals(1 + 20 / 60f, rocket.body().y(), 1e-4f);
     assertEquals(Origin.of(1, 0), rocket.origin());
@@ -150,10 +150,10 @@ final class SpawnInInputTest {
 
   @Test
   void aClientHasTheSameEntityAtOnceUnderItsOrigin() {
-    Simulation server = simulation(Role.AUTHORITY);
-    Simulation client = client(told(OwnSpawns.UNKNOWN));
-    Player ann = server.join("Ann");
-    Player mirrored = client.player(0);
+    SimulationHost server = simulation(Role.AUTHORITY);
+    SimulationHost client = client(told(OwnSpawns.UNKNOWN));
+    HostPlayer ann = server.join("Ann");
+    HostPlayer mirrored = client.player(0);
     rules.shots = 3;
     for (int tick = 0; tick < 5; tick++) {
       ann.input().hold(Input.ACTION, tick == 1);
@@ -164,8 +164,8 @@ final class SpawnInInputTest {
     assertEquals(3, client.mirror().provisionalCount());
     assertEquals(1, client.entityCount());
     for (int i = 0; i < 3; i++) {
-      Entity mine = client.mirror().provisional(i);
-      Entity real = ann.spawned(i);
+      HostEntity mine = client.mirror().provisional(i);
+      HostEntity real = ann.spawned(i);
       assertTrue(mine.isProvisional());
       assertEquals(real.origin(), mine.id());
       assertSame(mine, client.entity(mine.id()));
@@ -178,7 +178,7 @@ final class SpawnInInputTest {
 
   @Test
   void aTickThatIsComputedAgainSpawnsTheSameEntityAgain() {
-    Simulation s = client(told(OwnSpawns.UNKNOWN));
+    SimulationHost s = client(told(OwnSpawns.UNKNOWN));
     final SimState before = s.save(null);
     s.player(0).input().hold(Input.ACTION, true);
     s.step();
@@ -203,7 +203,7 @@ final class SpawnInInputTest {
 
   @Test
   void whatTheServerHasToldIsSpawnedUnderItsOwnId() {
-    Simulation s = client(told(7 | 3 << 16));
+    SimulationHost s = client(told(7 | 3 << 16));
     s.player(0).input().hold(Input.ACTION, true);
     s.step();
     assertEquals(0, s.mirror().provisionalCount());
@@ -214,11 +214,11 @@ final class SpawnInInputTest {
 
   @Test
   void theServersEntityTakesThePlaceOfTheProvisionalOne() {
-    Simulation s = client(told(OwnSpawns.UNKNOWN));
+    SimulationHost s = client(told(OwnSpawns.UNKNOWN));
     s.player(0).input().hold(Input.ACTION, true);
     s.step();
     int origin = s.mirror().provisional(0).id();
-    Entity real = s.mirror().spawn(7, 3, rules.rocket, 0, 2, 0, 0);
+    HostEntity real = s.mirror().spawn(7, 3, rules.rocket, 0, 2, 0, 0);
     s.mirror().identify(real, origin);
     assertEquals(0, s.mirror().provisionalCount());
     assertEquals(1, s.player(0).spawnedCount());
@@ -228,7 +228,7 @@ final class SpawnInInputTest {
 
   @Test
   void whatTheInputOfOthersSpawnsLivesUntilTheEndOfTheCall() {
-    Simulation s = client(told(OwnSpawns.UNKNOWN));
+    SimulationHost s = client(told(OwnSpawns.UNKNOWN));
     s.mirror().join(1, "Ben");
     s.mirror().spawn(1, 0, rules.man, 4, 0, 0, 1);
     s.player(1).input().hold(Input.ACTION, true);
@@ -240,13 +240,13 @@ final class SpawnInInputTest {
   @Test
   void playersWhoSpawnInTheSameTickDontTakeEachOthersEntities() {
     for (int key : new int[] {OwnSpawns.UNKNOWN, 7 | 3 << 16}) {
-      Simulation s = client(told(key));
+      SimulationHost s = client(told(key));
       s.mirror().join(1, "Ben");
       s.mirror().spawn(1, 0, rules.man, 4, 0, 0, 1);
       s.player(0).input().hold(Input.ACTION, true);
       s.player(1).input().hold(Input.ACTION, true);
       s.step();
-      Entity mine = s.player(0).spawned(0);
+      HostEntity mine = s.player(0).spawned(0);
       assertSame(mine, s.entity(key < 0 ? Origin.of(1, 0) : 7), "key=" + key);
       assertEquals(0, mine.ownerId(), "key=" + key);
       assertEquals(1, s.player(0).spawnedCount());
@@ -257,7 +257,7 @@ final class SpawnInInputTest {
 
   @Test
   void aClientDespawnsInItsInputOnlyWhatIsItsPlayers() {
-    Simulation s = client(told(OwnSpawns.UNKNOWN));
+    SimulationHost s = client(told(OwnSpawns.UNKNOWN));
     s.player(0).input().hold(Input.ACTION, true);
     s.step();
     s.player(0).input().hold(Input.ACTION, false);
@@ -269,11 +269,11 @@ final class SpawnInInputTest {
 
   @Test
   void aPlayerHasTheNewestOnesOnBothSides() {
-    Simulation server = simulation(Role.AUTHORITY);
-    Simulation client = client(told(OwnSpawns.UNKNOWN));
+    SimulationHost server = simulation(Role.AUTHORITY);
+    SimulationHost client = client(told(OwnSpawns.UNKNOWN));
     rules.shots = 20;
-    Player ann = server.join("Ann");
-    Player mirrored = client.player(0);
+    HostPlayer ann = server.join("Ann");
+    HostPlayer mirrored = client.player(0);
     for (int tick = 0; tick < 2; tick++) {
       ann.input().hold(Input.ACTION, true);
       mirrored.input().hold(Input.ACTION, true);
@@ -290,14 +290,14 @@ final class SpawnInInputTest {
 
   @Test
   void aSavedStateHasTheOrigins() {
-    Simulation s = simulation(Role.AUTHORITY);
-    Player ann = s.join("Ann");
+    SimulationHost s = simulation(Role.AUTHORITY);
+    HostPlayer ann = s.join("Ann");
     ann.input().hold(Input.ACTION, true);
     s.step();
     s.step();
     ArchiveWriter archive = new ArchiveWriter();
     s.save(null).write(archive);
-    Simulation other = simulation(Role.AUTHORITY);
+    SimulationHost other = simulation(Role.AUTHORITY);
     other.restore(other.read(new ArchiveReader(archive.toBytes())));
     assertEquals(s.stateHash(), other.stateHash());
     assertEquals(2, other.player(0).spawnedCount());
@@ -309,8 +309,8 @@ final class SpawnInInputTest {
 
   @Test
   void theOriginIsPartOfTheState() {
-    Simulation s = simulation(Role.AUTHORITY);
-    Player ann = s.join("Ann");
+    SimulationHost s = simulation(Role.AUTHORITY);
+    HostPlayer ann = s.join("Ann");
     ann.input().hold(Input.ACTION, true);
     s.step();
     SimState saved = s.save(null);
@@ -327,8 +327,8 @@ final class SpawnInInputTest {
   @Test
   void whatAnInputMayNotSpawnIsRefusedWithAdvice() {
     for (Role role : Role.values()) {
-      Simulation s = role == Role.AUTHORITY ? simulation(role) : client(told(-1));
-      Player ann = role == Role.AUTHORITY ? s.join("Ann") : s.player(0);
+      SimulationHost s = role == Role.AUTHORITY ? simulation(role) : client(told(-1));
+      HostPlayer ann = role == Role.AUTHORITY ? s.join("Ann") : s.player(0);
       ann.input().hold(Input.ACTION, true);
       rules.foreign = true;
       String message = assertThrows(IllegalArgumentException.class, s::step).getMessage();

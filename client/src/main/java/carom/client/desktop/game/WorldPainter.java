@@ -17,8 +17,8 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.field.Ratio;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
@@ -266,13 +266,13 @@ final class WorldPainter {
     scenery.clear();
     impacts.clear();
     splashes.clear();
-    Simulation still =
-        new Simulation(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
+    SimulationHost still =
+        new SimulationHost(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
     still.world().forEachBody(this::gather);
     hasTeams = !still.game().teams().isEmpty();
   }
 
-  private void gather(Body<Entity> body) {
+  private void gather(Body<HostEntity> body) {
     if (body.user().isLevel()) {
       scenery.add(new Scenery(body.user().archetype(), body.x(), body.y(), body.cos(), body.sin()));
     }

@@ -6,7 +6,7 @@ import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Appearance;
 import carom.sim.level.Level;
 import com.badlogic.gdx.graphics.Color;
@@ -41,7 +41,7 @@ public final class Pointers {
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn ball = view.entity(i);
       Appearance look = ball.archetype().appearance();
-      if (look.look() == Appearance.Look.BALL && ball.ownerId() == Entity.NO_OWNER) {
+      if (look.look() == Appearance.Look.BALL && ball.ownerId() == HostEntity.NO_OWNER) {
         point(camera, ball.x(), ball.y(), "", UiColours.shade(look.rgb(), 1, 1, color));
       }
     }

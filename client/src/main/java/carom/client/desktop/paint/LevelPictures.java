@@ -6,8 +6,8 @@ import carom.physics.geometry.Shape;
 import carom.physics.particles.Particles;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Entity;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostEntity;
 import carom.sim.level.Appearance;
 import carom.sim.level.Area;
 import carom.sim.level.Level;
@@ -82,7 +82,7 @@ public final class LevelPictures implements Disposable {
     ground(level);
     try {
       Game game = Games.create(level.gameName());
-      Simulation begun = new Simulation(game, level, 0, 60, Role.AUTHORITY);
+      SimulationHost begun = new SimulationHost(game, level, 0, 60, Role.AUTHORITY);
       begun.world().forEachBody(body -> body(body, EDGE_PX / pixelsPerMetre));
       pools(begun.pools());
     } catch (RuntimeException | LinkageError | AssertionError | StackOverflowError refused) {
@@ -119,7 +119,7 @@ public final class LevelPictures implements Disposable {
     canvas.rect(minX, minY, maxX - minX, maxY - minY, fill);
   }
 
-  private void body(Body<Entity> body, float edgeWidth) {
+  private void body(Body<HostEntity> body, float edgeWidth) {
     Appearance look = body.user().archetype().appearance();
     float alpha = body.user().archetype().sensor() ? 0.5f : 1;
     shapes.pose(body.x(), body.y(), body.cos(), body.sin());

@@ -14,8 +14,8 @@ import carom.server.replication.SessionReplication;
 import carom.server.session.SessionMessages;
 import carom.sim.Game;
 import carom.sim.Role;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Message;
@@ -32,7 +32,7 @@ import java.util.stream.Stream;
 public final class Match {
   private final MatchInfo info;
   private final GameFailures failures;
-  private final Simulation simulation;
+  private final SimulationHost simulation;
   private final FrameCapture capture;
   private final OwnCapture ownCapture;
   private final Supplier<ServerConfig> config;
@@ -63,7 +63,7 @@ public final class Match {
     failures = new GameFailures(rules.name(), counters, label);
     GuardedGame game = new GuardedGame(rules, failures);
     simulation =
-        new Simulation(
+        new SimulationHost(
             game, level.level(), seed, config.get().get(ServerConfig.TICK_RATE), Role.AUTHORITY);
     info =
         new MatchInfo(
@@ -117,7 +117,7 @@ public final class Match {
   }
 
   /** Returns the simulation that the room steps. The room's thread. */
-  public Simulation simulation() {
+  public SimulationHost simulation() {
     return simulation;
   }
 
@@ -135,12 +135,12 @@ public final class Match {
   }
 
   /** Creates the messages of the game between a player and the match. */
-  public SessionMessages messagesOf(Player player) {
+  public SessionMessages messagesOf(HostPlayer player) {
     return new SessionMessages(simulation, player, counters);
   }
 
   /** Creates what tells the client of a player about the match. */
-  public SessionReplication replicationTo(Player player) {
+  public SessionReplication replicationTo(HostPlayer player) {
     return new SessionReplication(player, config, capture, ownCapture, counters);
   }
 }

@@ -4,7 +4,7 @@ import carom.physics.threads.Workers;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counters;
 import carom.server.session.Seats;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 
@@ -62,7 +62,7 @@ public final class RoomContext {
   }
 
   /** Returns the simulation of the present match. */
-  public Simulation simulation() {
+  public SimulationHost simulation() {
     return match.simulation();
   }
 

@@ -8,8 +8,8 @@ import carom.client.EventReconciler;
 import carom.game.arena.ArenaGame;
 import carom.sim.Role;
 import carom.sim.SimState;
-import carom.sim.Simulation;
-import carom.sim.entity.Player;
+import carom.sim.SimulationHost;
+import carom.sim.entity.HostPlayer;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.level.Level;
@@ -51,11 +51,11 @@ class EventSoundsTest {
         }
       };
   private final EventSounds sounds = new EventSounds(speaker, LOUDEST);
-  private Simulation arena;
+  private SimulationHost arena;
 
   @BeforeEach
   void setUp() throws Exception {
-    arena = new Simulation(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
+    arena = new SimulationHost(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
   }
 
   private EventKind kind(Sound sound) {
@@ -157,7 +157,7 @@ class EventSoundsTest {
   @Test
   void whatIsPredictedComputedAgainAndToldIsHeardOnce() {
     EventReconciler reconciler = new EventReconciler(1, true, key -> 0, 60, sounds);
-    Player me = arena.mirror().join(1, "me");
+    HostPlayer me = arena.mirror().join(1, "me");
     arena.addJournal(reconciler);
     SimState start = arena.save(null);
     EventKind zap = kind(Sound.ZAP);

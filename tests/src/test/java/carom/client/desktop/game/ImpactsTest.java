@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.sim.Role;
-import carom.sim.Simulation;
+import carom.sim.SimulationHost;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import org.junit.jupiter.api.BeforeEach;
@@ -22,8 +22,8 @@ final class ImpactsTest {
 
   @BeforeEach
   void findKinds() throws Exception {
-    Simulation s =
-        new Simulation(Games.create("arena"), Level.builtIn("arena"), 0, 60, Role.PREDICTION);
+    SimulationHost s =
+        new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 0, 60, Role.PREDICTION);
     ball = s.archetypes().find("ball");
     player = s.archetypes().find("player.Red");
   }

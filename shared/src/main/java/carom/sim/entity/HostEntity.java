@@ -21,7 +21,7 @@ import carom.sim.spawn.Origin;
  * an entity is <em>provisional</em>: its id is its {@link #origin}. When the server tells which of
  * its entities it is, that one takes its place.
  */
-public final class Entity extends FieldHolder<Entity, Player> {
+public final class HostEntity extends FieldHolder<HostEntity, HostPlayer> {
   /** Id of static level geometry. It never appears in snapshots. */
   public static final int LEVEL = -1;
 
@@ -44,10 +44,10 @@ public final class Entity extends FieldHolder<Entity, Player> {
   /** Id of the root of its assembly, the entity itself if it is the root, or {@link #NO_ROOT}. */
   private int rootId = NO_ROOT;
 
-  private Body<Entity> body;
+  private Body<HostEntity> body;
   private int bodySlot;
 
-  Entity(EntityTable table, int id, int generation, Archetype archetype, int ownerId) {
+  HostEntity(EntityTable table, int id, int generation, Archetype archetype, int ownerId) {
     this.table = table;
     this.id = id;
     this.generation = generation;
@@ -107,12 +107,12 @@ public final class Entity extends FieldHolder<Entity, Player> {
   }
 
   /** Returns its body, which becomes invalid when the entity is despawned. */
-  public Body<Entity> body() {
+  public Body<HostEntity> body() {
     return body;
   }
 
   /** Sets the body. It must be called once, before the entity is used. */
-  void body(Body<Entity> made) {
+  void body(Body<HostEntity> made) {
     body = made;
     bodySlot = made.index();
   }
@@ -161,8 +161,8 @@ public final class Entity extends FieldHolder<Entity, Player> {
    * Returns the root of the {@code assembly} that the entity belongs to. It is the entity itself if
    * it is the root, belongs to none, or if the root is gone.
    */
-  public Entity root() {
-    Entity root = rootId == NO_ROOT ? null : table.get(rootId);
+  public HostEntity root() {
+    HostEntity root = rootId == NO_ROOT ? null : table.get(rootId);
     return root == null ? this : root;
   }
 

@@ -7,10 +7,10 @@ import carom.physics.Queries;
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
 import carom.sim.area.AreaForces;
-import carom.sim.entity.Entity;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.EntityTable;
 import carom.sim.entity.PartNames;
-import carom.sim.entity.Player;
+import carom.sim.entity.HostPlayer;
 import carom.sim.entity.PlayerTable;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
@@ -62,7 +62,7 @@ import java.util.List;
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
  */
-public final class Simulation extends FieldHolder<Entity, Player> {
+public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
   /** Most players at a time; ids are 0..1,023. */
   public static final int MAX_PLAYERS = PlayerTable.MAX_PLAYERS;
 
@@ -76,7 +76,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private final PartNames names;
   private final Mirror mirror;
   private final Outbox outbox;
-  private final Queries<Entity> past;
+  private final Queries<HostEntity> past;
 
   /**
    * Builds the level and sets the game up. The simulation is then at tick 0.
@@ -88,7 +88,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @param role whether it decides or predicts
    * @throws IllegalArgumentException when a number is out of range
    */
-  public Simulation(Game game, Level level, long seed, int tickRate, Role role) {
+  public SimulationHost(Game game, Level level, long seed, int tickRate, Role role) {
     if (tickRate < 1 || tickRate > 1000) {
       throw new IllegalArgumentException("tickRate=" + tickRate + " is outside 1..1000");
     }
@@ -99,7 +99,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     names = new PartNames(level, parts.assemblies, parts.entities, parts.joints);
     mirror = new Mirror(parts);
     outbox = new Outbox(role == Role.AUTHORITY);
-    World<Entity> world = parts.world;
+    World<HostEntity> world = parts.world;
     past = parts.history == null ? world.queries() : world.queries(parts.history);
     world.seal(parts.seal);
     parts.buildLevel();
@@ -143,13 +143,13 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /** Returns the physics world. */
-  public World<Entity> world() {
+  public World<HostEntity> world() {
     return parts.world;
   }
 
   /**
    * Returns queries about the world as a player saw it when it gave the input for this tick. Each
-   * body is where that player's screen showed it, {@link Player#viewDelay} ago, at most a quarter
+   * body is where that player's screen showed it, {@link HostPlayer#viewDelay} ago, at most a quarter
    * of a second. Bodies that came or went since then are not found. The player's own body was on
    * its screen where it is now, so leave it out by a filter. On {@link Role#PREDICTION} the queries
    * are about the predicted world.
@@ -158,7 +158,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @return valid until the next call; allocates nothing
    * @throws IllegalStateException on {@link Role#AUTHORITY}, when {@link Game#looksBack} is false
    */
-  public Queries<Entity> asSeenBy(Player player) {
+  public Queries<HostEntity> asSeenBy(HostPlayer player) {
     parts.calls.requireOutsideForces("asSeenBy");
     if (parts.history != null) {
       parts.history.look(parts.tick, player.viewDelay());
@@ -258,12 +258,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @param sensor the name of {@code statics} of the level that are sensors
    * @throws IllegalArgumentException if the level has none of that name
    */
-  public boolean isInside(Entity entity, String sensor) {
+  public boolean isInside(HostEntity entity, String sensor) {
     return parts.sensors.contain(entity, sensor);
   }
 
   /** Returns the static geometry of the level, in file order; unmodifiable. */
-  public List<Entity> statics() {
+  public List<HostEntity> statics() {
     return Collections.unmodifiableList(parts.statics);
   }
 
@@ -273,9 +273,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *
    * <p>{@link Game#input} may call it on both roles for what belongs to its player, and give the
    * new entity a velocity and fields. That player's client has it at once, as a {@linkplain
-   * Entity#isProvisional provisional} one, and it becomes the server's or goes when the server's
+   * HostEntity#isProvisional provisional} one, and it becomes the server's or goes when the server's
    * word is there. What the input of others spawns, a client keeps until the end of the call only.
-   * {@link Player#spawned} finds it again.
+   * {@link HostPlayer#spawned} finds it again.
    *
    * @param archetype its archetype
    * @param x position of the body's origin, metres
@@ -287,7 +287,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *     anywhere else
    * @throws IllegalArgumentException in {@link Game#input}, if the owner isn't its player
    */
-  public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
+  public HostEntity spawn(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
     return spawner.spawn(archetype, x, y, angle, owner);
   }
 
@@ -301,7 +301,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#PREDICTION}, in {@link Game#input}, during the
    *     physics, or beyond {@value #MAX_ENTITIES}
    */
-  public Entity spawn(Archetype archetype, BodyDef def) {
+  public HostEntity spawn(Archetype archetype, BodyDef def) {
     parts.calls.requireOutsideInput("spawn(archetype, def)");
     parts.calls.requireAuthority("spawn");
     return parts.entities.spawn(archetype, def);
@@ -320,10 +320,10 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#PREDICTION}, in {@link Game#input}, during the
    *     physics, or beyond {@value #MAX_ENTITIES}
    */
-  public Entity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
+  public HostEntity spawn(Assembly assembly, float x, float y, float angle, HostPlayer owner) {
     parts.calls.requireOutsideInput("spawn(assembly, ...)");
     parts.calls.requireAuthority("spawn");
-    int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
+    int ownerId = owner == null ? HostEntity.NO_OWNER : owner.id();
     return parts.entities.spawn(assembly, x, y, angle, ownerId, parts.tick);
   }
 
@@ -336,7 +336,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
    *     JointTable#MAX_JOINTS} joints
    */
-  public Joint<Entity> connect(JointDef<Entity> def) {
+  public Joint<HostEntity> connect(JointDef<HostEntity> def) {
     parts.calls.requireAuthority("connect");
     return parts.world.createJoint(def);
   }
@@ -346,7 +346,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *
    * @throws IllegalStateException on {@link Role#PREDICTION} or during the physics
    */
-  public void disconnect(Joint<Entity> joint) {
+  public void disconnect(Joint<HostEntity> joint) {
     parts.calls.requireAuthority("disconnect");
     if (joint.isValid()) {
       parts.world.destroyJoint(joint);
@@ -359,7 +359,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @return null if it broke or was destroyed, or if this client doesn't simulate it
    * @throws IllegalArgumentException if the level has no joint of that name
    */
-  public Joint<Entity> joint(String name) {
+  public Joint<HostEntity> joint(String name) {
     return names.joint(name);
   }
 
@@ -371,7 +371,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @return null if it broke or was destroyed, or if this client doesn't simulate it
    * @throws IllegalArgumentException if the assembly has no joint of that name
    */
-  public Joint<Entity> joint(Entity member, String name) {
+  public Joint<HostEntity> joint(HostEntity member, String name) {
     return names.joint(member, name);
   }
 
@@ -384,12 +384,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @return null if it was despawned, or if this client doesn't know it
    * @throws IllegalArgumentException if the assembly has no body of that name
    */
-  public Entity part(Entity member, String name) {
+  public HostEntity part(HostEntity member, String name) {
     return names.body(member, name);
   }
 
   /** Returns what is known of the joints beyond the physics: keys, definitions, assemblies. */
-  public JointTable<Entity> joints() {
+  public JointTable<HostEntity> joints() {
     return parts.joints;
   }
 
@@ -402,7 +402,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *
    * @throws IllegalStateException during the physics
    */
-  public void despawn(Entity entity) {
+  public void despawn(HostEntity entity) {
     spawner.despawn(entity);
     participants.tellVisits();
   }
@@ -429,7 +429,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
-  public Entity entity(int id) {
+  public HostEntity entity(int id) {
     parts.calls.requireOutsideForces("entity");
     return parts.entities.get(id);
   }
@@ -440,13 +440,13 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /** Returns the player under an id, or null when there is none; a spectator is none. */
-  public Player player(int id) {
+  public HostPlayer player(int id) {
     parts.calls.requireOutsideForces("player");
     return parts.players.get(id);
   }
 
   /** Returns the player or spectator under an id, or null; games ask for {@link #player}. */
-  public Player participant(int id) {
+  public HostPlayer participant(int id) {
     parts.calls.requireOutsideForces("participant");
     return parts.players.participant(id);
   }
@@ -461,19 +461,19 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return parts.players.teamSize(team);
   }
 
-  /** Returns whether there are players, and all of them are {@linkplain Player#isReady ready}. */
+  /** Returns whether there are players, and all of them are {@linkplain HostPlayer#isReady ready}. */
   public boolean allReady() {
     return parts.players.allReady();
   }
 
   /** Returns the player with the highest score, or null if several have it. */
-  public Player leader() {
+  public HostPlayer leader() {
     parts.calls.requireOutsideForces("leader");
     return parts.players.leader();
   }
 
   /** Returns the player that owns an entity, or null. */
-  public Player owner(Entity entity) {
+  public HostPlayer owner(HostEntity entity) {
     return parts.players.get(entity.ownerId());
   }
 
@@ -484,7 +484,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#PREDICTION}, or when {@value #MAX_PLAYERS} players
    *     play
    */
-  public Player join(String name) {
+  public HostPlayer join(String name) {
     return participants.join(name);
   }
 
@@ -493,7 +493,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *
    * @throws IllegalStateException on {@link Role#PREDICTION}, or when the id is taken
    */
-  public Player join(int id, String name) {
+  public HostPlayer join(int id, String name) {
     return join(id, name, 0, 0);
   }
 
@@ -503,7 +503,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *
    * @throws IllegalStateException as {@link #join(int, String)}
    */
-  public Player join(int id, String name, int team, int score) {
+  public HostPlayer join(int id, String name, int team, int score) {
     return participants.join(id, name, team, score);
   }
 
@@ -512,7 +512,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *
    * @throws IllegalStateException as {@link #join(int, String)}
    */
-  public Player joinAsSpectator(int id, String name) {
+  public HostPlayer joinAsSpectator(int id, String name) {
     return participants.joinAsSpectator(id, name);
   }
 
@@ -526,7 +526,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or in {@link
    *     Game#leave} for the player who leaves
    */
-  public void role(Player participant, PlayerRole role) {
+  public void role(HostPlayer participant, PlayerRole role) {
     participants.role(participant, role);
   }
 
@@ -534,7 +534,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * Removes a player or spectator and despawns everything the player owns. Nothing happens when it
    * is gone already.
    */
-  public void leave(Player player) {
+  public void leave(HostPlayer player) {
     participants.leave(player);
   }
 
@@ -592,7 +592,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#PREDICTION}
    * @throws IllegalArgumentException when the kind isn't registered, or clients don't send it
    */
-  public boolean receive(Player player, Message message) {
+  public boolean receive(HostPlayer player, Message message) {
     parts.calls.requireAuthority("receive");
     parts.messageKinds.indexOf(message.kind(), MessageKind.Direction.FROM_CLIENT);
     return parts.received.add(player.id(), message);
@@ -617,14 +617,14 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Computes the next tick from each player's {@link Player#input} and {@link Player#viewDelay}.
+   * Computes the next tick from each player's {@link HostPlayer#input} and {@link HostPlayer#viewDelay}.
    */
   public void step() {
     ticks.step();
   }
 
   /** Returns the areas of the level and those that entities carry. For reading only. */
-  public AreaForces<Entity> areas() {
+  public AreaForces<HostEntity> areas() {
     return parts.areas;
   }
 

@@ -18,7 +18,7 @@ import java.util.function.Consumer;
  * <p>A player without a body is out until the game gives it another. Its client then shows the view
  * of another player. A {@linkplain #isSpectator spectator} has no body at all.
  */
-public final class Player extends FieldHolder<Entity, Player> {
+public final class HostPlayer extends FieldHolder<HostEntity, HostPlayer> {
   /** Number of parts of a tick in which {@link #viewDelay} counts. */
   public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;
 
@@ -39,17 +39,17 @@ public final class Player extends FieldHolder<Entity, Player> {
   private PlayerRole role = PlayerRole.PLAYER;
   private boolean ready;
   private PlayerColour colour = PlayerColour.OF_THE_GAME;
-  Entity body;
+  HostEntity body;
 
   /** The player's entities with an origin, oldest first. */
-  private final List<Entity> spawned = new ArrayList<>(0);
+  private final List<HostEntity> spawned = new ArrayList<>(0);
 
   /**
    * Creates a player without a body.
    *
    * @param authority refuses a call, by its name, that only a server may make
    */
-  Player(int id, String name, FieldValues fields, Consumer<String> authority) {
+  HostPlayer(int id, String name, FieldValues fields, Consumer<String> authority) {
     this.id = id;
     this.name = name;
     this.fields = fields;
@@ -67,7 +67,7 @@ public final class Player extends FieldHolder<Entity, Player> {
   }
 
   /** Returns the body the player steers, or null while there is none. */
-  public Entity body() {
+  public HostEntity body() {
     return body;
   }
 
@@ -122,7 +122,7 @@ public final class Player extends FieldHolder<Entity, Player> {
    *
    * @param index 0, the oldest, to {@link #spawnedCount} - 1
    */
-  public Entity spawned(int index) {
+  public HostEntity spawned(int index) {
     return spawned.get(index);
   }
 
@@ -131,7 +131,7 @@ public final class Player extends FieldHolder<Entity, Player> {
    *
    * @return the one that is too many now, the oldest, or null
    */
-  Entity addSpawned(Entity entity) {
+  HostEntity addSpawned(HostEntity entity) {
     int at = spawned.size();
     while (at > 0 && Origin.isEarlier(entity.origin(), spawned.get(at - 1).origin())) {
       at--;
@@ -140,7 +140,7 @@ public final class Player extends FieldHolder<Entity, Player> {
     return spawned.size() > Origin.MOST_PER_PLAYER ? spawned.remove(0) : null;
   }
 
-  void removeSpawned(Entity entity) {
+  void removeSpawned(HostEntity entity) {
     spawned.remove(entity);
   }
 
