@@ -125,7 +125,7 @@ public final class EventReconciler implements Journal {
   public void stepped(SimulationHost s) {
     lastTick = s.tick();
     HostPlayer own = s.player(playerId);
-    HostEntity body = own == null ? null : own.body();
+    HostEntity body = own == null ? null : own.entity();
     ownKey = body == null ? Event.NONE : Event.key(body.id(), body.generation());
     s.outbox().drainEvents(predict);
   }

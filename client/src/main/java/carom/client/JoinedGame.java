@@ -18,8 +18,8 @@ import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import java.util.List;
@@ -338,7 +338,7 @@ final class JoinedGame {
   private void describeOwnFields() {
     HostPlayer player = prediction.player();
     fields.own(playerId, player.fieldValues());
-    HostEntity body = player.body();
+    HostEntity body = player.entity();
     if (body == null) {
       fields.ownBody(-1, 0, null);
     } else {

@@ -2,7 +2,7 @@ package carom.client;
 
 import carom.game.GameFault;
 import carom.game.GuardedGame;
-import carom.sim.SimulationHost;
+import carom.sim.Simulation;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.slf4j.Logger;
@@ -39,7 +39,7 @@ final class PredictionFailure implements GuardedGame.FailureListener {
   }
 
   @Override
-  public void failed(String callback, SimulationHost s, Throwable failure) {
+  public void failed(String callback, Simulation s, Throwable failure) {
     if (failed) {
       return;
     }

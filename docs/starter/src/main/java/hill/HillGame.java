@@ -3,15 +3,16 @@ package hill;
 import static carom.sim.event.Audience.NEAR;
 import static carom.sim.field.Scope.PLAYER;
 
-import carom.physics.Body;
+import carom.sim.SetUp;
+import carom.sim.Match;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.sim.Game;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
 import carom.sim.level.Appearance;
@@ -42,26 +43,25 @@ public final class HillGame implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     disc =
-        s.archetypes()
-            .add(
+        s.archetype(
                 new ArchetypeDef("disc")
                     .shape(new Circle(0.5f), new Material(1, 0.2f, 0.5f))
                     .appearance(Appearance.of(0x4cc9f0, Appearance.Look.PLAYER)));
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
-    List<Level.Spawn> spots = s.level().spawns("player");
+  public void join(Match m, Player p) {
+    List<Level.Spawn> spots = m.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
-    s.spawn(disc, spot.x(), spot.y(), 0, p);
+    m.spawn(disc, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
-    Body<HostEntity> body = p.body().body();
-    body.seekVelocity(in.moveX() * 8, in.moveY() * 8, 12 * body.mass());
+  public void input(Simulation s, Player p, Input in) {
+    Entity body = p.entity();
+    body.seekVelocity(in.moveX() * 8, in.moveY() * 8, 12);
     if (in.held(Input.ACTION) && p.get(DASH) == 0) {
       p.set(DASH, s.ticks(1));
       float impulse = 10 * body.mass();
@@ -70,15 +70,14 @@ public final class HillGame implements Game {
   }
 
   @Override
-  public void afterStep(SimulationHost s) {
-    if (s.tick() % s.tickRate() != 0) {
+  public void afterStep(Match m) {
+    if (m.tick() % m.tickRate() != 0) {
       return;
     }
-    Level.Zone hill = s.level().zones("hill").get(0);
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p != null && hill.contains(p.body().body().x(), p.body().body().y())) {
-        p.score(p.score() + 1);
+    Level.Zone hill = m.level().zones("hill").get(0);
+    for (Player p : m.players()) {
+      if (hill.contains(p.entity().x(), p.entity().y())) {
+        m.addScore(p, 1);
       }
     }
   }

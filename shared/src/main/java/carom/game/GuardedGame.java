@@ -1,13 +1,15 @@
 package carom.game;
 
-import carom.physics.Collision;
-import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.Game;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Contact;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityJoint;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
@@ -39,25 +41,25 @@ public final class GuardedGame implements Game {
      * @param s the simulation that called it
      * @param failure what it threw
      */
-    void failed(String callback, SimulationHost s, Throwable failure);
+    void failed(String callback, Simulation s, Throwable failure);
   }
 
   /** A callback about a subject, mostly a player, with one more argument. */
   @FunctionalInterface
-  private interface Call<S, A> {
-    void run(Game game, SimulationHost s, S subject, A argument);
+  private interface Call<M, S, A> {
+    void run(Game game, M m, S subject, A argument);
   }
 
   /** A callback that decides something. */
   @FunctionalInterface
-  private interface Question<S, A, R> {
-    R ask(Game game, SimulationHost s, S subject, A argument);
+  private interface Question<M, S, A, R> {
+    R ask(Game game, M m, S subject, A argument);
   }
 
   /** Answer to a player whose request made the game fail. */
   private static final String FAILED = "That is not possible now.";
 
-  private static final Question<HostEntity, Object, Audience> AUDIENCE =
+  private static final Question<Match, Entity, Object, Audience> AUDIENCE =
       (game, s, e, none) -> Objects.requireNonNull(game.audience(s, e), "audience");
 
   private final Game game;
@@ -115,7 +117,7 @@ public final class GuardedGame implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     game.setUp(s);
   }
 
@@ -155,112 +157,118 @@ public final class GuardedGame implements Game {
   }
 
   @Override
-  public String refuseTeam(SimulationHost s, HostPlayer p, int team) {
+  public String refuseTeam(Match s, Player p, int team) {
     return ask("refuseTeam", s, p, team, Game::refuseTeam, FAILED);
   }
 
   @Override
-  public void teamChanged(SimulationHost s, HostPlayer p) {
+  public void teamChanged(Match s, Player p) {
     call("teamChanged", s, p, null, (g, sim, player, none) -> g.teamChanged(sim, player));
   }
 
   @Override
-  public String refuseRole(SimulationHost s, HostPlayer p, PlayerRole role) {
+  public String refuseRole(Match s, Player p, PlayerRole role) {
     return ask("refuseRole", s, p, role, Game::refuseRole, FAILED);
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
+  public void begin(Match m) {
+    game.begin(m); // like set-up, not guarded
+  }
+
+  @Override
+  public void join(Match s, Player p) {
     call("join", s, p, null, (g, sim, player, none) -> g.join(sim, player));
   }
 
   @Override
-  public void leave(SimulationHost s, HostPlayer p) {
+  public void leave(Match s, Player p) {
     call("leave", s, p, null, (g, sim, player, none) -> g.leave(sim, player));
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
+  public void input(Simulation s, Player p, Input in) {
     call("input", s, p, in, Game::input);
   }
 
   @Override
-  public void message(SimulationHost s, HostPlayer p, Message m) {
+  public void message(Match s, Player p, Message m) {
     call("message " + m.kind().name(), s, p, m, Game::message);
   }
 
   @Override
-  public String chat(SimulationHost s, HostPlayer p, String text) {
+  public String chat(Match s, Player p, String text) {
     // A failure sends nothing: unfiltered, the text might say what the game would not allow.
     return ask("chat", s, p, text, Game::chat, null);
   }
 
   @Override
-  public boolean mayFollow(SimulationHost s, HostPlayer watcher, HostPlayer player) {
+  public boolean mayFollow(Match s, Player watcher, Player player) {
     return ask("mayFollow", s, watcher, player, Game::mayFollow, false);
   }
 
   @Override
-  public boolean emote(SimulationHost s, HostPlayer p, Emote emote) {
+  public boolean emote(Match s, Player p, Emote emote) {
     return ask("emote", s, p, emote, Game::emote, false);
   }
 
   @Override
-  public void forces(SimulationHost s, HostEntity e) {
+  public void forces(Simulation s, Entity e) {
     call("forces", s, e, null, (g, sim, entity, none) -> g.forces(sim, entity));
   }
 
   @Override
-  public void phase(SimulationHost s, MatchPhase now) {
+  public void phase(Match s, MatchPhase now) {
     call("phase " + now.text(), s, null, now, (g, sim, none, phase) -> g.phase(sim, phase));
   }
 
   @Override
-  public void entered(SimulationHost s, HostEntity sensor, HostEntity visitor) {
+  public void entered(Match s, Entity sensor, Entity visitor) {
     call("entered", s, sensor, visitor, Game::entered);
   }
 
   @Override
-  public void left(SimulationHost s, HostEntity sensor, HostEntity visitor) {
+  public void left(Match s, Entity sensor, Entity visitor) {
     call("left", s, sensor, visitor, Game::left);
   }
 
   @Override
-  public void beforeStep(SimulationHost s) {
+  public void beforeStep(Match s) {
     call("beforeStep", s, null, null, (g, sim, no, none) -> g.beforeStep(sim));
   }
 
   @Override
-  public void afterStep(SimulationHost s) {
+  public void afterStep(Match s) {
     call("afterStep", s, null, null, (g, sim, no, none) -> g.afterStep(sim));
   }
 
   @Override
-  public boolean collision(SimulationHost s, Collision<HostEntity> c) {
+  public boolean collision(Simulation s, Contact c) {
     return ask("collision", s, null, c, (g, sim, none, it) -> g.collision(sim, it), true);
   }
 
   @Override
-  public void hit(SimulationHost s, Collision<HostEntity> c) {
+  public void hit(Simulation s, Contact c) {
     call("hit", s, null, c, (g, sim, none, it) -> g.hit(sim, it));
   }
 
   @Override
-  public void broke(SimulationHost s, Joint<HostEntity> joint) {
+  public void broke(Simulation s, EntityJoint joint) {
     call("broke", s, joint, null, (g, sim, it, none) -> g.broke(sim, it));
   }
 
   @Override
-  public Audience audience(SimulationHost s, HostEntity e) {
+  public Audience audience(Match s, Entity e) {
     return ask("audience", s, e, null, AUDIENCE, Audience.NOBODY);
   }
 
   @Override
-  public boolean seesAll(SimulationHost s, HostPlayer p) {
+  public boolean seesAll(Match s, Player p) {
     return ask("seesAll", s, p, null, (g, sim, player, none) -> g.seesAll(sim, player), false);
   }
 
-  private <S, A> void call(String callback, SimulationHost s, S subject, A argument, Call<S, A> call) {
+  private <M extends Simulation, S, A> void call(
+      String callback, M s, S subject, A argument, Call<M, S, A> call) {
     try {
       call.run(game, s, subject, argument);
     } catch (Exception | Error e) { // checked ones, too, which other languages don't declare
@@ -269,8 +277,8 @@ public final class GuardedGame implements Game {
   }
 
   /** Returns the game's answer, or another one if it fails. */
-  private <S, A, R> R ask(
-      String callback, SimulationHost s, S subject, A argument, Question<S, A, R> question, R failed) {
+  private <M extends Simulation, S, A, R> R ask(
+      String callback, M s, S subject, A argument, Question<M, S, A, R> question, R failed) {
     try {
       return question.ask(game, s, subject, argument);
     } catch (Exception | Error e) {
@@ -282,12 +290,12 @@ public final class GuardedGame implements Game {
   /**
    * Tells a failure of the game. One of the machine, such as a lack of memory, isn't the game's.
    */
-  private void failed(String callback, SimulationHost s, Object subject, Throwable failure) {
+  private void failed(String callback, Simulation s, Object subject, Throwable failure) {
     if (failure instanceof VirtualMachineError machine
         && !(machine instanceof StackOverflowError)) {
       throw machine;
     }
-    String of = subject instanceof HostPlayer p ? " of player " + p.id() : " of " + subject;
+    String of = subject instanceof Player p ? " of player " + p.id() : " of " + subject;
     listener.failed(subject == null ? callback : callback + of, s, failure);
   }
 }

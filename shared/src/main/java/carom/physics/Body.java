@@ -24,9 +24,6 @@ import java.util.function.Consumer;
  * wakes by itself when something moves it or what it touches. Setting a property to the value it
  * already has doesn't wake it.
  *
- * <p>In a {@linkplain World#seal sealed} world, methods that change what a body is made of, or move
- * a static one, throw IllegalStateException unless the seal lets them pass.
- *
  * <p>Forces and impulses add up, act in the next step, and are then cleared. They do nothing on
  * static, kinematic and disabled bodies.
  *
@@ -223,7 +220,6 @@ public final class Body<T> {
    */
   public void setSleepAllowed(boolean allowed) {
     check();
-    world.refuseIfSealed("setSleepAllowed", this);
     world.note(Call.SET_SLEEP_ALLOWED, index, allowed);
     if (allowed) {
       store.flags[index] &= ~BodyStore.SLEEPLESS;
@@ -252,7 +248,6 @@ public final class Body<T> {
    */
   public void setSleepSpeed(float speed) {
     check();
-    world.refuseIfSealed("setSleepSpeed", this);
     Limits.range("sleepSpeed", speed, 0, Limits.MAX_SLEEP_SPEED);
     world.note(Call.SET_SLEEP_SPEED, index, speed);
     store.sleepSpeed[index] = speed;
@@ -530,7 +525,6 @@ public final class Body<T> {
    */
   public void setPose(float x, float y, float cos, float sin) {
     check();
-    refuseIfStatic("setPose");
     world.refuseDuringQuery("setPose");
     BodyStore.checkPose(x, y, cos, sin);
     world.note(Call.SET_POSE, index, x, y, cos, sin);
@@ -540,13 +534,6 @@ public final class Body<T> {
     float oldSin = store.sin[index];
     store.setOriginPose(index, x, y, cos, sin);
     movedFrom(oldX, oldY, oldCos, oldSin);
-  }
-
-  /** Refuses to move a static body of a world that others compute without hearing of it. */
-  private void refuseIfStatic(String call) {
-    if (store.type[index] == BodyStore.STATIC) {
-      world.refuseIfSealed(call, this);
-    }
   }
 
   private void movedFrom(float x, float y, float cos, float sin) {
@@ -570,7 +557,6 @@ public final class Body<T> {
    */
   public void setCenterPose(float x, float y, float cos, float sin) {
     check();
-    refuseIfStatic("setCenterPose");
     world.refuseDuringQuery("setCenterPose");
     BodyStore.checkPose(x, y, cos, sin);
     world.note(Call.SET_CENTER_POSE, index, x, y, cos, sin);
@@ -745,7 +731,6 @@ public final class Body<T> {
    */
   public void writeRow(int[] row, int at) {
     check();
-    refuseIfStatic("writeRow");
     world.refuseDuringQuery("writeRow");
     Limits.stretch("row", Limits.notNull("row", row).length, at, BodyRow.INTS);
     BodyRow.check(row, at);
@@ -912,7 +897,6 @@ public final class Body<T> {
    */
   public void setBullet(boolean bullet) {
     check();
-    world.refuseIfSealed("setBullet", this);
     world.note(Call.SET_BULLET, index, bullet);
     store.setBullet(index, bullet);
   }
@@ -1010,7 +994,7 @@ public final class Body<T> {
    * rotation. Wakes the body. In a callback this takes effect at the end of the step.
    *
    * @param fixed true if no force shall turn the body
-   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   * @throws IllegalStateException during a query
    */
   public void setFixedRotation(boolean fixed) {
     check();
@@ -1039,7 +1023,7 @@ public final class Body<T> {
    * free one gives way a little under sudden loads, because the lock takes back what the joint did.
    *
    * @param locks the locks, the rotation's included
-   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   * @throws IllegalStateException during a query
    */
   public void setMotionLocks(MotionLocks locks) {
     check();
@@ -1069,7 +1053,7 @@ public final class Body<T> {
    * @param shape the shape with its material and filter, in the body frame
    * @throws IllegalArgumentException if the body is dynamic and the shape a line, or the body would
    *     have more than 1,024 convex parts
-   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   * @throws IllegalStateException during a query
    */
   public void addShape(ShapeDef shape) {
     check();
@@ -1083,7 +1067,7 @@ public final class Body<T> {
    * dynamic body without shapes has a mass of 1 kg.
    *
    * @param i number of the shape, below {@link #shapeCount}
-   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   * @throws IllegalStateException during a query
    */
   public void removeShape(int i) {
     check();
@@ -1098,7 +1082,7 @@ public final class Body<T> {
    * @param i number of the shape, below {@link #shapeCount}
    * @param shape the new shape with its material and filter, in the body frame
    * @throws IllegalArgumentException as in {@link #addShape}
-   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   * @throws IllegalStateException during a query
    */
   public void replaceShape(int i, ShapeDef shape) {
     check();
@@ -1118,7 +1102,7 @@ public final class Body<T> {
    * @param def what it becomes; copied
    * @throws IllegalArgumentException if it would be dynamic and the shapes have no mass, or have
    *     more than 1,024 convex parts; the body is unchanged
-   * @throws IllegalStateException during a query, or if the world is {@linkplain World#seal sealed}
+   * @throws IllegalStateException during a query
    */
   public void become(BodyDef def) {
     check();
@@ -1126,18 +1110,12 @@ public final class Body<T> {
     world.edits().become(this, def);
     float sleepsBelow =
         def.sleepSpeed == BodyStore.WORLDS ? world.def().sleepSpeed() : def.sleepSpeed;
-    Seal<T> seal = world.seal;
-    world.seal = null; // it has let all of this pass
-    try {
-      setLinearDamping(def.linearDamping);
-      setAngularDamping(def.angularDamping);
-      setGravityScale(def.gravityScale);
-      setBullet(def.bullet);
-      if (sleepSpeed() != sleepsBelow) {
-        setSleepSpeed(sleepsBelow);
-      }
-    } finally {
-      world.seal = seal;
+    setLinearDamping(def.linearDamping);
+    setAngularDamping(def.angularDamping);
+    setGravityScale(def.gravityScale);
+    setBullet(def.bullet);
+    if (sleepSpeed() != sleepsBelow) {
+      setSleepSpeed(sleepsBelow);
     }
   }
 
@@ -1286,7 +1264,6 @@ public final class Body<T> {
    */
   public void setGravityScale(float factor) {
     check();
-    world.refuseIfSealed("setGravityScale", this);
     Limits.range("gravityScale", factor, -Limits.MAX_GRAVITY_SCALE, Limits.MAX_GRAVITY_SCALE);
     world.note(Call.SET_GRAVITY_SCALE, index, factor);
     if (store.gravityScale[index] != factor) {
@@ -1313,7 +1290,6 @@ public final class Body<T> {
    */
   public void setLinearDamping(float perSecond) {
     check();
-    world.refuseIfSealed("setLinearDamping", this);
     Limits.range("linearDamping", perSecond, 0, Limits.MAX_DAMPING);
     world.note(Call.SET_LINEAR_DAMPING, index, perSecond);
     store.linearDamping[index] = perSecond;
@@ -1337,7 +1313,6 @@ public final class Body<T> {
    */
   public void setAngularDamping(float perSecond) {
     check();
-    world.refuseIfSealed("setAngularDamping", this);
     Limits.range("angularDamping", perSecond, 0, Limits.MAX_DAMPING);
     world.note(Call.SET_ANGULAR_DAMPING, index, perSecond);
     store.angularDamping[index] = perSecond;

@@ -77,12 +77,12 @@ public final class EditQueue<T> {
   }
 
   void enable(Body<T> body, boolean enabled) {
-    world.refuseShared("setEnabled", body);
+    world.refuseDuringQuery("setEnabled");
     request(enabled ? ENABLE : DISABLE, body.index(), body.generation(), null);
   }
 
   void changeType(Body<T> body, BodyType type) {
-    world.refuseShared("setType", body);
+    world.refuseDuringQuery("setType");
     if (type == BodyType.DYNAMIC) {
       BodyEditor.checkMass(body.specs(), handles.ownMass(body.index()));
     }
@@ -91,7 +91,7 @@ public final class EditQueue<T> {
 
   /** Changes the material, filter, sensor flag or user of a shape. */
   void changeShape(String call, Body<T> body, int shape, UnaryOperator<ShapeDef> how) {
-    world.refuseShared(call, body);
+    world.refuseDuringQuery(call);
     ShapeDef[] after = shapesToBe(body).clone();
     checkIndex(shape, after.length);
     ShapeDef before = after[shape];
@@ -100,20 +100,20 @@ public final class EditQueue<T> {
   }
 
   void addShape(Body<T> body, ShapeDef added) {
-    world.refuseShared("addShape", body);
+    world.refuseDuringQuery("addShape");
     ShapeDef[] before = shapesToBe(body);
     request(body, spliced(before, before.length, 0, added));
   }
 
   void removeShape(Body<T> body, int shape) {
-    world.refuseShared("removeShape", body);
+    world.refuseDuringQuery("removeShape");
     ShapeDef[] before = shapesToBe(body);
     checkIndex(shape, before.length);
     request(body, spliced(before, shape, 1));
   }
 
   void replaceShape(Body<T> body, int shape, ShapeDef by) {
-    world.refuseShared("replaceShape", body);
+    world.refuseDuringQuery("replaceShape");
     ShapeDef[] before = shapesToBe(body);
     checkIndex(shape, before.length);
     request(body, spliced(before, shape, 1, by));
@@ -121,7 +121,7 @@ public final class EditQueue<T> {
 
   /** Gives a body the type, shapes, mass and locks of a definition. */
   void become(Body<T> body, BodyDef def) {
-    world.refuseShared("become", body);
+    world.refuseDuringQuery("become");
     ShapeDef[] all = def.shapes.toArray(new ShapeDef[0]);
     ShapeSpec[] specs = World.specs(all);
     BodyEditor.checkShapes(World.code(def.type), specs, def.mass);
@@ -189,7 +189,7 @@ public final class EditQueue<T> {
   }
 
   void changeMass(Body<T> body, MassData ownOrNull) {
-    world.refuseShared(ownOrNull == null ? "computeMass" : "setMass", body);
+    world.refuseDuringQuery(ownOrNull == null ? "computeMass" : "setMass");
     if (body.type() == BodyType.DYNAMIC) {
       BodyEditor.checkMass(body.specs(), ownOrNull);
     }
@@ -197,13 +197,13 @@ public final class EditQueue<T> {
   }
 
   void lockMotion(Body<T> body, MotionLocks locks) {
-    world.refuseShared("setMotionLocks", body);
+    world.refuseDuringQuery("setMotionLocks");
     request(LOCK_MOTION, body.index(), body.generation(), locks);
   }
 
   /** Fixes or frees the rotation; the other locks are those that the body will have by then. */
   void fixRotation(Body<T> body, boolean fixed) {
-    world.refuseShared("setFixedRotation", body);
+    world.refuseDuringQuery("setFixedRotation");
     MotionLocks locks = body.motionLocks();
     for (int i = 0; i < pendingCount; i++) {
       if (pending[i] == LOCK_MOTION
@@ -216,7 +216,7 @@ public final class EditQueue<T> {
   }
 
   void refilter(Body<T> body) {
-    world.refuseShared("refilter", body);
+    world.refuseDuringQuery("refilter");
     request(REFILTER, body.index(), body.generation(), null);
   }
 

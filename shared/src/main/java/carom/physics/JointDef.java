@@ -26,8 +26,8 @@ public final class JointDef<T> {
   private static final float MAX_ANGLE = 1e4f;
 
   final JointType type;
-  final Body<T> bodyA;
-  final Body<T> bodyB;
+  Body<T> bodyA;
+  Body<T> bodyB;
   float ax;
   float ay;
   float bx;
@@ -68,6 +68,15 @@ public final class JointDef<T> {
     this.type = type;
     this.bodyA = bodyA;
     this.bodyB = bodyB;
+  }
+
+  /** Moves the definition to other bodies. */
+  @SuppressWarnings("unchecked") // nothing but the bodies has to do with the user's type
+  <U> JointDef<U> between(Body<U> a, Body<U> b) {
+    JointDef<U> moved = (JointDef<U>) this;
+    moved.bodyA = a;
+    moved.bodyB = b;
+    return moved;
   }
 
   private JointDef<T> anchors(float newAx, float newAy, float newBx, float newBy) {

@@ -92,9 +92,8 @@ public final class World<T> {
   private boolean querying;
 
   /** Decides which calls may still change this world; null if all may. */
-  Seal<T> seal;
-
   private final Aabb box = new Aabb();
+
   private final Aabb queryBox = new Aabb();
   private final Transform pose = new Transform();
   private int[] found = new int[16];
@@ -153,13 +152,11 @@ public final class World<T> {
    * @param newDef the constants; substeps, speculativeDistance, integrator and both mixing rules
    *     stay as they are
    * @throws IllegalArgumentException if one of these five differs
-   * @throws IllegalStateException during a step or a query, or if the world is {@linkplain #seal
-   *     sealed}
+   * @throws IllegalStateException during a step or a query
    */
   public void redefine(WorldDef newDef) {
     refuseDuringStep("redefine");
     refuseDuringQuery("redefine");
-    refuseIfSealed("redefine", null);
     Limits.notNull("newDef", newDef).checkFollows(def);
     noteValue(Call.REDEFINE, newDef);
     boolean wakes =
@@ -196,20 +193,6 @@ public final class World<T> {
   }
 
   /**
-   * Seals the world: from now on calls that others who compute it don't hear of throw
-   * IllegalStateException, unless the seal lets them pass. The seal is no part of the state.
-   *
-   * @param newSeal decides for good; asked before a call changes anything
-   * @throws IllegalStateException if the world is sealed already
-   */
-  public void seal(Seal<T> newSeal) {
-    if (seal != null) {
-      throw new IllegalStateException("seal is not possible in this world: it is sealed already");
-    }
-    seal = Limits.notNull("newSeal", newSeal);
-  }
-
-  /**
    * Creates a body. A callback of a step may do so, too; the body then collides from the next step
    * on.
    *
@@ -220,7 +203,7 @@ public final class World<T> {
    * @throws IllegalStateException during a query
    */
   public Body<T> createBody(BodyDef bodyDef, T user) {
-    refuseShared("createBody", null);
+    refuseDuringQuery("createBody");
     ShapeDef[] given = Limits.notNull("bodyDef", bodyDef).shapes.toArray(new ShapeDef[0]);
     ShapeSpec[] specs = specs(given);
     byte type = code(bodyDef.type);
@@ -274,7 +257,7 @@ public final class World<T> {
               + bodyDef.shapes.size()
               + " of the body of a chain; it must be static or kinematic, without shapes");
     }
-    refuseShared("createChain", null);
+    refuseDuringQuery("createChain");
     List<Body<T>> bodies = new ArrayList<>();
     try {
       for (List<ShapeDef> shapes : chain.bodies()) {
@@ -333,7 +316,7 @@ public final class World<T> {
    */
   public void destroyBody(Body<T> body) {
     own("body", body);
-    refuseShared("destroyBody", body);
+    refuseDuringQuery("destroyBody");
     edits.destroy(body);
   }
 
@@ -379,6 +362,25 @@ public final class World<T> {
     int j = dynamics.createJoint((byte) d.type.ordinal(), a, b);
     new JointMaker(store, joints).fill(j, d);
     return enter(j);
+  }
+
+  /**
+   * Creates a joint as {@link #createJoint(JointDef)} does, between other bodies than those that
+   * the definition was made with. It belongs to these bodies from then on.
+   *
+   * @param bodyA null for the world, as far as the type allows it
+   * @param bodyB another body
+   * @param d the definition, with points in world coordinates
+   * @return the joint's handle
+   */
+  public Joint<T> createJoint(Body<T> bodyA, Body<T> bodyB, JointDef<?> d) {
+    Limits.notNull("bodyB", bodyB);
+    boolean grounds = JointTransfer.mayBeGrounded(Limits.notNull("d", d).type.ordinal());
+    if (bodyA == bodyB || (bodyA == null && !grounds)) {
+      throw new IllegalArgumentException(
+          "type=" + d.type + " of a joint between bodyA=" + bodyA + " and bodyB=" + bodyB);
+    }
+    return createJoint(d.between(bodyA, bodyB));
   }
 
   /**
@@ -478,7 +480,7 @@ public final class World<T> {
    */
   public void sortFreeBodies() {
     refuseDuringStep("sortFreeBodies");
-    refuseShared("sortFreeBodies", null);
+    refuseDuringQuery("sortFreeBodies");
     note(Call.SORT_FREE_BODIES);
     store.sortFree();
   }
@@ -491,7 +493,7 @@ public final class World<T> {
    */
   public void destroyJoints() {
     refuseDuringStep("destroyJoints");
-    refuseShared("destroyJoints", null);
+    refuseDuringQuery("destroyJoints");
     note(Call.DESTROY_JOINTS);
     for (int j = joints.slots() - 1; j >= 0; j--) {
       if (joint(j) != null) {
@@ -578,7 +580,6 @@ public final class World<T> {
    * @param newListener the listener, null for none
    */
   public void jointListener(JointListener<T> newListener) {
-    refuseIfSealed("jointListener", null);
     jointListener = newListener;
     note(Call.LISTENERS, listeners());
   }
@@ -604,7 +605,7 @@ public final class World<T> {
   public void step(float dtSeconds) {
     Limits.timeStep(dtSeconds);
     refuseDuringStep("step");
-    refuseShared("step", null);
+    refuseDuringQuery("step");
     if (recorder != null) {
       recorder.noteStep(dtSeconds);
       if (restored && filter != null) {
@@ -650,7 +651,6 @@ public final class World<T> {
    * @param newListener the listener, null for none
    */
   public void listener(CollisionListener<T> newListener) {
-    refuseIfSealed("listener", null);
     events.listener(newListener);
     note(Call.LISTENERS, listeners());
   }
@@ -679,7 +679,7 @@ public final class World<T> {
    */
   public void collisionFilter(CollisionFilter<T> newFilter) {
     refuseDuringStep("collisionFilter");
-    refuseShared("collisionFilter", null);
+    refuseDuringQuery("collisionFilter");
     note(Call.COLLISION_FILTER, newFilter == null ? 0 : 1);
     askAbout(newFilter);
     forEachBody(body -> dynamics.wake(body.index()));
@@ -771,7 +771,7 @@ public final class World<T> {
    */
   public void restore(WorldState s) {
     refuseDuringStep("restore");
-    refuseShared("restore", null);
+    refuseDuringQuery("restore");
     checkOwner(Limits.notNull("s", s));
     noteValue(Call.STATE, s);
     moves++;
@@ -855,7 +855,7 @@ public final class World<T> {
    */
   public void writeRows(ExactRows rows) {
     refuseDuringStep("writeRows");
-    refuseShared("writeRows", null);
+    refuseDuringQuery("writeRows");
     checkListed(rows);
     for (int i = 0; i < rows.bodies().count(); i++) {
       BodyRow.check(rows.bodies().ints(), rows.bodies().at(i));
@@ -1161,9 +1161,6 @@ public final class World<T> {
       for (int i = first; i < end; i++) {
         int other = t.other(i);
         if (t.sensor(i) && other != last) {
-          if (seal != null) {
-            seal.overlapRead(body(slot), body(other));
-          }
           if (!visitor.visit(body(other))) {
             return;
           }
@@ -1243,7 +1240,6 @@ public final class World<T> {
    * @param newScope the shapes that queries see from now on; null for all
    */
   public void queryScope(QueryFilter<T> newScope) {
-    refuseIfSealed("queryScope", null);
     scope = newScope;
   }
 
@@ -1403,20 +1399,6 @@ public final class World<T> {
   /** Notes that bodies may be elsewhere, for those that ask {@link #moves}. */
   void posesChanged() {
     moves++;
-  }
-
-  /** Refuses a call of which others that compute this world don't hear, and any in a query. */
-  void refuseShared(String what, Body<T> body) {
-    refuseIfSealed(what, body);
-    refuseDuringQuery(what);
-  }
-
-  /** Refuses a call of which others that compute this world don't hear. */
-  void refuseIfSealed(String what, Body<T> body) {
-    String why = seal == null ? null : seal.refusal(what, body);
-    if (why != null) {
-      throw new IllegalStateException(what + " is not possible in this world: " + why);
-    }
   }
 
   private void refuseDuringStep(String what) {

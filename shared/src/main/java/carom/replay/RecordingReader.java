@@ -450,7 +450,9 @@ public final class RecordingReader implements AutoCloseable {
     return role;
   }
 
-  /** Returns the message that a player has sent, as {@link SimulationHost#messageKinds} codes it. */
+  /**
+   * Returns the message that a player has sent, as {@link SimulationHost#messageKinds} codes it.
+   */
   byte[] message() {
     return message;
   }
@@ -495,7 +497,8 @@ public final class RecordingReader implements AutoCloseable {
   }
 
   /**
-   * Returns the last state read, for {@link SimulationHost#read}; valid until {@link #next} is called.
+   * Returns the last state read, for {@link SimulationHost#read}; valid until {@link #next} is
+   * called.
    */
   ArchiveReader state() {
     return new ArchiveReader(Arrays.copyOfRange(state, stateBegin, stateEnd));

@@ -1,12 +1,11 @@
 package carom.sim;
 
-import carom.physics.Collision;
-import carom.physics.Joint;
 import carom.physics.WorldDef;
-import carom.physics.effects.OneWay;
-import carom.sim.entity.HostEntity;
+import carom.sim.entity.Contact;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityJoint;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
@@ -32,12 +31,6 @@ import java.util.List;
  * runs on {@link Role#AUTHORITY} only.
  */
 public interface Game {
-  /**
-   * The rule of one-way platforms, for bodies of archetypes that are {@linkplain
-   * carom.sim.level.Archetype#oneWay one-way}. {@link #collision} applies it by default.
-   */
-  OneWay<HostEntity> ONE_WAY = new OneWay<>((body, shape) -> body.user().archetype().oneWay());
-
   /** Returns the name under which the game is found, in lower case. */
   String name();
 
@@ -83,8 +76,8 @@ public interface Game {
   }
 
   /**
-   * Returns whether the game calls {@link SimulationHost#asSeenBy}. If true, the simulation remembers
-   * all poses of the last quarter of a second.
+   * Returns whether the game calls {@link Match#asSeenBy}. If true, the simulation remembers all
+   * poses of the last quarter of a second.
    */
   default boolean looksBack() {
     return false;
@@ -92,13 +85,18 @@ public interface Game {
 
   /**
    * Registers archetypes and event kinds and remembers zones; both roles, once. The level's statics
-   * exist. On {@link Role#AUTHORITY} the level's bodies exist too, and the game may spawn entities
-   * after registering.
+   * exist.
    *
    * @throws IllegalArgumentException when the level lacks something that the game needs. The
    *     message says what; it is all that a server prints when it cannot start the game
    */
-  void setUp(SimulationHost s);
+  void setUp(SetUp s);
+
+  /**
+   * Handles the beginning: once after {@link #setUp}, {@link Role#AUTHORITY} only. The level's
+   * bodies exist. The place to spawn what is there from the start.
+   */
+  default void begin(Match m) {}
 
   /**
    * Returns how many may play at a time, 1 or more. A player who comes when so many play is a
@@ -147,8 +145,7 @@ public interface Game {
 
   /**
    * Returns the phases of a match: warm-up, countdown, play, result. Without a clock a match lasts
-   * until the game calls {@link SimulationHost#matchOver} or {@link SimulationHost#playNext}. The same at
-   * every call.
+   * until the game calls {@link Match#matchOver} or {@link Match#playNext}. The same at every call.
    */
   default MatchClock clock() {
     return null;
@@ -158,19 +155,19 @@ public interface Game {
    * Handles the beginning of a phase of the {@link #clock}, but for the warm-up; {@link
    * Role#AUTHORITY} only, before {@link #beforeStep}.
    */
-  default void phase(SimulationHost s, MatchPhase now) {}
+  default void phase(Match m, MatchPhase now) {}
 
   /**
    * Handles a player who has joined, or a spectator who begins to play. It may give the player a
    * body.
    */
-  void join(SimulationHost s, HostPlayer p);
+  void join(Match m, Player p);
 
   /**
    * Handles a player who is about to leave, or to become a spectator. Afterwards the simulation
    * despawns everything the player owns.
    */
-  default void leave(SimulationHost s, HostPlayer p) {}
+  default void leave(Match m, Player p) {}
 
   /**
    * Returns why a player can't change to a team now, in words for the player, or null if it can;
@@ -179,21 +176,21 @@ public interface Game {
    *
    * @param team one of {@link #teams}, 1 or more, but not the player's own
    */
-  default String refuseTeam(SimulationHost s, HostPlayer p, int team) {
-    return Talk.imbalance(s, p, team);
+  default String refuseTeam(Match m, Player p, int team) {
+    return BuiltInMessages.imbalance(m, p, team, teams());
   }
 
   /**
    * Handles a player who asked for another team and now has it; {@link Role#AUTHORITY} only. The
    * place to give the player another body.
    */
-  default void teamChanged(SimulationHost s, HostPlayer p) {}
+  default void teamChanged(Match m, Player p) {}
 
   /**
    * Returns why a player can't become a spectator now, or a spectator a player, in words for the
    * one that asks, or null if it can; {@link Role#AUTHORITY} only. There is a place for a player.
    */
-  default String refuseRole(SimulationHost s, HostPlayer p, PlayerRole role) {
+  default String refuseRole(Match m, Player p, PlayerRole role) {
     return null;
   }
 
@@ -202,24 +199,24 @@ public interface Game {
    * player with a body, in order of ids. It may change only the player, its fields and its body,
    * and may read contacts.
    */
-  void input(SimulationHost s, HostPlayer p, Input in);
+  void input(Simulation s, Player p, Input in);
 
   /**
    * Handles a message of a player, of a kind that {@link #setUp} registered; {@link Role#AUTHORITY}
    * only, before {@link #beforeStep}, by player id and then in the order of arrival. What the
    * player may do now is for the game to check; ranges and lengths have been checked.
    */
-  default void message(SimulationHost s, HostPlayer p, Message m) {}
+  default void message(Match m, Player p, Message message) {}
 
   /**
    * Returns what is said when a player writes a line of chat, or null if nothing is; {@link
    * Role#AUTHORITY} only, when {@link #message} would be called. The place to filter words, and to
    * switch chat off.
    *
-   * @param p the player, who may be a {@linkplain HostPlayer#isSpectator spectator}
+   * @param p the player, who may be a {@linkplain Player#isSpectator spectator}
    * @param text what the player wrote, 1..120 characters that can be shown
    */
-  default String chat(SimulationHost s, HostPlayer p, String text) {
+  default String chat(Match m, Player p, String text) {
     return text;
   }
 
@@ -227,12 +224,12 @@ public interface Game {
    * Returns whether a participant without a body, a spectator or one who is out, may look at what
    * is around a player; {@link Role#AUTHORITY} only, called often. The default allows everything.
    */
-  default boolean mayFollow(SimulationHost s, HostPlayer watcher, HostPlayer player) {
+  default boolean mayFollow(Match m, Player watcher, Player player) {
     return true;
   }
 
   /** Returns whether a player with a body may show an emote now; {@link Role#AUTHORITY} only. */
-  default boolean emote(SimulationHost s, HostPlayer p, Emote emote) {
+  default boolean emote(Match m, Player p, Emote emote) {
     return true;
   }
 
@@ -250,20 +247,20 @@ public interface Game {
    * @param s the simulation
    * @param e an entity with a dynamic body that is awake
    */
-  default void forces(SimulationHost s, HostEntity e) {}
+  default void forces(Simulation s, Entity e) {}
 
   /**
    * Handles an entity that has entered a sensor, of the level or spawned; {@link Role#AUTHORITY}
    * only, once per visit, after the physics and before {@link #afterStep}, in the order of the
    * bodies in the world. It may do anything. What a player should notice at once belongs into
-   * {@link #input}, which may ask {@link SimulationHost#isInside}.
+   * {@link #input}, which may ask {@link Entity#isInside}.
    *
    * @param sensor an entity of an archetype that is a {@linkplain
    *     carom.sim.level.Archetype#sensor() sensor}; it notices solid dynamic bodies, and if it is
    *     dynamic itself, all solid ones, the level's statics too
-   * @param visitor the entity in it; {@link SimulationHost#owner} is the player it belongs to
+   * @param visitor the entity in it; {@link Entity#owner} is the player it belongs to
    */
-  default void entered(SimulationHost s, HostEntity sensor, HostEntity visitor) {}
+  default void entered(Match m, Entity sensor, Entity visitor) {}
 
   /**
    * Handles an entity that has left a sensor, as {@link #entered}. If one of both was despawned or
@@ -271,42 +268,42 @@ public interface Game {
    * #afterStep} despawns, after it. Of a despawned entity only archetype, id, owner and fields can
    * be asked.
    */
-  default void left(SimulationHost s, HostEntity sensor, HostEntity visitor) {}
+  default void left(Match m, Entity sensor, Entity visitor) {}
 
   /** Applies the rules of a tick before the players' inputs. */
-  default void beforeStep(SimulationHost s) {}
+  default void beforeStep(Match m) {}
 
   /** Applies the rules of a tick after the world has stepped: goals, scores, respawns. */
-  default void afterStep(SimulationHost s) {}
+  default void afterStep(Match m) {}
 
   /**
    * Returns whether a touching pair collides in this tick; both roles, during the step. It may read
    * entities, their fields and those of their owners, and must change nothing but the friction,
-   * restitution and tangent speed of this contact for this tick ({@link Collision#setFriction}). It
+   * restitution and tangent speed of this contact for this tick ({@link Contact#setFriction}). It
    * is also asked about what a fast body would be stopped at within the tick ({@link
-   * Collision#isSwept}). The default lets bodies pass one-way platforms from below.
+   * Contact#isSwept}). The default lets bodies pass one-way platforms from below.
    */
-  default boolean collision(SimulationHost s, Collision<HostEntity> c) {
-    return ONE_WAY.preSolve(c);
+  default boolean collision(Simulation s, Contact c) {
+    return c.holdsOneWay();
   }
 
   /**
    * Handles an impact harder than {@link WorldDef#hitSpeed}; both roles, during the step, once per
-   * impact. It is the place to {@linkplain SimulationHost#emit emit} an event. It may read, and must
+   * impact. It is the place to {@linkplain Simulation#emit emit} an event. It may read, and must
    * change nothing else.
    *
-   * @param c with {@link Collision#hitSpeed}, place and strength; valid during the call
+   * @param c with {@link Contact#hitSpeed}, place and strength; valid during the call
    */
-  default void hit(SimulationHost s, Collision<HostEntity> c) {}
+  default void hit(Simulation s, Contact c) {}
 
   /**
    * Handles a joint that breaks because it bears more than it can; both roles, during the step. The
-   * joint is gone after the step. It is the place to {@linkplain SimulationHost#emit emit} an event. It
+   * joint is gone after the step. It is the place to {@linkplain Simulation#emit emit} an event. It
    * may read, and must change nothing else.
    *
    * @param joint still valid, with the force that broke it
    */
-  default void broke(SimulationHost s, Joint<HostEntity> joint) {}
+  default void broke(Simulation s, EntityJoint joint) {}
 
   /**
    * Returns which players are told about an entity; {@link Role#AUTHORITY} only, after each tick
@@ -315,7 +312,7 @@ public interface Game {
    * Audience#NEAR} events in which it takes part, and no input of a player whose body it is. An
    * entity that nobody is told about costs nothing, and no cheat can find it on the wire.
    */
-  default Audience audience(SimulationHost s, HostEntity e) {
+  default Audience audience(Match m, Entity e) {
     return Audience.NEAR;
   }
 
@@ -323,7 +320,7 @@ public interface Game {
    * Returns whether a player is told about everything everywhere, as a referee or a spectator may
    * be; {@link Role#AUTHORITY} only, called often. It costs as much bandwidth as the whole world.
    */
-  default boolean seesAll(SimulationHost s, HostPlayer p) {
+  default boolean seesAll(Match m, Player p) {
     return false;
   }
 }

@@ -8,9 +8,9 @@ import carom.sim.message.PlayerRole;
  * enough to compute every state again, bit for bit. {@code carom.replay} writes one to a file. A
  * journal that only follows the steps leaves out the rest.
  *
- * <p>{@link SimulationHost} itself calls it, so that no caller can forget to. A caller that changes the
- * world outside of {@link Game} and of these calls makes the journal incomplete. All methods run on
- * the simulation's thread and must change nothing.
+ * <p>{@link SimulationHost} itself calls it, so that no caller can forget to. A caller that changes
+ * the world outside of {@link Game} and of these calls makes the journal incomplete. All methods
+ * run on the simulation's thread and must change nothing.
  */
 public interface Journal {
   /** Receives a player who is about to join, before {@link Game#join}. */
@@ -30,9 +30,9 @@ public interface Journal {
 
   /**
    * Receives the simulation before a step. The step will handle the messages that {@link
-   * SimulationHost#forEachReceived} passes on, and read {@code Player.input} and {@code
-   * Player.viewDelay} of every participant as they are now. {@link SimulationHost#tick} is the tick
-   * before.
+   * SimulationHost#forEachReceived} passes on, and read {@link HostPlayer#input} and {@link
+   * HostPlayer#viewDelay} of every participant as they are now. {@link SimulationHost#tick} is the
+   * tick before.
    */
   void stepping(SimulationHost s);
 

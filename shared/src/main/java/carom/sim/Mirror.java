@@ -157,12 +157,6 @@ public final class Mirror {
     parts.entities.setOrigin(entity, origin);
   }
 
-  /** Lets a call of the world pass that is refused to games, see {@code WorldSeal.permit}. */
-  public void permit(String call) {
-    parts.calls.requirePrediction("permit");
-    parts.seal.permit(call);
-  }
-
   /**
    * Returns the number of {@linkplain HostEntity#isProvisional provisional} entities; 0 on {@link
    * Role#AUTHORITY}. They aren't below {@link SimulationHost#entityCapacity}.

@@ -50,7 +50,7 @@ final class Participants {
     HostPlayer player = players.add(id, name);
     if (full) {
       players.become(player, PlayerRole.SPECTATOR);
-      Talk.tell(simulation, player, Talk.refusalWhenFull(simulation));
+      BuiltInMessages.tell(simulation, player, BuiltInMessages.refusalWhenFull(simulation));
       return player;
     }
     player.team(team);
@@ -69,7 +69,9 @@ final class Participants {
     return player;
   }
 
-  /** Lets a participant play or watch, as {@link SimulationHost#role(HostPlayer, PlayerRole)} says. */
+  /**
+   * Lets a participant play or watch, as {@link SimulationHost#role(HostPlayer, PlayerRole)} says.
+   */
   void role(HostPlayer participant, PlayerRole role) {
     parts.calls.requireAuthority("role");
     if (participant == retiring) {

@@ -7,10 +7,9 @@ import carom.sim.area.AreaForces;
 import carom.sim.area.PoolGround;
 import carom.sim.entity.AllFields;
 import carom.sim.entity.CallRules;
-import carom.sim.entity.HostEntity;
 import carom.sim.entity.EntityTable;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.PlayerTable;
-import carom.sim.entity.WorldSeal;
 import carom.sim.event.EventKinds;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldUse;
@@ -21,6 +20,7 @@ import carom.sim.finding.Findings;
 import carom.sim.history.PoseHistory;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.JointTable;
+import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.LevelJoint;
@@ -56,9 +56,6 @@ final class SimParts {
   final CallRules calls;
   final WorldDef worldDef;
   final World<HostEntity> world;
-
-  /** Keeps games from changing {@link #world} behind the clients' backs. */
-  final WorldSeal seal = new WorldSeal();
 
   final Archetypes archetypes = new Archetypes();
   final Assemblies assemblies = new Assemblies(archetypes);
@@ -126,16 +123,7 @@ final class SimParts {
     joints = new JointTable<>(world, decides);
     entities =
         new EntityTable(
-            world,
-            seal,
-            areas,
-            assemblies,
-            joints,
-            tickRate,
-            schema,
-            archetypes,
-            calls,
-            () -> tick);
+            world, areas, assemblies, joints, tickRate, schema, archetypes, calls, () -> tick);
     players = entities.players();
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
@@ -207,6 +195,20 @@ final class SimParts {
     if (history != null) {
       history.capture(tick);
     }
+  }
+
+  /**
+   * Returns an archetype by its name.
+   *
+   * @throws IllegalArgumentException if there is none
+   */
+  Archetype archetype(String name) {
+    Archetype found = archetypes.find(name);
+    if (found == null) {
+      throw new IllegalArgumentException(
+          "archetype=\"" + name + "\" is neither in the level nor registered in Game.setUp");
+    }
+    return found;
   }
 
   /** Returns 64 bits of everything that decides the future. */

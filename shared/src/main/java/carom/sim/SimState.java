@@ -15,8 +15,8 @@ import carom.sim.level.Level;
 import carom.sim.pool.PoolsState;
 
 /**
- * A saved {@link SimulationHost}. Its arrays are its own and are reused from save to save. It belongs
- * to the simulation that filled it, and its contents are internal.
+ * A saved {@link SimulationHost}. Its arrays are its own and are reused from save to save. It
+ * belongs to the simulation that filled it, and its contents are internal.
  */
 public final class SimState {
   /**
@@ -77,7 +77,6 @@ public final class SimState {
 
   /** Gives the parts this state. Messages that wait for the next step are dropped. */
   void restore() {
-    owner.seal.permit("restore");
     owner.world.restore(world);
     owner.received.clear();
     owner.tick = tick;
@@ -103,9 +102,9 @@ public final class SimState {
   }
 
   /**
-   * Appends the state to an archive: everything that {@link SimulationHost#stateHash} covers, the names
-   * of players, and the past that {@link SimulationHost#asSeenBy} uses. {@link SimulationHost#read} reads
-   * it.
+   * Appends the state to an archive: everything that {@link SimulationHost#stateHash} covers, the
+   * names of players, and the past that {@link SimulationHost#asSeenBy} uses. {@link
+   * SimulationHost#read} reads it.
    *
    * @param archive receives it
    * @throws IllegalArgumentException if the world has blown up, see {@link WorldState#write}

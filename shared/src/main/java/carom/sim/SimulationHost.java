@@ -1,22 +1,31 @@
 package carom.sim;
 
+import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.Queries;
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
+import carom.physics.effects.Effect;
+import carom.physics.effects.Explosion;
+import carom.physics.effects.Hover;
+import carom.physics.math.Transform;
 import carom.sim.area.AreaForces;
-import carom.sim.entity.HostEntity;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityJoint;
+import carom.sim.entity.EntityQueries;
 import carom.sim.entity.EntityTable;
-import carom.sim.entity.PartNames;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
+import carom.sim.entity.PartNames;
+import carom.sim.entity.Player;
 import carom.sim.entity.PlayerTable;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
-import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
@@ -32,6 +41,7 @@ import carom.sim.match.NextMatch;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind;
 import carom.sim.message.MessageKinds;
+import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import carom.sim.message.WaitingMessages;
 import carom.sim.outbox.Delivery;
@@ -43,9 +53,12 @@ import carom.sim.ruling.InterferenceLog;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.Predicate;
 
 /**
- * A world, its entities and players, and the game that rules them. It is a pure function of (state,
+ * A world, its entities and players, and the game that rules them, as the program that runs it
+ * holds it: a server's room, a client's prediction, a test. It is a pure function of (state,
  * inputs, tick): equal levels, seeds, tick rates and inputs give equal {@linkplain #stateHash state
  * hashes} on every machine.
  *
@@ -55,19 +68,21 @@ import java.util.List;
  * physics, {@link Game#entered} and {@link Game#left}, {@link Game#afterStep}. While a step runs,
  * {@link #tick} is the tick being computed.
  *
- * <p>Games call most of this class. What only the program around it calls is in parts: {@link
- * #mirror} for a client, {@link #outbox} for what goes to players. {@link SimParts} draws how the
- * class is built.
+ * <p>Games see it as a {@link Simulation} or a {@link Match}, and never as this. What only one kind
+ * of program calls is in parts: {@link #mirror} for a client, {@link #outbox} for what goes to
+ * players. {@link SimParts} draws how the class is built.
  *
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
  */
-public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
+public final class SimulationHost implements Match {
   /** Most players at a time; ids are 0..1,023. */
   public static final int MAX_PLAYERS = PlayerTable.MAX_PLAYERS;
 
   /** Most entities at a time; ids are 0..65534. */
   public static final int MAX_ENTITIES = EntityTable.MAX_ENTITIES;
+
+  private static final Transform HERE = new Transform();
 
   private final SimParts parts;
   private final Spawner spawner;
@@ -77,6 +92,8 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
   private final Mirror mirror;
   private final Outbox outbox;
   private final Queries<HostEntity> past;
+  private final EntityQueries queries;
+  private final EntityQueries seen;
 
   /**
    * Builds the level and sets the game up. The simulation is then at tick 0.
@@ -101,10 +118,14 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     outbox = new Outbox(role == Role.AUTHORITY);
     World<HostEntity> world = parts.world;
     past = parts.history == null ? world.queries() : world.queries(parts.history);
-    world.seal(parts.seal);
+    queries = new EntityQueries(world.queries());
+    seen = new EntityQueries(past);
+    parts.entities.answers(new Answers());
     parts.buildLevel();
-    game.setUp(this);
-    parts.seal.endSetUp();
+    game.setUp(new SetUp(parts));
+    if (role == Role.AUTHORITY) {
+      game.begin(this);
+    }
     ticks.beginClock();
     parts.closeDeclarations();
     parts.capturePoses();
@@ -148,18 +169,10 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
   }
 
   /**
-   * Returns queries about the world as a player saw it when it gave the input for this tick. Each
-   * body is where that player's screen showed it, {@link HostPlayer#viewDelay} ago, at most a quarter
-   * of a second. Bodies that came or went since then are not found. The player's own body was on
-   * its screen where it is now, so leave it out by a filter. On {@link Role#PREDICTION} the queries
-   * are about the predicted world.
-   *
-   * @param player the player who saw it
-   * @return valid until the next call; allocates nothing
-   * @throws IllegalStateException on {@link Role#AUTHORITY}, when {@link Game#looksBack} is false
+   * Returns the engine's queries about the world as a player saw it, as {@link #asSeenBy} does. On
+   * {@link Role#PREDICTION} they are about the predicted world.
    */
-  public Queries<HostEntity> asSeenBy(HostPlayer player) {
-    parts.calls.requireOutsideForces("asSeenBy");
+  public Queries<HostEntity> pastQueries(HostPlayer player) {
     if (parts.history != null) {
       parts.history.look(parts.tick, player.viewDelay());
     } else if (parts.role == Role.AUTHORITY) {
@@ -169,22 +182,22 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     return past;
   }
 
-  /** Returns the tick of the present state, or during a step the tick being computed. */
+  @Override
   public int tick() {
     return parts.tick;
   }
 
-  /** Returns the number of steps per second. */
+  @Override
   public int tickRate() {
     return parts.tickRate;
   }
 
-  /** Returns the time from tick to tick, in seconds. */
+  @Override
   public float tickSeconds() {
     return 1f / parts.tickRate;
   }
 
-  /** Returns a time in ticks, rounded, and at least 1. */
+  @Override
   public int ticks(float seconds) {
     return Countdown.ticks(seconds, parts.tickRate);
   }
@@ -194,7 +207,7 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     return parts.role;
   }
 
-  /** Returns the level that is played. */
+  @Override
   public Level level() {
     return parts.level;
   }
@@ -204,9 +217,8 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     return parts.game;
   }
 
-  /** Returns the random numbers, which only {@link Role#AUTHORITY} may draw. */
+  @Override
   public SimRandom random() {
-    parts.calls.requireOutsideForces("random");
     return parts.random;
   }
 
@@ -249,46 +261,14 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     return parts.messageKinds;
   }
 
-  /**
-   * Returns whether an entity overlaps or touches a sensor of the level; both roles, {@link
-   * Game#input} and {@link Game#forces} included. It follows from where the entity is now.
-   *
-   * @param entity an entity that exists; in {@link Game#input} the player's body, or what the
-   *     player fired
-   * @param sensor the name of {@code statics} of the level that are sensors
-   * @throws IllegalArgumentException if the level has none of that name
-   */
-  public boolean isInside(HostEntity entity, String sensor) {
-    return parts.sensors.contain(entity, sensor);
-  }
-
   /** Returns the static geometry of the level, in file order; unmodifiable. */
   public List<HostEntity> statics() {
     return Collections.unmodifiableList(parts.statics);
   }
 
-  /**
-   * Creates an entity under the smallest free id. An entity owned by a player without a body
-   * becomes the player's body.
-   *
-   * <p>{@link Game#input} may call it on both roles for what belongs to its player, and give the
-   * new entity a velocity and fields. That player's client has it at once, as a {@linkplain
-   * HostEntity#isProvisional provisional} one, and it becomes the server's or goes when the server's
-   * word is there. What the input of others spawns, a client keeps until the end of the call only.
-   * {@link HostPlayer#spawned} finds it again.
-   *
-   * @param archetype its archetype
-   * @param x position of the body's origin, metres
-   * @param y position of the body's origin, metres
-   * @param angle radians, counterclockwise
-   * @param owner the player it belongs to, or null; in {@link Game#input} its player
-   * @throws IllegalStateException during the physics, beyond {@value #MAX_ENTITIES}, in {@link
-   *     Game#input} beyond {@value Origin#MOST_PER_CALL} in a call, and on {@link Role#PREDICTION}
-   *     anywhere else
-   * @throws IllegalArgumentException in {@link Game#input}, if the owner isn't its player
-   */
-  public HostEntity spawn(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
-    return spawner.spawn(archetype, x, y, angle, owner);
+  @Override
+  public HostEntity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
+    return spawner.spawn(archetype, x, y, angle, (HostPlayer) owner);
   }
 
   /**
@@ -307,20 +287,8 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     return parts.entities.spawn(archetype, def);
   }
 
-  /**
-   * Creates the bodies of an assembly as entities, and its joints. All belong to one owner. If that
-   * is a player without a body, the root becomes the player's body.
-   *
-   * @param assembly what to make
-   * @param x where the assembly's origin is, metres
-   * @param y where the assembly's origin is, metres
-   * @param angle of the whole assembly, radians, counterclockwise
-   * @param owner the player it belongs to, or null
-   * @return the root
-   * @throws IllegalStateException on {@link Role#PREDICTION}, in {@link Game#input}, during the
-   *     physics, or beyond {@value #MAX_ENTITIES}
-   */
-  public HostEntity spawn(Assembly assembly, float x, float y, float angle, HostPlayer owner) {
+  @Override
+  public HostEntity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
     parts.calls.requireOutsideInput("spawn(assembly, ...)");
     parts.calls.requireAuthority("spawn");
     int ownerId = owner == null ? HostEntity.NO_OWNER : owner.id();
@@ -351,41 +319,6 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     if (joint.isValid()) {
       parts.world.destroyJoint(joint);
     }
-  }
-
-  /**
-   * Returns a joint of the level by its name; both roles.
-   *
-   * @return null if it broke or was destroyed, or if this client doesn't simulate it
-   * @throws IllegalArgumentException if the level has no joint of that name
-   */
-  public Joint<HostEntity> joint(String name) {
-    return names.joint(name);
-  }
-
-  /**
-   * Returns a joint of an assembly by its name; both roles.
-   *
-   * @param member any entity of the assembly
-   * @param name as the {@code AssemblyDef} gives it
-   * @return null if it broke or was destroyed, or if this client doesn't simulate it
-   * @throws IllegalArgumentException if the assembly has no joint of that name
-   */
-  public Joint<HostEntity> joint(HostEntity member, String name) {
-    return names.joint(member, name);
-  }
-
-  /**
-   * Returns a body of an assembly by its name; both roles. Clients know the members by their joints
-   * and find none whose joints are all gone.
-   *
-   * @param member any entity of the assembly
-   * @param name as the {@code AssemblyDef} gives it
-   * @return null if it was despawned, or if this client doesn't know it
-   * @throws IllegalArgumentException if the assembly has no body of that name
-   */
-  public HostEntity part(HostEntity member, String name) {
-    return names.body(member, name);
   }
 
   /** Returns what is known of the joints beyond the physics: keys, definitions, assemblies. */
@@ -423,14 +356,13 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     return parts.entities.version();
   }
 
-  /** Returns the number of entities. */
+  @Override
   public int entityCount() {
     return parts.entities.count();
   }
 
-  /** Returns the entity under an id, or null when the id is free or out of range. */
+  @Override
   public HostEntity entity(int id) {
-    parts.calls.requireOutsideForces("entity");
     return parts.entities.get(id);
   }
 
@@ -439,42 +371,34 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     return parts.players.limit();
   }
 
-  /** Returns the player under an id, or null when there is none; a spectator is none. */
+  @Override
   public HostPlayer player(int id) {
-    parts.calls.requireOutsideForces("player");
     return parts.players.get(id);
   }
 
   /** Returns the player or spectator under an id, or null; games ask for {@link #player}. */
   public HostPlayer participant(int id) {
-    parts.calls.requireOutsideForces("participant");
     return parts.players.participant(id);
   }
 
-  /** Returns the number of players, without spectators. */
+  @Override
   public int playerCount() {
     return parts.players.count();
   }
 
-  /** Returns the number of players in a team, without spectators. */
+  @Override
   public int teamSize(int team) {
     return parts.players.teamSize(team);
   }
 
-  /** Returns whether there are players, and all of them are {@linkplain HostPlayer#isReady ready}. */
+  @Override
   public boolean allReady() {
     return parts.players.allReady();
   }
 
-  /** Returns the player with the highest score, or null if several have it. */
+  @Override
   public HostPlayer leader() {
-    parts.calls.requireOutsideForces("leader");
     return parts.players.leader();
-  }
-
-  /** Returns the player that owns an entity, or null. */
-  public HostPlayer owner(HostEntity entity) {
-    return parts.players.get(entity.ownerId());
   }
 
   /**
@@ -516,18 +440,9 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     return participants.joinAsSpectator(id, name);
   }
 
-  /**
-   * Makes a player a spectator, or a spectator a player. For the game a player who becomes a
-   * spectator leaves: {@link Game#leave} is called, everything the player owns is despawned, and
-   * its fields, score and team are gone. A spectator who becomes a player joins: {@link Game#join}
-   * is called. Id, name and link stay. Nothing happens when the participant has the role already,
-   * or has left.
-   *
-   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or in {@link
-   *     Game#leave} for the player who leaves
-   */
-  public void role(HostPlayer participant, PlayerRole role) {
-    participants.role(participant, role);
+  @Override
+  public void role(Player participant, PlayerRole role) {
+    participants.role((HostPlayer) participant, role);
   }
 
   /**
@@ -538,44 +453,17 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     participants.leave(player);
   }
 
-  /**
-   * Asks the room to play something else after this tick: another level, or another game. It loads
-   * while this match goes on, which takes some ticks, and then begins at tick 0 with the same
-   * players. If it can't be played, this match goes on. Of several requests in a tick the last
-   * counts, and while one loads, further ones are ignored. It is not part of the state; without a
-   * room, and on {@link Role#PREDICTION}, nothing happens.
-   */
+  @Override
   public void playNext(NextMatch next) {
     outbox.playNext(next);
   }
 
-  /**
-   * Says that the match is over: the room goes on with the next level of its rotation. In a room
-   * without a rotation nothing happens, so the game should begin again by itself.
-   */
-  public void matchOver() {
-    playNext(NextMatch.OF_ROTATION);
-  }
-
-  /**
-   * Sends a short text to all players, such as who scored. It is not part of the state. On {@link
-   * Role#PREDICTION} nothing happens.
-   *
-   * @param text cut to {@value Outbox#MAX_NOTICE_LENGTH} characters
-   */
+  @Override
   public void notice(String text) {
     outbox.notice(text);
   }
 
-  /**
-   * Emits an event. Any method of {@link Game} may call it, {@code input} and {@code hit} of both
-   * roles included; between two steps it belongs to the next one. It changes nothing that is hashed
-   * or saved. A client's prediction emits an event again when it computes a tick again; its
-   * listeners receive the event once.
-   *
-   * @param kind as registered in {@link Game#setUp}
-   * @return the event to fill in; reused once it was {@linkplain Outbox#drainEvents drained}
-   */
+  @Override
   public Event emit(EventKind kind) {
     return outbox.event(kind, parts.inTick ? parts.tick : parts.tick + 1);
   }
@@ -603,21 +491,15 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
     parts.received.forEach(reader);
   }
 
-  /**
-   * Sends a message to clients: {@code s.send(SOLD.of(3)).to(player)}. It is not part of the state.
-   * On {@link Role#PREDICTION} nothing is sent.
-   *
-   * @param message of a kind that {@link Game#setUp} registered
-   * @return what names the recipients
-   * @throws IllegalArgumentException when the kind isn't registered, or clients send it
-   */
+  @Override
   public Delivery send(Message message) {
     parts.messageKinds.indexOf(message.kind(), MessageKind.Direction.FROM_SERVER);
     return outbox.send(message);
   }
 
   /**
-   * Computes the next tick from each player's {@link HostPlayer#input} and {@link HostPlayer#viewDelay}.
+   * Computes the next tick from each player's {@link HostPlayer#input} and {@link
+   * HostPlayer#viewDelay}.
    */
   public void step() {
     ticks.step();
@@ -694,5 +576,148 @@ public final class SimulationHost extends FieldHolder<HostEntity, HostPlayer> {
    */
   public SimState read(ArchiveReader archive) {
     return SimState.read(parts, archive);
+  }
+
+  // ---- what games see of it, see Simulation and Match
+
+  @Override
+  public Archetype archetype(String name) {
+    return parts.archetype(name);
+  }
+
+  @Override
+  public EntityJoint joint(String name) {
+    return parts.entities.face(names.joint(name));
+  }
+
+  @Override
+  public EntityQueries queries() {
+    return queries;
+  }
+
+  @Override
+  public EntityQueries asSeenBy(Player p) {
+    pastQueries((HostPlayer) p);
+    return seen;
+  }
+
+  @Override
+  public void act(Effect effect, Entity entity) {
+    effect.act(parts.world, ((HostEntity) entity).body(), HERE, 1, tickSeconds());
+  }
+
+  @Override
+  @SuppressWarnings("unchecked") // it sees bodies alone, and nothing of their users
+  public boolean hover(Hover<?> how, Entity entity) {
+    return ((Hover<HostEntity>) how)
+        .apply(parts.world, ((HostEntity) entity).body(), tickSeconds());
+  }
+
+  @Override
+  public void forEachInBox(
+      float minX, float minY, float maxX, float maxY, Predicate<Entity> visitor) {
+    parts.world.queryAabb(minX, minY, maxX, maxY, body -> visitor.test(body.user()));
+  }
+
+  @Override
+  public void explode(Explosion explosion) {
+    explosion.explode(parts.world);
+  }
+
+  @Override
+  public EntityJoint connect(
+      Entity a, Entity b, BiFunction<Body<Object>, Body<Object>, JointDef<Object>> how) {
+    parts.calls.requireAuthority("connect");
+    JointDef<Object> def = how.apply(JointEnds.FIRST, JointEnds.SECOND);
+    Body<HostEntity> first = a == null ? null : ((HostEntity) a).body();
+    return parts.entities.face(parts.world.createJoint(first, ((HostEntity) b).body(), def));
+  }
+
+  @Override
+  public Iterable<Entity> entities() {
+    return () -> new Present<>(parts.entities::capacity, parts.entities::get);
+  }
+
+  @Override
+  public Iterable<Player> players() {
+    return () -> new Present<>(parts.players::limit, parts.players::get);
+  }
+
+  @Override
+  public String name(Player p) {
+    return ((HostPlayer) p).name();
+  }
+
+  @Override
+  public int score(Player p) {
+    return ((HostPlayer) p).score();
+  }
+
+  @Override
+  public void score(Player p, int points) {
+    ((HostPlayer) p).score(points);
+  }
+
+  @Override
+  public int team(Player p) {
+    return ((HostPlayer) p).team();
+  }
+
+  @Override
+  public void team(Player p, int team) {
+    ((HostPlayer) p).team(team);
+  }
+
+  @Override
+  public PlayerColour colour(Player p) {
+    return ((HostPlayer) p).colour();
+  }
+
+  @Override
+  public boolean isReady(Player p) {
+    return ((HostPlayer) p).isReady();
+  }
+
+  @Override
+  public void ready(Player p, boolean value) {
+    ((HostPlayer) p).ready(value);
+  }
+
+  @Override
+  public boolean isSpectator(Player p) {
+    return ((HostPlayer) p).isSpectator();
+  }
+
+  @Override
+  public Input input(Player p) {
+    return ((HostPlayer) p).input();
+  }
+
+  /** What entities ask of the simulation. */
+  private final class Answers implements EntityTable.Answers {
+    @Override
+    public void despawn(HostEntity entity) {
+      SimulationHost.this.despawn(entity);
+    }
+
+    @Override
+    public HostEntity part(HostEntity entity, String name) {
+      return names.body(entity, name);
+    }
+
+    @Override
+    public EntityJoint joint(HostEntity entity, String name) {
+      return parts.entities.face(names.joint(entity, name));
+    }
+
+    @Override
+    public boolean isInside(HostEntity entity, String sensor) {
+      return parts.sensors.contain(entity, sensor);
+    }
+
+    @Override
+    public HostEntity spawn(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
+      return spawner.fire(archetype, x, y, angle, owner);
+    }
   }
 }

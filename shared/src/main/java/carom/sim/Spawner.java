@@ -1,8 +1,9 @@
 package carom.sim;
 
-import carom.sim.entity.HostEntity;
 import carom.sim.entity.EntityTable;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.entity.ProvisionalEntities;
 import carom.sim.level.Archetype;
 import carom.sim.spawn.Origin;
@@ -54,19 +55,25 @@ final class Spawner {
     return parts.ownSpawns != null && parts.ownSpawns.predicts(playerId);
   }
 
-  /**
-   * Creates an entity, as {@link SimulationHost#spawn(Archetype, float, float, float, HostPlayer)} says.
-   */
+  /** Creates an entity, as {@link Match#spawn(Archetype, float, float, float, Player)} says. */
   HostEntity spawn(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
-    if (inputOf != null) {
-      return spawnInInput(archetype, x, y, angle, owner);
-    }
+    parts.calls.requireOutsideInput("Match.spawn");
     parts.calls.requireAuthority("spawn");
     int ownerId = owner == null ? HostEntity.NO_OWNER : owner.id();
     return entities.spawn(archetype, x, y, angle, ownerId, parts.tick);
   }
 
-  private HostEntity spawnInInput(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
+  /** Creates what a player fires in its input, as {@link Player#spawn} says. */
+  HostEntity fire(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
+    if (inputOf == null) {
+      throw new IllegalStateException(
+          "Player.spawn is for Game.input alone; call Match.spawn in callbacks of the server");
+    }
+    return spawnInInput(archetype, x, y, angle, owner);
+  }
+
+  private HostEntity spawnInInput(
+      Archetype archetype, float x, float y, float angle, HostPlayer owner) {
     if (owner != inputOf) {
       throw new IllegalArgumentException(
           "owner="
@@ -131,7 +138,7 @@ final class Spawner {
 
   /** Returns whether a server, or a client that predicts it, despawns an entity in an input. */
   private boolean mayDespawn(HostEntity entity) {
-    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.body();
+    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.entity();
     return parts.role == Role.AUTHORITY || isOwn;
   }
 }

@@ -8,6 +8,7 @@ import carom.physics.JointListener;
 import carom.physics.QueryFilter;
 import carom.physics.math.Aabb;
 import carom.sim.entity.CallRules;
+import carom.sim.entity.Contact;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.field.FieldStore;
@@ -43,6 +44,7 @@ final class Tick {
   private final FieldStore fields;
   private final Pools pools;
   private final float seconds;
+  private final Contact contact = new Contact();
   private final ForceCheck forceCheck;
   private final OverlapUse overlapUse;
   private final Aabb moving = new Aabb();
@@ -67,7 +69,7 @@ final class Tick {
     overlapUse = new OverlapUse(parts.findings);
     if (parts.role == Role.AUTHORITY) {
       parts.triggers = new Triggers(parts.entities, parts.statics, new Visits());
-      parts.seal.overlapReader(overlapUse::read);
+      parts.entities.overlapReader(overlapUse::read);
     }
     parts.world.listener(new Collisions());
     parts.world.jointListener(new Joints());
@@ -114,7 +116,6 @@ final class Tick {
     during("hit");
     calls.inPhysics(true);
     try {
-      parts.seal.permit("step");
       parts.world.step(seconds);
     } finally {
       calls.inPhysics(false);
@@ -167,7 +168,7 @@ final class Tick {
   private void handle(int playerId, Message message) {
     HostPlayer player = parts.players.participant(playerId);
     if (player != null) { // one handled before may have removed it
-      Talk.handle(simulation, player, message);
+      BuiltInMessages.handle(simulation, player, message);
     }
   }
 
@@ -175,7 +176,7 @@ final class Tick {
     if (parts.rulings != null && parts.rulings.input(player)) {
       return;
     }
-    fields.beginInput(player, player.fieldValues(), player.body().fieldValues());
+    fields.beginInput(player, player.fieldValues(), player.entity().fieldValues());
     calls.inInput(true);
     overlapUse.inputOf(player);
     spawner.beginInput(player);
@@ -225,7 +226,6 @@ final class Tick {
   }
 
   private void queryScope(QueryFilter<HostEntity> scope) {
-    parts.seal.permit("queryScope");
     parts.world.queryScope(scope);
   }
 
@@ -280,21 +280,21 @@ final class Tick {
     @Override
     public boolean preSolve(Collision<HostEntity> c) {
       fields.beginCollision();
-      boolean responds = game.collision(simulation, c);
+      boolean responds = game.collision(simulation, contact.of(c));
       fields.end();
       return responds;
     }
 
     @Override
     public void hit(Collision<HostEntity> c) {
-      game.hit(simulation, c);
+      game.hit(simulation, contact.of(c));
     }
   }
 
   private final class Joints implements JointListener<HostEntity> {
     @Override
     public void broke(Joint<HostEntity> joint) {
-      game.broke(simulation, joint);
+      game.broke(simulation, parts.entities.face(joint));
     }
 
     @Override

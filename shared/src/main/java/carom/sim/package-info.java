@@ -1,8 +1,8 @@
 /**
  * The simulation: one physics world, its entities and players, and the game that gives them rules.
  *
- * <p>A {@link carom.sim.SimulationHost} is a pure function of (state, inputs, tick). The server runs
- * one with {@link carom.sim.Role#AUTHORITY}; each client runs one with {@link
+ * <p>A {@link carom.sim.SimulationHost} is a pure function of (state, inputs, tick). The server
+ * runs one with {@link carom.sim.Role#AUTHORITY}; each client runs one with {@link
  * carom.sim.Role#PREDICTION} to feel its own input without waiting for the network. Nothing here
  * knows a clock, a thread, a socket or a file format other than the level's.
  *

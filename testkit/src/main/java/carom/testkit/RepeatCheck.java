@@ -6,8 +6,8 @@ import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.SimulationHost;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.random.SimRandom;
 import com.sun.management.ThreadMXBean;
@@ -162,7 +162,8 @@ final class RepeatCheck {
     for (int tick = 0; tick < 8 * STRIDE; tick += STRIDE) {
       ArchiveWriter bytes = new ArchiveWriter();
       s.save(null).write(bytes);
-      SimulationHost other = new SimulationHost(games.get(), level, seed, TICK_RATE, Role.AUTHORITY);
+      SimulationHost other =
+          new SimulationHost(games.get(), level, seed, TICK_RATE, Role.AUTHORITY);
       other.restore(other.read(new ArchiveReader(bytes.toBytes())));
       int differs = difference(run(s, tick), run(other, tick));
       if (differs >= 0) {

@@ -251,7 +251,7 @@ public final class Stepper implements AutoCloseable {
   /** Returns a client's body at the server, or null. */
   public HostEntity body(SimulatedClient client) {
     HostPlayer player = player(client);
-    return player == null ? null : player.body();
+    return player == null ? null : player.entity();
   }
 
   /** Declares that this scenario makes the server expel clients. */

@@ -249,7 +249,7 @@ final class ClientServerScenarioTest {
     run(2);
     int id = client.view().own().id();
     int player = client.view().playerId();
-    HostEntity body = server.rooms().get(0).simulation().player(player).body();
+    HostEntity body = server.rooms().get(0).simulation().player(player).entity();
     links.get(0).close("cable cut");
     run(0.1);
     assertEquals(ConnectionPhase.RECONNECTING, client.view().phase());
@@ -257,7 +257,7 @@ final class ClientServerScenarioTest {
     assertEquals(ConnectionPhase.PLAYING, client.view().phase());
     assertEquals(player, client.view().playerId());
     assertEquals(id, client.view().own().id());
-    assertEquals(body, server.rooms().get(0).simulation().player(player).body());
+    assertEquals(body, server.rooms().get(0).simulation().player(player).entity());
     assertEquals(1, client.stats().reconnects());
   }
 
@@ -288,7 +288,7 @@ final class ClientServerScenarioTest {
           bodies.add(drawn.id());
         }
       }
-      HostEntity body = server.rooms().get(0).simulation().player(player).body();
+      HostEntity body = server.rooms().get(0).simulation().player(player).entity();
       assertEquals(List.of(body.id()), bodies, "bodies of player " + player);
     }
   }

@@ -157,7 +157,7 @@ final class PredictionScenarioTest {
   void aPushIsShownSoftlyAndGoneAfterAQuarterOfASecond() throws Exception {
     start(arena(), Impairment.NONE.withLatency(60, 0), InputSource.IDLE);
     run(2);
-    HostEntity body = server.simulation.player(0).body();
+    HostEntity body = server.simulation.player(0).entity();
     Body<HostEntity> b = body.body();
     b.setVelocity(6, 1);
     double largestStep = 0;

@@ -71,16 +71,16 @@ final class GameExamplesTest {
         static final Ratio NITRO = Field.ratio("nitro");
         static final Flag LEVER = Field.flag("lever");
         static final Choice<Phase> PHASE = Field.choice("phase", Phase.class);
-        SimulationHost s;
-        HostPlayer player, shooter, scorer;
-        HostEntity ball, crate;
+        SimulationHost s, m;
+        Player player, shooter, scorer;
+        Entity ball, crate;
         Archetype coin, spikes, balloon, hovercraft, fan, rocketKind, crouched, standing, ice;
         carom.sim.joint.Assembly car;
         Material rubber, metal;
         EventKind knock, boom, shot, goal;
-        QueryHit<HostEntity> hit;
-        carom.physics.effects.Hover<HostEntity> hover;
-        QueryFilter<HostEntity> notMyself;
+        EntityHit hit;
+        carom.physics.effects.Hover<?> hover;
+        EntityFilter notMyself;
         Pool lake;
         Phase phase;
         World<String> world;
@@ -90,15 +90,15 @@ final class GameExamplesTest {
         boolean touching;
         public String name() { return "given"; }
         public String defaultLevel() { return "arena"; }
-        public void setUp(SimulationHost s) {}
-        public void join(SimulationHost s, HostPlayer p) {}
-        public void input(SimulationHost s, HostPlayer p, Input in) {}
-        void giveBody(SimulationHost s, HostPlayer p) {}
-        void begin(SimulationHost s) {}
-        boolean canPay(HostPlayer p, int item) { return true; }
+        public void setUp(SetUp s) {}
+        public void join(Match m, Player p) {}
+        public void input(Simulation s, Player p, Input in) {}
+        void giveBody(Match m, Player p) {}
+        void beginRound(Match m) {}
+        boolean canPay(Player p, int item) { return true; }
         String mild(String text) { return text; }
-        boolean isFreezing(SimulationHost s) { return false; }
-        Archetype weather(SimulationHost s, String name, float gravity) { return null; }
+        boolean isFreezing(Match m) { return false; }
+        Archetype weather(SetUp s, String name, float gravity) { return null; }
       }
       """;
 

@@ -48,16 +48,16 @@ final class GameDigestTest {
         private carom.sim.level.Archetype disc;
         public String name() { return "skaters"; }
         public String defaultLevel() { return "arena"; }
-        public void setUp(carom.sim.SimulationHost s) {
-          disc = s.archetypes().add(new carom.sim.level.ArchetypeDef("skater")
+        public void setUp(carom.sim.SetUp s) {
+          disc = s.archetype(new carom.sim.level.ArchetypeDef("skater")
               .shape(new carom.physics.geometry.Circle(0.5f), new carom.physics.Material(1, 0, 0)));
         }
-        public void join(carom.sim.SimulationHost s, carom.sim.entity.HostPlayer p) {
-          s.spawn(disc, 2 * p.id(), 0, 0, p);
+        public void join(carom.sim.Match m, carom.sim.entity.Player p) {
+          m.spawn(disc, 2 * p.id(), 0, 0, p);
         }
         public void input(
-            carom.sim.SimulationHost s, carom.sim.entity.HostPlayer p, carom.sim.entity.Input in) {
-          p.body().body().seekVelocity(rules[0].speed() * in.moveX(), 0, 10);
+            carom.sim.Simulation s, carom.sim.entity.Player p, carom.sim.entity.Input in) {
+          p.entity().seekVelocity(rules[0].speed() * in.moveX(), 0, 10);
         }
       }
       """;

@@ -138,7 +138,7 @@ public class GamesTest {
     }
     int alive = 0;
     for (int i = 0; i < 50; i++) {
-      alive += s.player(i).body() == null ? 0 : 1;
+      alive += s.player(i).entity() == null ? 0 : 1;
     }
     assertTrue(alive > 25, "alive=" + alive);
   }
@@ -153,11 +153,11 @@ public class GamesTest {
       for (int i = 0; i < 30; i++) {
         HostPlayer p = s.join("guest " + i);
         assertEquals(i, p.id());
-        assertEquals(p.body(), s.entity(p.body().id()));
+        assertEquals(p.entity(), s.entity(p.entity().id()));
       }
       run(s, 3, 5);
       for (int i = 29; i >= 0; i--) {
-        HostEntity body = s.player(i).body();
+        HostEntity body = s.player(i).entity();
         s.leave(s.player(i));
         assertFalse(body.body().isValid());
       }
@@ -185,7 +185,7 @@ public class GamesTest {
       if (server.entityCount() != client.entityCount()) {
         break; // a coin was collected: only the server knows
       }
-      assertSamePose(p.body().body(), mirror.body().body(), "tick " + tick);
+      assertSamePose(p.entity().body(), mirror.entity().body(), "tick " + tick);
       assertEquals(p.fieldValues().toString(), mirror.fieldValues().toString());
     }
     assertTrue(client.tick() > 20);
@@ -245,7 +245,7 @@ public class GamesTest {
       }
     }
     assertEquals(server.statics().size(), client.statics().size());
-    assertEquals(server.player(player.id()).body().id(), player.body().id());
+    assertEquals(server.player(player.id()).entity().id(), player.entity().id());
   }
 
   private static void assertSamePose(Body<HostEntity> a, Body<HostEntity> b, String when) {

@@ -191,9 +191,6 @@ class RedefineTest {
           }
         });
     assertEquals(before, w.stateHash());
-    w.step(DT);
-    w.seal((call, body) -> "others compute it");
-    assertThrows(IllegalStateException.class, () -> w.redefine(d.withHitSpeed(3)));
   }
 
   @Test

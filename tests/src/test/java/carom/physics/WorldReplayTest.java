@@ -288,8 +288,6 @@ class WorldReplayTest {
       return null;
     } else if (type == Consumer.class) {
       return (Consumer<Object>) ignored -> {};
-    } else if (type == Seal.class) {
-      return (Seal<String>) (call, body) -> null;
     } else if (type == BodyVisitor.class) {
       return (BodyVisitor<String>) body -> true;
     } else if (type == BodyContactVisitor.class) {

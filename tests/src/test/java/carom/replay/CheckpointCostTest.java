@@ -36,7 +36,8 @@ class CheckpointCostTest {
   }
 
   private static SimulationHost start(Level level) {
-    SimulationHost s = new SimulationHost(Games.create(level.gameName()), level, 7, RATE, Role.AUTHORITY);
+    SimulationHost s =
+        new SimulationHost(Games.create(level.gameName()), level, 7, RATE, Role.AUTHORITY);
     for (int i = 0; i < PLAYERS; i++) {
       s.join("p" + i);
     }

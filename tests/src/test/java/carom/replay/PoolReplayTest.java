@@ -25,7 +25,8 @@ final class PoolReplayTest {
   @Test
   void aRecordingOfWaterIsComputedAgainBitForBit() throws Exception {
     SimulationHost s =
-        new SimulationHost(Games.create("platformer"), Level.builtIn("sluice"), 5, 60, Role.AUTHORITY);
+        new SimulationHost(
+            Games.create("platformer"), Level.builtIn("sluice"), 5, 60, Role.AUTHORITY);
     Blocks blocks = new Blocks();
     Recorder recorder = new Recorder(s, RecordingHeader.of(s, 5, Protocol.physicsDigest()), blocks);
     s.addJournal(recorder);

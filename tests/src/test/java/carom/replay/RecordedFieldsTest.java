@@ -15,7 +15,8 @@ import org.junit.jupiter.api.Test;
 /** A recording is of a game with certain fields; with others it is refused by the field's name. */
 final class RecordedFieldsTest {
   private static RecordingHeader header() throws Exception {
-    SimulationHost s = new SimulationHost(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.AUTHORITY);
+    SimulationHost s =
+        new SimulationHost(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.AUTHORITY);
     return RecordingHeader.of(s, 1, 2);
   }
 

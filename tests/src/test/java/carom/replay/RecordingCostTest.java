@@ -4,12 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
-import carom.physics.QueryHit;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
+import carom.sim.entity.EntityHit;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import java.lang.management.ManagementFactory;
 import java.util.Random;
@@ -93,7 +92,7 @@ final class RecordingCostTest {
       s.step();
     }
     Random random = new Random(1);
-    QueryHit<HostEntity> hit = new QueryHit<>();
+    EntityHit hit = new EntityHit();
     int[] hits = {0};
     long bytes =
         leastBytes(

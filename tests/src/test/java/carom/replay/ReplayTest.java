@@ -18,8 +18,8 @@ import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
@@ -276,7 +276,7 @@ final class ReplayTest {
     assertEquals(217, found.bodyTick());
     assertEquals(1, found.differences().size());
     Divergence.Difference body = found.differences().get(0);
-    assertEquals(replay.simulation().player(1).body().id(), body.id());
+    assertEquals(replay.simulation().player(1).entity().id(), body.id());
 
     // The recorded state of that body, which the file doesn't hold, is told exactly all the same.
     SimulationHost truth = start();
@@ -288,7 +288,7 @@ final class ReplayTest {
       truth.step();
     }
     int[] bits = new int[Fingerprint.FIELDS];
-    Fingerprint.read(two.body(), bits);
+    Fingerprint.read(two.entity(), bits);
     assertArrayEquals(new Divergence.Difference(0, "", bits, bits).recorded(), body.recorded());
     assertEquals(truth.stateHash(), found.recordedHash());
   }
@@ -384,7 +384,8 @@ final class ReplayTest {
   void theRecordingOfAGameThatKeepsMoreThanItsStateBeginsAtTickZero() throws Exception {
     Scene car = Scenes.get("car");
     SimulationHost s =
-        new SimulationHost(new SceneGame(car), SceneGame.level(car), 1, car.tickRate(), Role.AUTHORITY);
+        new SimulationHost(
+            new SceneGame(car), SceneGame.level(car), 1, car.tickRate(), Role.AUTHORITY);
     s.step();
     IllegalArgumentException e =
         assertThrows(

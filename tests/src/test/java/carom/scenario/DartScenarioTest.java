@@ -8,18 +8,18 @@ import carom.client.InputSource;
 import carom.fixtures.SpawnWatch;
 import carom.game.Games;
 import carom.net.transport.Impairment;
-import carom.physics.Body;
-import carom.physics.BodyVisitor;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Game;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
@@ -32,6 +32,7 @@ import carom.testkit.Stepper;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -53,11 +54,11 @@ class DartScenarioTest {
     /** Every so often the rules disarm all players for a second; 0 = never. */
     private final int disarmTicks;
 
-    private final BodyVisitor<HostEntity> look = this::look;
+    private final Predicate<Entity> look = this::look;
     private Archetype player;
     private Archetype dart;
     private EventKind thrown;
-    private int owner;
+    private Player thrower;
     private boolean hits;
 
     DartGame(int disarmTicks) {
@@ -80,51 +81,50 @@ class DartScenarioTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
+    public void setUp(SetUp s) {
       Material wood = new Material(1, 0.3f, 0);
-      player = s.archetypes().add(new ArchetypeDef("player").shape(new Circle(0.5f), wood));
-      dart =
-          s.archetypes().add(new ArchetypeDef("dart").shape(new Circle(0.15f), wood).sensor(true));
-      thrown = s.eventKinds().add("thrown", 0xffffff, 1, "");
+      player = s.archetype(new ArchetypeDef("player").shape(new Circle(0.5f), wood));
+      dart = s.archetype(new ArchetypeDef("dart").shape(new Circle(0.15f), wood).sensor(true));
+      thrown = s.event("thrown", 0xffffff, 1, "");
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(player, -10, 0, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
+    public void input(Simulation s, Player p, Input in) {
       for (int i = p.spawnedCount() - 1; i >= 0; i--) {
-        HostEntity e = p.spawned(i);
+        Entity e = p.spawned(i);
         hits = e.get(FUEL) == 0;
-        owner = p.id();
-        e.body().forEachOverlap(look);
+        thrower = p;
+        e.forEachOverlap(look);
         if (hits) {
-          s.despawn(e);
+          e.despawn();
         }
       }
       if (in.held(Input.ACTION) && p.get(RELOAD) == 0) {
         p.set(RELOAD, s.ticks(0.1f));
-        float x = p.body().body().x();
-        float y = p.body().body().y();
-        HostEntity e = s.spawn(dart, x, y, 0, p);
-        e.body().setVelocity(15 * Trig.cos(in.aim()), 15 * Trig.sin(in.aim()));
+        float x = p.entity().x();
+        float y = p.entity().y();
+        Entity e = p.spawn(dart, x, y, 0);
+        e.setVelocity(15 * Trig.cos(in.aim()), 15 * Trig.sin(in.aim()));
         e.set(FUEL, s.ticks(2));
         s.emit(thrown).at(x, y).by(p);
       }
     }
 
-    private boolean look(Body<HostEntity> other) {
-      hits |= other.user().ownerId() != owner;
+    private boolean look(Entity other) {
+      hits |= other.owner() != thrower;
       return true;
     }
 
     @Override
-    public void afterStep(SimulationHost s) {
-      for (int id = 0; id < s.playerCapacity() && disarmTicks > 0; id++) {
-        if (s.player(id) != null && s.tick() % disarmTicks == 0) {
-          s.player(id).set(RELOAD, s.ticks(1));
+    public void afterStep(Match s) {
+      for (Player p : s.players()) {
+        if (disarmTicks > 0 && s.tick() % disarmTicks == 0) {
+          p.set(RELOAD, s.ticks(1));
         }
       }
     }

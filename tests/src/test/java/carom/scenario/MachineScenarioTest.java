@@ -21,6 +21,7 @@ import carom.physics.rows.JointDefRow;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.SimulationHost;
+import carom.sim.entity.EntityJoint;
 import carom.sim.entity.HostEntity;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
@@ -165,7 +166,7 @@ final class MachineScenarioTest {
       assertEquals(13, client.view().jointCount());
       double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
       assertTrue(right >= 99, "right=" + right + " " + stepper.describe());
-      stepper.room().simulation().disconnect(stepper.room().simulation().joint("last"));
+      stepper.room().simulation().joint("last").destroy();
       stepper.run(1);
       assertEquals(12, client.view().jointCount());
     }
@@ -239,7 +240,7 @@ final class MachineScenarioTest {
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
       assertNotNull(client.view().predictedWorld().entity(lamp.id()), about);
       assertEquals(4, client.view().jointCount(), "the car's two, the hook, the weld");
-      server.disconnect(server.joint("hook"));
+      server.joint("hook").destroy();
       stepper.run(1);
       assertNull(client.view().predictedWorld().entity(lamp.id()), "it concerns nobody any more");
       assertNotNull(client.view().find(lamp.id()), "it is drawn");
@@ -302,8 +303,8 @@ final class MachineScenarioTest {
       int drive = -1;
       while (drive < 0 || joint(client.view(), drive).motorSpeed() == 0) {
         stepper.step();
-        HostEntity car = server.player(client.view().playerId()).body();
-        drive = server.joint(car, "drive").index();
+        HostEntity car = server.player(client.view().playerId()).entity();
+        drive = EntityJoint.engineOf(car.joint("drive")).index();
         assertTrue(server.tick() < 600, stepper.describe());
       }
       assertEquals(-MachineGame.WHEEL_SPEED, joint(client.view(), drive).motorSpeed());
@@ -352,9 +353,9 @@ final class MachineScenarioTest {
       for (int i = 0; i < 20; i++) {
         stepper.run(1);
         SimulationHost predicted = client.view().predictedWorld();
-        HostEntity body = predicted.player(client.view().playerId()).body();
-        assertNotNull(predicted.joint(body, "drive"), stepper.describe());
-        assertNotNull(predicted.joint(body, "roll"), stepper.describe());
+        HostEntity body = predicted.player(client.view().playerId()).entity();
+        assertNotNull(body.joint("drive"), stepper.describe());
+        assertNotNull(body.joint("roll"), stepper.describe());
         for (int e = 0; e < predicted.entityCapacity(); e++) {
           HostEntity torso = predicted.entity(e);
           if (torso != null && torso.archetype().name().equals("limb")) {

@@ -6,15 +6,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.fixtures.PlainGame;
 import carom.game.Games;
 import carom.net.transport.Impairment;
-import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
@@ -53,33 +54,29 @@ class MisuseScenarioTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      disc =
-          s.archetypes()
-              .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
+    public void setUp(SetUp s) {
+      disc = s.archetype(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(disc, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
-      Body<HostEntity> body = p.body().body();
+    public void input(Simulation s, Player p, Input in) {
+      Entity body = p.entity();
       float speed = 3 + 4 * p.get(NITRO);
-      body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10 * body.mass());
+      body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10);
       if (in.moveX() > 0.2f) {
         p.add(NITRO, -0.02f);
       }
     }
 
     @Override
-    public void afterStep(SimulationHost s) {
-      for (int id = 0; id < s.playerCapacity(); id++) {
-        if (s.player(id) != null) {
-          s.player(id).add(NITRO, 0.007f);
-        }
+    public void afterStep(Match s) {
+      for (Player p : s.players()) {
+        p.add(NITRO, 0.007f);
       }
     }
   }

@@ -76,7 +76,7 @@ final class ProofScenarioTest {
       stepper.run(3);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_REPORTED));
       SimulationHost predicted = client.view().predictedWorld();
-      Body<HostEntity> body = predicted.player(client.view().playerId()).body().body();
+      Body<HostEntity> body = predicted.player(client.view().playerId()).entity().body();
       body.setVelocity(Math.nextUp(body.velocityX() + 0.25f), body.velocityY());
       assertFoundOutOnce(stepper);
     }
@@ -118,7 +118,7 @@ final class ProofScenarioTest {
   private static Body<HostEntity> crate(SimulationHost simulation) {
     for (int id = 0; id < simulation.entityCapacity(); id++) {
       HostEntity e = simulation.entity(id);
-      if (e != null && simulation.owner(e) == null && Neighbourhood.affectsOthers(e.archetype())) {
+      if (e != null && e.owner() == null && Neighbourhood.affectsOthers(e.archetype())) {
         return e.body();
       }
     }

@@ -284,7 +284,7 @@ class SpawnScenarioTest {
       boolean alive = true;
       for (int i = 0; i < 500 * 80; i++) {
         watch.step();
-        boolean now = stepper.player(ben) != null && stepper.player(ben).body() != null;
+        boolean now = stepper.player(ben) != null && stepper.player(ben).entity() != null;
         deaths += alive && !now ? 1 : 0;
         alive = now;
       }

@@ -13,12 +13,16 @@ import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
+import carom.sim.Match;
 import carom.sim.Role;
+import carom.sim.SetUp;
 import carom.sim.SimState;
+import carom.sim.Simulation;
 import carom.sim.SimulationHost;
+import carom.sim.entity.Entity;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Choice;
 import carom.sim.field.Count;
@@ -65,9 +69,9 @@ final class StartScenarioTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      disc = s.archetypes().add(def("disc").starts(FUEL.startsAt(0.5f)));
-      tank = s.archetypes().add(def("tank").starts(HEALTH.startsAt(500), FUEL.startsAt(1)));
+    public void setUp(SetUp s) {
+      disc = s.archetype(def("disc").starts(FUEL.startsAt(0.5f)));
+      tank = s.archetype(def("tank").starts(HEALTH.startsAt(500), FUEL.startsAt(1)));
     }
 
     private static ArchetypeDef def(String name) {
@@ -75,29 +79,28 @@ final class StartScenarioTest {
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(disc, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
-      p.body().body().seekVelocity(4 * in.moveX(), 4 * in.moveY(), 10);
+    public void input(Simulation s, Player p, Input in) {
+      p.entity().seekVelocity(4 * in.moveX(), 4 * in.moveY(), 10);
       if (in.moveX() > 0) {
-        p.body().add(FUEL, -0.01f);
+        p.entity().add(FUEL, -0.01f);
       }
     }
 
     @Override
-    public void afterStep(SimulationHost s) {
+    public void afterStep(Match s) {
       if (s.tick() % 60 != 0) {
         return;
       }
-      HostEntity made = s.spawn(tank, s.random().between(-20, 20), 12, 0, null);
+      Entity made = s.spawn(tank, s.random().between(-20, 20), 12, 0, null);
       made.set(HEALTH, s.tick() % 120 == 0 ? 100 : 499); // one of them as every other entity begins
-      for (int id = 0; id < s.entityCapacity(); id++) {
-        HostEntity e = s.entity(id);
-        if (e != null && e.archetype() == tank && e != made && s.random().between(0, 1) < 0.3f) {
-          s.despawn(e);
+      for (Entity e : s.entities()) {
+        if (e.archetype() == tank && e != made && s.random().between(0, 1) < 0.3f) {
+          e.despawn();
         } else if (e != null && s.random().between(0, 1) < 0.1f) {
           e.resetFields();
         }
@@ -133,7 +136,7 @@ final class StartScenarioTest {
       assertTrue(crate.get(LOCKED));
       assertEquals(Audience.OWNER, crate.get(SORT));
     }
-    HostEntity disc = s.join(0, "Ann").body();
+    HostEntity disc = s.join(0, "Ann").entity();
     assertEquals(100, disc.get(HEALTH));
     assertEquals(0.5f, disc.get(FUEL), 1e-4);
     s.entity(3).add(HEALTH, 40);
@@ -191,16 +194,16 @@ final class StartScenarioTest {
           }
 
           @Override
-          public void setUp(SimulationHost s) {
+          public void setUp(SetUp s) {
             Count other = Field.count("health", 0, 5).of(Scope.ENTITY).to(Audience.ALL);
-            s.archetypes().add(Crates.def("x").starts(other.startsAt(3)));
+            s.archetype(Crates.def("x").starts(other.startsAt(3)));
           }
 
           @Override
-          public void join(SimulationHost s, HostPlayer p) {}
+          public void join(Match s, Player p) {}
 
           @Override
-          public void input(SimulationHost s, HostPlayer p, Input in) {}
+          public void input(Simulation s, Player p, Input in) {}
         };
     Level level = level("{}");
     String message =

@@ -6,16 +6,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.fixtures.PlainGame;
 import carom.game.Games;
 import carom.net.transport.Impairment;
-import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
 import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
@@ -58,26 +60,25 @@ class TriggerScenarioTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
+    public void setUp(SetUp s) {
       Material skin = new Material(1, 0, 0);
-      disc = s.archetypes().add(new ArchetypeDef("disc").shape(new Circle(0.5f), skin));
+      disc = s.archetype(new ArchetypeDef("disc").shape(new Circle(0.5f), skin));
       coin =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("coin")
-                      .type(BodyType.STATIC)
-                      .sensor(true)
-                      .shape(new Circle(0.4f), skin));
+          s.archetype(
+              new ArchetypeDef("coin")
+                  .type(BodyType.STATIC)
+                  .sensor(true)
+                  .shape(new Circle(0.4f), skin));
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(disc, 3 * p.id(), 4, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
-      boolean pad = s.isInside(p.body(), "pad");
+    public void input(Simulation s, Player p, Input in) {
+      boolean pad = p.entity().isInside("pad");
       if (pad && !p.get(ON_PAD)) {
         p.set(NITRO, 1f);
         p.add(STARTS, 1);
@@ -85,23 +86,23 @@ class TriggerScenarioTest {
         p.add(NITRO, -0.01f);
       }
       p.set(ON_PAD, pad);
-      Body<HostEntity> body = p.body().body();
+      Entity body = p.entity();
       float speed = 4 + 8 * p.get(NITRO);
-      body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10 * body.mass());
+      body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10);
     }
 
     @Override
-    public void beforeStep(SimulationHost s) {
+    public void beforeStep(Match s) {
       if (s.tick() % 60 == 1 && s.entityCount() < 20) {
         s.spawn(coin, s.random().between(-8, 8), s.random().between(-6, 6), 0, null);
       }
     }
 
     @Override
-    public void entered(SimulationHost s, HostEntity sensor, HostEntity visitor) {
+    public void entered(Match s, Entity sensor, Entity visitor) {
       if (sensor.archetype() == coin) {
-        s.owner(visitor).score(s.owner(visitor).score() + 1);
-        s.despawn(sensor);
+        s.addScore(visitor.owner(), 1);
+        sensor.despawn();
       }
     }
   }

@@ -55,7 +55,7 @@ class AudienceTest {
   }
 
   private HostEntity body(FakeClient client) {
-    return rig.room.simulation().player(client.welcome.playerId()).body();
+    return rig.room.simulation().player(client.welcome.playerId()).entity();
   }
 
   /** Searches all that a client is told from now on; {@code seen} afterwards. */
@@ -81,7 +81,7 @@ class AudienceTest {
     }
 
     private void look() {
-      HostEntity e = rig.room.simulation().player(other).body();
+      HostEntity e = rig.room.simulation().player(other).entity();
       int key = Neighbourhood.key(e.id(), e.generation());
       body |= client.decoder.history(e.id()) != null && client.decoder.history(e.id()).alive();
       input |= client.own.relayed().has(other);
@@ -230,7 +230,7 @@ class AudienceTest {
           red.acks = false;
           s.despawn(before);
         },
-        () -> s.spawn(s.archetypes().find("ball"), 0, -20, 0, s.player(red.welcome.playerId())));
+        () -> s.spawn(s.archetype("ball"), 0, -20, 0, s.player(red.welcome.playerId())));
   }
 
   @Test

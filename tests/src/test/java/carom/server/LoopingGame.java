@@ -1,7 +1,7 @@
 package carom.server;
 
 import carom.fixtures.PlainGame;
-import carom.sim.SimulationHost;
+import carom.sim.Match;
 
 /**
  * A game that never comes back from its tenth tick in a room, or already when a server begins, for
@@ -28,7 +28,7 @@ public final class LoopingGame extends PlainGame {
   }
 
   @Override
-  public void beforeStep(SimulationHost s) {
+  public void beforeStep(Match s) {
     boolean inRoom = Thread.currentThread().getName().startsWith("carom-room");
     boolean due = s.level().name().equals(AT_START) || (inRoom && s.tick() >= 9);
     while (due) {

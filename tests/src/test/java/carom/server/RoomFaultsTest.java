@@ -77,7 +77,7 @@ class RoomFaultsTest {
       }
       rig.step();
       assertEquals(0, honest.undecodable, "seed=" + seed);
-      assertEquals(honest.own.x(), rig.room.simulation().player(0).body().body().centerX());
+      assertEquals(honest.own.x(), rig.room.simulation().player(0).entity().body().centerX());
       assertEquals(SessionState.PLAYING, rig.room.session(1).state());
     }
   }

@@ -25,7 +25,7 @@ class RoomSeatsTest {
     try (Rig rig = new Rig()) {
       FakeClient other = rig.join("other");
       FakeClient client = rig.join("Ann");
-      HostEntity body = rig.room.simulation().player(1).body();
+      HostEntity body = rig.room.simulation().player(1).entity();
       client.sends = false;
       rig.seconds(5.8);
       assertEquals(SessionState.PLAYING, rig.room.session(1).state());
@@ -33,9 +33,9 @@ class RoomSeatsTest {
       assertEquals(SessionState.GRACE, rig.room.session(1).state());
       assertEquals(GoodbyeReason.TIMEOUT, client.goodbye.reason());
       assertTrue(other.notices().contains("Ann lost the connection"), "" + other.notices());
-      assertSame(body, rig.room.simulation().player(1).body());
+      assertSame(body, rig.room.simulation().player(1).entity());
       rig.seconds(29);
-      assertSame(body, rig.room.simulation().player(1).body());
+      assertSame(body, rig.room.simulation().player(1).entity());
       assertEquals(1, rig.count(Counter.PLAYERS_IN_GRACE));
       rig.seconds(2);
       assertNull(rig.room.simulation().player(1));
@@ -53,7 +53,7 @@ class RoomSeatsTest {
       FakeClient before = rig.join("Ann");
       before.input.move(0, 1);
       rig.seconds(1);
-      HostEntity body = rig.room.simulation().player(0).body();
+      HostEntity body = rig.room.simulation().player(0).entity();
       float y = before.own.y();
       before.link.close("cable pulled");
       rig.steps(2);
@@ -61,7 +61,7 @@ class RoomSeatsTest {
       rig.seconds(10);
       assertEquals(0, body.body().velocityY(), "neutral while away");
       FakeClient after = rig.join("somebody else", before.welcome.sessionSecret());
-      assertSame(body, rig.room.simulation().player(0).body());
+      assertSame(body, rig.room.simulation().player(0).entity());
       assertEquals(before.welcome.sessionSecret(), after.welcome.sessionSecret());
       assertEquals(0, after.welcome.epoch(), "a new link");
       assertEquals(0, after.welcome.playerId());
@@ -93,7 +93,7 @@ class RoomSeatsTest {
   void bodyWaitsWhileItsOwnerIsLoading() {
     try (Rig rig = new Rig(CONFIG.with(ServerConfig.GRACE, 2), new TestGame(1))) {
       FakeClient before = rig.join("Ann");
-      HostEntity body = rig.room.simulation().player(0).body();
+      HostEntity body = rig.room.simulation().player(0).entity();
       before.link.close("cable pulled");
       rig.seconds(1);
       FakeClient after = rig.connect().hello("Ann", before.welcome.sessionSecret());
@@ -102,7 +102,7 @@ class RoomSeatsTest {
       after.link.send(
           new ClientMessage.Ready(after.welcome.epoch(), after.welcome.declarationsDigest()));
       rig.steps(3);
-      assertSame(body, rig.room.simulation().player(0).body());
+      assertSame(body, rig.room.simulation().player(0).entity());
       assertEquals(SessionState.PLAYING, rig.room.session(0).state());
     }
   }

@@ -75,7 +75,7 @@ class RoomTest {
       assertEquals(ay + TestGame.SPEED, a.own.y(), 0.3f);
       assertEquals(bx, b.own.x());
       assertEquals(77, a.own.word(0));
-      HostEntity body = rig.room.simulation().player(0).body();
+      HostEntity body = rig.room.simulation().player(0).entity();
       assertEquals(body.body().centerX(), a.own.x());
       assertEquals(body.id(), a.own.slot());
     }

@@ -106,14 +106,14 @@ class RoomsTest {
       FakeClient first = rig.join("a");
       rig.join("b");
       FakeClient lost = rig.join("Cleo");
-      HostEntity body = rig.server.rooms().get(1).simulation().player(0).body();
+      HostEntity body = rig.server.rooms().get(1).simulation().player(0).entity();
       first.link.send(new ClientMessage.Leave()); // room 1 would be the fullest with a place
       lost.link.close("cable pulled");
       rig.steps(5);
       assertEquals(SessionState.GRACE, rig.server.rooms().get(1).session(0).state());
       FakeClient back = rig.join("Cleo", lost.welcome.sessionSecret());
       assertEquals(2, roomOf(rig, back));
-      assertSame(body, rig.server.rooms().get(1).simulation().player(0).body());
+      assertSame(body, rig.server.rooms().get(1).simulation().player(0).entity());
       assertEquals(1, rig.server.rooms().get(1).counters().get(Counter.RESUMES));
       assertEquals(0, rig.room.counters().get(Counter.RESUMES));
     }

@@ -57,7 +57,7 @@ final class RosterHostileTest {
       assertTrue(roles.size() > 2 && roles.size() <= 14, "changes=" + roles.size());
       assertTrue(rig.room.counters().get(Counter.MESSAGES_DROPPED) > 100);
       assertFalse(bob.closed);
-      assertNotNull(rig.room.simulation().player(1).body());
+      assertNotNull(rig.room.simulation().player(1).entity());
     }
   }
 

@@ -18,11 +18,10 @@ import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
-import carom.sim.Role;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
@@ -85,10 +84,10 @@ final class SpectatorSecretsTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      s.archetypes().add(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0, 1)));
-      s.messageKinds().add(ORDER);
-      whisper = s.eventKinds().add("whisper", 0xffffff, 0, "");
+    public void setUp(SetUp s) {
+      s.archetype(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0, 1)));
+      s.message(ORDER);
+      whisper = s.event("whisper", 0xffffff, 0, "");
     }
 
     @Override
@@ -97,29 +96,29 @@ final class SpectatorSecretsTest {
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
-      p.team(1);
-      s.spawn(s.archetypes().find("ball"), 0, 0, 0, p);
+    public void join(Match s, Player p) {
+      s.team(p, 1);
+      s.spawn(s.archetype("ball"), 0, 0, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
-      if (s.tick() % 60 == 0 && s.tick() > 120 && s.role() == Role.AUTHORITY) {
-        if (way == Way.EVENT) {
-          s.emit(whisper).by(p).to(Audience.TEAM);
-        } else if (way == Way.MESSAGE) {
-          s.send(ORDER.of(7)).toTeam(1);
+    public void beforeStep(Match m) {
+      for (Player p : m.players()) {
+        if (m.tick() % 60 == 0 && m.tick() > 120 && way == Way.EVENT) {
+          m.emit(whisper).by(p).to(Audience.TEAM);
+        } else if (m.tick() % 60 == 0 && m.tick() > 120 && way == Way.MESSAGE) {
+          m.send(ORDER.of(7)).toTeam(1);
         }
       }
     }
 
     @Override
-    public Audience audience(SimulationHost s, HostEntity e) {
+    public Audience audience(Match s, Entity e) {
       return way == Way.ENTITY && s.tick() > 120 ? Audience.TEAM : Audience.NEAR;
     }
 
     @Override
-    public void afterStep(SimulationHost s) {
+    public void afterStep(Match s) {
       if (ends) {
         ends = false;
         s.matchOver();
@@ -134,7 +133,7 @@ final class SpectatorSecretsTest {
     }
 
     @Override
-    public String chat(SimulationHost s, HostPlayer p, String text) {
+    public String chat(Match s, Player p, String text) {
       return text;
     }
   }

@@ -3,11 +3,12 @@ package carom.server;
 import carom.fixtures.PlainGame;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.Role;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
@@ -104,20 +105,21 @@ final class TestGame extends PlainGame {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     while (hangsInSetUp) {
       Thread.onSpinWait();
     }
-    ball =
-        s.archetypes().add(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0, 1)));
-    shout = s.eventKinds().add("shout", 0xffffff, 0, "");
-    if (s.role() == Role.AUTHORITY) {
-      for (int i = 0; i < balls; i++) {
-        float x = crowded ? -7 + 0.79f * (i % 20) : -500 + 2 * (i % 64);
-        int row = i / (crowded ? 20 : 64);
-        float y = crowded ? -27 + 0.79f * row : 10 + 2 * row;
-        s.spawn(ball, x, y, 0, null);
-      }
+    ball = s.archetype(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0, 1)));
+    shout = s.event("shout", 0xffffff, 0, "");
+  }
+
+  @Override
+  public void begin(Match s) {
+    for (int i = 0; i < balls; i++) {
+      float x = crowded ? -7 + 0.79f * (i % 20) : -500 + 2 * (i % 64);
+      int row = i / (crowded ? 20 : 64);
+      float y = crowded ? -27 + 0.79f * row : 10 + 2 * row;
+      s.spawn(ball, x, y);
     }
   }
 
@@ -127,32 +129,32 @@ final class TestGame extends PlainGame {
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
+  public void join(Match s, Player p) {
     joins++;
     whileJoining.run();
     if (failInJoin) {
       throw new IllegalStateException("join fails on purpose");
     }
     if (teamsHide) {
-      p.team(1 + p.id() % 2);
+      s.team(p, 1 + p.id() % 2);
     }
     s.spawn(ball, 3 * p.id(), -20, 0, p);
     p.set(MARK, 77);
   }
 
   @Override
-  public void leave(SimulationHost s, HostPlayer p) {
+  public void leave(Match s, Player p) {
     leaves++;
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
+  public void input(Simulation s, Player p, Input in) {
     inputs++;
-    p.body().body().setVelocity(SPEED * in.moveX(), SPEED * in.moveY());
+    p.entity().setVelocity(SPEED * in.moveX(), SPEED * in.moveY());
     if (in.held(Input.ACTION)) {
       p.add(ACTIONS, 1);
       if (teamsHide) {
-        s.emit(shout).at(p.body().body().x(), p.body().body().y()).by(p);
+        s.emit(shout).at(p.entity().x(), p.entity().y()).by(p);
       }
     }
   }
@@ -172,34 +174,33 @@ final class TestGame extends PlainGame {
   }
 
   @Override
-  public Audience audience(SimulationHost s, HostEntity e) {
-    boolean isBody = s.owner(e) != null;
+  public Audience audience(Match s, Entity e) {
+    boolean isBody = e.owner() != null;
     return teamsHide && isBody ? Audience.TEAM : Audience.NEAR;
   }
 
   @Override
-  public void beforeStep(SimulationHost s) {
+  public void beforeStep(Match s) {
     while (hangs) {
       Thread.onSpinWait();
     }
     if (ballsMove) {
       for (int i = 0; i < balls; i++) {
         float way = (s.tick() / 60 + i) % 2 == 0 ? 1 : -1;
-        s.entity(i).body().setVelocity(0, way * (1 + i % 7));
+        s.entity(i).setVelocity(0, way * (1 + i % 7));
       }
     }
   }
 
   @Override
-  public void afterStep(SimulationHost s) {
+  public void afterStep(Match s) {
     if (over) {
       over = false;
       s.matchOver();
     }
-    for (int i = 0; i < s.playerCapacity(); i++) {
-      HostPlayer p = s.player(i);
-      if (p != null && s.role() == Role.AUTHORITY && p.get(ACTIONS) != p.score()) {
-        p.score(p.get(ACTIONS));
+    for (Player p : s.players()) {
+      if (p.get(ACTIONS) != s.score(p)) {
+        s.score(p, p.get(ACTIONS));
       }
     }
     if (failEvery > 0 && s.tick() % failEvery == 0) {

@@ -17,9 +17,11 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
+import carom.sim.entity.Entity;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -49,8 +51,8 @@ class BecomeTest {
     private Archetype rock;
     private Archetype wheel;
     private Archetype fan;
-    private Consumer<HostEntity> inInput = e -> {};
-    private Consumer<HostEntity> inForces = e -> {};
+    private Consumer<Entity> inInput = e -> {};
+    private Consumer<Entity> inForces = e -> {};
 
     @Override
     public String name() {
@@ -68,7 +70,7 @@ class BecomeTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
+    public void setUp(SetUp s) {
       crate = add(s, new ArchetypeDef("crate").tag(1), new Box(0.5f, 0.5f));
       ice =
           add(
@@ -92,7 +94,7 @@ class BecomeTest {
               s,
               new ArchetypeDef("fan").area(Area.gravity(-90, -90, 90, 90, 0, 5)),
               new Box(0.5f, 0.5f));
-      s.assemblies().add(new AssemblyDef("pair").body("a", carOf("a"), 0, 0));
+      s.assembly(new AssemblyDef("pair").body("a", carOf("a"), 0, 0));
     }
 
     private static ArchetypeDef carOf(String name) {
@@ -100,25 +102,25 @@ class BecomeTest {
     }
 
     private static Archetype add(
-        SimulationHost s, ArchetypeDef def, carom.physics.geometry.Shape... shapes) {
+        SetUp s, ArchetypeDef def, carom.physics.geometry.Shape... shapes) {
       for (carom.physics.geometry.Shape shape : shapes) {
         def.shape(shape, new Material(2, 0.1f * shapes.length, 0));
       }
-      return s.archetypes().add(def);
+      return s.archetype(def);
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(crate, 0, 2, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
-      inInput.accept(p.body());
+    public void input(Simulation s, Player p, Input in) {
+      inInput.accept(p.entity());
     }
 
     @Override
-    public void forces(SimulationHost s, HostEntity e) {
+    public void forces(Simulation s, Entity e) {
       inForces.accept(e);
     }
   }
@@ -148,7 +150,7 @@ class BecomeTest {
   @Test
   void theBodyIsAsTheNewArchetypeSaysAndTheRestStays() {
     HostPlayer ann = s.join("Ann");
-    HostEntity e = ann.body();
+    HostEntity e = ann.entity();
     e.set(HEALTH, 42);
     e.body().setPose(1, 5, 0.5f);
     e.body().setVelocity(1, 2);
@@ -158,7 +160,7 @@ class BecomeTest {
     Body<HostEntity> body = e.body();
     assertSame(game.ice, e.archetype());
     assertEquals(2, e.tag());
-    assertSame(e, ann.body());
+    assertSame(e, ann.entity());
     assertSame(e, s.entity(e.id()));
     assertEquals(42, e.get(HEALTH));
     assertEquals(made.x(), body.x(), 1e-6f);
@@ -224,7 +226,7 @@ class BecomeTest {
 
   @Test
   void savedStatesAndBytesHaveTheArchetypeOfTheirTime() throws Exception {
-    HostEntity e = s.join("Ann").body();
+    HostEntity e = s.join("Ann").entity();
     s.step();
     SimState before = s.save(null);
     final long hashBefore = s.stateHash();
@@ -326,7 +328,7 @@ class BecomeTest {
     game.inInput = e -> e.become(s.tick() % 2 == 0 ? game.ice : game.crate);
     for (int i = 0; i < 20; i++) {
       s.step();
-      assertSame(s.tick() % 2 == 0 ? game.ice : game.crate, ann.body().archetype());
+      assertSame(s.tick() % 2 == 0 ? game.ice : game.crate, ann.entity().archetype());
     }
   }
 }

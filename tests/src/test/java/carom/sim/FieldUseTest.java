@@ -9,9 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.fixtures.PlainGame;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.entity.HostEntity;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -39,9 +39,9 @@ final class FieldUseTest {
   private SimulationHost s;
 
   private static final class Rules extends PlainGame {
-    BiConsumer<SimulationHost, HostPlayer> input = (s, p) -> {};
-    BiConsumer<SimulationHost, HostEntity> forces = (s, e) -> {};
-    Consumer<SimulationHost> afterStep = s -> {};
+    BiConsumer<Simulation, Player> input = (s, p) -> {};
+    BiConsumer<Simulation, Entity> forces = (s, e) -> {};
+    Consumer<Match> afterStep = s -> {};
     private Archetype disc;
 
     Rules() {
@@ -54,29 +54,27 @@ final class FieldUseTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      disc =
-          s.archetypes()
-              .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
+    public void setUp(SetUp s) {
+      disc = s.archetype(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(disc, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
+    public void input(Simulation s, Player p, Input in) {
       input.accept(s, p);
     }
 
     @Override
-    public void forces(SimulationHost s, HostEntity e) {
+    public void forces(Simulation s, Entity e) {
       forces.accept(s, e);
     }
 
     @Override
-    public void afterStep(SimulationHost s) {
+    public void afterStep(Match s) {
       afterStep.accept(s);
     }
   }
@@ -107,7 +105,7 @@ final class FieldUseTest {
   @Test
   void whatAfterStepWritesAndInputReadsIsToldOnce() {
     run(310);
-    rules.input = (sim, p) -> p.body().body().setVelocity(p.get(NITRO), 0);
+    rules.input = (sim, p) -> p.entity().setVelocity(p.get(NITRO), 0);
     rules.afterStep = sim -> sim.player(2).add(NITRO, sim.tick() % 2 == 0 ? -0.1f : 0.1f);
     run(300);
     assertEquals(
@@ -121,7 +119,7 @@ final class FieldUseTest {
     rules.input =
         (sim, p) -> {
           p.add(NITRO, -0.001f);
-          p.body().body().setVelocity(p.get(NITRO), 0);
+          p.entity().setVelocity(p.get(NITRO), 0);
         };
     rules.afterStep =
         sim -> {
@@ -137,7 +135,7 @@ final class FieldUseTest {
 
   @Test
   void aClockOfTheMatchThatInputReadsHasItsOwnAdvice() {
-    rules.input = (sim, p) -> p.body().body().setVelocity(sim.get(CLOCK) > 100 ? 1 : 0, 0);
+    rules.input = (sim, p) -> p.entity().setVelocity(sim.get(CLOCK) > 100 ? 1 : 0, 0);
     rules.afterStep = sim -> sim.add(CLOCK, 1);
     run(200);
     assertEquals(
@@ -149,7 +147,7 @@ final class FieldUseTest {
 
   @Test
   void whatNoClientIsToldIsNotForInput() {
-    rules.input = (sim, p) -> p.body().body().setVelocity(p.get(SECRET), 0);
+    rules.input = (sim, p) -> p.entity().setVelocity(p.get(SECRET), 0);
     run(20);
     assertEquals(
         "input reads player.secret, which no client is told, so clients can't predict what follows;"
@@ -159,7 +157,7 @@ final class FieldUseTest {
 
   @Test
   void whatOnlyTheOwnerIsToldIsNotForForces() {
-    rules.forces = (sim, e) -> e.body().applyForce(e.get(FUEL), 0);
+    rules.forces = (sim, e) -> e.applyForce(e.get(FUEL), 0);
     run(20);
     assertTrue(onlyFinding().startsWith("forces reads entity.fuel, which not all clients near"));
   }

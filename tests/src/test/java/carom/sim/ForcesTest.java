@@ -8,9 +8,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.fixtures.PlainGame;
 import carom.physics.BodyType;
 import carom.physics.Material;
-import carom.physics.QueryHit;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityHit;
 import carom.sim.entity.HostEntity;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
@@ -39,7 +40,7 @@ final class ForcesTest {
 
   /** A game whose forces a test gives. */
   private static final class Rules extends PlainGame {
-    BiConsumer<SimulationHost, HostEntity> forces = (s, e) -> {};
+    BiConsumer<Simulation, Entity> forces = (s, e) -> {};
     Archetype crate;
     Archetype marked;
     Archetype post;
@@ -57,32 +58,26 @@ final class ForcesTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      crate = s.archetypes().add(new ArchetypeDef("crate").shape(new Box(0.5f, 0.5f), wood()));
-      marked =
-          s.archetypes().add(new ArchetypeDef("marked").tag(7).shape(new Box(0.5f, 0.5f), wood()));
+    public void setUp(SetUp s) {
+      crate = s.archetype(new ArchetypeDef("crate").shape(new Box(0.5f, 0.5f), wood()));
+      marked = s.archetype(new ArchetypeDef("marked").tag(7).shape(new Box(0.5f, 0.5f), wood()));
       post =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("post")
-                      .type(BodyType.KINEMATIC)
-                      .shape(new Box(0.5f, 0.5f), wood()));
+          s.archetype(
+              new ArchetypeDef("post").type(BodyType.KINEMATIC).shape(new Box(0.5f, 0.5f), wood()));
       magnet =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("magnet")
-                      .type(BodyType.KINEMATIC)
-                      .sensor(true)
-                      .shape(new Circle(0.2f), wood())
-                      .area(Area.attractor(0, 0, 6, 20)));
+          s.archetype(
+              new ArchetypeDef("magnet")
+                  .type(BodyType.KINEMATIC)
+                  .sensor(true)
+                  .shape(new Circle(0.2f), wood())
+                  .area(Area.attractor(0, 0, 6, 20)));
       switched =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("switched")
-                      .type(BodyType.KINEMATIC)
-                      .sensor(true)
-                      .shape(new Circle(0.2f), wood())
-                      .area(Area.attractor(0, 0, 6, 20), POWER));
+          s.archetype(
+              new ArchetypeDef("switched")
+                  .type(BodyType.KINEMATIC)
+                  .sensor(true)
+                  .shape(new Circle(0.2f), wood())
+                  .area(Area.attractor(0, 0, 6, 20), POWER));
     }
 
     private static Material wood() {
@@ -90,7 +85,7 @@ final class ForcesTest {
     }
 
     @Override
-    public void forces(SimulationHost s, HostEntity e) {
+    public void forces(Simulation s, Entity e) {
       forces.accept(s, e);
     }
   }
@@ -122,7 +117,7 @@ final class ForcesTest {
     awake.body().setVelocity(1, 0);
     asleep.body().sleep();
     List<HostEntity> visited = new ArrayList<>();
-    rules.forces = (sim, e) -> visited.add(e);
+    rules.forces = (sim, e) -> visited.add((HostEntity) e);
     run(s, 2);
     assertEquals(List.of(awake, awake), visited);
   }
@@ -131,7 +126,7 @@ final class ForcesTest {
   void aForceActsInTheStepOfItsTick() throws Exception {
     SimulationHost s = simulation(0, "");
     HostEntity crate = s.spawn(rules.crate, 0, 5, 0, null);
-    rules.forces = (sim, e) -> e.body().applyForce(3, 0);
+    rules.forces = (sim, e) -> e.applyForce(3, 0);
     s.step();
     assertEquals(3 * DT / crate.body().mass(), crate.body().velocityX(), 1e-6);
   }
@@ -140,20 +135,11 @@ final class ForcesTest {
   void whatAClientCannotDoIsRefusedByName() throws Exception {
     SimulationHost s = simulation(0, "");
     s.spawn(rules.crate, 0, 5, 0, null);
-    refused(s, "spawn", (sim, e) -> sim.spawn(rules.crate, 0, 0, 0, null));
-    refused(s, "despawn", (sim, e) -> sim.despawn(e));
-    refused(s, "random", (sim, e) -> sim.random());
-    refused(s, "entity", (sim, e) -> sim.entity(0));
-    refused(s, "player", (sim, e) -> sim.player(0));
-    rules.forces = (sim, e) -> {};
-    s.step();
-    s.random();
-  }
-
-  private void refused(SimulationHost s, String what, BiConsumer<SimulationHost, HostEntity> forces) {
-    rules.forces = forces;
+    rules.forces = (sim, e) -> e.despawn();
     IllegalStateException e = assertThrows(IllegalStateException.class, s::step);
-    assertTrue(e.getMessage().startsWith(what + " can't be called in Game.forces"), e::getMessage);
+    assertTrue(e.getMessage().startsWith("despawn can't be called in Game.forces"), e::getMessage);
+    rules.forces = (sim, entity) -> {};
+    s.step();
   }
 
   @Test
@@ -161,7 +147,7 @@ final class ForcesTest {
     SimulationHost s = simulation(0, "");
     final HostEntity one = s.spawn(rules.crate, 0, 5, 0, null);
     final HostEntity other = s.spawn(rules.marked, 5, 5, 0, null);
-    rules.forces = (sim, e) -> e.body().applyForce(1, 0);
+    rules.forces = (sim, e) -> e.applyForce(1, 0);
     run(s, 100);
     assertEquals(0, s.findings().count());
     rules.forces =
@@ -181,19 +167,19 @@ final class ForcesTest {
     SimulationHost s = simulation(0, "");
     final HostEntity low = s.spawn(rules.crate, 0, 2, 0, null);
     s.spawn(rules.crate, 0, 6, 0, null);
-    List<HostEntity> seen = new ArrayList<>();
-    QueryHit<HostEntity> hit = new QueryHit<>();
+    List<Entity> seen = new ArrayList<>();
+    EntityHit hit = new EntityHit();
     rules.forces =
         (sim, e) -> {
-          assertTrue(sim.world().queries().rayClosest(0, 4, 0, -20, null, hit));
-          seen.add(hit.body().user());
-          sim.world().queryAabb(-1, -1, 1, 8, body -> seen.add(body.user()));
+          assertTrue(sim.queries().rayClosest(0, 4, 0, -20, null, hit));
+          seen.add(hit.entity());
+          sim.queries().overlaps(new Box(1, 4.5f), 0, 3.5f, 0, null, at -> seen.add(at.entity()));
         };
     s.step();
     assertEquals(4, seen.size());
     seen.forEach(e -> assertTrue(e.isLevel()));
-    assertTrue(s.world().queries().rayClosest(0, 4, 0, -20, null, hit));
-    assertEquals(low, hit.body().user());
+    assertTrue(s.queries().rayClosest(0, 4, 0, -20, null, hit));
+    assertEquals(low, hit.entity());
   }
 
   @Test
@@ -322,7 +308,7 @@ final class ForcesTest {
       s.spawn(i % 2 == 0 ? rules.crate : rules.marked, i - 10, 5, 0, null);
     }
     s.spawn(rules.magnet, 0, 3, 0, null).body().setVelocity(0.1f, 0);
-    rules.forces = (sim, e) -> e.body().applyAmbientForce(0, 1, 0);
+    rules.forces = (sim, e) -> e.applyAmbientForce(0, 1, 0);
     run(s, 600);
     SimState state = s.save(null);
     long least = Long.MAX_VALUE;

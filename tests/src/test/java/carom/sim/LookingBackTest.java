@@ -68,9 +68,9 @@ final class LookingBackTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
+    public void setUp(SetUp s) {
       for (int i = 0; i < SHAPES.length; i++) {
-        kinds[i] = s.archetypes().add(new ArchetypeDef("thing" + i).shape(SHAPES[i], SKIN));
+        kinds[i] = s.archetype(new ArchetypeDef("thing" + i).shape(SHAPES[i], SKIN));
       }
     }
   }
@@ -163,7 +163,7 @@ final class LookingBackTest {
       }
       int ago = random.nextInt(16);
       player.viewDelay(ago * HostPlayer.VIEW_STEPS);
-      Queries<HostEntity> then = s.asSeenBy(player);
+      Queries<HostEntity> then = s.pastQueries(player);
       World<Was> world = oracle(s.tick() - ago);
       String what = "seed=" + SEED + " tick=" + s.tick() + " ago=" + ago;
       for (int n = 0; n < 8; n++) {
@@ -214,13 +214,13 @@ final class LookingBackTest {
     for (int delay = 0; delay < 15 * HostPlayer.VIEW_STEPS; delay++) {
       player.viewDelay(delay);
       QueryHit<HostEntity> hit = new QueryHit<>();
-      assertTrue(s.asSeenBy(player).rayClosest(-5, 0, 10, 0, null, hit));
+      assertTrue(s.pastQueries(player).rayClosest(-5, 0, 10, 0, null, hit));
       float centre = 2 - 0.1f * delay / HostPlayer.VIEW_STEPS;
       assertEquals(centre - 0.5f, hit.x(), 1e-4, "delay=" + delay);
     }
     player.viewDelay(HostPlayer.MAX_VIEW_DELAY);
     QueryHit<HostEntity> hit = new QueryHit<>();
-    assertTrue(s.asSeenBy(player).rayClosest(-5, 0, 10, 0, null, hit));
+    assertTrue(s.pastQueries(player).rayClosest(-5, 0, 10, 0, null, hit));
     assertEquals(0.5f - 0.5f, hit.x(), 1e-4, "not farther back than a quarter of a second");
   }
 
@@ -236,13 +236,13 @@ final class LookingBackTest {
       s.step();
     }
     player.viewDelay(10 * HostPlayer.VIEW_STEPS);
-    assertFalse(s.asSeenBy(player).rayAny(-5, 3, 0, -3, null), "not yet there");
-    assertTrue(s.asSeenBy(player).rayAny(5, 3, 0, -3, null));
-    assertFalse(s.asSeenBy(player).rayAny(5, 10, 0, -3, null));
+    assertFalse(s.pastQueries(player).rayAny(-5, 3, 0, -3, null), "not yet there");
+    assertTrue(s.pastQueries(player).rayAny(5, 3, 0, -3, null));
+    assertFalse(s.pastQueries(player).rayAny(5, 10, 0, -3, null));
     player.viewDelay(0);
-    assertTrue(s.asSeenBy(player).rayAny(-5, 3, 0, -3, null));
-    assertFalse(s.asSeenBy(player).rayAny(5, 3, 0, -3, null));
-    assertTrue(s.asSeenBy(player).rayAny(5, 10, 0, -3, null));
+    assertTrue(s.pastQueries(player).rayAny(-5, 3, 0, -3, null));
+    assertFalse(s.pastQueries(player).rayAny(5, 3, 0, -3, null));
+    assertTrue(s.pastQueries(player).rayAny(5, 10, 0, -3, null));
     assertTrue(young.body().x() == -5);
   }
 
@@ -268,7 +268,7 @@ final class LookingBackTest {
     List<Float> seen = new ArrayList<>();
     QueryHit<HostEntity> hit = new QueryHit<>();
     for (int i = 0; i < 200; i++) {
-      boolean any = s.asSeenBy(player).rayClosest(-14, -10 + 0.1f * i, 28, 0, null, hit);
+      boolean any = s.pastQueries(player).rayClosest(-14, -10 + 0.1f * i, 28, 0, null, hit);
       seen.add(any ? hit.fraction() : -1f);
     }
     return seen;

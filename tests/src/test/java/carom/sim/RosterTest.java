@@ -16,8 +16,9 @@ import carom.physics.Material;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.field.PlayerRef;
@@ -67,42 +68,40 @@ final class RosterTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      disc =
-          s.archetypes()
-              .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
-      s.messageKinds().add(WAVE);
+    public void setUp(SetUp s) {
+      disc = s.archetype(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
+      s.message(WAVE);
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       calls.add("join " + p.id());
-      p.team(s.teamSize(1) <= s.teamSize(2) ? 1 : 2);
+      s.team(p, s.teamSize(1) <= s.teamSize(2) ? 1 : 2);
       s.spawn(disc, p.id(), 0, 0, p);
     }
 
     @Override
-    public void leave(SimulationHost s, HostPlayer p) {
+    public void leave(Match s, Player p) {
       calls.add("leave " + p.id());
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
-      p.body().body().applyForce(9 * in.moveX(), 9 * in.moveY());
+    public void input(Simulation s, Player p, Input in) {
+      p.entity().applyForce(9 * in.moveX(), 9 * in.moveY());
     }
 
     @Override
-    public void message(SimulationHost s, HostPlayer p, carom.sim.message.Message m) {
+    public void message(Match s, Player p, carom.sim.message.Message m) {
       calls.add(m.kind().name() + " " + p.id());
     }
 
     @Override
-    public void teamChanged(SimulationHost s, HostPlayer p) {
-      calls.add("team " + p.id() + " " + p.team());
+    public void teamChanged(Match s, Player p) {
+      calls.add("team " + p.id() + " " + s.team(p));
     }
 
     @Override
-    public String refuseRole(SimulationHost s, HostPlayer p, PlayerRole role) {
+    public String refuseRole(Match s, Player p, PlayerRole role) {
       return shut;
     }
   }
@@ -170,7 +169,7 @@ final class RosterTest {
     assertEquals(List.of("join 0", "join 1", "leave 0"), discs.calls);
     assertNull(s.player(0));
     assertSame(ann, s.participant(0));
-    assertNull(ann.body());
+    assertNull(ann.entity());
     assertFalse(ann.isAlive());
     assertFalse(ann.isReady());
     assertEquals(HostPlayer.NO_TEAM, ann.team());
@@ -192,7 +191,7 @@ final class RosterTest {
     asksFor(ann, PlayerRole.PLAYER);
     assertEquals(List.of("join 0", "leave 0", "join 0"), discs.calls);
     assertSame(ann, s.player(0));
-    assertNotNull(ann.body());
+    assertNotNull(ann.entity());
     assertEquals(1, ann.team());
   }
 
@@ -216,7 +215,7 @@ final class RosterTest {
     assertEquals(List.of("3: All 3 places are taken: you watch"), told());
     asksFor(players[0], PlayerRole.SPECTATOR);
     asksFor(players[3], PlayerRole.PLAYER);
-    assertNotNull(players[3].body());
+    assertNotNull(players[3].entity());
     assertEquals(List.of(), told());
     s.leave(players[0]);
     assertEquals(1, discs.calls.stream().filter("leave 0"::equals).count(), "left once, not twice");
@@ -280,7 +279,7 @@ final class RosterTest {
         simulation(
             new Discs() {
               @Override
-              public void leave(SimulationHost s, HostPlayer p) {
+              public void leave(Match s, Player p) {
                 s.role(p, PlayerRole.SPECTATOR);
               }
             });
@@ -305,7 +304,7 @@ final class RosterTest {
     s.restore(before);
     assertEquals(playing, s.stateHash());
     assertFalse(bob.isReady());
-    assertNotNull(s.player(0).body());
+    assertNotNull(s.player(0).entity());
     s.restore(after);
     assertEquals(watching, s.stateHash());
     assertNull(s.player(0));
@@ -330,6 +329,6 @@ final class RosterTest {
     arena.step();
     assertEquals(2, ann.team(), "asked first: messages go by player id");
     assertEquals(1, cid.team());
-    assertEquals(2, ann.body().tag());
+    assertEquals(2, ann.entity().tag());
   }
 }

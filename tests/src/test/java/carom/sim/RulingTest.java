@@ -10,7 +10,7 @@ import carom.fixtures.PlainGame;
 import carom.physics.Body;
 import carom.physics.rows.BodyRow;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.ruling.Ruling;
 import carom.sim.ruling.RulingLog;
 import java.util.Random;
@@ -90,31 +90,32 @@ final class RulingTest {
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       push(s);
     }
 
     @Override
-    public void leave(SimulationHost s, HostPlayer p) {
+    public void leave(Match s, Player p) {
       push(s);
     }
 
     @Override
-    public void beforeStep(SimulationHost s) {
+    public void beforeStep(Match s) {
       if (pushes) {
         push(s);
       }
     }
 
-    private static void push(SimulationHost s) {
-      s.entity(3).body().applyImpulse(1, 2);
+    private static void push(Match s) {
+      s.entity(3).applyImpulse(1, 2);
     }
   }
 
   @Test
   void whatJoinLeaveAndBeforeStepDoToABodyIsOneRuling() {
     Pusher game = new Pusher();
-    SimulationHost server = new SimulationHost(game, ForceGame.level(-10, CRATES), 1, 60, Role.AUTHORITY);
+    SimulationHost server =
+        new SimulationHost(game, ForceGame.level(-10, CRATES), 1, 60, Role.AUTHORITY);
     SimulationHost client = tower(0);
     for (int n = 0; n < 4; n++) {
       game.pushes = n >= 2;

@@ -18,8 +18,9 @@ import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
@@ -59,19 +60,17 @@ class SimulationTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      disc =
-          s.archetypes()
-              .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
+    public void setUp(SetUp s) {
+      disc = s.archetype(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(disc, p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
+    public void input(Simulation s, Player p, Input in) {
       p.add(STEPS, 1);
     }
   }
@@ -139,15 +138,15 @@ class SimulationTest {
     assertThrows(IllegalStateException.class, () -> s.join("ann"));
     HostPlayer p = s.mirror().join(200, "ann");
     assertThrows(IllegalStateException.class, () -> p.score(1));
-    assertNull(p.body());
+    assertNull(p.entity());
     HostEntity e = s.mirror().spawn(500, 9, game.disc, 1, 2, 0, 200);
-    assertSame(e, p.body());
-    assertSame(p, s.owner(e));
+    assertSame(e, p.entity());
+    assertSame(p, e.owner());
     assertEquals(501, s.entityCapacity());
     assertThrows(
         IllegalStateException.class, () -> s.mirror().spawn(500, 10, game.disc, 0, 0, 0, 200));
     s.despawn(e);
-    assertNull(p.body());
+    assertNull(p.entity());
     s.notice("nobody hears this");
     s.outbox().drainNotices(text -> assertNull(text));
   }
@@ -170,10 +169,10 @@ class SimulationTest {
     changes.add(() -> p.set(STEPS, 7));
     changes.add(() -> p.input().hold(Input.JUMP, true));
     changes.add(() -> s.set(DOOR, true));
-    changes.add(() -> p.body().set(FUEL, 0.5f));
+    changes.add(() -> p.entity().set(FUEL, 0.5f));
     changes.add(() -> s.random().nextLong());
-    changes.add(() -> p.body().tag(4));
-    changes.add(() -> p.body().body().setVelocity(1, 0));
+    changes.add(() -> p.entity().tag(4));
+    changes.add(() -> p.entity().body().setVelocity(1, 0));
     changes.add(() -> s.spawn(game.disc, 5, 5, 0, null));
     changes.add(() -> s.despawn(s.entity(1)));
     changes.add(s::step);
@@ -187,14 +186,14 @@ class SimulationTest {
     s.restore(start);
     assertEquals(hash, s.stateHash());
     assertEquals(0, p.score());
-    assertEquals(0, p.body().tag());
+    assertEquals(0, p.entity().tag());
   }
 
   @Test
   void restoreBringsBackWhoHasGoneAndRemovesWhoCame() {
     SimulationHost s = start(Role.AUTHORITY, "");
     HostPlayer ann = s.join("ann");
-    HostEntity body = ann.body();
+    HostEntity body = ann.entity();
     SimState saved = s.save(null);
     s.leave(ann);
     HostPlayer bob = s.join("bob");
@@ -202,7 +201,7 @@ class SimulationTest {
     assertEquals(0, bob.id());
     s.restore(saved);
     assertSame(ann, s.player(0));
-    assertSame(body, ann.body());
+    assertSame(body, ann.entity());
     assertTrue(body.body().isValid());
     assertSame(body, body.body().user());
     assertEquals(1, s.playerCapacity());

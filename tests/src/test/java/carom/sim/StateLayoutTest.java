@@ -9,7 +9,7 @@ import carom.physics.Material;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.EntityRef;
@@ -86,18 +86,18 @@ final class StateLayoutTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
+    public void setUp(SetUp s) {
       ball =
-          s.archetypes()
-              .add(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0.3f, 0.5f)));
+          s.archetype(
+              new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0.3f, 0.5f)));
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(ball, 2 - p.id(), 5, 0, p);
       p.set(AMMO, 3 + p.id());
-      p.set(TARGET, p.body());
-      p.body().set(FUEL, 0.25f);
+      p.set(TARGET, p.entity());
+      p.entity().set(FUEL, 0.25f);
       s.set(SECRET, true);
     }
   }
@@ -136,7 +136,7 @@ final class StateLayoutTest {
     assertEquals(90, s.tick());
     assertEquals("Zoë", s.participant(1).name());
     assertEquals(4, s.participant(1).get(AMMO));
-    assertEquals(0.25f, s.participant(0).body().get(FUEL), 0.01f);
+    assertEquals(0.25f, s.participant(0).entity().get(FUEL), 0.01f);
     assertArrayEquals(past, bytes(s), "the layout of states has changed: see this class");
   }
 }

@@ -13,9 +13,11 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
+import carom.sim.entity.Entity;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -40,7 +42,7 @@ class TriggerTest {
     Archetype square;
     Archetype coin;
     boolean takesCoins;
-    HostEntity goes;
+    Entity goes;
     String goesIn = "";
     boolean readsOverlaps;
 
@@ -49,68 +51,66 @@ class TriggerTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
+    public void setUp(SetUp s) {
       Material skin = new Material(1, 0, 0);
-      disc = s.archetypes().add(new ArchetypeDef("disc").shape(new Circle(0.5f), skin));
-      square = s.archetypes().add(new ArchetypeDef("square").shape(new Box(0.5f, 0.5f), skin));
+      disc = s.archetype(new ArchetypeDef("disc").shape(new Circle(0.5f), skin));
+      square = s.archetype(new ArchetypeDef("square").shape(new Box(0.5f, 0.5f), skin));
       dumbbell =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("dumbbell")
-                      .shape(new Circle(0.3f, -0.6f, 0), skin)
-                      .shape(new Circle(0.3f, 0.6f, 0), skin));
+          s.archetype(
+              new ArchetypeDef("dumbbell")
+                  .shape(new Circle(0.3f, -0.6f, 0), skin)
+                  .shape(new Circle(0.3f, 0.6f, 0), skin));
       coin =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("coin")
-                      .type(BodyType.STATIC)
-                      .sensor(true)
-                      .shape(new Circle(0.3f), skin));
+          s.archetype(
+              new ArchetypeDef("coin")
+                  .type(BodyType.STATIC)
+                  .sensor(true)
+                  .shape(new Circle(0.3f), skin));
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(disc, -4, 3, 0, p);
     }
 
     @Override
-    public void entered(SimulationHost s, HostEntity sensor, HostEntity visitor) {
+    public void entered(Match s, Entity sensor, Entity visitor) {
       note(s, "enters", sensor, visitor);
       if (takesCoins && sensor.archetype() == coin) {
-        s.despawn(sensor);
+        sensor.despawn();
       }
     }
 
     @Override
-    public void left(SimulationHost s, HostEntity sensor, HostEntity visitor) {
+    public void left(Match s, Entity sensor, Entity visitor) {
       note(s, "leaves", sensor, visitor);
     }
 
-    private void note(SimulationHost s, String does, HostEntity sensor, HostEntity visitor) {
+    private void note(Match s, String does, Entity sensor, Entity visitor) {
       log.add(s.tick() + " " + visitor.id() + " " + does + " " + sensor.archetype().name());
     }
 
     @Override
-    public void beforeStep(SimulationHost s) {
-      go(s, "beforeStep");
+    public void beforeStep(Match s) {
+      go("beforeStep");
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
-      go(s, "input");
+    public void input(Simulation s, Player p, Input in) {
+      go("input");
       if (readsOverlaps) {
-        p.body().body().forEachOverlap(other -> true);
+        p.entity().forEachOverlap(other -> true);
       }
     }
 
     @Override
-    public void afterStep(SimulationHost s) {
-      go(s, "afterStep");
+    public void afterStep(Match s) {
+      go("afterStep");
     }
 
-    private void go(SimulationHost s, String callback) {
+    private void go(String callback) {
       if (goes != null && callback.equals(goesIn)) {
-        s.despawn(goes);
+        goes.despawn();
         goes = null;
       }
     }
@@ -210,7 +210,7 @@ class TriggerTest {
     SimulationHost s = start(game);
     HostPlayer ann = s.join("ann");
     HostEntity e = glide(s, game.disc, 0.5f, 0);
-    ann.body().teleport(1.5f, 0.5f, 0);
+    ann.entity().teleport(1.5f, 0.5f, 0);
     s.step();
     assertEquals(2, game.heard().size());
     s.despawn(e);
@@ -328,7 +328,7 @@ class TriggerTest {
     HostEntity e = glide(s, game.dumbbell, -3, 4);
     e.body().setAngularVelocity(3);
     for (int i = 0; i < 120; i++) {
-      boolean inside = s.isInside(e, "gate");
+      boolean inside = e.isInside("gate");
       s.step();
       boolean enters = game.log.contains(s.tick() + " 0 enters gate");
       boolean leaves = game.log.contains(s.tick() + " 0 leaves gate");
@@ -344,7 +344,7 @@ class TriggerTest {
     HostEntity e = glide(s, game.disc, 1, 0);
     for (String name : List.of("wall", "coin", "Gate")) {
       String text =
-          assertThrows(IllegalArgumentException.class, () -> s.isInside(e, name)).getMessage();
+          assertThrows(IllegalArgumentException.class, () -> e.isInside(name)).getMessage();
       assertEquals(
           "sensor=\""
               + name
@@ -368,7 +368,7 @@ class TriggerTest {
         "input reads overlaps with entity 1 (coin) by Body.forEachOverlap, a sensor that clients"
             + " don't simulate, so they can't predict what follows; use Game.entered and left.",
         s.findings().get(0));
-    ann.body().teleport(1, 0, 0);
+    ann.entity().teleport(1, 0, 0);
     run(s, 5);
     assertEquals(2, s.findings().count());
     assertTrue(s.findings().get(1).contains("ask Simulation.isInside"), s.findings().get(1));
@@ -381,7 +381,7 @@ class TriggerTest {
         new SimulationHost(
             new PlainGame("gates") {
               @Override
-              public void setUp(SimulationHost of) {
+              public void setUp(SetUp of) {
                 game.setUp(of);
               }
             },

@@ -10,16 +10,16 @@ import carom.client.bots.Senses;
 import carom.fixtures.PlainGame;
 import carom.game.arena.ArenaGame;
 import carom.options.NetworkConditions.Preset;
-import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.server.CaromMain;
 import carom.sim.Game;
-import carom.sim.Role;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -57,25 +57,23 @@ class GameTestTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      disc =
-          s.archetypes()
-              .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
+    public void setUp(SetUp s) {
+      disc = s.archetype(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(disc, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
+    public void input(Simulation s, Player p, Input in) {
       float speed = speed(s, p, in);
-      Body<HostEntity> body = p.body().body();
-      body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10 * body.mass());
+      Entity body = p.entity();
+      body.seekVelocity(in.moveX() * speed, in.moveY() * speed, 10);
     }
 
-    float speed(SimulationHost s, HostPlayer p, Input in) {
+    float speed(Simulation s, Player p, Input in) {
       return 5;
     }
   }
@@ -83,16 +81,14 @@ class GameTestTest {
   /** Writes a field in afterStep that input reads. */
   public static final class WritesLate extends Good {
     @Override
-    float speed(SimulationHost s, HostPlayer p, Input in) {
+    float speed(Simulation s, Player p, Input in) {
       return 3 + 4 * p.get(NITRO);
     }
 
     @Override
-    public void afterStep(SimulationHost s) {
-      for (int id = 0; id < s.playerCapacity(); id++) {
-        if (s.player(id) != null) {
-          s.player(id).add(NITRO, s.tick() % 60 < 30 ? -0.02f : 0.02f);
-        }
+    public void afterStep(Match s) {
+      for (Player p : s.players()) {
+        p.add(NITRO, s.tick() % 60 < 30 ? -0.02f : 0.02f);
       }
     }
   }
@@ -100,11 +96,9 @@ class GameTestTest {
   /** Pushes bodies in beforeStep. */
   public static final class PushesEarly extends Good {
     @Override
-    public void beforeStep(SimulationHost s) {
-      for (int id = 0; id < s.playerCapacity(); id++) {
-        if (s.player(id) != null) {
-          s.player(id).body().body().applyForce(3, 0);
-        }
+    public void beforeStep(Match s) {
+      for (Player p : s.players()) {
+        p.entity().applyForce(3, 0);
       }
     }
   }
@@ -112,7 +106,7 @@ class GameTestTest {
   /** Reads what only the server knows. */
   public static final class ReadsSecret extends Good {
     @Override
-    float speed(SimulationHost s, HostPlayer p, Input in) {
+    float speed(Simulation s, Player p, Input in) {
       return 5 + p.get(LUCK);
     }
   }
@@ -120,7 +114,7 @@ class GameTestTest {
   /** Throws now and then. */
   public static final class Throws extends Good {
     @Override
-    public void afterStep(SimulationHost s) {
+    public void afterStep(Match s) {
       if (s.tick() % 100 == 99) {
         throw new IllegalStateException("the flag is gone");
       }
@@ -132,7 +126,7 @@ class GameTestTest {
     private int calls;
 
     @Override
-    float speed(SimulationHost s, HostPlayer p, Input in) {
+    float speed(Simulation s, Player p, Input in) {
       calls++;
       return 4 + calls % 300 / 100f;
     }
@@ -143,16 +137,23 @@ class GameTestTest {
     private final Random random = new Random();
 
     @Override
-    float speed(SimulationHost s, HostPlayer p, Input in) {
+    float speed(Simulation s, Player p, Input in) {
       return 4 + random.nextFloat();
     }
   }
 
   /** Does otherwise on clients. */
   public static final class KnowsItsRole extends Good {
+    private boolean serves;
+
     @Override
-    float speed(SimulationHost s, HostPlayer p, Input in) {
-      return s.role() == Role.AUTHORITY ? 5 : 6;
+    public void begin(Match m) {
+      serves = true;
+    }
+
+    @Override
+    float speed(Simulation s, Player p, Input in) {
+      return serves ? 5 : 6;
     }
   }
 
@@ -238,7 +239,7 @@ class GameTestTest {
     private static int pressed;
 
     @Override
-    float speed(SimulationHost s, HostPlayer p, Input in) {
+    float speed(Simulation s, Player p, Input in) {
       pressed += in.held(Input.SECOND) && in.moveX() == 1 ? 1 : 0;
       return 5;
     }

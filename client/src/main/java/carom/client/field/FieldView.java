@@ -1,6 +1,6 @@
 package carom.client.field;
 
-import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldReader;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Scope;
@@ -10,7 +10,7 @@ import carom.sim.field.Scope;
  * methods {@code get}; what the client may not know is as declared. Setting a value changes nothing
  * but this view. One thread.
  */
-public final class FieldView extends FieldHolder<FieldView, FieldView> {
+public final class FieldView implements FieldReader<FieldView, FieldView> {
   private static final int NEVER = -2;
 
   private final FieldValues values;
@@ -30,7 +30,7 @@ public final class FieldView extends FieldHolder<FieldView, FieldView> {
   }
 
   @Override
-  protected int reference() {
+  public int reference() {
     return reference;
   }
 

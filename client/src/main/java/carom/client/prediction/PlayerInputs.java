@@ -2,8 +2,8 @@ package carom.client.prediction;
 
 import carom.net.snapshot.exact.RelayedInputs;
 import carom.sim.SimulationHost;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 import java.util.Arrays;
 
 /**
@@ -34,7 +34,8 @@ final class PlayerInputs {
    * @param player the own one
    * @param ticks to keep; a power of two
    */
-  public PlayerInputs(SimulationHost simulation, HostPlayer player, SnapshotRecords records, int ticks) {
+  public PlayerInputs(
+      SimulationHost simulation, HostPlayer player, SnapshotRecords records, int ticks) {
     this.simulation = simulation;
     this.player = player;
     this.records = records;
@@ -111,7 +112,7 @@ final class PlayerInputs {
     RelayedInputs relayed = records.inputs();
     for (int id = 0; id < simulation.playerCapacity(); id++) {
       HostPlayer other = simulation.player(id);
-      if (other == null || other == player || other.body() == null) {
+      if (other == null || other == player || other.entity() == null) {
         continue;
       }
       if (used[id] == null

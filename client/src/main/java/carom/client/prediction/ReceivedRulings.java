@@ -119,7 +119,7 @@ final class ReceivedRulings implements Rulings {
 
   @Override
   public boolean input(HostPlayer player) {
-    if (player.id() == ownId || s.tick() > newestTick || !isTold(s.tick(), player.body())) {
+    if (player.id() == ownId || s.tick() > newestTick || !isTold(s.tick(), player.entity())) {
       return false;
     }
     apply(Ruling.Moment.INPUT, player);

@@ -113,7 +113,6 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
         if (endA >= 0 && endB >= 0 && (a == null) != (b == null)) {
           Body<HostEntity> body = (a == null ? b : a).body();
           if (body.type() == BodyType.DYNAMIC) {
-            s.mirror().permit("setType");
             body.setType(BodyType.KINEMATIC);
           }
         }

@@ -259,7 +259,7 @@ public final class ReplayClient implements AutoCloseable {
           body.velocityY(),
           body.angularVelocity());
       previous.interpolate(e, fraction, pose);
-      if (p != null && p.body() == e) {
+      if (p != null && p.entity() == e) {
         view.markLastAsOwn();
       }
     }
@@ -349,7 +349,7 @@ public final class ReplayClient implements AutoCloseable {
   public void followNext() {
     SimulationHost s = replay.simulation();
     for (int id = followed + 1; id < s.playerCapacity(); id++) {
-      if (s.player(id) != null && s.player(id).body() != null) {
+      if (s.player(id) != null && s.player(id).entity() != null) {
         followed = id;
         return;
       }

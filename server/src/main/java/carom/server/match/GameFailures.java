@@ -3,7 +3,7 @@ package carom.server.match;
 import carom.game.GuardedGame;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.sim.SimulationHost;
+import carom.sim.Simulation;
 import carom.sim.finding.Findings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -51,7 +51,7 @@ public final class GameFailures implements GuardedGame.FailureListener {
   }
 
   @Override
-  public void failed(String callback, SimulationHost s, Throwable failure) {
+  public void failed(String callback, Simulation s, Throwable failure) {
     counters.add(Counter.GAME_FAILURES, 1);
     failedThisTick = true;
     long total = counters.get(Counter.GAME_FAILURES);

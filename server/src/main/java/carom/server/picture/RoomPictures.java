@@ -215,9 +215,9 @@ public final class RoomPictures {
     int[] pairs = new int[2 * bySeat.length];
     int at = 0;
     for (Session session : bySeat) {
-      if (session != null && session.player().body() != null) {
+      if (session != null && session.player().entity() != null) {
         pairs[at++] = session.player().id();
-        pairs[at++] = session.player().body().body().index();
+        pairs[at++] = session.player().entity().body().index();
       }
     }
     return Arrays.copyOf(pairs, at);

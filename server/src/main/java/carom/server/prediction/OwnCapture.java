@@ -61,7 +61,7 @@ public final class OwnCapture {
     for (int i = 0; i < out.words(); i++) {
       out.setWord(i, fields.word(i));
     }
-    HostEntity entity = player.body();
+    HostEntity entity = player.entity();
     if (entity == null) {
       out.clearBody();
       return;
@@ -83,10 +83,10 @@ public final class OwnCapture {
   /** Returns whether an entity carries an area that may act on a player's body. */
   public boolean isInArea(HostPlayer player) {
     AreaForces<HostEntity> areas = simulation.areas();
-    for (int i = 0; player.body() != null && i < areas.carriers(); i++) {
+    for (int i = 0; player.entity() != null && i < areas.carriers(); i++) {
       areas.reach(i, box);
       box.grow(1);
-      if (box.contains(player.body().body().centerX(), player.body().body().centerY())) {
+      if (box.contains(player.entity().body().centerX(), player.entity().body().centerY())) {
         return true;
       }
     }

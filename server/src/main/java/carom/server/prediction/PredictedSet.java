@@ -92,7 +92,7 @@ public final class PredictedSet {
     if (update.endIfArrived()) {
       limits.arrived();
     }
-    if (player.body() == null) {
+    if (player.entity() == null) {
       captureNothing(out);
       return;
     }
@@ -175,7 +175,8 @@ public final class PredictedSet {
     if (!disagreed && !interfered && update.members().isOf(chooser.chosen())) {
       return;
     }
-    boolean isOtherBody = !update.isKnown(EntityList.key(player.body())); // the client begins anew
+    boolean isOtherBody =
+        !update.isKnown(EntityList.key(player.entity())); // the client begins anew
     update.begin(chooser.chosen(), disagreed || mustTellAll || isOtherBody);
     mustTellAll = false;
     if (disagreed) {
@@ -236,7 +237,7 @@ public final class PredictedSet {
   private void relayInputs(HostPlayer player, OwnState out) {
     out.relayed().clear();
     for (int i = 0; i < chooser.chosen().count(); i++) {
-      HostPlayer owner = simulation.owner(chooser.chosen().get(i));
+      HostPlayer owner = chooser.chosen().get(i).owner();
       relayChooser.offer(owner, player, capturedTick, simulation.tick(), out.relayed());
     }
   }

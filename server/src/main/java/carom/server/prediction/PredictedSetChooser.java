@@ -125,7 +125,7 @@ final class PredictedSetChooser {
     chosen.clear();
     limit = most;
     choosesOwn = true;
-    addIfFit(player.body());
+    addIfFit(player.entity());
     choosesOwn = false;
     spreadsOwn = true;
     spreadContacts(0);
@@ -134,7 +134,7 @@ final class PredictedSetChooser {
       addWithContacts(player.spawned(i));
     }
     limit = Math.min(most, Math.max(chosen.count(), MOST_CLOSE));
-    addClose(player.body().body(), all ? ALL_METRES : NEAR_METRES);
+    addClose(player.entity().body(), all ? ALL_METRES : NEAR_METRES);
     int oldest = Math.max(0, player.spawnedCount() - FOLLOWED);
     for (int i = player.spawnedCount() - 1; i >= oldest; i--) {
       addClose(player.spawned(i).body(), NEAR_METRES);

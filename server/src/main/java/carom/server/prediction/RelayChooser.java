@@ -42,7 +42,7 @@ final class RelayChooser {
     if (owner == null || owner == to || out.size() >= OwnState.MAX_RELAYED) {
       return;
     }
-    if (owner.body() != null && !mayKnow.test(owner.body())) {
+    if (owner.entity() != null && !mayKnow.test(owner.entity())) {
       return;
     }
     grow(owner.id());

@@ -77,7 +77,7 @@ final class FieldAudience implements RowAudience {
   }
 
   private boolean seesBody(HostPlayer other) {
-    HostEntity body = other == null ? null : other.body();
+    HostEntity body = other == null ? null : other.entity();
     return body != null && (encoder.inSight(body.id() >> 6) >>> body.id() & 1) != 0;
   }
 
@@ -117,7 +117,7 @@ final class FieldAudience implements RowAudience {
     if (entity == null) {
       return NOBODY;
     }
-    HostPlayer owner = simulation.owner(entity);
+    HostPlayer owner = entity.owner();
     boolean team = owner != null && owner.team() == player.team();
     return FieldTables.audience(true, sawAll || team, sawAll || owner == player);
   }

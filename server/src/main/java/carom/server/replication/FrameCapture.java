@@ -155,11 +155,11 @@ public final class FrameCapture {
 
   /** Returns whose an entity is, as frames have it. */
   private int ownership(HostEntity entity) {
-    HostPlayer owner = simulation.owner(entity);
+    HostPlayer owner = entity.owner();
     if (owner == null) {
       return entity.ownerId();
     }
-    return owner.body() == entity ? owner.id() : owner.id() | Ownership.NOT_BODY;
+    return owner.entity() == entity ? owner.id() : owner.id() | Ownership.NOT_BODY;
   }
 
   private void putAudiences(FrameState frame) {
@@ -168,7 +168,7 @@ public final class FrameCapture {
       HostEntity entity = simulation.entity(ids[i]);
       Audience audience = game.audience(simulation, entity.root());
       if (audience != Audience.NEAR) {
-        HostPlayer owner = simulation.owner(entity);
+        HostPlayer owner = entity.owner();
         int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;
         teamSecrets |= audience == Audience.TEAM;
         frame.setAudience(ids[i], recipients(audience, team));

@@ -265,8 +265,8 @@ public final class SessionReplication {
   /** Finds out whether anything that is not static touched or reached the body in the last step. */
   private void lookForTouch() {
     touched = capture.isInArea(player);
-    if (player.body() != null) {
-      player.body().body().forEachContact(touchVisitor);
+    if (player.entity() != null) {
+      player.entity().body().forEachContact(touchVisitor);
     }
   }
 

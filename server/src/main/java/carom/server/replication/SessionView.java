@@ -156,7 +156,7 @@ final class SessionView implements Interest {
     follow(frame);
     touchedCount = 0;
     if (ownSlot >= 0) {
-      player.body().body().forEachContact(touch);
+      player.entity().body().forEachContact(touch);
     }
     if (player.team() != team || everyone != sawAll) {
       team = player.team();
@@ -178,7 +178,7 @@ final class SessionView implements Interest {
 
   /** Moves to where the player is, which is all that {@link #hears} needs. */
   void follow(FrameState frame) {
-    HostEntity own = player.body();
+    HostEntity own = player.entity();
     ownSlot = own == null ? -1 : own.id();
     HostEntity middle = own == null ? followedBody() : own;
     if (middle != null) {
@@ -196,7 +196,7 @@ final class SessionView implements Interest {
   private HostEntity followedBody() {
     SimulationHost s = index.simulation();
     HostPlayer other = followed < 0 ? null : s.player(followed);
-    HostEntity body = other == null ? null : other.body();
+    HostEntity body = other == null ? null : other.entity();
     return body != null && s.game().mayFollow(s, player, other) ? body : null;
   }
 
@@ -254,7 +254,7 @@ final class SessionView implements Interest {
 
   private int bodyOf(int id) {
     HostPlayer other = id < 0 ? null : index.simulation().player(id);
-    HostEntity body = other == null ? null : other.body();
+    HostEntity body = other == null ? null : other.entity();
     return body == null ? EventRecord.NONE : Neighbourhood.key(body.id(), body.generation());
   }
 
@@ -305,7 +305,7 @@ final class SessionView implements Interest {
   }
 
   private boolean isOwn(int slot) {
-    return player.body() != null && player.body().id() == slot;
+    return player.entity() != null && player.entity().id() == slot;
   }
 
   private boolean seesAll() {

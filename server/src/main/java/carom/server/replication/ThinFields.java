@@ -110,13 +110,13 @@ final class ThinFields {
     if (all || other == player) {
       return NEAR | TEAM | OWNER;
     }
-    HostEntity body = other.body();
+    HostEntity body = other.entity();
     return (body != null && sees.test(body.id()) ? NEAR : 0)
         | (other.team() == player.team() ? TEAM : 0);
   }
 
   private int ofEntity(HostEntity entity, boolean all) {
-    HostPlayer owner = simulation.owner(entity);
+    HostPlayer owner = entity.owner();
     boolean team = owner != null && owner.team() == player.team();
     return NEAR | (all || team ? TEAM : 0) | (all || owner == player ? OWNER : 0);
   }

@@ -373,7 +373,8 @@ final class MatchChange implements RoomCourse {
   }
 
   /** Lets a participant into the next match; spectators go on watching. */
-  private static HostPlayer enter(SimulationHost next, HostPlayer before, NextMatch wanted, boolean brings) {
+  private static HostPlayer enter(
+      SimulationHost next, HostPlayer before, NextMatch wanted, boolean brings) {
     HostPlayer saved = next.participant(before.id());
     if (saved != null) {
       return saved;

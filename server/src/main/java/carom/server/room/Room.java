@@ -488,7 +488,7 @@ public final class Room {
    * @throws IllegalStateException when the game doesn't look back
    */
   public Queries<HostEntity> asSeenBy(Session session) {
-    return simulation().asSeenBy(session.player());
+    return simulation().pastQueries(session.player());
   }
 
   /** Returns the session on a seat, or null. */

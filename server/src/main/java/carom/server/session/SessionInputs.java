@@ -8,8 +8,8 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.replication.SessionReplication;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 
 /**
  * The way of one player's inputs from datagrams to ticks, and the feedback on it that snapshots

@@ -9,16 +9,16 @@ import static carom.game.arena.ArenaFields.JOLTS;
 import static carom.game.arena.ArenaFields.JOLT_HELD;
 import static carom.game.arena.ArenaFields.JOLT_WAIT;
 
-import carom.physics.Body;
-import carom.physics.Collision;
 import carom.physics.WorldDef;
 import carom.physics.math.Trig;
 import carom.sim.Game;
-import carom.sim.Role;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Contact;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
@@ -143,15 +143,17 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     pitch = new Pitch(s);
     discs = new Discs(pitch);
     goals = new Goals(pitch, discs);
-    balls = new Balls(s, pitch, goals);
+    balls = new Balls(pitch, goals);
     jolts = new Jolts(pitch);
-    if (s.role() == Role.AUTHORITY) {
-      goals.setLamps(s);
-    }
+  }
+
+  @Override
+  public void begin(Match m) {
+    goals.setLamps(m);
   }
 
   @Override
@@ -170,19 +172,19 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
-    p.team(s.teamSize(1) <= s.teamSize(2) ? 1 : 2);
-    discs.give(s, p);
+  public void join(Match m, Player p) {
+    m.team(p, m.teamSize(1) <= m.teamSize(2) ? 1 : 2);
+    discs.give(m, p);
   }
 
   @Override
-  public void teamChanged(SimulationHost s, HostPlayer p) {
-    discs.changeTeam(s, p);
+  public void teamChanged(Match m, Player p) {
+    discs.changeTeam(m, p);
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
-    Body<HostEntity> body = p.body().body();
+  public void input(Simulation s, Player p, Input in) {
+    Entity body = p.entity();
     float x = in.moveX();
     float y = in.moveY();
     float length = (float) Math.sqrt(x * x + y * y);
@@ -193,7 +195,7 @@ public final class ArenaGame implements Game {
     boolean jolts = in.held(Input.SECOND) && !p.get(JOLT_HELD) && p.get(JOLT_WAIT) == 0;
     if (jolts) {
       p.set(JOLT_WAIT, s.ticks(JOLT_COOLDOWN));
-      s.emit(pitch.jolt).at(body.x(), body.y()).of(p.body()).by(p);
+      s.emit(pitch.jolt).at(body.x(), body.y()).of(p.entity()).by(p);
     }
     boolean dashes = in.held(Input.ACTION) && !p.get(DASH_HELD) && p.get(DASH_WAIT) == 0;
     if (dashes) {
@@ -203,7 +205,7 @@ public final class ArenaGame implements Game {
       float scale = Math.min(1, length);
       p.set(DASH_X, steered ? x / scale : Trig.cos(in.aim()));
       p.set(DASH_Y, steered ? y / scale : Trig.sin(in.aim()));
-      s.emit(pitch.dash).at(body.x(), body.y()).of(p.body()).by(p);
+      s.emit(pitch.dash).at(body.x(), body.y()).of(p.entity()).by(p);
     }
     p.set(JOLTS, jolts);
     p.set(JOLT_HELD, in.held(Input.SECOND));
@@ -211,15 +213,15 @@ public final class ArenaGame implements Game {
     if (p.get(DASH) > 0) {
       float dashX = p.get(DASH_X) * DASH_SPEED;
       float dashY = p.get(DASH_Y) * DASH_SPEED;
-      body.seekVelocity(dashX, dashY, DASH_STEER * body.mass());
+      body.seekVelocity(dashX, dashY, DASH_STEER);
     } else {
-      body.seekVelocity(x * SPEED, y * SPEED, STEER * body.mass());
+      body.seekVelocity(x * SPEED, y * SPEED, STEER);
     }
     face(body, x, y, length);
   }
 
   /** Turns a disc towards its movement. This is for the eye only: discs don't roll. */
-  private static void face(Body<HostEntity> body, float x, float y, float length) {
+  private static void face(Entity body, float x, float y, float length) {
     if (length < 0.1f) {
       body.setAngularVelocity(0);
       return;
@@ -231,9 +233,9 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public void hit(SimulationHost s, Collision<HostEntity> c) {
-    HostEntity a = c.self().user();
-    HostEntity b = c.other().user();
+  public void hit(Simulation s, Contact c) {
+    Entity a = c.self();
+    Entity b = c.other();
     if (c.hitSpeed() < MIN_HIT_SPEED || !(isHeard(a) || isHeard(b))) {
       return;
     }
@@ -244,38 +246,37 @@ public final class ArenaGame implements Game {
    * Returns whether hits of an entity emit events: those of balls and discs do, those among crates
    * don't.
    */
-  private boolean isHeard(HostEntity e) {
-    return e.archetype() == pitch.ball || e.ownerId() != HostEntity.NO_OWNER;
+  private boolean isHeard(Entity e) {
+    return e.archetype() == pitch.ball || e.isOwned();
   }
 
   @Override
-  public Audience audience(SimulationHost s, HostEntity e) {
+  public Audience audience(Match m, Entity e) {
     return e.archetype() == pitch.ball ? Audience.ALL : Audience.NEAR; // all know where to run
   }
 
   @Override
-  public void beforeStep(SimulationHost s) {
-    if (!isOver(s)) {
-      balls.kickOffMissing(s);
+  public void beforeStep(Match m) {
+    if (!isOver(m)) {
+      balls.kickOffMissing(m);
     }
   }
 
   /** Returns whether a match is over and the next one hasn't begun. */
-  static boolean isOver(SimulationHost s) {
-    return MatchClock.phase(s) == MatchPhase.OVER;
+  static boolean isOver(Match m) {
+    return MatchClock.phase(m) == MatchPhase.OVER;
   }
 
   @Override
-  public void afterStep(SimulationHost s) {
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p != null && p.body() != null && p.get(JOLTS)) {
-        jolts.give(s, p);
+  public void afterStep(Match m) {
+    for (Player p : m.players()) {
+      if (p.isAlive() && p.get(JOLTS)) {
+        jolts.give(m, p);
       }
     }
-    Jolts.fadeSparks(s);
-    balls.follow(s);
-    discs.bringBack(s);
+    Jolts.fadeSparks(m);
+    balls.follow(m);
+    discs.bringBack(m);
   }
 
   @Override
@@ -284,14 +285,14 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public void phase(SimulationHost s, MatchPhase now) {
+  public void phase(Match m, MatchPhase now) {
     if (now == MatchPhase.PLAYING) {
-      goals.clear(s);
-      Balls.removeAll(s);
-      Balls.clearWaits(s);
+      goals.clear(m);
+      Balls.removeAll(m);
+      Balls.clearWaits(m);
     } else if (now == MatchPhase.OVER) {
-      goals.decide(s);
-      Balls.removeAll(s);
+      goals.decide(m);
+      Balls.removeAll(m);
     }
   }
 }

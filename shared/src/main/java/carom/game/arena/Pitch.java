@@ -3,7 +3,7 @@ package carom.game.arena;
 import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.SimulationHost;
+import carom.sim.SetUp;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.level.Appearance;
@@ -48,51 +48,47 @@ final class Pitch {
   final List<Level.Spawn> kickOffs;
 
   /** Declares the kinds, and finds the zones of the level. */
-  Pitch(SimulationHost s) {
+  Pitch(SetUp s) {
     Material skin = new Material(1, 0.3f, 0.4f);
     for (int team = 1; team <= TEAMS; team++) {
       discs[team] =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("player." + TEAM_NAMES[team])
-                      .shape(new Circle(Discs.RADIUS), skin)
-                      .fixedRotation(true)
-                      .tag(team)
-                      .appearance(Appearance.of(TEAM_COLORS[team], Appearance.Look.PLAYER)));
+          s.archetype(
+              new ArchetypeDef("player." + TEAM_NAMES[team])
+                  .shape(new Circle(Discs.RADIUS), skin)
+                  .fixedRotation(true)
+                  .tag(team)
+                  .appearance(Appearance.of(TEAM_COLORS[team], Appearance.Look.PLAYER)));
     }
     for (int team = 0; team <= TEAMS; team++) {
       lamps[team] =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("lamp." + TEAM_NAMES[team])
-                      .type(BodyType.STATIC)
-                      .shape(new Circle(0.3f), skin)
-                      .sensor(true)
-                      .appearance(
-                          Appearance.of(
-                              team == 0 ? 0x1d2733 : TEAM_COLORS[team], Appearance.Look.LAMP)));
+          s.archetype(
+              new ArchetypeDef("lamp." + TEAM_NAMES[team])
+                  .type(BodyType.STATIC)
+                  .shape(new Circle(0.3f), skin)
+                  .sensor(true)
+                  .appearance(
+                      Appearance.of(
+                          team == 0 ? 0x1d2733 : TEAM_COLORS[team], Appearance.Look.LAMP)));
     }
     ball =
-        s.archetypes()
-            .add(
-                new ArchetypeDef("ball")
-                    .shape(new Circle(Balls.RADIUS), new Material(0.35f, 0.3f, 0.7f))
-                    .linearDamping(0.45f)
-                    .angularDamping(0.8f)
-                    .appearance(Appearance.of(0xffe08a, Appearance.Look.BALL)));
+        s.archetype(
+            new ArchetypeDef("ball")
+                .shape(new Circle(Balls.RADIUS), new Material(0.35f, 0.3f, 0.7f))
+                .linearDamping(0.45f)
+                .angularDamping(0.8f)
+                .appearance(Appearance.of(0xffe08a, Appearance.Look.BALL)));
     spark =
-        s.archetypes()
-            .add(
-                new ArchetypeDef("spark")
-                    .type(BodyType.STATIC)
-                    .shape(new Circle(0.25f), skin)
-                    .sensor(true)
-                    .appearance(Appearance.of(0xfff6c8, Appearance.Look.LAMP)));
-    hit = s.eventKinds().add("hit", 0xffffff, 0, "", Sound.KNOCK, LOUD_HIT); // sparks show it
-    dash = s.eventKinds().add("dash", 0x9ad1ff, 1.2f, "", Sound.WHOOSH, 0);
-    jolt = s.eventKinds().add("jolt", 0xfff6c8, 1.5f, "", Sound.ZAP, 0);
-    joltHit = s.eventKinds().add("jolt hit", 0xfff6c8, 2, "", Sound.KNOCK, ArenaGame.JOLT_IMPULSE);
-    goal = s.eventKinds().add("goal", 0xffe08a, 6, "GOAL", Sound.FANFARE, 0);
+        s.archetype(
+            new ArchetypeDef("spark")
+                .type(BodyType.STATIC)
+                .shape(new Circle(0.25f), skin)
+                .sensor(true)
+                .appearance(Appearance.of(0xfff6c8, Appearance.Look.LAMP)));
+    hit = s.event("hit", 0xffffff, 0, "", Sound.KNOCK, LOUD_HIT); // sparks show it
+    dash = s.event("dash", 0x9ad1ff, 1.2f, "", Sound.WHOOSH, 0);
+    jolt = s.event("jolt", 0xfff6c8, 1.5f, "", Sound.ZAP, 0);
+    joltHit = s.event("jolt hit", 0xfff6c8, 2, "", Sound.KNOCK, ArenaGame.JOLT_IMPULSE);
+    goal = s.event("goal", 0xffe08a, 6, "GOAL", Sound.FANFARE, 0);
     goals = s.level().zones("goal");
     kickOffs = s.level().spawns("ball");
     for (Level.Zone home : s.level().zones("home")) {
@@ -105,7 +101,7 @@ final class Pitch {
     require(s, homes[1] != null && homes[2] != null, "zones named \"home\" of teams 1 and 2");
   }
 
-  private static void require(SimulationHost s, boolean met, String what) {
+  private static void require(SetUp s, boolean met, String what) {
     if (!met) {
       throw new IllegalArgumentException(
           "level \"" + s.level().name() + "\" can't be played as arena: it needs " + what);

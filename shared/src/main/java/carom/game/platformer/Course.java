@@ -1,12 +1,11 @@
 package carom.game.platformer;
 
-import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.SetUp;
+import carom.sim.entity.Entity;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.level.Appearance;
@@ -47,39 +46,35 @@ final class Course {
    *
    * @throws IllegalArgumentException if the level lacks a place, or has too many coins
    */
-  Course(SimulationHost s) {
+  Course(SetUp s) {
     // No friction: walls must not hold a jumper, and steering brakes better than friction.
     Material skin = new Material(1.2f, 0, 0);
     for (int i = 0; i < COLORS.length; i++) {
       players[i] =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("player." + i)
-                      .shape(figure(), skin)
-                      .fixedRotation(true)
-                      .appearance(Appearance.of(COLORS[i], Appearance.Look.PLAYER)));
+          s.archetype(
+              new ArchetypeDef("player." + i)
+                  .shape(figure(), skin)
+                  .fixedRotation(true)
+                  .appearance(Appearance.of(COLORS[i], Appearance.Look.PLAYER)));
     }
     coin =
-        s.archetypes()
-            .add(
-                new ArchetypeDef("coin")
-                    .type(BodyType.STATIC)
-                    .sensor(true)
-                    .shape(new Circle(0.3f), skin)
-                    .appearance(Appearance.of(0xffd166, Appearance.Look.COIN)));
+        s.archetype(
+            new ArchetypeDef("coin")
+                .type(BodyType.STATIC)
+                .sensor(true)
+                .shape(new Circle(0.3f), skin)
+                .appearance(Appearance.of(0xffd166, Appearance.Look.COIN)));
     flag =
-        s.archetypes()
-            .add(
-                new ArchetypeDef("flag")
-                    .type(BodyType.STATIC)
-                    .sensor(true)
-                    .shape(Polygon.of(-0.4f, -0.7f, -0.25f, -0.7f, 0.7f, 0.35f, -0.4f, 0.8f), skin)
-                    .appearance(Appearance.of(0xff4d6d, Appearance.Look.PLAIN)));
-    jumpEvent = s.eventKinds().add("jump", 0xffffff, 0.6f, "", Sound.HOP, 0);
-    coinEvent = s.eventKinds().add("coin", 0xffd166, 0.8f, "+1", Sound.CHIME, 0);
-    flagEvent =
-        s.eventKinds().add("flag", 0xff4d6d, 3, "+" + PlatformerGame.FLAG_POINTS, Sound.FANFARE, 0);
-    fallEvent = s.eventKinds().add("fall", 0xef476f, 2, "", Sound.DROP, 0);
+        s.archetype(
+            new ArchetypeDef("flag")
+                .type(BodyType.STATIC)
+                .sensor(true)
+                .shape(Polygon.of(-0.4f, -0.7f, -0.25f, -0.7f, 0.7f, 0.35f, -0.4f, 0.8f), skin)
+                .appearance(Appearance.of(0xff4d6d, Appearance.Look.PLAIN)));
+    jumpEvent = s.event("jump", 0xffffff, 0.6f, "", Sound.HOP, 0);
+    coinEvent = s.event("coin", 0xffd166, 0.8f, "+1", Sound.CHIME, 0);
+    flagEvent = s.event("flag", 0xff4d6d, 3, "+" + PlatformerGame.FLAG_POINTS, Sound.FANFARE, 0);
+    fallEvent = s.event("fall", 0xef476f, 2, "", Sound.DROP, 0);
     coins = s.level().spawns("coin");
     flags = s.level().spawns("flag");
     places = s.level().spawns("player");
@@ -154,7 +149,7 @@ final class Course {
    * Returns whether a body has left the bounds for good: to a side, or downwards. What leaves by
    * the upper edge comes back by gravity.
    */
-  boolean isLost(Body<HostEntity> body) {
+  boolean isLost(Entity body) {
     return body.x() < bounds.minX() || body.x() > bounds.maxX() || body.y() < bounds.minY();
   }
 }

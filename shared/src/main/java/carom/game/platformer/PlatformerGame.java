@@ -1,13 +1,14 @@
 package carom.game.platformer;
 
-import carom.physics.Collision;
 import carom.physics.WorldDef;
 import carom.sim.Game;
-import carom.sim.Role;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Contact;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
 import carom.sim.match.MatchClock;
@@ -39,7 +40,6 @@ import java.util.List;
  *     PlatformerFields   the state that is saved, hashed and sent
  *     Course             kinds of entities and events, the level's places
  *     Runners            running, jumping, dropping through platforms
- *       Ground           what a player stands on
  *     Treasure           coins and the flag
  *     Respawns           players who join, fall and come back; crates that fall
  * </pre>
@@ -111,64 +111,67 @@ public final class PlatformerGame implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     course = new Course(s);
     runners = new Runners(course);
     treasure = new Treasure(course);
     respawns = new Respawns(course);
-    if (s.role() == Role.AUTHORITY) {
-      treasure.begin(s);
-    }
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
-    respawns.join(s, p);
+  public void begin(Match m) {
+    treasure.begin(m);
   }
 
   @Override
-  public void beforeStep(SimulationHost s) {
-    treasure.bringBack(s);
-    respawns.bringBack(s);
+  public void join(Match m, Player p) {
+    respawns.join(m, p);
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
+  public void beforeStep(Match m) {
+    treasure.bringBack(m);
+    respawns.bringBack(m);
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
     runners.move(s, p, in);
   }
 
   @Override
-  public boolean collision(SimulationHost s, Collision<HostEntity> c) {
-    HostEntity self = c.self().user();
-    HostEntity other = c.other().user();
-    boolean drops = runners.drops(s, self, other) || runners.drops(s, other, self);
-    return !drops && ONE_WAY.preSolve(c);
+  public boolean collision(Simulation s, Contact c) {
+    Entity self = c.self();
+    Entity other = c.other();
+    boolean drops = Runners.drops(self, other) || Runners.drops(other, self);
+    return !drops && c.holdsOneWay();
   }
 
   @Override
-  public void entered(SimulationHost s, HostEntity sensor, HostEntity visitor) {
-    HostPlayer p = s.owner(visitor);
-    if (p == null || p.body() != visitor || !MatchClock.isPlaying(s)) {
+  public void entered(Match m, Entity sensor, Entity visitor) {
+    Player p = visitor.owner();
+    if (p == null || p.entity() != visitor || !MatchClock.isPlaying(m)) {
       return;
     }
-    p.score(p.score() + treasure.collect(s, p, sensor));
-    if (p.score() >= POINTS_TO_WIN) {
-      CLOCK.finish(s, p);
+    m.addScore(p, treasure.collect(m, p, sensor));
+    if (m.score(p) >= POINTS_TO_WIN) {
+      CLOCK.finish(m, p);
     }
   }
 
   @Override
-  public void afterStep(SimulationHost s) {
-    respawns.loseFallen(s);
-    respawns.returnCrates(s);
+  public void afterStep(Match m) {
+    respawns.loseFallen(m);
+    respawns.returnCrates(m);
   }
 
   @Override
-  public void phase(SimulationHost s, MatchPhase now) {
+  public void phase(Match m, MatchPhase now) {
     if (now == MatchPhase.OVER) {
-      HostPlayer best = s.leader();
-      CLOCK.decide(s, best, 0);
-      s.notice(best == null ? "A draw!" : best.name() + " wins with " + best.score() + " points!");
+      Player best = m.leader();
+      CLOCK.decide(m, best, 0);
+      m.notice(
+          best == null ? "A draw!" : m.name(best) + " wins with " + m.score(best) + " points!");
     }
   }
 }

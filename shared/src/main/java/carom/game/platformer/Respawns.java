@@ -3,11 +3,9 @@ package carom.game.platformer;
 import static carom.game.platformer.PlatformerFields.RESPAWN;
 import static carom.game.platformer.PlatformerFields.RESPAWN_PLACE;
 
-import carom.physics.Body;
-import carom.physics.BodyType;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
-import carom.sim.entity.HostPlayer;
+import carom.sim.Match;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 
 /** Players who join, fall and come back, and crates that fall; the server's. */
@@ -21,43 +19,41 @@ final class Respawns {
   }
 
   /** Gives a player who joins a body. */
-  void join(SimulationHost s, HostPlayer p) {
-    giveBody(s, p, p.id() % course.places.size());
+  void join(Match m, Player p) {
+    giveBody(m, p, p.id() % course.places.size());
   }
 
   /** Gives players who have waited long enough a body. */
-  void bringBack(SimulationHost s) {
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p != null && p.body() == null && p.get(RESPAWN) == 0) {
-        giveBody(s, p, p.get(RESPAWN_PLACE));
+  void bringBack(Match m) {
+    for (Player p : m.players()) {
+      if (!p.isAlive() && p.get(RESPAWN) == 0) {
+        giveBody(m, p, p.get(RESPAWN_PLACE));
       }
     }
   }
 
   /** Takes players who have fallen out of the game for a while. */
-  void loseFallen(SimulationHost s) {
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p == null || p.body() == null || !course.isLost(p.body().body())) {
+  void loseFallen(Match m) {
+    for (Player p : m.players()) {
+      if (!p.isAlive() || !course.isLost(p.entity())) {
         continue;
       }
-      Body<HostEntity> body = p.body().body();
+      Entity body = p.entity();
       int place = course.nearestPlace(body.x(), body.y());
-      s.emit(course.fallEvent).at(body.x(), body.y()).by(p);
-      s.despawn(p.body());
-      p.set(RESPAWN, s.ticks(RESPAWN_SECONDS));
+      m.emit(course.fallEvent).at(body.x(), body.y()).by(p);
+      p.entity().despawn();
+      p.set(RESPAWN, m.ticks(RESPAWN_SECONDS));
       p.set(RESPAWN_PLACE, place);
     }
   }
 
   /** Puts bodies of the level that have fallen out back home. */
-  void returnCrates(SimulationHost s) {
-    for (int id = 0; id < s.level().bodies().size(); id++) {
-      Body<HostEntity> body = s.entity(id).body();
-      if (body.type() == BodyType.DYNAMIC && course.isLost(body)) {
-        Level.Placement home = s.level().bodies().get(id);
-        s.entity(id).teleport(home.x(), home.y(), home.angle());
+  void returnCrates(Match m) {
+    for (int id = 0; id < m.level().bodies().size(); id++) {
+      Entity body = m.entity(id);
+      if (body.isDynamic() && course.isLost(body)) {
+        Level.Placement home = m.level().bodies().get(id);
+        body.teleport(home.x(), home.y(), home.angle());
         body.setVelocity(0, 0);
         body.setAngularVelocity(0);
       }
@@ -65,23 +61,21 @@ final class Respawns {
   }
 
   /** Gives a player a body at a spawn, above any player who stands there already. */
-  private void giveBody(SimulationHost s, HostPlayer p, int place) {
+  private void giveBody(Match m, Player p, int place) {
     Level.Spawn spot = course.places.get(place);
     p.resetFields();
     float y = spot.y();
-    for (int i = 0; i < 5 && !isFree(s, spot.x(), y); i++) {
+    for (int i = 0; i < 5 && !isFree(m, spot.x(), y); i++) {
       y += PlatformerGame.PLAYER_HEIGHT + 0.1f;
     }
-    s.spawn(course.player(p.id()), spot.x(), y, 0, p);
+    m.spawn(course.player(p.id()), spot.x(), y, 0, p);
   }
 
-  private static boolean isFree(SimulationHost s, float x, float y) {
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p != null
-          && p.body() != null
-          && Math.abs(p.body().body().x() - x) < PlatformerGame.PLAYER_WIDTH
-          && Math.abs(p.body().body().y() - y) < PlatformerGame.PLAYER_HEIGHT) {
+  private static boolean isFree(Match m, float x, float y) {
+    for (Player p : m.players()) {
+      if (p.isAlive()
+          && Math.abs(p.entity().x() - x) < PlatformerGame.PLAYER_WIDTH
+          && Math.abs(p.entity().y() - y) < PlatformerGame.PLAYER_HEIGHT) {
         return false;
       }
     }

@@ -6,11 +6,11 @@ import static carom.game.platformer.PlatformerFields.JUMPING;
 import static carom.game.platformer.PlatformerFields.JUMP_HELD;
 import static carom.game.platformer.PlatformerFields.WANTS_JUMP;
 
-import carom.physics.Body;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Ground;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 
 /** Running, jumping and dropping through platforms; both roles. */
 final class Runners {
@@ -26,23 +26,23 @@ final class Runners {
   private static final float DROP_SECONDS = 0.2f;
 
   private final Course course;
-  private final Ground ground = new Ground();
 
   Runners(Course course) {
     this.course = course;
   }
 
   /** Moves a player as it commands. */
-  void move(SimulationHost s, HostPlayer p, Input in) {
-    Body<HostEntity> body = p.body().body();
-    ground.find(body);
+  void move(Simulation s, Player p, Input in) {
+    Entity body = p.entity();
+    Ground ground = body.ground();
     boolean rises = p.get(JUMPING) && body.velocityY() > ground.velocityY();
-    boolean grounded = ground.bears() && !rises;
-    jump(s, p, in, grounded, rises);
-    run(body, in, grounded);
+    boolean grounded = ground.isThere() && !rises;
+    jump(s, p, in, ground, grounded, rises);
+    run(body, in, ground, grounded);
   }
 
-  private void jump(SimulationHost s, HostPlayer p, Input in, boolean grounded, boolean rises) {
+  private void jump(
+      Simulation s, Player p, Input in, Ground ground, boolean grounded, boolean rises) {
     boolean held = in.held(Input.JUMP);
     boolean jumping = rises;
     if (grounded) {
@@ -54,11 +54,11 @@ final class Runners {
       p.set(WANTS_JUMP, s.ticks(BUFFER_SECONDS));
     }
     boolean down = in.held(Input.DOWN) || in.moveY() < -0.6f;
-    if (down && grounded && ground.isOneWay()) {
+    if (down && grounded && ground.entity().archetype().oneWay()) {
       p.set(DROPS, s.ticks(DROP_SECONDS));
       p.set(CAN_JUMP, 0);
     }
-    Body<HostEntity> body = p.body().body();
+    Entity body = p.entity();
     if (p.get(WANTS_JUMP) > 0 && p.get(CAN_JUMP) > 0) {
       p.set(WANTS_JUMP, 0);
       p.set(CAN_JUMP, 0);
@@ -66,7 +66,7 @@ final class Runners {
       body.setVelocity(
           body.velocityX(), PlatformerGame.JUMP_SPEED + Math.max(0, ground.velocityY()));
       float feet = body.y() - PlatformerGame.PLAYER_HEIGHT / 2;
-      s.emit(course.jumpEvent).at(body.x(), feet).of(p.body()).by(p);
+      s.emit(course.jumpEvent).at(body.x(), feet).of(p.entity()).by(p);
     } else if (jumping && !held) {
       body.applyForce(0, -CUT_GRAVITY * body.mass());
     }
@@ -74,7 +74,7 @@ final class Runners {
     p.set(JUMP_HELD, held);
   }
 
-  private void run(Body<HostEntity> body, Input in, boolean grounded) {
+  private static void run(Entity body, Input in, Ground ground, boolean grounded) {
     float steer = grounded ? GROUND_STEER : in.moveX() == 0 ? AIR_DRAG : AIR_STEER;
     float goal = in.moveX() * PlatformerGame.SPEED + ground.velocityX();
     body.applyForce(steer * body.mass() * (goal - body.velocityX()), 0);
@@ -84,11 +84,11 @@ final class Runners {
   }
 
   /** Returns whether an entity is a player that drops through a one-way platform now. */
-  boolean drops(SimulationHost s, HostEntity rider, HostEntity platform) {
+  static boolean drops(Entity rider, Entity platform) {
     if (!platform.archetype().oneWay()) {
       return false;
     }
-    HostPlayer p = s.owner(rider);
-    return p != null && p.body() == rider && p.get(DROPS) > 0;
+    Player p = rider.owner();
+    return p != null && p.entity() == rider && p.get(DROPS) > 0;
   }
 }

@@ -7,9 +7,9 @@ import static carom.game.platformer.PlatformerFields.FLAG_PLACE;
 import static carom.game.platformer.PlatformerFields.FLAG_WAIT;
 import static carom.sim.event.Audience.ALL;
 
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
-import carom.sim.entity.HostPlayer;
+import carom.sim.Match;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 
 /** Coins and the flag: where they are, who gets them, when they come back; the server's. */
@@ -24,67 +24,67 @@ final class Treasure {
   }
 
   /** Puts everything there at the start of a match. */
-  void begin(SimulationHost s) {
+  void begin(Match m) {
     for (int i = 0; i < course.coins.size(); i++) {
-      placeCoin(s, i);
+      placeCoin(m, i);
     }
-    placeFlag(s);
+    placeFlag(m);
   }
 
   /** Brings back what was collected long enough ago. */
-  void bringBack(SimulationHost s) {
+  void bringBack(Match m) {
     for (int i = 0; i < course.coins.size(); i++) {
-      if (s.get(COIN, i) == null && s.get(COIN_WAIT, i) == 0) {
-        placeCoin(s, i);
+      if (m.get(COIN, i) == null && m.get(COIN_WAIT, i) == 0) {
+        placeCoin(m, i);
       }
     }
-    if (s.get(FLAG) == null && s.get(FLAG_WAIT) == 0) {
-      placeFlag(s);
+    if (m.get(FLAG) == null && m.get(FLAG_WAIT) == 0) {
+      placeFlag(m);
     }
   }
 
   /** Gives a player what it has touched; returns its points, 0 if that is worth nothing. */
-  int collect(SimulationHost s, HostPlayer p, HostEntity touched) {
-    float x = touched.body().x();
-    float y = touched.body().y();
+  int collect(Match m, Player p, Entity touched) {
+    float x = touched.x();
+    float y = touched.y();
     if (touched.archetype() == course.coin) {
-      int place = placeOf(s, touched);
-      s.emit(course.coinEvent).at(x, y).of(p.body()).by(p).data(place);
-      s.despawn(touched);
-      s.set(COIN_WAIT, place, s.ticks(COIN_SECONDS));
+      int place = placeOf(m, touched);
+      m.emit(course.coinEvent).at(x, y).of(p.entity()).by(p).data(place);
+      touched.despawn();
+      m.set(COIN_WAIT, place, m.ticks(COIN_SECONDS));
       return 1;
     }
     if (touched.archetype() == course.flag) {
-      s.emit(course.flagEvent).at(x, y).of(p.body()).by(p).to(ALL);
-      s.despawn(touched);
-      s.set(FLAG_WAIT, s.ticks(FLAG_SECONDS));
-      s.notice(p.name() + " got the flag: +" + PlatformerGame.FLAG_POINTS);
+      m.emit(course.flagEvent).at(x, y).of(p.entity()).by(p).to(ALL);
+      touched.despawn();
+      m.set(FLAG_WAIT, m.ticks(FLAG_SECONDS));
+      m.notice(m.name(p) + " got the flag: +" + PlatformerGame.FLAG_POINTS);
       return PlatformerGame.FLAG_POINTS;
     }
     return 0;
   }
 
-  private static int placeOf(SimulationHost s, HostEntity coin) {
+  private static int placeOf(Match m, Entity coin) {
     int place = 0;
-    while (s.get(COIN, place) != coin) {
+    while (m.get(COIN, place) != coin) {
       place++;
     }
     return place;
   }
 
-  private void placeCoin(SimulationHost s, int i) {
+  private void placeCoin(Match m, int i) {
     Level.Spawn spot = course.coins.get(i);
-    s.set(COIN, i, s.spawn(course.coin, spot.x(), spot.y(), 0, null));
+    m.set(COIN, i, m.spawn(course.coin, spot.x(), spot.y(), 0, null));
   }
 
   /** Puts the flag at another place than last time. */
-  private void placeFlag(SimulationHost s) {
+  private void placeFlag(Match m) {
     int places = course.flags.size();
     if (places > 1) {
-      int further = 1 + s.random().nextInt(places - 1);
-      s.set(FLAG_PLACE, (s.get(FLAG_PLACE) + further) % places);
+      int further = 1 + m.random().nextInt(places - 1);
+      m.set(FLAG_PLACE, (m.get(FLAG_PLACE) + further) % places);
     }
-    Level.Spawn spot = course.flags.get(s.get(FLAG_PLACE));
-    s.set(FLAG, s.spawn(course.flag, spot.x(), spot.y(), 0, null));
+    Level.Spawn spot = course.flags.get(m.get(FLAG_PLACE));
+    m.set(FLAG, m.spawn(course.flag, spot.x(), spot.y(), 0, null));
   }
 }

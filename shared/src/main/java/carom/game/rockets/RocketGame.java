@@ -4,19 +4,18 @@ import static carom.sim.event.Audience.ALL;
 import static carom.sim.event.Audience.NOBODY;
 import static carom.sim.field.Scope.ENTITY;
 
-import carom.physics.Body;
-import carom.physics.BodyContactVisitor;
-import carom.physics.BodyType;
-import carom.physics.BodyVisitor;
-import carom.physics.Collision;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.sim.Game;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Contact;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityContactVisitor;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.field.Cooldown;
@@ -31,8 +30,8 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
-import carom.sim.spawn.Origin;
 import java.util.List;
+import java.util.function.Predicate;
 
 /**
  * Players shoot rockets at each other, seen from above, and watch others while they are out. The
@@ -86,15 +85,15 @@ public final class RocketGame implements Game {
 
   private final String name;
   private final float reloadSeconds;
-  private final BodyContactVisitor<HostEntity> touch = this::touch;
-  private final BodyVisitor<HostEntity> push = this::push;
+  private final EntityContactVisitor touch = this::touch;
+  private final Predicate<Entity> push = this::push;
   private Archetype player;
   private Archetype rocket;
   private EventKind shot;
   private EventKind boom;
-  private int ownerOfTouching;
+  private Entity touching;
   private boolean touches;
-  private Body<HostEntity> blast;
+  private Entity blast;
 
   /** Creates the game, for the service loader. */
   public RocketGame() {
@@ -143,23 +142,21 @@ public final class RocketGame implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     player =
-        s.archetypes()
-            .add(
-                new ArchetypeDef("player")
-                    .shape(new Circle(0.5f), new Material(1, 0.3f, 0.2f))
-                    .fixedRotation(true)
-                    .appearance(Appearance.of(0x4cc9f0, Appearance.Look.PLAYER)));
+        s.archetype(
+            new ArchetypeDef("player")
+                .shape(new Circle(0.5f), new Material(1, 0.3f, 0.2f))
+                .fixedRotation(true)
+                .appearance(Appearance.of(0x4cc9f0, Appearance.Look.PLAYER)));
     rocket =
-        s.archetypes()
-            .add(
-                new ArchetypeDef("rocket")
-                    .shape(new Circle(0.16f), new Material(0.5f, 0, 0))
-                    .fixedRotation(true)
-                    .appearance(Appearance.of(0xffd166, Appearance.Look.BALL)));
-    shot = s.eventKinds().add("shot", 0xffd166, 0.6f, "", Sound.WHOOSH, 0);
-    boom = s.eventKinds().add("boom", 0xff9f1c, BLAST_RADIUS, "", Sound.KNOCK, 0);
+        s.archetype(
+            new ArchetypeDef("rocket")
+                .shape(new Circle(0.16f), new Material(0.5f, 0, 0))
+                .fixedRotation(true)
+                .appearance(Appearance.of(0xffd166, Appearance.Look.BALL)));
+    shot = s.event("shot", 0xffd166, 0.6f, "", Sound.WHOOSH, 0);
+    boom = s.event("boom", 0xff9f1c, BLAST_RADIUS, "", Sound.KNOCK, 0);
     if (s.level().spawns("player").isEmpty()) {
       throw new IllegalArgumentException(
           "level \"" + s.level().name() + "\" can't be played: it needs a spawn \"player\"");
@@ -167,37 +164,36 @@ public final class RocketGame implements Game {
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
-    List<Level.Spawn> spots = s.level().spawns("player");
+  public void join(Match m, Player p) {
+    List<Level.Spawn> spots = m.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     p.set(HEALTH, HEALTH.max());
-    s.spawn(player, spot.x(), spot.y(), 0, p);
+    m.spawn(player, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
-    Body<HostEntity> body = p.body().body();
-    body.seekVelocity(in.moveX() * SPEED, in.moveY() * SPEED, STEER * body.mass());
+  public void input(Simulation s, Player p, Input in) {
+    p.entity().seekVelocity(in.moveX() * SPEED, in.moveY() * SPEED, STEER);
     for (int i = p.spawnedCount() - 1; i >= 0; i--) {
-      HostEntity fired = p.spawned(i);
+      Entity fired = p.spawned(i);
       if (isSpent(p, fired, 0)) {
-        s.emit(boom).at(fired.body().x(), fired.body().y()).of(fired).by(p);
-        s.despawn(fired);
+        s.emit(boom).at(fired.x(), fired.y()).of(fired).by(p);
+        fired.despawn();
       }
     }
     p.set(SETS_OFF, in.held(Input.SECOND));
-    boolean mayFire = p.get(RELOAD) == 0 && p.spawnedCount() < Origin.MOST_PER_PLAYER;
+    boolean mayFire = p.get(RELOAD) == 0 && !p.isFull();
     if (in.held(Input.ACTION) && mayFire) {
       p.set(RELOAD, s.ticks(reloadSeconds));
       fire(s, p, Trig.cos(in.aim()), Trig.sin(in.aim()));
     }
   }
 
-  private void fire(SimulationHost s, HostPlayer p, float wayX, float wayY) {
-    float x = p.body().body().x() + MUZZLE * wayX;
-    float y = p.body().body().y() + MUZZLE * wayY;
-    HostEntity fired = s.spawn(rocket, x, y, 0, p);
-    fired.body().setVelocity(ROCKET_SPEED * wayX, ROCKET_SPEED * wayY);
+  private void fire(Simulation s, Player p, float wayX, float wayY) {
+    float x = p.entity().x() + MUZZLE * wayX;
+    float y = p.entity().y() + MUZZLE * wayY;
+    Entity fired = p.spawn(rocket, x, y, 0);
+    fired.setVelocity(ROCKET_SPEED * wayX, ROCKET_SPEED * wayY);
     fired.set(FUEL, s.ticks(FUEL_SECONDS));
     s.emit(shot).at(x, y).by(p);
   }
@@ -207,75 +203,68 @@ public final class RocketGame implements Game {
    *
    * @param ticksUntil ticks until that tick's input: 0 in it, 1 in the tick before
    */
-  private boolean isSpent(HostPlayer p, HostEntity fired, int ticksUntil) {
+  private boolean isSpent(Player p, Entity fired, int ticksUntil) {
     touches = false;
-    ownerOfTouching = fired.ownerId();
-    fired.body().forEachContact(touch);
+    touching = fired;
+    fired.forEachContact(touch);
     return touches || p.get(SETS_OFF) || fired.get(FUEL) <= ticksUntil;
   }
 
-  private void touch(Body<HostEntity> other, float normalX, float normalY, float impulse) {
-    touches |= other.user().ownerId() != ownerOfTouching;
+  private void touch(Entity other, float normalX, float normalY, float impulse) {
+    touches |= !other.isOfSameOwner(touching);
   }
 
   /** Rockets pass through their player and through each other. */
   @Override
-  public boolean collision(SimulationHost s, Collision<HostEntity> c) {
-    int owner = c.self().user().ownerId();
-    return owner == HostEntity.NO_OWNER || owner != c.other().user().ownerId();
+  public boolean collision(Simulation s, Contact c) {
+    return !c.self().isOfSameOwner(c.other());
   }
 
   @Override
-  public void afterStep(SimulationHost s) {
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p == null) {
-        continue;
-      }
-      boolean isOut = p.body() == null; // then no input goes on with its rockets
+  public void afterStep(Match m) {
+    for (Player p : m.players()) {
+      boolean isOut = !p.isAlive(); // then no input goes on with its rockets
       for (int i = p.spawnedCount() - 1; i >= 0; i--) {
-        HostEntity fired = p.spawned(i);
+        Entity fired = p.spawned(i);
         if (isOut || isSpent(p, fired, 1)) {
-          goOff(s, p, fired);
+          goOff(m, p, fired);
         }
         if (isOut) {
-          s.despawn(fired);
+          fired.despawn();
         }
       }
-      if (p.body() == null && isOut && p.get(OUT) == 0 && !p.isSpectator()) {
-        join(s, p);
+      if (!p.isAlive() && isOut && p.get(OUT) == 0) {
+        join(m, p);
       }
     }
   }
 
   /** Pushes what is near a rocket, and takes health from players. */
-  private void goOff(SimulationHost s, HostPlayer p, HostEntity fired) {
-    blast = fired.body();
+  private void goOff(Match m, Player p, Entity fired) {
+    blast = fired;
     float x = blast.x();
     float y = blast.y();
-    s.world()
-        .queryAabb(x - BLAST_RADIUS, y - BLAST_RADIUS, x + BLAST_RADIUS, y + BLAST_RADIUS, push);
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer other = s.player(id);
-      if (other == null || other == p || other.body() == null || force(other.body().body()) == 0) {
+    m.forEachInBox(x - BLAST_RADIUS, y - BLAST_RADIUS, x + BLAST_RADIUS, y + BLAST_RADIUS, push);
+    for (Player other : m.players()) {
+      if (other == p || !other.isAlive() || force(other.entity()) == 0) {
         continue;
       }
-      other.add(HEALTH, -Math.round(DAMAGE * force(other.body().body())));
+      other.add(HEALTH, -Math.round(DAMAGE * force(other.entity())));
       if (other.get(HEALTH) == 0) {
-        score(s, p);
-        other.set(OUT, s.ticks(RESPAWN_SECONDS));
-        s.despawn(other.body());
+        score(m, p);
+        other.set(OUT, m.ticks(RESPAWN_SECONDS));
+        other.entity().despawn();
       }
     }
   }
 
-  private static void score(SimulationHost s, HostPlayer p) {
-    if (MatchClock.phase(s) == MatchPhase.OVER) {
+  private static void score(Match m, Player p) {
+    if (MatchClock.phase(m) == MatchPhase.OVER) {
       return;
     }
-    p.score(p.score() + 1);
-    if (p.score() >= HITS_TO_WIN) {
-      CLOCK.finish(s, p);
+    m.addScore(p, 1);
+    if (m.score(p) >= HITS_TO_WIN) {
+      CLOCK.finish(m, p);
     }
   }
 
@@ -285,38 +274,32 @@ public final class RocketGame implements Game {
   }
 
   @Override
-  public void phase(SimulationHost s, MatchPhase now) {
+  public void phase(Match m, MatchPhase now) {
     if (now == MatchPhase.OVER) {
-      CLOCK.decide(s, s.leader(), 0);
+      CLOCK.decide(m, m.leader(), 0);
     } else if (now == MatchPhase.PLAYING) {
-      forgetPractice(s);
-    }
-  }
-
-  private static void forgetPractice(SimulationHost s) {
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      if (s.player(id) != null) {
-        s.player(id).score(0);
-        s.player(id).set(HEALTH, HEALTH.max());
+      for (Player p : m.players()) { // what was practised is forgotten
+        m.score(p, 0);
+        p.set(HEALTH, HEALTH.max());
       }
     }
   }
 
-  /** Returns how much of a blast a body gets, 0..1. */
-  private float force(Body<HostEntity> body) {
-    float dx = body.centerX() - blast.x();
-    float dy = body.centerY() - blast.y();
+  /** Returns how much of a blast an entity gets, 0..1. */
+  private float force(Entity e) {
+    float dx = e.centerX() - blast.x();
+    float dy = e.centerY() - blast.y();
     return Math.max(0, 1 - (float) Math.sqrt(dx * dx + dy * dy) / BLAST_RADIUS);
   }
 
-  private boolean push(Body<HostEntity> body) {
-    float force = force(body);
-    if (body.type() == BodyType.DYNAMIC && force > 0 && body.user().archetype() != rocket) {
-      float dx = body.centerX() - blast.x();
-      float dy = body.centerY() - blast.y();
+  private boolean push(Entity e) {
+    float force = force(e);
+    if (e.isDynamic() && force > 0 && e.archetype() != rocket) {
+      float dx = e.centerX() - blast.x();
+      float dy = e.centerY() - blast.y();
       float scale =
-          BLAST_SPEED * force * body.mass() / Math.max(0.1f, (float) Math.sqrt(dx * dx + dy * dy));
-      body.applyImpulse(scale * dx, scale * dy);
+          BLAST_SPEED * force * e.mass() / Math.max(0.1f, (float) Math.sqrt(dx * dx + dy * dy));
+      e.applyImpulse(scale * dx, scale * dy);
     }
     return true;
   }

@@ -10,19 +10,13 @@ import java.util.Objects;
 /** Lets entities become other archetypes, see {@link HostEntity#become}. One simulation's. */
 final class ArchetypeChange {
   private final EntityTable table;
-  private final WorldSeal seal;
   private final AreaForces<HostEntity> areas;
   private final CallRules calls;
   private final Archetypes archetypes;
 
   ArchetypeChange(
-      EntityTable table,
-      WorldSeal seal,
-      AreaForces<HostEntity> areas,
-      CallRules calls,
-      Archetypes archetypes) {
+      EntityTable table, AreaForces<HostEntity> areas, CallRules calls, Archetypes archetypes) {
     this.table = table;
-    this.seal = seal;
     this.areas = areas;
     this.calls = calls;
     this.archetypes = archetypes;
@@ -38,7 +32,6 @@ final class ArchetypeChange {
     }
     Body<HostEntity> body = entity.body();
     areas.go(entity.id());
-    seal.permit("become");
     body.become(other.body(0, 0, 0));
     if (other.type() == BodyType.KINEMATIC) {
       body.setAngularVelocity(other.spin());

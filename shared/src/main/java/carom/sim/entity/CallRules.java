@@ -43,9 +43,9 @@ public final class CallRules {
     if (inInput) {
       throw new IllegalStateException(
           what
-              + " can't be called in Game.input, which clients run, too; call spawn(archetype, x,"
-              + " y, angle, player) there and set its velocity and fields, or do this in"
-              + " Game.beforeStep or Game.afterStep");
+              + " can't be called in Game.input, which clients run, too; call Player.spawn there"
+              + " and set its velocity and fields, or do this in Game.beforeStep or"
+              + " Game.afterStep");
     }
   }
 

@@ -1,7 +1,9 @@
 package carom.sim.entity;
 
 import carom.physics.Body;
+import carom.physics.BodyContactVisitor;
 import carom.physics.BodyDef;
+import carom.physics.Joint;
 import carom.physics.World;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
@@ -21,6 +23,7 @@ import carom.sim.level.ScriptedMotion;
 import carom.sim.random.SimRandom;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
+import java.util.function.BiConsumer;
 import java.util.function.IntSupplier;
 
 /**
@@ -32,8 +35,25 @@ public final class EntityTable
   /** Most entities at a time; ids are 0..65534. */
   public static final int MAX_ENTITIES = 65_535;
 
+  /** What entities ask of the simulation around the table. */
+  public interface Answers {
+    /** Destroys an entity, as {@link Entity#despawn} says. */
+    void despawn(HostEntity entity);
+
+    /** Returns a body of an entity's assembly, as {@link Entity#part} says. */
+    HostEntity part(HostEntity entity, String name);
+
+    /** Returns a joint of an entity's assembly, as {@link Entity#joint} says. */
+    EntityJoint joint(HostEntity entity, String name);
+
+    /** Returns whether an entity is in a sensor, as {@link Entity#isInside} says. */
+    boolean isInside(HostEntity entity, String sensor);
+
+    /** Creates what a player fires, as {@link Player#spawn} says. */
+    HostEntity spawn(Archetype archetype, float x, float y, float angle, HostPlayer owner);
+  }
+
   private final World<HostEntity> world;
-  private final WorldSeal seal;
   private final AreaForces<HostEntity> areas;
   private final Assemblies assemblies;
   private final JointTable<HostEntity> joints;
@@ -45,6 +65,13 @@ public final class EntityTable
   private HostEntity[] entities = new HostEntity[64];
   private byte[] generations = new byte[64];
   private final ProvisionalEntities provisional = new ProvisionalEntities();
+  private final Ground ground = new Ground();
+  private EntityJoint[] faces = {};
+  private EntityContactVisitor contacts;
+  private final BodyContactVisitor<HostEntity> onContact =
+      (other, x, y, impulse) -> contacts.contact(other.user(), x, y, impulse);
+  private Answers answers;
+  private BiConsumer<HostEntity, HostEntity> overlapReader = (asked, other) -> {};
 
   /** Number above all ids that were ever used. */
   private int capacity;
@@ -63,7 +90,6 @@ public final class EntityTable
    */
   public EntityTable(
       World<HostEntity> world,
-      WorldSeal seal,
       AreaForces<HostEntity> areas,
       Assemblies assemblies,
       JointTable<HostEntity> joints,
@@ -76,12 +102,15 @@ public final class EntityTable
     this.assemblies = assemblies;
     this.joints = joints;
     this.world = world;
-    this.seal = seal;
     this.tickRate = tickRate;
     fields = new FieldStore(schema, clock, this);
     entityFields = new EntityFields(fields);
-    players = new PlayerTable(fields, calls::requireAuthority);
-    changes = new ArchetypeChange(this, seal, areas, calls, archetypes);
+    players =
+        new PlayerTable(
+            fields,
+            calls::requireAuthority,
+            (archetype, x, y, angle, owner) -> answers.spawn(archetype, x, y, angle, owner));
+    changes = new ArchetypeChange(this, areas, calls, archetypes);
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
@@ -90,6 +119,65 @@ public final class EntityTable
       return provisional.get(id);
     }
     return id >= 0 && id < capacity ? entities[id] : null;
+  }
+
+  /** Sets what entities ask; once, before the first exists. */
+  public void answers(Answers asked) {
+    answers = asked;
+  }
+
+  Answers answers() {
+    return answers;
+  }
+
+  Ground ground() {
+    return ground;
+  }
+
+  int tickRate() {
+    return tickRate;
+  }
+
+  /** Visits a body's contacts as a game sees them; a visitor may ask for those of another body. */
+  void forEachContact(Body<HostEntity> body, EntityContactVisitor visitor) {
+    EntityContactVisitor outer = contacts;
+    contacts = visitor;
+    try {
+      body.forEachContact(onContact);
+    } finally {
+      contacts = outer;
+    }
+  }
+
+  /** Sets what receives each overlap that a game reads. */
+  public void overlapReader(BiConsumer<HostEntity, HostEntity> reader) {
+    overlapReader = reader;
+  }
+
+  void overlapRead(HostEntity asked, HostEntity other) {
+    overlapReader.accept(asked, other);
+  }
+
+  /** Destroys a joint, if it is there. */
+  void destroy(Joint<HostEntity> joint) {
+    if (joint.isValid()) {
+      world.destroyJoint(joint);
+    }
+  }
+
+  /** Returns the face of a joint, or null for none; the same for the same joint. */
+  public EntityJoint face(Joint<HostEntity> joint) {
+    if (joint == null) {
+      return null;
+    }
+    int index = joint.index();
+    if (index >= faces.length) {
+      faces = Arrays.copyOf(faces, Math.max(index + 1, 2 * faces.length));
+    }
+    if (faces[index] == null || EntityJoint.engineOf(faces[index]) != joint) {
+      faces[index] = new EntityJoint(joint);
+    }
+    return faces[index];
   }
 
   /** Returns the entities that a client has before the server tells them. */
@@ -205,16 +293,18 @@ public final class EntityTable
    *
    * @param tick determines where on its path a kinematic body begins
    */
-  public HostEntity spawn(Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
+  public HostEntity spawn(
+      Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
     int id = takeFreeId(archetype);
-    return add(new HostEntity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
+    return add(
+        new HostEntity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
   }
 
   /** Creates an entity without an owner under the smallest free id, with a body as defined. */
   public HostEntity spawn(Archetype archetype, BodyDef def) {
     int id = takeFreeId(archetype);
-    HostEntity entity = new HostEntity(this, id, generations[id] & 0xff, archetype, HostEntity.NO_OWNER);
-    seal.permit("createBody");
+    HostEntity entity =
+        new HostEntity(this, id, generations[id] & 0xff, archetype, HostEntity.NO_OWNER);
     entity.body(world.createBody(def, entity));
     return register(entity, true);
   }
@@ -378,7 +468,6 @@ public final class EntityTable
   private void createBody(HostEntity entity, float x, float y, float angle) {
     BodyDef body = entity.archetype().body(x, y, angle);
     body.sleepAllowed(entity.ownerId() == HostEntity.NO_OWNER);
-    seal.permit("createBody");
     entity.body(world.createBody(body, entity));
   }
 
@@ -402,7 +491,6 @@ public final class EntityTable
   public void despawn(HostEntity entity) {
     int id = entity.id();
     areas.go(id);
-    seal.permit("destroyBody");
     world.destroyBody(entity.body());
     noteChange();
     if (entity.origin() != Origin.NONE && players.get(entity.ownerId()) != null) {

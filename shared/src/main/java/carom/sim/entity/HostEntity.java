@@ -1,18 +1,22 @@
 package carom.sim.entity;
 
 import carom.physics.Body;
+import carom.physics.BodyType;
+import carom.physics.Joint;
 import carom.physics.math.Transform;
 import carom.sim.field.EntityRef;
-import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.spawn.Origin;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /**
- * A body with an identity, an archetype and perhaps an owner. The static geometry of the level
- * consists of entities too, with the id {@link #LEVEL}.
+ * An entity as what runs a simulation holds it: with its body, its generation and its values.
  *
  * <p>An entity is a handle that is valid until it is despawned. Its id is then given to another
  * entity, with another generation.
@@ -21,7 +25,7 @@ import carom.sim.spawn.Origin;
  * an entity is <em>provisional</em>: its id is its {@link #origin}. When the server tells which of
  * its entities it is, that one takes its place.
  */
-public final class HostEntity extends FieldHolder<HostEntity, HostPlayer> {
+public final class HostEntity implements Entity {
   /** Id of static level geometry. It never appears in snapshots. */
   public static final int LEVEL = -1;
 
@@ -57,7 +61,7 @@ public final class HostEntity extends FieldHolder<HostEntity, HostPlayer> {
     tag = archetype.tag();
   }
 
-  /** Returns the slot, 0..65534, {@link #LEVEL}, or the {@link #origin} of a provisional one. */
+  @Override
   public int id() {
     return id;
   }
@@ -69,7 +73,7 @@ public final class HostEntity extends FieldHolder<HostEntity, HostPlayer> {
     return generation;
   }
 
-  /** Returns its archetype, which is another one after {@link #become}. */
+  @Override
   public Archetype archetype() {
     return archetype;
   }
@@ -80,23 +84,7 @@ public final class HostEntity extends FieldHolder<HostEntity, HostPlayer> {
     table.begunAs(this);
   }
 
-  /**
-   * Makes this an entity of another archetype in its place: a player who crouches, a crate that
-   * turns to ice, a ghost. Shapes, mass, type, damping, gravity scale, filter, sensor, materials,
-   * locks, area, look and {@link #tag} are those of the new archetype. The same stay: id, owner,
-   * fields, joints, the pose of the body's origin and the velocity there; but a static body is at
-   * rest, a kinematic one turns as its archetype spins, and one with a path follows it. Contacts
-   * end and begin anew in the next step; what then overlaps is pushed apart, so ask {@code
-   * World.overlap...} first whether there is room to stand up.
-   *
-   * <p>{@code Game.input} may call it on both roles: then clients predict it, for every entity they
-   * have. Where only the server calls it, clients are told at which tick it happened. Allocates.
-   *
-   * @param other of the same simulation; if it is the present one, nothing happens
-   * @throws IllegalArgumentException if the simulation doesn't have the archetype
-   * @throws IllegalStateException if the entity was despawned, is static geometry of the level, or
-   *     the root of an assembly; during the physics, and in {@code Game.forces}
-   */
+  @Override
   public void become(Archetype other) {
     table.changes().change(this, other);
   }
@@ -122,7 +110,7 @@ public final class HostEntity extends FieldHolder<HostEntity, HostPlayer> {
     return bodySlot;
   }
 
-  /** Returns whether this is static level geometry. */
+  @Override
   public boolean isLevel() {
     return id == LEVEL;
   }
@@ -157,10 +145,7 @@ public final class HostEntity extends FieldHolder<HostEntity, HostPlayer> {
     tag = value;
   }
 
-  /**
-   * Returns the root of the {@code assembly} that the entity belongs to. It is the entity itself if
-   * it is the root, belongs to none, or if the root is gone.
-   */
+  @Override
   public HostEntity root() {
     HostEntity root = rootId == NO_ROOT ? null : table.get(rootId);
     return root == null ? this : root;
@@ -179,17 +164,14 @@ public final class HostEntity extends FieldHolder<HostEntity, HostPlayer> {
     return rootId == id;
   }
 
-  /**
-   * Puts the body somewhere else, as a respawn or a gate does. Clients show it here and then there,
-   * and nothing between. {@link Body#setPose} alone would look like a fast movement. The root of an
-   * assembly takes all of it along, rigidly, with the points over which its pulleys' ropes run. The
-   * server makes its gears and pulleys anew, so handles of these end.
-   *
-   * @param x position of the body's origin, metres
-   * @param y position of the body's origin, metres
-   * @param angle radians, counterclockwise
-   */
+  @Override
   public void teleport(float x, float y, float angle) {
+    if (isLevel()) {
+      throw new IllegalStateException(
+          this
+              + " can't be teleported: clients know static geometry by the level alone; move an"
+              + " entity of a static archetype");
+    }
     table.wakeAround(this);
     if (isRoot()) {
       table.moveAssembly(this, x, y, angle);
@@ -227,13 +209,240 @@ public final class HostEntity extends FieldHolder<HostEntity, HostPlayer> {
     teleports = value;
   }
 
+  // ---- the face of games
+
+  @Override
+  public float x() {
+    return body.x();
+  }
+
+  @Override
+  public float y() {
+    return body.y();
+  }
+
+  @Override
+  public float centerX() {
+    return body.centerX();
+  }
+
+  @Override
+  public float centerY() {
+    return body.centerY();
+  }
+
+  @Override
+  public float angle() {
+    return body.angle();
+  }
+
+  @Override
+  public float cos() {
+    return body.cos();
+  }
+
+  @Override
+  public float sin() {
+    return body.sin();
+  }
+
+  @Override
+  public float velocityX() {
+    return body.velocityX();
+  }
+
+  @Override
+  public float velocityY() {
+    return body.velocityY();
+  }
+
+  @Override
+  public float angularVelocity() {
+    return body.angularVelocity();
+  }
+
+  @Override
+  public float velocityAtX(float worldX, float worldY) {
+    return body.velocityAtX(worldX, worldY);
+  }
+
+  @Override
+  public float velocityAtY(float worldX, float worldY) {
+    return body.velocityAtY(worldX, worldY);
+  }
+
+  @Override
+  public float worldPointX(float localX, float localY) {
+    return body.worldPointX(localX, localY);
+  }
+
+  @Override
+  public float worldPointY(float localX, float localY) {
+    return body.worldPointY(localX, localY);
+  }
+
+  @Override
+  public float localPointX(float worldX, float worldY) {
+    return body.localPointX(worldX, worldY);
+  }
+
+  @Override
+  public float localPointY(float worldX, float worldY) {
+    return body.localPointY(worldX, worldY);
+  }
+
+  @Override
+  public float mass() {
+    return body.mass();
+  }
+
+  @Override
+  public float inertia() {
+    return body.inertia();
+  }
+
+  @Override
+  public void applyForce(float fx, float fy) {
+    body.applyForce(fx, fy);
+  }
+
+  @Override
+  public void applyForce(float fx, float fy, float px, float py) {
+    body.applyForce(fx, fy, px, py);
+  }
+
+  @Override
+  public void applyAmbientForce(float fx, float fy, float torque) {
+    body.applyAmbientForce(fx, fy, torque);
+  }
+
+  @Override
+  public void applyTorque(float torque) {
+    body.applyTorque(torque);
+  }
+
+  @Override
+  public void applyImpulse(float jx, float jy) {
+    body.applyImpulse(jx, jy);
+  }
+
+  @Override
+  public void applyImpulse(float jx, float jy, float px, float py) {
+    body.applyImpulse(jx, jy, px, py);
+  }
+
+  @Override
+  public void applyAngularImpulse(float j) {
+    body.applyAngularImpulse(j);
+  }
+
+  @Override
+  public void setVelocity(float vx, float vy) {
+    body.setVelocity(vx, vy);
+  }
+
+  @Override
+  public void setAngularVelocity(float radPerSecond) {
+    body.setAngularVelocity(radPerSecond);
+  }
+
+  @Override
+  public void wake() {
+    body.wake();
+  }
+
+  @Override
+  public boolean isAwake() {
+    return body.awake();
+  }
+
+  @Override
+  public boolean isDynamic() {
+    return body.type() == BodyType.DYNAMIC;
+  }
+
+  @Override
+  public void seekVelocity(float goalX, float goalY, float rate) {
+    body.seekVelocity(goalX, goalY, rate * body.mass());
+  }
+
+  @Override
+  public void moveTo(float x, float y, float angle) {
+    body.moveTo(x, y, angle, 1f / table.tickRate());
+  }
+
+  @Override
+  public HostPlayer owner() {
+    return table.players().get(ownerId);
+  }
+
+  @Override
+  public boolean isOwned() {
+    return ownerId != NO_OWNER;
+  }
+
+  @Override
+  public boolean isOfSameOwner(Entity other) {
+    return ownerId != NO_OWNER && ownerId == ((HostEntity) other).ownerId;
+  }
+
+  @Override
+  public HostEntity part(String name) {
+    return table.answers().part(this, name);
+  }
+
+  @Override
+  public EntityJoint joint(String name) {
+    return table.answers().joint(this, name);
+  }
+
+  @Override
+  public void forEachJoint(Consumer<EntityJoint> visitor) {
+    List<Joint<HostEntity>> joints = new ArrayList<>();
+    body.forEachJoint(joints::add);
+    joints.forEach(joint -> visitor.accept(table.face(joint)));
+  }
+
+  void destroy(Joint<HostEntity> joint) {
+    table.destroy(joint);
+  }
+
+  @Override
+  public void despawn() {
+    table.answers().despawn(this);
+  }
+
+  @Override
+  public boolean isInside(String sensor) {
+    return table.answers().isInside(this, sensor);
+  }
+
+  @Override
+  public void forEachContact(EntityContactVisitor visitor) {
+    table.forEachContact(body, visitor);
+  }
+
+  @Override
+  public void forEachOverlap(Predicate<Entity> visitor) {
+    body.forEachOverlap(
+        other -> {
+          table.overlapRead(this, other.user());
+          return visitor.test(other.user());
+        });
+  }
+
+  @Override
+  public Ground ground() {
+    return table.ground().find(body);
+  }
+
   @Override
   public FieldValues fieldValues() {
     return fields;
   }
 
   @Override
-  protected int reference() {
+  public int reference() {
     return id == LEVEL ? 0 : EntityRef.word(id, generation);
   }
 

@@ -1,9 +1,9 @@
 package carom.sim.entity;
 
-import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
 import carom.sim.history.PoseHistory;
+import carom.sim.level.Archetype;
 import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import carom.sim.spawn.Origin;
@@ -12,13 +12,10 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * A person or bot that takes part: a name, an input, a team, a score, perhaps a body. It belongs to
- * one {@code Simulation} and its thread.
- *
- * <p>A player without a body is out until the game gives it another. Its client then shows the view
- * of another player. A {@linkplain #isSpectator spectator} has no body at all.
+ * A participant as what runs a simulation holds it: a name, an input, a team, a score. It belongs
+ * to one {@code SimulationHost} and its thread. A {@linkplain #isSpectator spectator} has no body.
  */
-public final class HostPlayer extends FieldHolder<HostEntity, HostPlayer> {
+public final class HostPlayer implements Player {
   /** Number of parts of a tick in which {@link #viewDelay} counts. */
   public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;
 
@@ -28,7 +25,15 @@ public final class HostPlayer extends FieldHolder<HostEntity, HostPlayer> {
   /** Largest {@link #viewDelay}, which is 255 ticks. */
   public static final int MAX_VIEW_DELAY = 255 * VIEW_STEPS;
 
+  /** Creates entities in {@code Game.input}. */
+  @FunctionalInterface
+  public interface Spawns {
+    /** Creates an entity of a player, as {@link Player#spawn} says. */
+    HostEntity spawn(Archetype archetype, float x, float y, float angle, HostPlayer owner);
+  }
+
   private final Consumer<String> authority;
+  private final Spawns spawns;
   private final int id;
   private final String name;
   private final FieldValues fields;
@@ -48,15 +53,17 @@ public final class HostPlayer extends FieldHolder<HostEntity, HostPlayer> {
    * Creates a player without a body.
    *
    * @param authority refuses a call, by its name, that only a server may make
+   * @param spawns creates what the player fires
    */
-  HostPlayer(int id, String name, FieldValues fields, Consumer<String> authority) {
+  HostPlayer(int id, String name, FieldValues fields, Consumer<String> authority, Spawns spawns) {
     this.id = id;
     this.name = name;
     this.fields = fields;
     this.authority = authority;
+    this.spawns = spawns;
   }
 
-  /** Returns the slot, 0..1,023, which is free again once the player has left. */
+  @Override
   public int id() {
     return id;
   }
@@ -66,12 +73,12 @@ public final class HostPlayer extends FieldHolder<HostEntity, HostPlayer> {
     return name;
   }
 
-  /** Returns the body the player steers, or null while there is none. */
-  public HostEntity body() {
+  @Override
+  public HostEntity entity() {
     return body;
   }
 
-  /** Returns whether the player has a body. One without is out until the game gives it another. */
+  @Override
   public boolean isAlive() {
     return body != null;
   }
@@ -107,21 +114,12 @@ public final class HostPlayer extends FieldHolder<HostEntity, HostPlayer> {
     ready = value && !isSpectator();
   }
 
-  /**
-   * Returns the number of living entities that {@code Game.input} spawned for this player, at most
-   * {@value Origin#MOST_PER_PLAYER}: an older one is an entity like others. A client knows those of
-   * its own player only.
-   */
+  @Override
   public int spawnedCount() {
     return spawned.size();
   }
 
-  /**
-   * Returns an entity that {@code Game.input} spawned for this player. To despawn some of them, go
-   * from the newest to the oldest.
-   *
-   * @param index 0, the oldest, to {@link #spawnedCount} - 1
-   */
+  @Override
   public HostEntity spawned(int index) {
     return spawned.get(index);
   }
@@ -261,12 +259,17 @@ public final class HostPlayer extends FieldHolder<HostEntity, HostPlayer> {
   }
 
   @Override
+  public Entity spawn(Archetype archetype, float x, float y, float angle) {
+    return spawns.spawn(archetype, x, y, angle, this);
+  }
+
+  @Override
   public FieldValues fieldValues() {
     return fields;
   }
 
   @Override
-  protected int reference() {
+  public int reference() {
     return PlayerRef.word(id);
   }
 

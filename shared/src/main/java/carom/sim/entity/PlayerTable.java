@@ -17,6 +17,7 @@ public final class PlayerTable {
   private final HostPlayer[] players = new HostPlayer[MAX_PLAYERS];
   private final FieldStore fields;
   private final Consumer<String> authority;
+  private final HostPlayer.Spawns spawns;
 
   /** Number above all ids of participants. */
   private int limit;
@@ -25,10 +26,12 @@ public final class PlayerTable {
    * Creates an empty table.
    *
    * @param authority refuses a call, by its name, that only a server may make
+   * @param spawns creates what players fire
    */
-  PlayerTable(FieldStore fields, Consumer<String> authority) {
+  PlayerTable(FieldStore fields, Consumer<String> authority, HostPlayer.Spawns spawns) {
     this.fields = fields;
     this.authority = authority;
+    this.spawns = spawns;
   }
 
   /** Returns the player under an id, or null when no player has it. */
@@ -116,7 +119,7 @@ public final class PlayerTable {
 
   /** Creates a player that is in no table yet. */
   HostPlayer create(int id, String name) {
-    return new HostPlayer(id, name, fields.create(Scope.PLAYER), authority);
+    return new HostPlayer(id, name, fields.create(Scope.PLAYER), authority, spawns);
   }
 
   /** Creates a player under an id that is free. */

@@ -7,7 +7,7 @@
  * none of them out.
  *
  * <p>Allowed imports: {@code carom.physics..} and the packages of {@code carom.sim} that know no
- * entity. Read first: {@link carom.sim.entity.HostEntity}, {@link carom.sim.entity.HostPlayer}, {@link
- * carom.sim.entity.EntityTable}.
+ * entity. Read first: {@link carom.sim.entity.HostEntity}, {@link carom.sim.entity.HostPlayer},
+ * {@link carom.sim.entity.EntityTable}.
  */
 package carom.sim.entity;

@@ -237,4 +237,14 @@ public final class FieldValues {
     }
     return text.toString();
   }
+
+  /** Returns the first word of a field of this scope. */
+  int word(Field<?> field) {
+    return store().schema().word(field, scope());
+  }
+
+  /** Returns the word of one of several values of a field of this scope. */
+  int word(Field<?> field, int index) {
+    return store().schema().word(field, scope(), index);
+  }
 }

@@ -4,7 +4,7 @@ import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
-import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldReader;
 import carom.sim.field.IntField;
 import carom.sim.field.Ratio;
 import carom.sim.field.Scope;
@@ -101,7 +101,7 @@ public record Gauge(Kind kind, String label, Field<?> field) {
   }
 
   /** Returns how full a bar is, 0..1. */
-  public float share(FieldHolder<?, ?> holder) {
+  public float share(FieldReader<?, ?> holder) {
     if (field instanceof Ratio ratio) {
       return holder.get(ratio);
     }
@@ -110,12 +110,12 @@ public record Gauge(Kind kind, String label, Field<?> field) {
   }
 
   /** Returns the value of a number, ticks for a {@link Countdown}. */
-  public int value(FieldHolder<?, ?> holder) {
+  public int value(FieldReader<?, ?> holder) {
     return holder.get((IntField<?>) field);
   }
 
   /** Returns the score of a team, 0 if the field has no such index. */
-  public int value(FieldHolder<?, ?> match, int team) {
+  public int value(FieldReader<?, ?> match, int team) {
     return team < field.times() ? match.get((IntField<?>) field, team) : 0;
   }
 }

@@ -1,12 +1,14 @@
 package carom.sim.match;
 
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.entity.PlayerTable;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
 import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldReader;
 import carom.sim.field.Flag;
 import carom.sim.field.Scope;
 import java.util.List;
@@ -101,7 +103,9 @@ public final class MatchClock {
     return new MatchClock(enough, waitsForReady, countdownSeconds, playSeconds, overSeconds, next);
   }
 
-  /** Returns a copy whose warm-up lasts until all players are {@linkplain HostPlayer#isReady ready}. */
+  /**
+   * Returns a copy whose warm-up lasts until all players are {@linkplain HostPlayer#isReady ready}.
+   */
   public MatchClock whenReady() {
     return new MatchClock(
         Math.max(1, players), true, countdownSeconds, playSeconds, overSeconds, next);
@@ -142,7 +146,7 @@ public final class MatchClock {
   // ---- asked by games and clients
 
   /** Returns the phase. */
-  public static MatchPhase phase(FieldHolder<?, ?> match) {
+  public static MatchPhase phase(FieldReader<?, ?> match) {
     if (!match.get(BEGUN)) {
       return MatchPhase.WARM_UP;
     }
@@ -153,12 +157,12 @@ public final class MatchClock {
   }
 
   /** Returns whether the match is played: not before its countdown is over, and not afterwards. */
-  public static boolean isPlaying(FieldHolder<?, ?> match) {
+  public static boolean isPlaying(FieldReader<?, ?> match) {
     return phase(match) == MatchPhase.PLAYING;
   }
 
   /** Returns the ticks until the phase ends, or -1 if no time ends it. */
-  public static int ticksLeft(FieldHolder<?, ?> match) {
+  public static int ticksLeft(FieldReader<?, ?> match) {
     return switch (phase(match)) {
       case WARM_UP -> -1;
       case COUNTDOWN -> match.get(UNTIL_PLAYING);
@@ -168,12 +172,12 @@ public final class MatchClock {
   }
 
   /** Returns the id of the player who has won, or -1 for none. */
-  public static int winner(FieldHolder<?, ?> match) {
+  public static int winner(FieldReader<?, ?> match) {
     return match.get(WINNER);
   }
 
   /** Returns the team that has won, or 0 for none. */
-  public static int winningTeam(FieldHolder<?, ?> match) {
+  public static int winningTeam(FieldReader<?, ?> match) {
     return match.get(WINNING_TEAM);
   }
 
@@ -195,7 +199,7 @@ public final class MatchClock {
   }
 
   /** Ends a match that is played, won by a player. Does nothing in another phase. */
-  public void finish(FieldHolder<?, ?> match, HostPlayer winner) {
+  public void finish(FieldHolder<?, ?> match, Player winner) {
     finish(match, winner.id(), 0);
   }
 
@@ -220,7 +224,7 @@ public final class MatchClock {
    * @param winner null for none
    * @param winningTeam 0 for none
    */
-  public void decide(FieldHolder<?, ?> match, HostPlayer winner, int winningTeam) {
+  public void decide(FieldHolder<?, ?> match, Player winner, int winningTeam) {
     decide(match, winner == null ? NOBODY : winner.id(), winningTeam);
   }
 

@@ -64,7 +64,7 @@ final class FieldRows {
     use(of);
     row[FieldRow.PLACE] = place;
     read(entity.fieldValues(), ofEntity, 0, entity.ownerId(), to);
-    if (owner != null && owner.body() == entity && owner.id() != viewer) {
+    if (owner != null && owner.entity() == entity && owner.id() != viewer) {
       read(owner.fieldValues(), ofPlayer, OF_PLAYER, owner.id(), to);
     }
   }

@@ -105,7 +105,7 @@ public final class Neighbourhood {
       HostEntity e = listed[i];
       bodies.set(i, BodyRow.KEY, key(e.id(), e.generation()));
       bodies.set(i, BodyRow.ARCHETYPE, e.archetype().index());
-      HostPlayer owner = s.owner(e);
+      HostPlayer owner = e.owner();
       fields.read(s.schema(), i, e, owner, rows.of(RowKind.FIELDS));
     }
   }
@@ -118,15 +118,15 @@ public final class Neighbourhood {
     clear();
     for (int id = 0; id < s.entityCapacity(); id++) {
       HostEntity e = s.entity(id);
-      if (e != null && (affectsOthers(e.archetype()) || e.body().hasJoints() || isOwnBody(s, e))) {
+      if (e != null && (affectsOthers(e.archetype()) || e.body().hasJoints() || isOwnBody(e))) {
         add(e);
       }
     }
     read(s);
   }
 
-  private boolean isOwnBody(SimulationHost s, HostEntity e) {
-    return e.ownerId() == viewer && s.owner(e) != null && s.owner(e).body() == e;
+  private boolean isOwnBody(HostEntity e) {
+    return e.ownerId() == viewer && e.owner() != null && e.owner().entity() == e;
   }
 
   /**
@@ -184,17 +184,17 @@ public final class Neighbourhood {
         s.mirror().join(owner, "");
       }
       Archetype archetype = s.archetypes().get(bodies.get(i, BodyRow.ARCHETYPE));
-      HostEntity e = s.mirror().spawn(id, generation(key), archetype, 0, 0, 0, owner, who.isBody(key));
+      HostEntity e =
+          s.mirror().spawn(id, generation(key), archetype, 0, 0, 0, owner, who.isBody(key));
       s.mirror().identify(e, who.origin(key));
       rows.setSlot(i, e.body().index());
       HostPlayer player = s.player(owner);
-      if (player != null && player.body() == e) {
+      if (player != null && player.entity() == e) {
         fields.reset(s.schema(), player);
       }
     }
     joints.make(s, rows, who.joints());
     joints.toggle(s, rows);
-    s.mirror().permit("writeRows");
     s.world().writeRows(rows);
     joints.toggle(s, rows);
     writeFields(s);
@@ -204,8 +204,8 @@ public final class Neighbourhood {
     Rows from = rows.of(RowKind.FIELDS);
     for (int row = 0; row < from.count(); row++) {
       HostEntity e = s.entity(id(key(from.get(row, FieldRow.PLACE))));
-      HostPlayer owner = s.owner(e);
-      boolean isBody = owner != null && owner.body() == e;
+      HostPlayer owner = e.owner();
+      boolean isBody = owner != null && owner.entity() == e;
       fields.write(s.schema(), from.ints(), from.at(row), e, isBody ? owner : null);
     }
   }
@@ -215,7 +215,6 @@ public final class Neighbourhood {
    * of. New bodies and joints then get slots in order.
    */
   private void despawnAll(SimulationHost s, Identity who) {
-    s.mirror().permit("destroyJoints");
     s.world().destroyJoints();
     Arrays.fill(listed, 0, listedCount, null);
     listedCount = 0;
@@ -237,7 +236,6 @@ public final class Neighbourhood {
       s.despawn(listed[--listedCount]);
       listed[listedCount] = null;
     }
-    s.mirror().permit("sortFreeBodies");
     s.world().sortFreeBodies();
   }
 

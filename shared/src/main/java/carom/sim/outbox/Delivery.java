@@ -1,7 +1,7 @@
 package carom.sim.outbox;
 
-import carom.sim.entity.HostEntity;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Entity;
+import carom.sim.entity.Player;
 import carom.sim.message.Message;
 import java.util.Objects;
 
@@ -36,7 +36,7 @@ public final class Delivery {
   }
 
   /** Sends the message to one player. */
-  public void to(HostPlayer player) {
+  public void to(Player player) {
     address(Recipients.ONE, player.id());
   }
 
@@ -51,7 +51,7 @@ public final class Delivery {
   }
 
   /** Sends the message to all players who look at the place of an entity and may know it. */
-  public void toNear(HostEntity entity) {
+  public void toNear(Entity entity) {
     address(Recipients.NEAR, entity.id());
   }
 

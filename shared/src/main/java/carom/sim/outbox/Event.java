@@ -1,7 +1,8 @@
 package carom.sim.outbox;
 
+import carom.sim.entity.Entity;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 import carom.sim.spawn.Origin;
@@ -59,13 +60,13 @@ public final class Event {
   }
 
   /** Sets the entity to which it happens. Static level geometry counts as {@link #NONE}. */
-  public Event of(HostEntity entity) {
+  public Event of(Entity entity) {
     first = key(entity);
     return this;
   }
 
   /** Sets the other entity that takes part. Static level geometry counts as {@link #NONE}. */
-  public Event with(HostEntity entity) {
+  public Event with(Entity entity) {
     second = key(entity);
     return this;
   }
@@ -74,7 +75,7 @@ public final class Event {
    * Sets the player who caused it, or null. That player's client shows the event when it predicts
    * it.
    */
-  public Event by(HostPlayer cause) {
+  public Event by(Player cause) {
     player = cause == null ? NONE : cause.id();
     return this;
   }
@@ -102,7 +103,8 @@ public final class Event {
     return this;
   }
 
-  private static int key(HostEntity entity) {
+  private static int key(Entity told) {
+    HostEntity entity = (HostEntity) told;
     return entity == null || entity.isLevel() ? NONE : key(entity.id(), entity.generation());
   }
 

@@ -2,8 +2,8 @@ package carom.sim.ruling;
 
 import carom.physics.BodyType;
 import carom.physics.rows.BodyRow;
-import carom.sim.entity.HostEntity;
 import carom.sim.entity.EntityTable;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.PlayerTable;
 import carom.sim.field.FieldStore;
@@ -33,8 +33,8 @@ import java.util.function.IntUnaryOperator;
  * else needs the exact state of the entity: see {@link #lastUntoldTick}.
  *
  * <p>Only watched entities are compared, so the others cost nothing; the bodies of players are
- * always compared, see {@link #lastTick(HostPlayer)}. The log is no part of the simulation's state. It
- * is filled on {@code Role.AUTHORITY} only. One thread; allocates only to grow.
+ * always compared, see {@link #lastTick(HostPlayer)}. The log is no part of the simulation's state.
+ * It is filled on {@code Role.AUTHORITY} only. One thread; allocates only to grow.
  */
 public final class InterferenceLog {
   /** Holds what is known of one entity or one player. */
@@ -215,7 +215,7 @@ public final class InterferenceLog {
     for (int id = 0; id < players.limit(); id++) {
       HostPlayer player = players.get(id);
       if (player != null) {
-        claim(ofPlayers, id, player).stamp = player.body() == null ? 0 : bodyStamp(player);
+        claim(ofPlayers, id, player).stamp = player.entity() == null ? 0 : bodyStamp(player);
       }
     }
     for (int i = 0; i < watchedCount; i++) {
@@ -251,13 +251,13 @@ public final class InterferenceLog {
     ofPlayers = grown(ofPlayers, players.limit());
     for (int id = 0; id < players.limit(); id++) {
       HostPlayer player = players.get(id);
-      if (player != null && player.body() != null) {
+      if (player != null && player.entity() != null) {
         Mark mark = claim(ofPlayers, id, player);
         if (bodyStamp(player) != mark.stamp) {
           mark.lastTick = Math.max(mark.lastTick, shownTick);
         }
-        if (ruled(player.body()) != mark.ruled) {
-          mark.ruled = ruled(player.body());
+        if (ruled(player.entity()) != mark.ruled) {
+          mark.ruled = ruled(player.entity());
           mark.lastTick = Math.max(mark.lastTick, tick);
         }
       }
@@ -318,7 +318,7 @@ public final class InterferenceLog {
         continue;
       }
       Mark mark = ofEntities[entity.id()];
-      boolean isBody = entity == player.body();
+      boolean isBody = entity == player.entity();
       mark.lastHiddenTick = tick;
       mark.hiddenScope = fields.hiddenScope();
       mark.hiddenWord = fields.hiddenWord();
@@ -395,7 +395,7 @@ public final class InterferenceLog {
   /** Counts what the rules wrote to an entity's fields and to those of the player it is of. */
   private long ruled(HostEntity entity) {
     HostPlayer owner = players.get(entity.ownerId());
-    boolean isBody = owner != null && owner.body() == entity;
+    boolean isBody = owner != null && owner.entity() == entity;
     return entity.fieldValues().ruled() + (isBody ? owner.fieldValues().ruled() : 0);
   }
 
@@ -447,7 +447,7 @@ public final class InterferenceLog {
   }
 
   private static long bodyStamp(HostPlayer player) {
-    return player.body().body().stamp();
+    return player.entity().body().stamp();
   }
 
   private static long stamp(HostEntity entity) {

@@ -3,7 +3,6 @@ package carom.sim.scene;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
-import carom.physics.Collision;
 import carom.physics.Material;
 import carom.physics.ShapeDef;
 import carom.physics.World;
@@ -11,11 +10,14 @@ import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.sim.Game;
-import carom.sim.Role;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
 import carom.sim.SimulationHost;
+import carom.sim.entity.Contact;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
@@ -50,6 +52,7 @@ public final class SceneGame implements Game {
   private final Map<String, Archetype> kinds = new TreeMap<>();
   private Archetype dot;
   private SceneWorld<HostEntity> stage;
+  private boolean hasParticles;
 
   /**
    * Creates the game of a scene.
@@ -116,38 +119,45 @@ public final class SceneGame implements Game {
   }
 
   @Override
-  public boolean seesAll(SimulationHost s, HostPlayer p) {
+  public boolean seesAll(Match m, Player p) {
     return true; // a spectator
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     World<HostEntity> still = new World<>(world(s.level()));
     SceneWorld<HostEntity> preview =
         new SceneWorld<>(
             still,
             def -> {
-              kinds.computeIfAbsent(look(def), key -> s.archetypes().add(kind(def)));
+              kinds.computeIfAbsent(look(def), key -> s.archetype(kind(def)));
               return still.createBody(def, null);
             });
     scene.build(preview);
     for (int tick = 0; tick < PREVIEW_TICKS; tick++) {
       preview.runActions(tick);
     }
-    dot =
-        s.archetypes().add(new ArchetypeDef("dot").shape(new Circle(0.1f), new Material(1, 0, 0)));
-    if (s.role() == Role.AUTHORITY) {
-      stage = new SceneWorld<>(s.world(), def -> enter(s, def), body -> leave(s, body));
-      scene.build(stage);
+    dot = s.archetype(new ArchetypeDef("dot").shape(new Circle(0.1f), new Material(1, 0, 0)));
+    hasParticles = !preview.particles().isEmpty();
+    if (hasParticles) {
+      s.showAtClients(() -> scene.with(world(s.level())).start());
     }
-    if (!preview.particles().isEmpty()) {
-      boolean tells = s.role() == Role.AUTHORITY;
-      s.pools().follow(tells ? new Told(s, stage) : scene.with(world(s.level())).start());
+  }
+
+  /** Builds the scene in the server's world, whose bodies are more than archetypes say. */
+  @Override
+  public void begin(Match m) {
+    SimulationHost host = (SimulationHost) m;
+    stage = new SceneWorld<>(host.world(), def -> enter(host, def), body -> leave(host, body));
+    scene.build(stage);
+    if (hasParticles) {
+      host.pools().follow(new Told(host, stage));
     }
   }
 
   /** The scene that the server's simulation runs. */
-  private record Told(SimulationHost simulation, SceneWorld<HostEntity> stage) implements ParticleWorld {
+  private record Told(SimulationHost simulation, SceneWorld<HostEntity> stage)
+      implements ParticleWorld {
     @Override
     public List<ShownParticles> particles() {
       return stage.particles();
@@ -206,22 +216,24 @@ public final class SceneGame implements Game {
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
+  public void join(Match m, Player p) {
     // A spectator has no body.
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
+  public void input(Simulation s, Player p, Input in) {
     // There is nothing to steer.
   }
 
   @Override
-  public void beforeStep(SimulationHost s) {
-    stage.beforeStep(s.tick() - 1, s.tickSeconds());
+  public void beforeStep(Match m) {
+    stage.beforeStep(m.tick() - 1, m.tickSeconds());
   }
 
   @Override
-  public boolean collision(SimulationHost s, Collision<HostEntity> c) {
-    return stage == null || stage.listener() == null || stage.listener().preSolve(c);
+  public boolean collision(Simulation s, Contact c) {
+    return stage == null
+        || stage.listener() == null
+        || stage.listener().preSolve(Contact.engineOf(c));
   }
 }

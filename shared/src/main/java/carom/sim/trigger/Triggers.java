@@ -3,8 +3,8 @@ package carom.sim.trigger;
 import carom.physics.Body;
 import carom.physics.BodyVisitor;
 import carom.physics.Collision;
-import carom.sim.entity.HostEntity;
 import carom.sim.entity.EntityTable;
+import carom.sim.entity.HostEntity;
 import java.util.Arrays;
 import java.util.List;
 

@@ -237,7 +237,8 @@ public final class PoolChoice {
   /** Prints what a tick of the level costs a server, with pools and without bodies that predict. */
   private static void cost() throws Exception {
     SimulationHost s =
-        new SimulationHost(Games.create("platformer"), Level.builtIn("sluice"), 1, 60, Role.AUTHORITY);
+        new SimulationHost(
+            Games.create("platformer"), Level.builtIn("sluice"), 1, 60, Role.AUTHORITY);
     for (int i = 0; i < 600; i++) {
       s.step();
     }

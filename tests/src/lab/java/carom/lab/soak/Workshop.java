@@ -2,16 +2,17 @@ package carom.lab.soak;
 
 import carom.fixtures.Cars;
 import carom.game.Games;
-import carom.physics.Body;
-import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
 import carom.sim.Game;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityJoint;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -106,54 +107,52 @@ final class Workshop implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
-    car = s.assemblies().add(Cars.car(new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), METAL)));
-    crate = s.archetypes().add(new ArchetypeDef("crate").shape(new Box(0.4f, 0.4f), METAL));
-    snap = s.eventKinds().add("snap", 0xffd166, 1, "snap");
+  public void setUp(SetUp s) {
+    car = s.assembly(Cars.car(new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), METAL)));
+    crate = s.archetype(new ArchetypeDef("crate").shape(new Box(0.4f, 0.4f), METAL));
+    snap = s.event("snap", 0xffd166, 1, "snap");
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
+  public void join(Match s, Player p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     s.spawn(car, spot.x(), spot.y() + p.id() / spots.size() * 2, 0, p);
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
-    Joint<HostEntity> drive = s.joint(p.body(), "drive");
+  public void input(Simulation s, Player p, Input in) {
+    EntityJoint drive = p.entity().joint("drive");
     if (drive != null) {
       drive.setMotor(-12 * in.moveX(), 40);
     }
   }
 
   @Override
-  public void broke(SimulationHost s, Joint<HostEntity> joint) {
+  public void broke(Simulation s, EntityJoint joint) {
     s.emit(snap).at(joint.anchorAX(), joint.anchorAY());
   }
 
   @Override
-  public void afterStep(SimulationHost s) {
+  public void afterStep(Match s) {
     int crates = 0;
-    for (int id = 0; id < s.entityCapacity(); id++) {
-      HostEntity e = s.entity(id);
-      if (e != null && e.archetype() == crate) {
+    for (Entity e : s.entities()) {
+      if (e.archetype() == crate) {
         crates++;
-        if (e.body().y() < -12) {
-          s.despawn(e);
+        if (e.y() < -12) {
+          e.despawn();
         }
       }
     }
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p == null || p.body() == null) {
+    for (Player p : s.players()) {
+      if (p == null || p.entity() == null) {
         continue;
       }
-      Body<HostEntity> body = p.body().body();
+      Entity body = p.entity();
       if (body.y() < -12) {
         Level.Spawn spot = s.level().spawns("player").get(0);
-        p.body().teleport(spot.x(), spot.y() + 3, 0);
-      } else if (p.input().held(Input.ACTION)
+        p.entity().teleport(spot.x(), spot.y() + 3, 0);
+      } else if (s.input(p).held(Input.ACTION)
           && s.tick() % DROP_TICKS == p.id()
           && crates < MOST_CRATES) {
         drop(s, p, body);
@@ -162,23 +161,23 @@ final class Workshop implements Game {
   }
 
   /** Drops a crate that hangs on a rope; every third one takes another one's place. */
-  private void drop(SimulationHost s, HostPlayer p, Body<HostEntity> chassis) {
+  private void drop(Match s, Player p, Entity chassis) {
     float x = chassis.x();
     float y = chassis.y();
-    Body<HostEntity> dropped = s.spawn(crate, x, y + 2, 0, null).body();
+    Entity dropped = s.spawn(crate, x, y + 2);
     p.add(DROPPED, 1);
     if (p.get(DROPPED) % 3 != 0) {
-      s.connect(JointDef.rope(chassis, dropped, x, y, x, y + 2, 2.5f).breaksAt(300, 0));
+      s.connect(
+          chassis, dropped, (a, b) -> JointDef.rope(a, b, x, y, x, y + 2, 2.5f).breaksAt(300, 0));
     } else {
       removeFirst(s);
     }
   }
 
-  private void removeFirst(SimulationHost s) {
-    for (int id = 0; id < s.entityCapacity(); id++) {
-      HostEntity e = s.entity(id);
-      if (e != null && e.archetype() == crate) {
-        s.despawn(e);
+  private void removeFirst(Match s) {
+    for (Entity e : s.entities()) {
+      if (e.archetype() == crate) {
+        e.despawn();
         return;
       }
     }

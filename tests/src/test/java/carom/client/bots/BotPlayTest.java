@@ -34,7 +34,7 @@ final class BotPlayTest {
     }
 
     void look(SimulationHost s, HostPlayer p) {
-      Body<HostEntity> body = p.body().body();
+      Body<HostEntity> body = p.entity().body();
       boolean right = Math.abs(body.x()) > s.level().bounds().maxX() - 6;
       boolean up = Math.abs(body.y()) > s.level().bounds().maxY() - 5;
       looks++;
@@ -65,7 +65,7 @@ final class BotPlayTest {
         for (int id = 0; id < bots; id++) {
           HostPlayer p = s.player(id);
           points[id] = Math.max(points[id], p.score());
-          if (p.body() != null) {
+          if (p.entity() != null) {
             all[id % 2].look(s, p);
           }
         }

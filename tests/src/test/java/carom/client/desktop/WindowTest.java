@@ -69,7 +69,7 @@ final class WindowTest {
       assertTrue(window.waitFor(60, TimeUnit.SECONDS), "the window did not close by itself");
       assertEquals(0, window.exitValue(), () -> output(folder));
       playerColour =
-          joined.body() == null ? lastColour : joined.body().archetype().appearance().rgb();
+          joined.entity() == null ? lastColour : joined.entity().archetype().appearance().rgb();
       player[0] = lastX;
       player[1] = lastY;
       for (int id = 0; id < world.entityCapacity(); id++) {
@@ -129,11 +129,11 @@ final class WindowTest {
       } catch (IllegalStateException inTheMiddleOfAStep) {
         continue; // of the room's thread
       }
-      if (player != null && player.body() != null) {
+      if (player != null && player.entity() != null) {
         found = player;
-        lastX = player.body().body().x();
-        lastY = player.body().body().y();
-        lastColour = player.body().archetype().appearance().rgb();
+        lastX = player.entity().body().x();
+        lastY = player.entity().body().y();
+        lastColour = player.entity().archetype().appearance().rgb();
       }
       Thread.sleep(20);
     }

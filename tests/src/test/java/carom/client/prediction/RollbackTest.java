@@ -73,7 +73,7 @@ class RollbackTest {
     ahead(rig);
     for (int i = 0; i < 100; i++) {
       if (i % 3 == 0) {
-        rig.player().body().body().setVelocity(i % 2 == 0 ? 3 : -3, 2);
+        rig.player().entity().body().setVelocity(i % 2 == 0 ? 3 : -3, 2);
       }
       rig.server().step();
       rig.client().step(rig.server().tick() + AHEAD, 0);
@@ -96,7 +96,7 @@ class RollbackTest {
     IslandRig rig = rig(8 * MS, MS / 4);
     rig.tellAll();
     ahead(rig);
-    rig.player().body().body().setVelocity(3, 2);
+    rig.player().entity().body().setVelocity(3, 2);
     rig.server().step();
     rig.client().step(rig.server().tick() + AHEAD, 0);
     assertFalse(rig.tellOwn());

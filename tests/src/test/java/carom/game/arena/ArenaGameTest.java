@@ -10,8 +10,8 @@ import carom.physics.Body;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.sim.match.NextMatch;
@@ -63,22 +63,22 @@ class ArenaGameTest {
   @Test
   void glidesToFullSpeedAndStops() {
     HostPlayer p = s.join("ann");
-    put(p.body(), -10, 0);
+    put(p.entity(), -10, 0);
     p.input().move(1, 0);
     run(30);
-    assertEquals(ArenaGame.SPEED, p.body().body().velocityX(), 0.2f);
+    assertEquals(ArenaGame.SPEED, p.entity().body().velocityX(), 0.2f);
     p.input().move(0, 0);
     run(30);
-    assertEquals(0, p.body().body().velocityX(), 0.1f);
+    assertEquals(0, p.entity().body().velocityX(), 0.1f);
   }
 
   @Test
   void diagonalsAreNotFaster() {
     HostPlayer p = s.join("ann");
-    put(p.body(), -12, -6);
+    put(p.entity(), -12, -6);
     p.input().move(1, 1);
     run(30);
-    Body<HostEntity> b = p.body().body();
+    Body<HostEntity> b = p.entity().body();
     double speed = Math.hypot(b.velocityX(), b.velocityY());
     assertEquals(ArenaGame.SPEED, speed, 0.2);
   }
@@ -86,14 +86,14 @@ class ArenaGameTest {
   @Test
   void dashesOncePerCooldownAndPress() {
     HostPlayer p = s.join("ann");
-    put(p.body(), -10, 0);
+    put(p.entity(), -10, 0);
     p.input().aim((float) Math.PI / 2).hold(Input.ACTION, true);
     run(5);
-    Body<HostEntity> b = p.body().body();
+    Body<HostEntity> b = p.entity().body();
     assertTrue(b.velocityY() > 12, "vy=" + b.velocityY());
     run(60);
     assertEquals(0, b.velocityY(), 0.5f, "holding the button doesn't dash again");
-    put(p.body(), -10, 0);
+    put(p.entity(), -10, 0);
     p.input().hold(Input.ACTION, false);
     run(10);
     p.input().hold(Input.ACTION, true);
@@ -111,9 +111,9 @@ class ArenaGameTest {
     HostPlayer p = s.join("ann");
     run(2);
     put(ball(), 13, 0.2f);
-    put(p.body(), 11, 0.2f);
+    put(p.entity(), 11, 0.2f);
     for (int i = 0; i < 240 && p.score() == 0; i++) {
-      p.input().move(1, ball() == null ? 0 : (ball().body().y() - p.body().body().y()) * 2);
+      p.input().move(1, ball() == null ? 0 : (ball().body().y() - p.entity().body().y()) * 2);
       run(1);
     }
     assertEquals(1, p.team());
@@ -130,7 +130,7 @@ class ArenaGameTest {
   void anOwnGoalCountsForTheOthers() {
     HostPlayer p = s.join("ann");
     run(2);
-    put(p.body(), -15, 0);
+    put(p.entity(), -15, 0);
     put(ball(), -16.35f, 0);
     p.input().move(-1, 0);
     run(90);
@@ -215,7 +215,7 @@ class ArenaGameTest {
     int red = 0;
     for (int i = 1; i < 9; i += 2) {
       red += s.player(i).team() == 1 ? 1 : 0;
-      assertEquals(s.player(i).team(), s.player(i).body().archetype().tag());
+      assertEquals(s.player(i).team(), s.player(i).entity().archetype().tag());
     }
     assertEquals(2, red);
   }
@@ -236,8 +236,8 @@ class ArenaGameTest {
     for (int i = 0; i < 50; i++) {
       HostPlayer p = s.join("bot " + i);
       for (int other = 0; other < i; other++) {
-        Body<HostEntity> a = p.body().body();
-        Body<HostEntity> b = s.player(other).body().body();
+        Body<HostEntity> a = p.entity().body();
+        Body<HostEntity> b = s.player(other).entity().body();
         double distance = Math.hypot(a.x() - b.x(), a.y() - b.y());
         assertTrue(distance > 1.2, i + " and " + other + " distance=" + distance);
       }
@@ -257,12 +257,12 @@ class ArenaGameTest {
   @Test
   void lostPlayersAndCratesComeBack() {
     HostPlayer p = s.join("ann");
-    put(p.body(), 60, 0);
+    put(p.entity(), 60, 0);
     HostEntity crate = find("crate");
     float x = crate.body().x();
     put(crate, 18.8f, 0);
     run(2);
-    assertTrue(Math.abs(p.body().body().x()) < 20);
+    assertTrue(Math.abs(p.entity().body().x()) < 20);
     assertEquals(x, crate.body().x(), 0.1f);
   }
 
@@ -286,7 +286,7 @@ class ArenaGameTest {
 
   /** Goes behind the ball, then dashes through it; half of them keep back. */
   static void chase(HostPlayer p, HostEntity ball, SimRandom random) {
-    Body<HostEntity> me = p.body().body();
+    Body<HostEntity> me = p.entity().body();
     float goal = p.team() == 1 ? 1 : -1;
     float ballX = ball == null ? 0 : ball.body().x();
     float ballY = ball == null ? 0 : ball.body().y();
@@ -321,16 +321,16 @@ class ArenaGameTest {
     HostPlayer ann = s.join("ann");
     HostPlayer ben = s.join("ben");
     run(1);
-    put(ann.body(), -8, 0);
+    put(ann.entity(), -8, 0);
     put(ball(), -3, 0.2f);
-    put(ben.body(), 0, 0);
+    put(ben.entity(), 0, 0);
     ann.input().aim(0).hold(Input.SECOND, true);
     run(1);
     assertEquals(1, count("spark"));
     run(1);
     float mass = ball().body().mass();
     assertEquals(ArenaGame.JOLT_IMPULSE / mass, ball().body().velocityX(), 0.2f);
-    assertEquals(0, ben.body().body().velocityX(), "it is behind the ball");
+    assertEquals(0, ben.entity().body().velocityX(), "it is behind the ball");
     float speed = ball().body().velocityX();
     run(20);
     assertEquals(0, count("spark"));
@@ -341,7 +341,7 @@ class ArenaGameTest {
   void aJoltNeedsTimeAndAFreshPress() {
     HostPlayer ann = s.join("ann");
     run(1);
-    put(ann.body(), -8, 0);
+    put(ann.entity(), -8, 0);
     int jolts = 0;
     int sparks = 0;
     for (int tick = 0; tick < s.ticks(ArenaGame.JOLT_COOLDOWN) * 2; tick++) {
@@ -360,34 +360,34 @@ class ArenaGameTest {
     HostPlayer ben = s.join("ben");
     run(1);
     put(ball(), 0, -6);
-    put(ann.body(), -8, 0);
-    put(ben.body(), -2, -5);
+    put(ann.entity(), -8, 0);
+    put(ben.entity(), -2, -5);
     ben.input().move(0, 1);
     float seenY = 0;
     for (int tick = 0; tick < 60; tick++) {
-      if (ben.body().body().y() < 0) {
-        seenY = ben.body().body().y();
+      if (ben.entity().body().y() < 0) {
+        seenY = ben.entity().body().y();
       } else {
         break;
       }
       run(1);
     }
     run(9); // ben is more than a metre farther now
-    assertTrue(ben.body().body().y() - seenY > 1, "ben moves");
+    assertTrue(ben.entity().body().y() - seenY > 1, "ben moves");
     ann.input().aim((float) Math.atan2(seenY, 6)).hold(Input.SECOND, true);
     ann.viewDelay(11 * HostPlayer.VIEW_STEPS); // that of the picture with seenY
-    float before = ben.body().body().velocityX();
+    float before = ben.entity().body().velocityX();
     run(2);
-    assertTrue(ben.body().body().velocityX() > before + 1, "seen there, hit where he is");
+    assertTrue(ben.entity().body().velocityX() > before + 1, "seen there, hit where he is");
     run(100);
     ann.input().hold(Input.SECOND, false);
     run(1);
-    put(ann.body(), -8, 0);
-    put(ben.body(), -2, 5);
+    put(ann.entity(), -8, 0);
+    put(ben.entity(), -2, 5);
     ann.viewDelay(0);
     ann.input().aim(0).hold(Input.SECOND, true);
-    before = ben.body().body().velocityX();
+    before = ben.entity().body().velocityX();
     run(2);
-    assertEquals(before, ben.body().body().velocityX(), 1, "nobody was there");
+    assertEquals(before, ben.entity().body().velocityX(), 1, "nobody was there");
   }
 }

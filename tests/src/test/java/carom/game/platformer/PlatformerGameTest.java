@@ -12,8 +12,8 @@ import carom.physics.Body;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.match.MatchClock;
@@ -68,7 +68,7 @@ class PlatformerGameTest {
   }
 
   private static Body<HostEntity> body(SimulationHost s) {
-    return s.player(0).body().body();
+    return s.player(0).entity().body();
   }
 
   /** Lowest point above the ground's height. */
@@ -298,15 +298,15 @@ class PlatformerGameTest {
     SimulationHost s = standing("", "");
     HostPlayer p = s.player(0);
     p.input().move(1, 0);
-    while (p.body() != null) {
+    while (p.entity() != null) {
       s.step();
       assertTrue(s.tick() < 600);
     }
     p.input().move(0, 0);
     run(s, 55);
-    assertNull(p.body());
+    assertNull(p.entity());
     run(s, 10);
-    assertNotNull(p.body());
+    assertNotNull(p.entity());
     assertFalse(body(s).x() > 1);
   }
 
@@ -316,13 +316,13 @@ class PlatformerGameTest {
     HostPlayer p = s.join("ann");
     for (int round = 0; round < 3; round++) {
       HostEntity flag = flag(s);
-      p.body().body().setPose(flag.body().x(), flag.body().y(), 0);
-      p.body().body().setVelocity(0, 0);
+      p.entity().body().setPose(flag.body().x(), flag.body().y(), 0);
+      p.entity().body().setVelocity(0, 0);
       int before = p.score();
       s.step();
       assertTrue(p.score() >= before + PlatformerGame.FLAG_POINTS);
       assertNull(flag(s));
-      float x = flag.body().isValid() ? 0 : p.body().body().x();
+      float x = flag.body().isValid() ? 0 : p.entity().body().x();
       run(s, 300);
       assertTrue(Math.abs(flag(s).body().x() - x) > 3);
     }
@@ -337,7 +337,7 @@ class PlatformerGameTest {
     while (s.tick() < 60 * 60 && farthest < 36) {
       p.input().move(1, 0).hold(Input.JUMP, s.tick() % 40 < 25);
       s.step();
-      if (p.body() != null) {
+      if (p.entity() != null) {
         farthest = Math.max(farthest, body(s).x());
       }
     }

@@ -8,8 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.GamesTest;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import org.junit.jupiter.api.Test;
@@ -28,8 +28,8 @@ final class RocketGameTest {
 
   /** Lets Ann shoot at Ben, four metres away, until he is out; returns the ticks. */
   private int hitBen() {
-    ann.body().body().setPose(-16, 0, 0);
-    ben.body().body().setPose(-12, 0, 0);
+    ann.entity().body().setPose(-16, 0, 0);
+    ben.entity().body().setPose(-12, 0, 0);
     int ticks = 0;
     for (; ben.isAlive(); ticks++) {
       ann.input().aim(0).hold(Input.ACTION, true);
@@ -50,11 +50,11 @@ final class RocketGameTest {
   @Test
   void aPlayerWhoIsHitIsOutForLongEnoughToLookOn() {
     hitBen();
-    assertNull(ben.body());
+    assertNull(ben.entity());
     run(s.ticks(RocketGame.RESPAWN_SECONDS) - 1);
-    assertNull(ben.body());
+    assertNull(ben.entity());
     run(3);
-    assertNotNull(ben.body());
+    assertNotNull(ben.entity());
   }
 
   @Test

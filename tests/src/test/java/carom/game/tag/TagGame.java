@@ -3,14 +3,14 @@ package carom.game.tag;
 import static carom.sim.event.Audience.ALL;
 import static carom.sim.field.Scope.MATCH;
 
-import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
 import carom.sim.field.PlayerRef;
@@ -44,9 +44,9 @@ public final class TagGame implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
-    runner = s.archetypes().add(disc("runner", 0x4cc9f0));
-    chaser = s.archetypes().add(disc("chaser", 0xef476f));
+  public void setUp(SetUp s) {
+    runner = s.archetype(disc("runner", 0x4cc9f0));
+    chaser = s.archetype(disc("chaser", 0xef476f));
   }
 
   private static ArchetypeDef disc(String name, int rgb) {
@@ -57,50 +57,48 @@ public final class TagGame implements Game {
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
-    Level.Spawn spot = s.level().spawns("player").get(0);
-    s.spawn(runner, spot.x() + s.random().between(-3, 3), spot.y(), 0, p);
-    if (s.get(IT) == null) {
-      makeIt(s, p);
+  public void join(Match m, Player p) {
+    Level.Spawn spot = m.level().spawns("player").get(0);
+    m.spawn(runner, spot.x() + m.random().between(-3, 3), spot.y(), 0, p);
+    if (m.get(IT) == null) {
+      makeIt(m, p);
     }
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
-    Body<HostEntity> body = p.body().body();
-    body.seekVelocity(in.moveX() * 8, in.moveY() * 8, 10 * body.mass());
+  public void input(Simulation s, Player p, Input in) {
+    p.entity().seekVelocity(in.moveX() * 8, in.moveY() * 8, 10);
   }
 
   @Override
-  public void afterStep(SimulationHost s) {
-    HostPlayer it = s.get(IT);
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p == null || p == it) {
+  public void afterStep(Match m) {
+    Player it = m.get(IT);
+    for (Player p : m.players()) {
+      if (p == it) {
         continue;
       }
-      if (it == null || (s.get(GRACE) == 0 && touches(it, p))) {
-        makeIt(s, p);
+      if (it == null || (m.get(GRACE) == 0 && touches(it, p))) {
+        makeIt(m, p);
         it = p;
-      } else if (s.tick() % s.tickRate() == 0) {
-        p.score(p.score() + 1);
+      } else if (m.tick() % m.tickRate() == 0) {
+        m.addScore(p, 1);
       }
     }
   }
 
-  private static boolean touches(HostPlayer a, HostPlayer b) {
-    float dx = a.body().body().x() - b.body().body().x();
-    float dy = a.body().body().y() - b.body().body().y();
+  private static boolean touches(Player a, Player b) {
+    float dx = a.entity().x() - b.entity().x();
+    float dy = a.entity().y() - b.entity().y();
     return dx * dx + dy * dy < 1.05f * 1.05f;
   }
 
-  private void makeIt(SimulationHost s, HostPlayer p) {
-    if (s.get(IT) != null) {
-      s.get(IT).body().become(runner);
+  private void makeIt(Match m, Player p) {
+    if (m.get(IT) != null) {
+      m.get(IT).entity().become(runner);
     }
-    p.body().become(chaser); // a look belongs to an archetype
-    s.set(IT, p);
-    s.set(GRACE, s.ticks(1.5f)); // counts down by itself
-    s.notice(p.name() + " is it!");
+    p.entity().become(chaser); // a look belongs to an archetype
+    m.set(IT, p);
+    m.set(GRACE, m.ticks(1.5f)); // counts down by itself
+    m.notice(m.name(p) + " is it!");
   }
 }

@@ -1,16 +1,17 @@
 package carom.scenario.machine;
 
 import carom.physics.Body;
-import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.EntityJoint;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -84,21 +85,19 @@ final class CarRace implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     Material metal = new Material(1, 0.4f, 0.1f);
     ArchetypeDef wheel =
         new ArchetypeDef("wheel").shape(new Circle(0.45f), new Material(1, 1.2f, 0.1f));
     car =
-        s.assemblies()
-            .add(
-                new AssemblyDef("car")
-                    .body(
-                        "chassis", new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), metal), 0, 0)
-                    .body("rear", wheel, -1, -0.6f)
-                    .body("front", wheel, 1, -0.6f)
-                    .joint("drive", "chassis", "rear", (a, b) -> axle(a, b, -1).motor(0, 40))
-                    .joint("roll", "chassis", "front", (a, b) -> axle(a, b, 1)));
-    snap = s.eventKinds().add("snap", 0xffd166, 1, "snap");
+        s.assembly(
+            new AssemblyDef("car")
+                .body("chassis", new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), metal), 0, 0)
+                .body("rear", wheel, -1, -0.6f)
+                .body("front", wheel, 1, -0.6f)
+                .joint("drive", "chassis", "rear", (a, b) -> axle(a, b, -1).motor(0, 40))
+                .joint("roll", "chassis", "front", (a, b) -> axle(a, b, 1)));
+    snap = s.event("snap", 0xffd166, 1, "snap");
   }
 
   private static JointDef<Object> axle(Body<Object> chassis, Body<Object> wheel, float x) {
@@ -106,43 +105,42 @@ final class CarRace implements Game {
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
+  public void join(Match s, Player p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     s.spawn(car, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
+  public void input(Simulation s, Player p, Input in) {
     boolean boost = in.held(Input.ACTION) && p.get(NITRO) > 0.01f;
     p.add(NITRO, boost ? -0.01f : 0.002f);
-    Joint<HostEntity> drive = s.joint(p.body(), "drive");
+    EntityJoint drive = p.entity().joint("drive");
     if (drive != null) {
       drive.setMotor((boost ? -20 : -12) * in.moveX(), 40);
     }
   }
 
   @Override
-  public void broke(SimulationHost s, Joint<HostEntity> joint) {
+  public void broke(Simulation s, EntityJoint joint) {
     s.emit(snap).at(joint.anchorAX(), joint.anchorAY());
   }
 
   @Override
-  public void afterStep(SimulationHost s) {
+  public void afterStep(Match s) {
     Level.Spawn start = s.level().spawns("player").get(0);
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p == null || p.body() == null) {
+    for (Player p : s.players()) {
+      if (p == null || p.entity() == null) {
         continue;
       }
-      float x = p.body().body().x();
-      float y = p.body().body().y();
+      float x = p.entity().x();
+      float y = p.entity().y();
       boolean home = s.level().zones("flag").get(0).contains(x, y);
       if (home) {
         p.add(LAPS, 1);
       }
       if (home || y < -12) {
-        p.body().teleport(start.x(), start.y(), 0);
+        p.entity().teleport(start.x(), start.y(), 0);
       }
     }
   }

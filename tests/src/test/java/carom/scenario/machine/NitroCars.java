@@ -4,15 +4,17 @@ import static carom.sim.field.Scope.PLAYER;
 
 import carom.fixtures.PlainGame;
 import carom.physics.Body;
-import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityJoint;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
@@ -75,20 +77,18 @@ public final class NitroCars extends PlainGame {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     Material metal = new Material(1, 0.4f, 0.1f);
     ArchetypeDef wheel =
         new ArchetypeDef("wheel").shape(new Circle(0.45f), new Material(1, 1.2f, 0.1f));
     car =
-        s.assemblies()
-            .add(
-                new AssemblyDef("car")
-                    .body(
-                        "chassis", new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), metal), 0, 0)
-                    .body("rear", wheel, -1, -0.6f)
-                    .body("front", wheel, 1, -0.6f)
-                    .joint("drive", "chassis", "rear", (a, b) -> axle(a, b, -1).motor(0, 40))
-                    .joint("roll", "chassis", "front", (a, b) -> axle(a, b, 1)));
+        s.assembly(
+            new AssemblyDef("car")
+                .body("chassis", new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), metal), 0, 0)
+                .body("rear", wheel, -1, -0.6f)
+                .body("front", wheel, 1, -0.6f)
+                .joint("drive", "chassis", "rear", (a, b) -> axle(a, b, -1).motor(0, 40))
+                .joint("roll", "chassis", "front", (a, b) -> axle(a, b, 1)));
   }
 
   private static JointDef<Object> axle(Body<Object> chassis, Body<Object> wheel, float x) {
@@ -96,18 +96,18 @@ public final class NitroCars extends PlainGame {
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
+  public void join(Match s, Player p) {
     Level.Spawn spot = s.level().spawns("player").get(p.id() % 2);
     p.set(nitro, p.id() == 0 ? tank : 1);
     s.spawn(car, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
-    Body<HostEntity> body = p.body().body();
+  public void input(Simulation s, Player p, Input in) {
+    Entity body = p.entity();
     boolean boost = in.held(Input.JUMP) && p.get(nitro) > 0;
     p.add(nitro, boost ? -0.01f : 0.001f);
-    Joint<HostEntity> drive = s.joint(p.body(), "drive");
+    EntityJoint drive = p.entity().joint("drive");
     if (drive != null) {
       drive.setMotor((boost ? -40 : -20) * in.moveX(), 60);
     }

@@ -1,16 +1,18 @@
 package carom.scenario.machine;
 
 import carom.physics.Body;
-import carom.physics.Collision;
 import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Contact;
+import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.EventKind;
 import carom.sim.field.Count;
 import carom.sim.field.Countdown;
@@ -58,7 +60,7 @@ final class RagdollBrawl implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     Material flesh = new Material(1, 0.6f, 0.1f);
     AssemblyDef def =
         new AssemblyDef("fighter")
@@ -73,8 +75,8 @@ final class RagdollBrawl implements Game {
           .joint(name + "shoulder", "torso", name + "arm", (a, b) -> hinge(a, b, 2.2f * x, 0, 2.5f))
           .joint(name + "hip", "torso", name + "leg", (a, b) -> hinge(a, b, x, -0.7f, 1));
     }
-    fighter = s.assemblies().add(def);
-    blow = s.eventKinds().add("blow", 0xef476f, 1, "hit");
+    fighter = s.assembly(def);
+    blow = s.event("blow", 0xef476f, 1, "hit");
   }
 
   private static ArchetypeDef limb(String name, float length, float radius, Material flesh) {
@@ -89,33 +91,33 @@ final class RagdollBrawl implements Game {
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
+  public void join(Match s, Player p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     s.spawn(fighter, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
-    Body<HostEntity> torso = p.body().body();
+  public void input(Simulation s, Player p, Input in) {
+    Entity torso = p.entity();
     torso.applyForce(in.moveX() * 60, 18 + in.moveY() * 40);
     torso.applyTorque(-8 * torso.angle() - torso.angularVelocity());
-    HostEntity arm = s.part(p.body(), in.moveX() < 0 ? "left arm" : "right arm");
+    Entity arm = p.entity().part(in.moveX() < 0 ? "left arm" : "right arm");
     if (in.held(Input.ACTION) && p.get(TIRED) == 0 && arm != null) {
       p.set(TIRED, s.ticks(0.6f));
-      arm.body().applyAngularImpulse(in.moveX() < 0 ? -0.5f : 0.5f);
+      arm.applyAngularImpulse(in.moveX() < 0 ? -0.5f : 0.5f);
     }
   }
 
   @Override
-  public void hit(SimulationHost s, Collision<HostEntity> c) {
-    HostEntity a = c.self().user();
-    HostEntity b = c.other().user();
-    HostEntity head = a.archetype().name().equals("head") ? a : b;
-    HostPlayer owner = s.owner(head);
+  public void hit(Simulation s, Contact c) {
+    Entity a = c.self();
+    Entity b = c.other();
+    Entity head = a.archetype().name().equals("head") ? a : b;
+    Player owner = head.owner();
     if (head.archetype().name().equals("head") && owner != null && c.impulse() > 1) {
       owner.add(HEALTH, -Math.round(c.impulse()));
-      s.emit(blow).at(head.body().x(), head.body().y());
+      s.emit(blow).at(head.x(), head.y());
     }
   }
 }

@@ -1,18 +1,19 @@
 package carom.scenario.machine;
 
 import carom.physics.Body;
-import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.JointType;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
-import carom.sim.Role;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityJoint;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Countdown;
 import carom.sim.field.EntityRef;
@@ -62,33 +63,34 @@ final class TowTruck implements Game {
   }
 
   @Override
-  public void setUp(SimulationHost s) {
+  public void setUp(SetUp s) {
     Material metal = new Material(1, 0.4f, 0.1f);
     ArchetypeDef wheel =
         new ArchetypeDef("wheel").shape(new Circle(0.45f), new Material(1, 1.2f, 0.1f));
     ArchetypeDef chassis = new ArchetypeDef("truck").shape(new Box(1.6f, 0.3f), metal);
     ArchetypeDef boom = new ArchetypeDef("boom").shape(new Box(0.7f, 0.08f), metal);
     truck =
-        s.assemblies()
-            .add(
-                new AssemblyDef("truck")
-                    .body("chassis", chassis, 0, 0)
-                    .body("rear", wheel, -1.1f, -0.6f)
-                    .body("front", wheel, 1.1f, -0.6f)
-                    .body("boom", boom, -1.2f, 0.6f)
-                    .joint("drive", "chassis", "rear", (a, b) -> axle(a, b, -1.1f).motor(0, 60))
-                    .joint("roll", "chassis", "front", (a, b) -> axle(a, b, 1.1f))
-                    .joint(
-                        "lift",
-                        "chassis",
-                        "boom",
-                        (a, b) ->
-                            JointDef.revolute(a, b, -0.6f, 0.6f).limits(-0.6f, 0.2f).motor(0, 80)));
-    wreck = s.archetypes().add(new ArchetypeDef("wreck").shape(new Box(0.6f, 0.4f), metal));
-    if (s.role() == Role.AUTHORITY) {
-      for (Level.Spawn spot : s.level().spawns("wreck")) {
-        s.spawn(wreck, spot.x(), spot.y(), 0, null);
-      }
+        s.assembly(
+            new AssemblyDef("truck")
+                .body("chassis", chassis, 0, 0)
+                .body("rear", wheel, -1.1f, -0.6f)
+                .body("front", wheel, 1.1f, -0.6f)
+                .body("boom", boom, -1.2f, 0.6f)
+                .joint("drive", "chassis", "rear", (a, b) -> axle(a, b, -1.1f).motor(0, 60))
+                .joint("roll", "chassis", "front", (a, b) -> axle(a, b, 1.1f))
+                .joint(
+                    "lift",
+                    "chassis",
+                    "boom",
+                    (a, b) ->
+                        JointDef.revolute(a, b, -0.6f, 0.6f).limits(-0.6f, 0.2f).motor(0, 80)));
+    wreck = s.archetype(new ArchetypeDef("wreck").shape(new Box(0.6f, 0.4f), metal));
+  }
+
+  @Override
+  public void begin(Match s) {
+    for (Level.Spawn spot : s.level().spawns("wreck")) {
+      s.spawn(wreck, spot.x(), spot.y());
     }
   }
 
@@ -97,16 +99,16 @@ final class TowTruck implements Game {
   }
 
   @Override
-  public void join(SimulationHost s, HostPlayer p) {
+  public void join(Match s, Player p) {
     List<Level.Spawn> spots = s.level().spawns("player");
     Level.Spawn spot = spots.get(p.id() % spots.size());
     s.spawn(truck, spot.x(), spot.y(), 0, p);
   }
 
   @Override
-  public void input(SimulationHost s, HostPlayer p, Input in) {
-    Joint<HostEntity> drive = s.joint(p.body(), "drive");
-    Joint<HostEntity> lift = s.joint(p.body(), "lift");
+  public void input(Simulation s, Player p, Input in) {
+    EntityJoint drive = p.entity().joint("drive");
+    EntityJoint lift = p.entity().joint("lift");
     if (drive != null) {
       drive.setMotor(-10 * in.moveX(), 60);
     }
@@ -116,10 +118,9 @@ final class TowTruck implements Game {
   }
 
   @Override
-  public void beforeStep(SimulationHost s) {
-    for (int id = 0; id < s.playerCapacity(); id++) {
-      HostPlayer p = s.player(id);
-      if (p != null && p.body() != null && p.input().held(Input.ACTION) && p.get(PAUSE) == 0) {
+  public void beforeStep(Match s) {
+    for (Player p : s.players()) {
+      if (p.entity() != null && s.input(p).held(Input.ACTION) && p.get(PAUSE) == 0) {
         p.set(PAUSE, s.ticks(1));
         hook(s, p);
       }
@@ -127,23 +128,21 @@ final class TowTruck implements Game {
   }
 
   /** Lets go what is on the hook, or takes the nearest wreck within reach. */
-  private void hook(SimulationHost s, HostPlayer p) {
-    HostEntity boom = s.part(p.body(), "boom");
-    Joint<HostEntity> rope = rope(boom);
+  private void hook(Match s, Player p) {
+    Entity boom = p.entity().part("boom");
+    EntityJoint rope = rope(boom);
     if (rope != null) {
-      s.disconnect(rope);
+      rope.destroy();
       p.set(TOWED, null);
       return;
     }
-    for (int id = 0; id < s.entityCapacity(); id++) {
-      HostEntity e = s.entity(id);
-      if (e != null && e.archetype() == wreck) {
-        float x = boom.body().x() - 0.7f;
-        float dx = e.body().x() - x;
+    for (Entity e : s.entities()) {
+      if (e.archetype() == wreck) {
+        float x = boom.x() - 0.7f;
+        float dx = e.x() - x;
         if (dx * dx < 4) {
-          float y = boom.body().y();
-          s.connect(
-              JointDef.rope(boom.body(), e.body(), x, y, e.body().x(), e.body().y() + 0.4f, 2));
+          float y = boom.y();
+          s.connect(boom, e, (a, b) -> JointDef.rope(a, b, x, y, e.x(), e.y() + 0.4f, 2));
           p.set(TOWED, e);
           return;
         }
@@ -151,10 +150,9 @@ final class TowTruck implements Game {
     }
   }
 
-  private static Joint<HostEntity> rope(HostEntity boom) {
-    List<Joint<HostEntity>> found = new ArrayList<>();
-    boom.body()
-        .forEachJoint(j -> found.addAll(j.type() == JointType.DISTANCE ? List.of(j) : List.of()));
+  private static EntityJoint rope(Entity boom) {
+    List<EntityJoint> found = new ArrayList<>();
+    boom.forEachJoint(j -> found.addAll(j.type() == JointType.DISTANCE ? List.of(j) : List.of()));
     return found.isEmpty() ? null : found.get(0);
   }
 }

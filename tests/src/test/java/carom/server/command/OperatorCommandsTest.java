@@ -171,7 +171,7 @@ final class OperatorCommandsTest {
     assertTrue(ok("save evening").startsWith("saved room=1 to " + folder.resolve("saves")));
     assertEquals(List.of("evening"), registry.complete(List.of("load"), Caller.CONSOLE));
     int saved = stepper.room().simulation().tick();
-    float x = stepper.room().simulation().player(0).body().body().x();
+    float x = stepper.room().simulation().player(0).entity().body().x();
     ok("kick \"Bob B\"");
     stepper.run(3);
     long askedNs = stepper.nowNs();
@@ -182,9 +182,9 @@ final class OperatorCommandsTest {
     assertTrue(
         loaded >= before && loaded <= saved + since,
         () -> before + " to " + saved + " + " + since + ", loaded " + loaded);
-    assertNotNull(stepper.room().simulation().player(0).body(), "Ann has her body");
+    assertNotNull(stepper.room().simulation().player(0).entity(), "Ann has her body");
     assertNull(stepper.room().simulation().player(1), "Bob is gone");
-    assertTrue(Math.abs(stepper.room().simulation().player(0).body().body().x() - x) < 20);
+    assertTrue(Math.abs(stepper.room().simulation().player(0).entity().body().x() - x) < 20);
     stepper.run(1);
     assertTrue(ok("list").contains("playing"), ok("list"));
     long compared = ann.compared();

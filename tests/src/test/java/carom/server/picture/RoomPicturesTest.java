@@ -24,6 +24,7 @@ import carom.physics.particles.Particles;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.TurnStage;
 import carom.sim.Role;
+import carom.sim.SetUp;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.level.Appearance;
@@ -120,9 +121,9 @@ final class RoomPicturesTest {
     PlainGame game =
         new PlainGame("looks", "arena") {
           @Override
-          public void setUp(SimulationHost s) {
-            kinds[0] = s.archetypes().add(plain("snow", disc, 0xffffff));
-            kinds[1] = s.archetypes().add(plain("mud", disc, 0x554433));
+          public void setUp(SetUp s) {
+            kinds[0] = s.archetype(plain("snow", disc, 0xffffff));
+            kinds[1] = s.archetype(plain("mud", disc, 0x554433));
           }
         };
     SimulationHost s = new SimulationHost(game, Level.builtIn("arena"), 1, 60, Role.AUTHORITY);

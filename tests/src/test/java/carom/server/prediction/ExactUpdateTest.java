@@ -67,7 +67,7 @@ class ExactUpdateTest {
     simulation.step();
     EntityList near = new EntityList();
     for (int i = 0; i < players; i++) {
-      near.add(simulation.player(i).body());
+      near.add(simulation.player(i).entity());
     }
     update.begin(near, all);
     return sendTick(arrives);

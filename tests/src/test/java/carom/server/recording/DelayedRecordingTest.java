@@ -43,7 +43,8 @@ final class DelayedRecordingTest {
 
   @Test
   void whoComesLateBeginsWithTheLastStateShown() throws Exception {
-    SimulationHost s = new SimulationHost(new ArenaGame(), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
+    SimulationHost s =
+        new SimulationHost(new ArenaGame(), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
     DelayedRecording recording =
         new DelayedRecording(new RecordingFile(folder.resolve("all.carom")), s::tick, false);
     recording.delay(DELAY);

@@ -15,10 +15,14 @@ import carom.physics.math.Trig;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
 import carom.sim.SimulationHost;
+import carom.sim.entity.Entity;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -81,60 +85,63 @@ final class ThinSessionTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      simulation = s;
-      ball = s.archetypes().add(new ArchetypeDef("ball").shape(new Circle(0.4f), MATERIAL));
-      box = s.archetypes().add(new ArchetypeDef("other").shape(new Circle(0.6f), MATERIAL));
-      s.messageKinds().add(PING);
-      s.messageKinds().add(PONG);
+    public void setUp(SetUp s) {
+      ball = s.archetype(new ArchetypeDef("ball").shape(new Circle(0.4f), MATERIAL));
+      box = s.archetype(new ArchetypeDef("other").shape(new Circle(0.6f), MATERIAL));
+      s.message(PING);
+      s.message(PONG);
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void begin(Match s) {
+      simulation = (SimulationHost) s;
+    }
+
+    @Override
+    public void join(Match s, Player p) {
       s.spawn(ball, p.id() * 3, 0, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
-      p.body().body().setVelocity(in.moveX() * 5, in.moveY() * 5);
+    public void input(Simulation s, Player p, Input in) {
+      p.entity().setVelocity(in.moveX() * 5, in.moveY() * 5);
       if (in.held(Input.JUMP)) {
         jumps.add(s.tick());
       }
     }
 
     @Override
-    public void message(SimulationHost s, HostPlayer p, Message m) {
+    public void message(Match s, Player p, Message m) {
       if (m.is(PING)) {
         s.send(PONG.of(m.count("n"), m.text("word"))).to(p);
       }
     }
 
     @Override
-    public void beforeStep(SimulationHost s) {
+    public void beforeStep(Match s) {
       stepping.run();
       if (s.tick() >= busyUntil) {
-        for (int id = 0; id < s.entityCapacity(); id++) {
-          HostEntity e = s.entity(id);
-          if (e != null && e.ownerId() < 0) {
-            e.body().setVelocity(0, 0);
-            e.body().setAngularVelocity(0);
+        for (Entity e : s.entities()) {
+          if (!e.isOwned()) {
+            e.setVelocity(0, 0);
+            e.setAngularVelocity(0);
           }
         }
         return;
       }
       if (random.nextInt(8) == 0) {
         Archetype kind = random.nextBoolean() ? ball : box;
-        HostEntity e =
+        Entity e =
             s.spawn(kind, random.nextFloat() * 80 - 40, random.nextFloat() * 40 - 15, 0, null);
-        e.body().setVelocity(random.nextFloat() * 8 - 4, random.nextFloat() * 8 - 4);
-        e.body().setAngularVelocity(random.nextFloat() * 6 - 3);
+        e.setVelocity(random.nextFloat() * 8 - 4, random.nextFloat() * 8 - 4);
+        e.setAngularVelocity(random.nextFloat() * 6 - 3);
       }
-      int id = random.nextInt(Math.max(1, s.entityCapacity()));
-      HostEntity e = s.entity(id);
-      if (e != null && e.ownerId() < 0) {
+      int id = random.nextInt(Math.max(1, ((SimulationHost) s).entityCapacity()));
+      Entity e = s.entity(id);
+      if (e != null && !e.isOwned()) {
         switch (random.nextInt(12)) {
-          case 0 -> s.despawn(e);
-          case 1 -> e.body().setVelocity(0, 0);
+          case 0 -> e.despawn();
+          case 1 -> e.setVelocity(0, 0);
           case 2 -> e.become(e.archetype() == ball ? box : ball);
           default -> {}
         }
@@ -142,19 +149,18 @@ final class ThinSessionTest {
     }
 
     @Override
-    public void afterStep(SimulationHost s) {
+    public void afterStep(Match s) {
       Map<Integer, ThinDoor.Client.Shown> now = new HashMap<>();
-      for (int id = 0; id < s.entityCapacity(); id++) {
-        HostEntity e = s.entity(id);
+      for (Entity e : s.entities()) {
         if (e != null) {
           now.put(
-              id,
+              e.id(),
               new ThinDoor.Client.Shown(
-                  Quantizer.position(e.body().x()),
-                  Quantizer.position(e.body().y()),
-                  Quantizer.angle(Trig.atan2(e.body().sin(), e.body().cos())),
+                  Quantizer.position(e.x()),
+                  Quantizer.position(e.y()),
+                  Quantizer.angle(Trig.atan2(e.sin(), e.cos())),
                   e.archetype().index(),
-                  e.ownerId()));
+                  ((HostEntity) e).ownerId()));
         }
       }
       poses.put(s.tick(), now);
@@ -202,7 +208,7 @@ final class ThinSessionTest {
     assertEquals(1, ann.match.ground().size());
     assertEquals(4, ann.match.ground().get(0).kind().parts().get(0).corners().size() / 2);
     assertEquals("Ann", ann.players.get(ann.match.player()).name());
-    int body = game.simulation.player(ann.match.player()).body().id();
+    int body = game.simulation.player(ann.match.player()).entity().id();
     int before = ann.bodies.get(body).x();
     ann.press(new Input().move(1, 0).pack());
     steps(60);

@@ -8,19 +8,23 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.fixtures.PlainGame;
-import carom.physics.Collision;
 import carom.physics.Material;
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
+import carom.sim.Match;
 import carom.sim.Role;
+import carom.sim.SetUp;
 import carom.sim.SimState;
+import carom.sim.Simulation;
 import carom.sim.SimulationHost;
+import carom.sim.entity.Contact;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
@@ -65,30 +69,29 @@ final class FieldStateTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
+    public void setUp(SetUp s) {
       ball =
-          s.archetypes()
-              .add(new ArchetypeDef("ball").shape(new Circle(0.5f), new Material(1, 0, 0.5f)));
+          s.archetype(new ArchetypeDef("ball").shape(new Circle(0.5f), new Material(1, 0, 0.5f)));
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(ball, 3 * p.id(), 0, 0, p);
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
+    public void input(Simulation s, Player p, Input in) {
       inInput.run();
     }
 
     @Override
-    public boolean collision(SimulationHost s, Collision<HostEntity> c) {
+    public boolean collision(Simulation s, Contact c) {
       inCollision.run();
       return true;
     }
 
     @Override
-    public void hit(SimulationHost s, Collision<HostEntity> c) {
+    public void hit(Simulation s, Contact c) {
       inHit.run();
     }
   }
@@ -113,13 +116,13 @@ final class FieldStateTest {
     SimulationHost s = start(game, Role.AUTHORITY);
     HostPlayer p = s.join("ann");
     assertEquals(5, p.get(AMMO));
-    assertEquals(1, p.body().get(FUEL));
+    assertEquals(1, p.entity().get(FUEL));
     p.add(AMMO, -20);
     assertEquals(0, p.get(AMMO));
     p.add(AMMO, Integer.MAX_VALUE);
     assertEquals(9, p.get(AMMO));
     assertThrows(IllegalArgumentException.class, () -> p.set(AMMO, 10));
-    assertThrows(IllegalArgumentException.class, () -> p.body().set(FUEL, -0.1f));
+    assertThrows(IllegalArgumentException.class, () -> p.entity().set(FUEL, -0.1f));
     assertEquals(9, p.get(AMMO), "what is refused changes nothing");
     p.resetFields();
     assertEquals(5, p.get(AMMO));
@@ -145,16 +148,16 @@ final class FieldStateTest {
     SimulationHost s = start(game, Role.AUTHORITY);
     HostPlayer ann = s.join("ann");
     HostPlayer bob = s.join("bob");
-    ann.set(TARGET, bob.body());
-    ann.body().set(TOUCHED, bob);
+    ann.set(TARGET, bob.entity());
+    ann.entity().set(TOUCHED, bob);
     s.set(KING, bob);
-    assertSame(bob.body(), ann.get(TARGET));
-    assertSame(bob, ann.body().get(TOUCHED));
+    assertSame(bob.entity(), ann.get(TARGET));
+    assertSame(bob, ann.entity().get(TOUCHED));
     assertSame(bob, s.get(KING));
     s.leave(bob);
     s.join("eve"); // has bob's id, and her body the id of his
     assertNull(ann.get(TARGET));
-    assertNull(ann.body().get(TOUCHED));
+    assertNull(ann.entity().get(TOUCHED));
     assertNull(s.get(KING));
   }
 
@@ -256,7 +259,7 @@ final class FieldStateTest {
     List<FieldValues> targets = new ArrayList<>(List.of(s.fieldValues()));
     for (int id = 0; id < s.playerCapacity(); id++) {
       targets.add(s.player(id).fieldValues());
-      targets.add(s.player(id).body().fieldValues());
+      targets.add(s.player(id).entity().fieldValues());
     }
     for (FieldValues values : targets) {
       for (int i = 0; i < values.size(); i++) {

@@ -16,9 +16,11 @@ import carom.physics.archive.ArchiveWriter;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.SimulationHost;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityJoint;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
 import carom.sim.near.JointDefinitions;
 import carom.sim.near.Neighbourhood;
 import carom.sim.random.SimRandom;
@@ -31,7 +33,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Joints and assemblies as things of a simulation. */
 final class JointSimulationTest {
   private final MachineGame game = new MachineGame();
-  private final SimulationHost s = new SimulationHost(game, MachineGame.level(""), 1, 60, Role.AUTHORITY);
+  private final SimulationHost s =
+      new SimulationHost(game, MachineGame.level(""), 1, 60, Role.AUTHORITY);
 
   private static void run(SimulationHost s, int ticks) {
     for (int i = 0; i < ticks; i++) {
@@ -42,18 +45,18 @@ final class JointSimulationTest {
   @Test
   void anAssemblyHasOneOwnerNamedPartsAndNamedJoints() {
     HostPlayer ann = s.join("Ann");
-    HostEntity chassis = ann.body();
-    HostEntity rear = s.part(chassis, "rear");
+    HostEntity chassis = ann.entity();
+    HostEntity rear = chassis.part("rear");
     assertEquals("chassis", chassis.archetype().name());
     assertEquals(ann.id(), rear.ownerId());
     assertSame(chassis, rear.root());
-    assertSame(chassis, s.part(rear, "chassis"));
-    Joint<HostEntity> drive = s.joint(rear, "drive");
-    assertSame(rear.body(), drive.bodyB());
+    assertSame(chassis, rear.part("chassis"));
+    EntityJoint drive = rear.joint("drive");
+    assertSame(rear, drive.b());
     assertTrue(drive.isDriven());
-    assertFalse(s.joint(chassis, "roll").isDriven());
+    assertFalse(chassis.joint("roll").isDriven());
     String message =
-        assertThrows(IllegalArgumentException.class, () -> s.joint(chassis, "gears")).getMessage();
+        assertThrows(IllegalArgumentException.class, () -> chassis.joint("gears")).getMessage();
     assertTrue(message.contains("gears") && message.contains("[drive, roll]"), message);
   }
 
@@ -62,18 +65,18 @@ final class JointSimulationTest {
     HostPlayer ann = s.join("Ann");
     ann.input().move(1, 0);
     run(s, 240);
-    assertTrue(ann.body().body().x() > -20, "x=" + ann.body().body().x());
+    assertTrue(ann.entity().body().x() > -20, "x=" + ann.entity().body().x());
     ann.input().move(0, 0);
-    Joint<HostEntity> drive = s.joint(ann.body(), "drive");
-    float gap = gap(drive);
-    ann.body().teleport(5, 9, 2.5f);
-    assertEquals(gap, gap(drive), 1e-5f);
-    assertTrue(s.part(ann.body(), "rear").body().y() > 7);
-    assertEquals(1, s.part(ann.body(), "rear").teleports());
+    EntityJoint drive = ann.entity().joint("drive");
+    float gap = gap(EntityJoint.engineOf(drive));
+    ann.entity().teleport(5, 9, 2.5f);
+    assertEquals(gap, gap(EntityJoint.engineOf(drive)), 1e-5f);
+    assertTrue(ann.entity().part("rear").body().y() > 7);
+    assertEquals(1, ann.entity().part("rear").teleports());
     run(s, 30);
-    assertTrue(gap(drive) < 0.45f, "gap=" + gap(drive));
+    assertTrue(gap(EntityJoint.engineOf(drive)) < 0.45f, "gap=" + gap(EntityJoint.engineOf(drive)));
     int before = s.entityCount();
-    s.despawn(ann.body());
+    s.despawn(ann.entity());
     assertEquals(before - 3, s.entityCount());
     assertEquals(0, s.world().jointCount());
   }
@@ -84,25 +87,26 @@ final class JointSimulationTest {
 
   @Test
   void gearsAndPulleysOfAnAssemblyGoWhereItIsSpawnedAndTeleported() {
-    HostEntity frame = game.gears(s, 4, 12, 1);
-    Joint<HostEntity> rope = s.joint(frame, "rope");
+    HostEntity frame = (HostEntity) game.gears(s, 4, 12, 1);
+    EntityJoint rope = frame.joint("rope");
     float length = rope.coordinate();
     assertEquals(2.3f + 2.8f, length, 1e-4f);
-    assertEquals(4 + Math.cos(1) * -2.5 - Math.sin(1) * 4, rope.groundAX(), 1e-4f);
-    assertEquals(0, s.joint(frame, "gear").coordinate(), 1e-5f);
+    assertEquals(
+        4 + Math.cos(1) * -2.5 - Math.sin(1) * 4, EntityJoint.engineOf(rope).groundAX(), 1e-4f);
+    assertEquals(0, frame.joint("gear").coordinate(), 1e-5f);
     run(s, 60);
-    HostEntity small = s.part(frame, "small");
-    HostEntity large = s.part(frame, "large");
+    HostEntity small = frame.part("small");
+    HostEntity large = frame.part("large");
     assertTrue(Math.abs(small.body().angularVelocity()) > 1, "the motor drives it");
     assertEquals(
         -0.5f, large.body().angularVelocity() / small.body().angularVelocity(), 0.01f, "in gear");
-    assertEquals(length, s.joint(frame, "rope").coordinate(), 0.02f);
+    assertEquals(length, frame.joint("rope").coordinate(), 0.02f);
     float turning = large.body().angularVelocity();
-    final float lower = s.joint(frame, "rope").lengthA();
+    final float lower = frame.joint("rope").lengthA();
     frame.teleport(-6, 9, -2.2f);
     assertFalse(rope.isValid(), "it is made anew");
-    assertEquals(0, s.joint(frame, "gear").coordinate(), 1e-4f);
-    assertEquals(lower, s.joint(frame, "rope").lengthA(), 1e-4f);
+    assertEquals(0, frame.joint("gear").coordinate(), 1e-4f);
+    assertEquals(lower, frame.joint("rope").lengthA(), 1e-4f);
     s.step();
     assertEquals(turning, large.body().angularVelocity(), 0.3f, "no jerk");
     run(s, 60);
@@ -116,10 +120,10 @@ final class JointSimulationTest {
   @Test
   void aMemberThatGoesTakesItsJointsAlong() {
     HostPlayer ann = s.join("Ann");
-    s.despawn(s.part(ann.body(), "rear"));
-    assertNull(s.part(ann.body(), "rear"));
-    assertNull(s.joint(ann.body(), "drive"));
-    assertNotNull(s.joint(ann.body(), "roll"));
+    s.despawn(ann.entity().part("rear"));
+    assertNull(ann.entity().part("rear"));
+    assertNull(ann.entity().joint("drive"));
+    assertNotNull(ann.entity().joint("roll"));
     run(s, 10);
   }
 
@@ -127,15 +131,15 @@ final class JointSimulationTest {
   void jointsComeBackWithASavedStateAndWithItsBytes() {
     HostPlayer ann = s.join("Ann");
     game.ragdoll(s, 0, 0.2f);
-    HostEntity[] bridge = game.bridge(s, 0, 6, 8, 1e9f);
+    Entity[] bridge = game.bridge(s, 0, 6, 8, 1e9f);
     ann.input().move(1, 0);
     run(s, 60);
     SimState saved = s.save(null);
     ArchiveWriter bytes = new ArchiveWriter();
     saved.write(bytes);
     List<Long> hashes = hashes(s, 120);
-    s.despawn(bridge[3]);
-    s.disconnect(s.joint(ann.body(), "roll"));
+    bridge[3].despawn();
+    ann.entity().joint("roll").destroy();
     run(s, 5);
     s.restore(saved);
     assertEquals(hashes, hashes(s, 120), "restored");
@@ -143,7 +147,7 @@ final class JointSimulationTest {
         new SimulationHost(new MachineGame(), MachineGame.level(""), 1, 60, Role.AUTHORITY);
     other.restore(other.read(new ArchiveReader(bytes.toBytes())));
     assertEquals(hashes, hashes(other, 120), "from bytes");
-    assertNotNull(other.joint(other.player(ann.id()).body(), "roll"));
+    assertNotNull(other.player(ann.id()).entity().joint("roll"));
     assertEquals(s.joints().key(0), other.joints().key(0));
   }
 
@@ -181,7 +185,7 @@ final class JointSimulationTest {
     Neighbourhood near = new Neighbourhood();
     near.readAll(server);
     near.write(client, identity(server));
-    HostEntity chassis = client.entity(ann.body().id());
+    HostEntity chassis = client.entity(ann.entity().id());
     JointDef<HostEntity> def = JointDef.revolute(null, chassis.body(), 0, 0);
     int before = client.world().jointCount();
     assertEquals(2, before);
@@ -219,7 +223,7 @@ final class JointSimulationTest {
     game.ragdoll(s, 3, 1);
     game.ragdoll(s, -3, 1);
     game.bridge(s, 0, 5, 8, 220);
-    HostEntity gears = game.gears(s, 16, 0.4f, 0);
+    HostEntity gears = (HostEntity) game.gears(s, 16, 0.4f, 0);
     Neighbourhood there = new Neighbourhood();
     Neighbourhood here = new Neighbourhood();
     int joints = s.world().jointCount();
@@ -241,7 +245,7 @@ final class JointSimulationTest {
       if (mirrored) {
         for (HostPlayer p : List.of(ann, bob)) {
           client.player(p.id()).input().set(p.input());
-          assertEquals(p.body().id(), client.player(p.id()).body().id());
+          assertEquals(p.entity().id(), client.player(p.id()).entity().id());
         }
         client.step();
       }
@@ -272,7 +276,8 @@ final class JointSimulationTest {
     SimRandom random = new SimRandom(seed);
     for (int run = 0; run < 4; run++) {
       MachineGame machines = new MachineGame();
-      SimulationHost server = new SimulationHost(machines, MachineGame.level(""), 1, 60, Role.AUTHORITY);
+      SimulationHost server =
+          new SimulationHost(machines, MachineGame.level(""), 1, 60, Role.AUTHORITY);
       SimulationHost client =
           new SimulationHost(new MachineGame(), MachineGame.level(""), 1, 60, Role.PREDICTION);
       boolean all = machine.equals("all");

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import carom.fixtures.PlainGame;
+import carom.sim.Match;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
@@ -30,7 +31,7 @@ class MatchClockTest {
     }
 
     @Override
-    public void phase(SimulationHost s, MatchPhase now) {
+    public void phase(Match s, MatchPhase now) {
       told.add(now.text() + "@" + s.tick());
     }
   }

@@ -9,10 +9,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.fixtures.PlainGame;
 import carom.game.GuardedGame;
 import carom.sim.Game;
+import carom.sim.Match;
 import carom.sim.Role;
+import carom.sim.SetUp;
 import carom.sim.SimState;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.level.Level;
 import carom.sim.outbox.Delivery;
 import carom.sim.outbox.Delivery.Recipients;
@@ -37,28 +40,28 @@ final class MessageOrderTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      s.messageKinds().add(ADD);
-      s.messageKinds().add(SUM);
+    public void setUp(SetUp s) {
+      s.message(ADD);
+      s.message(SUM);
     }
 
     @Override
-    public void message(SimulationHost s, HostPlayer p, Message m) {
+    public void message(Match s, Player p, Message m) {
       heard.add(s.tick() + ": " + p.id() + " " + m);
-      p.score(p.score() + m.count("n"));
+      s.addScore(p, m.count("n"));
       if (m.count("n") == 13) {
         throw new IllegalStateException("unlucky");
       }
-      s.send(SUM.of(p.score())).to(p);
+      s.send(SUM.of(s.score(p))).to(p);
     }
 
     @Override
-    public void beforeStep(SimulationHost s) {
+    public void beforeStep(Match s) {
       heard.add(s.tick() + ": step");
     }
 
     @Override
-    public String chat(SimulationHost s, HostPlayer p, String text) {
+    public String chat(Match s, Player p, String text) {
       return text.equals(censored) ? null : text.replace("darn", "****");
     }
   }
@@ -170,7 +173,7 @@ final class MessageOrderTest {
 
   @Test
   void aPlayerWithoutABodyShowsNoEmote() {
-    assertNull(ann.body());
+    assertNull(ann.entity());
     s.receive(ann, BuiltInKinds.EMOTE.of(Emote.WOW));
     s.step();
     assertEquals(List.of(), sent());

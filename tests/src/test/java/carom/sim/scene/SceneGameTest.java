@@ -24,7 +24,8 @@ final class SceneGameTest {
   }
 
   private static SimulationHost simulation(Scene scene, Role role) {
-    return new SimulationHost(new SceneGame(scene), SceneGame.level(scene), 1, scene.tickRate(), role);
+    return new SimulationHost(
+        new SceneGame(scene), SceneGame.level(scene), 1, scene.tickRate(), role);
   }
 
   @ParameterizedTest

@@ -9,18 +9,22 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.fixtures.PlainGame;
-import carom.physics.BodyDef;
 import carom.physics.Material;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
 import carom.sim.Game;
+import carom.sim.Match;
 import carom.sim.Role;
+import carom.sim.SetUp;
 import carom.sim.SimState;
+import carom.sim.Simulation;
 import carom.sim.SimulationHost;
+import carom.sim.entity.Entity;
 import carom.sim.entity.HostEntity;
-import carom.sim.entity.Input;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Input;
+import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Count;
 import carom.sim.field.EntityRef;
@@ -45,6 +49,8 @@ final class SpawnInInputTest {
     int shots = 1;
     boolean foreign;
     boolean plain;
+    private Match match;
+    private Player last;
 
     Rules() {
       super("test");
@@ -56,9 +62,9 @@ final class SpawnInInputTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      man = s.archetypes().add(disc("man", 0.5f));
-      rocket = s.archetypes().add(disc("rocket", 0.2f));
+    public void setUp(SetUp s) {
+      man = s.archetype(disc("man", 0.5f));
+      rocket = s.archetype(disc("rocket", 0.2f));
     }
 
     private static ArchetypeDef disc(String name, float radius) {
@@ -66,25 +72,26 @@ final class SpawnInInputTest {
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void join(Match s, Player p) {
       s.spawn(man, 4 * p.id(), 0, 0, p);
+      match = s;
+      last = p;
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
+    public void input(Simulation s, Player p, Input in) {
       for (int i = 0; in.held(Input.ACTION) && i < shots; i++) {
-        HostPlayer owner = foreign ? null : p;
         if (plain) {
-          s.spawn(rocket, new BodyDef());
+          match.spawn(rocket, 0, 0); // kept from a callback of the server
         }
-        HostEntity fired = s.spawn(rocket, p.body().body().x(), 1 + i, 0, owner);
-        fired.body().setVelocity(0, 20);
+        Entity fired = (foreign ? last : p).spawn(rocket, p.entity().x(), 1 + i, 0);
+        fired.setVelocity(0, 20);
         fired.set(POWER, 40);
         p.set(LAST, fired);
       }
       if (in.held(Input.SECOND)) {
         for (int i = p.spawnedCount() - 1; i >= 0; i--) {
-          s.despawn(p.spawned(i));
+          p.spawned(i).despawn();
         }
       }
     }
@@ -330,14 +337,17 @@ final class SpawnInInputTest {
       SimulationHost s = role == Role.AUTHORITY ? simulation(role) : client(told(-1));
       HostPlayer ann = role == Role.AUTHORITY ? s.join("Ann") : s.player(0);
       ann.input().hold(Input.ACTION, true);
+      rules.last = role == Role.AUTHORITY ? s.join("Bob") : s.mirror().join(1, "Bob");
       rules.foreign = true;
       String message = assertThrows(IllegalArgumentException.class, s::step).getMessage();
-      assertTrue(message.contains("owner=null") && message.contains("beforeStep"), message);
+      assertTrue(message.contains("owner=Bob") && message.contains("beforeStep"), message);
       rules.foreign = false;
-      rules.plain = true;
-      message = assertThrows(IllegalStateException.class, s::step).getMessage();
-      assertTrue(message.contains("spawn(archetype, x, y, angle, player)"), message);
-      rules.plain = false;
+      if (role == Role.AUTHORITY) {
+        rules.plain = true;
+        message = assertThrows(IllegalStateException.class, s::step).getMessage();
+        assertTrue(message.contains("call Player.spawn there"), message);
+        rules.plain = false;
+      }
       rules.shots = Origin.MOST_PER_CALL + 1;
       message = assertThrows(IllegalStateException.class, s::step).getMessage();
       assertTrue(message.contains("spawns=64"), message);

@@ -7,10 +7,7 @@ import carom.client.ClientConfig;
 import carom.client.PredictionMode;
 import carom.game.Games;
 import carom.net.transport.Impairment;
-import carom.physics.Body;
-import carom.physics.Collision;
 import carom.physics.Filter;
-import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
@@ -18,11 +15,14 @@ import carom.physics.geometry.Circle;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Game;
-import carom.sim.Role;
-import carom.sim.SimulationHost;
-import carom.sim.entity.HostEntity;
+import carom.sim.Match;
+import carom.sim.SetUp;
+import carom.sim.Simulation;
+import carom.sim.entity.Contact;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityJoint;
 import carom.sim.entity.Input;
-import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -40,7 +40,7 @@ import org.junit.jupiter.api.Test;
  * what can't be is told. Method: real server and clients in virtual time at 150 ms and 2 % loss,
  * the clients' own counts.
  */
-class SealedScenarioTest {
+class FaceScenarioTest {
   private static final Impairment FAR =
       Impairment.NONE.withLatency(75, 0).withLoss(2).withSeed(Stepper.SEED);
 
@@ -59,11 +59,12 @@ class SealedScenarioTest {
 
   /** Uses what may be used. A player tows a ball now and then, until {@code input} unhooks it. */
   private static final class AllowedGame implements Game {
-    private final List<Joint<HostEntity>> found = new ArrayList<>();
+    private final List<EntityJoint> found = new ArrayList<>();
     private final AtomicInteger unhooked;
     private final AtomicInteger overrides;
     private Archetype flyer;
     private Archetype ghost;
+    private boolean serves;
 
     /** Counts what the server's instance does, so that nothing is allowed and unused. */
     AllowedGame(AtomicInteger unhooked, AtomicInteger overrides) {
@@ -82,26 +83,26 @@ class SealedScenarioTest {
     }
 
     @Override
-    public void setUp(SimulationHost s) {
-      s.statics().get(0).body().setMaterial(0, new Material(1, 0.1f, 0.3f));
-      s.statics().get(3).body().setFilter(0, new Filter(8, ~2, 0)); // lets balls pass
-      s.world().collisionFilter((a, i, b, j) -> kind(a) != ghost || kind(b) != ghost);
+    public void setUp(SetUp s) {
       flyer =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("flyer")
-                      .bullet(true)
-                      .shape(new Box(0.5f, 0.5f), new Material(0.5f, 0.4f, 0.2f)));
+          s.archetype(
+              new ArchetypeDef("flyer")
+                  .bullet(true)
+                  .shape(new Box(0.5f, 0.5f), new Material(0.5f, 0.4f, 0.2f)));
       ghost =
-          s.archetypes()
-              .add(
-                  new ArchetypeDef("ball")
-                      .filter(new Filter(2, -1, 0))
-                      .shape(new Circle(0.4f), new Material(0.5f, 0.4f, 0.5f)));
+          s.archetype(
+              new ArchetypeDef("ball")
+                  .filter(new Filter(2, -1, 0))
+                  .shape(new Circle(0.4f), new Material(0.5f, 0.4f, 0.5f)));
     }
 
     @Override
-    public void join(SimulationHost s, HostPlayer p) {
+    public void begin(Match s) {
+      serves = true;
+    }
+
+    @Override
+    public void join(Match s, Player p) {
       s.spawn(flyer, -6, 3, 0, p);
       s.spawn(ghost, -7, 3, 0, p);
       for (int i = 0; i < 4; i++) {
@@ -110,9 +111,9 @@ class SealedScenarioTest {
     }
 
     @Override
-    public void input(SimulationHost s, HostPlayer p, Input in) {
-      Body<HostEntity> body = p.body().body();
-      body.seekVelocity(in.moveX() * 5, body.velocityY(), 6 * body.mass());
+    public void input(Simulation s, Player p, Input in) {
+      Entity body = p.entity();
+      body.seekVelocity(in.moveX() * 5, body.velocityY(), 6);
       if (in.moveY() > 0.3f) {
         body.applyForce(0, 16 * body.mass());
         body.applyTorque(0.2f);
@@ -120,29 +121,29 @@ class SealedScenarioTest {
       found.clear();
       body.forEachJoint(found::add);
       if (!found.isEmpty() && s.tick() % 200 == 0) {
-        s.world().destroyJoint(found.get(0));
-        count(s, unhooked);
+        found.get(0).destroy();
+        count(unhooked);
       }
     }
 
-    private static Archetype kind(Body<HostEntity> body) {
-      return body.user().archetype();
+    private static Archetype kind(Entity body) {
+      return body.archetype();
     }
 
-    private static void count(SimulationHost s, AtomicInteger what) {
-      if (s.role() == Role.AUTHORITY) {
+    private void count(AtomicInteger what) {
+      if (serves) {
         what.incrementAndGet();
       }
     }
 
     @Override
-    public boolean collision(SimulationHost s, Collision<HostEntity> c) {
-      if (c.other().user().archetype().tag() == 1) {
+    public boolean collision(Simulation s, Contact c) {
+      if (c.other().archetype().tag() == 1) {
         c.setFriction(s.tick() / 100 % 2 == 0 ? 0.05f : 0.9f);
         c.setRestitution(0.4f);
-        count(s, overrides);
+        count(overrides);
       }
-      if (c.self().user().isLevel() && s.tick() / 150 % 2 == 0) {
+      if (c.self().isLevel() && s.tick() / 150 % 2 == 0) {
         c.setTangentSpeed(1.5f);
       }
       boolean own = kind(c.self()) == flyer || kind(c.other()) == flyer;
@@ -151,36 +152,34 @@ class SealedScenarioTest {
     }
 
     @Override
-    public void afterStep(SimulationHost s) {
-      for (int id = 0; id < s.entityCapacity(); id++) {
-        HostEntity e = s.entity(id);
-        if (e == null || e.ownerId() != HostEntity.NO_OWNER) {
+    public void afterStep(Match s) {
+      for (Entity e : s.entities()) {
+        if (e.isOwned()) {
           continue;
         }
-        Body<HostEntity> body = e.body();
-        switch ((s.tick() + 17 * id) % 240) {
-          case 20 -> body.applyImpulse(0.5f, 1, body.x() + 0.2f, body.y());
-          case 60 -> body.setAngularVelocity(2);
-          case 100 -> body.setVelocity(id % 3 - 1, 5);
-          case 140 -> body.setPose(body.x(), body.y() + 0.3f, body.angle());
-          case 180 -> body.wake();
-          case 200 -> body.sleep();
-          case 220 -> e.teleport(id % 5 - 2, 8, 0);
+        switch ((s.tick() + 17 * e.id()) % 240) {
+          case 20 -> e.applyImpulse(0.5f, 1, e.x() + 0.2f, e.y());
+          case 60 -> e.setAngularVelocity(2);
+          case 100 -> e.setVelocity(e.id() % 3 - 1, 5);
+          case 140 -> e.applyAngularImpulse(0.1f);
+          case 180 -> e.wake();
+          case 220 -> e.teleport(e.id() % 5 - 2, 8, 0);
           default -> {}
         }
       }
-      for (int id = 0; s.tick() % 200 == 100 && id < s.playerCapacity(); id++) {
-        tow(s, s.player(id));
+      for (Player p : s.players()) {
+        if (s.tick() % 200 == 100) {
+          tow(s, p);
+        }
       }
     }
 
-    private void tow(SimulationHost s, HostPlayer p) {
-      for (int id = 0; p != null && id < s.entityCapacity(); id++) {
-        HostEntity e = s.entity(id);
-        if (e != null && e.archetype() == ghost && e.ownerId() == p.id()) {
-          Body<HostEntity> body = p.body().body();
+    private void tow(Match s, Player p) {
+      for (Entity e : s.entities()) {
+        if (e.archetype() == ghost && e.owner() == p) {
+          Entity body = p.entity();
           e.teleport(body.x() - 1, body.y(), 0);
-          s.connect(JointDef.revolute(body, e.body(), body.x() - 1, body.y()));
+          s.connect(body, e, (a, b) -> JointDef.revolute(a, b, body.x() - 1, body.y()));
         }
       }
     }

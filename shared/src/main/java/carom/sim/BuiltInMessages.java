@@ -12,6 +12,7 @@ import static carom.sim.message.BuiltInKinds.SERVER;
 import static carom.sim.message.BuiltInKinds.TEAM;
 
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerColour;
@@ -22,8 +23,8 @@ import java.util.List;
  * Handles the messages that every game has: chat, emotes, and what a participant asks of the
  * roster. A request that isn't granted is answered in words, to the player who asked.
  */
-final class Talk {
-  private Talk() {}
+final class BuiltInMessages {
+  private BuiltInMessages() {}
 
   /** Handles a message of a participant: here if its kind is built in, or by the game. */
   static void handle(SimulationHost s, HostPlayer p, Message m) {
@@ -69,8 +70,8 @@ final class Talk {
   }
 
   private static void emote(SimulationHost s, HostPlayer p, Emote emote) {
-    if (p.body() != null && s.game().emote(s, p, emote)) {
-      s.send(EMOTED.of(p.id(), emote)).toNear(p.body());
+    if (p.entity() != null && s.game().emote(s, p, emote)) {
+      s.send(EMOTED.of(p.id(), emote)).toNear(p.entity());
     }
   }
 
@@ -118,11 +119,10 @@ final class Talk {
   }
 
   /** Returns why a change to a team would make the teams unequal, or null if it doesn't. */
-  static String imbalance(SimulationHost s, HostPlayer p, int team) {
-    List<String> teams = s.game().teams();
+  static String imbalance(Match m, Player p, int team, List<String> teams) {
     for (int other = 1; other <= teams.size(); other++) {
-      int others = s.teamSize(other) - (p.team() == other ? 1 : 0);
-      if (s.teamSize(team) > others) {
+      int others = m.teamSize(other) - (m.team(p) == other ? 1 : 0);
+      if (m.teamSize(team) > others) {
         return teams.get(team - 1) + " has more players than " + teams.get(other - 1);
       }
     }

@@ -1,0 +1,126 @@
+package carom.sim;
+
+import carom.physics.mover.MoverDef;
+import carom.sim.entity.Entity;
+import carom.sim.entity.EntityMover;
+import carom.sim.event.EventKind;
+import carom.sim.event.Sound;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.AssemblyDef;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import carom.sim.message.MessageKind;
+import carom.sim.outbox.Event;
+import carom.sim.pool.ParticleWorld;
+import carom.sim.pool.Pool;
+import carom.sim.pool.PoolDef;
+import java.util.Collections;
+import java.util.List;
+import java.util.function.Supplier;
+
+/**
+ * What {@link Game#setUp} receives: it registers what the game is made of, on both sides alike and
+ * in the same order.
+ */
+public final class SetUp {
+  private final SimParts parts;
+
+  SetUp(SimParts parts) {
+    this.parts = parts;
+  }
+
+  /** Returns the level that will be played. */
+  public Level level() {
+    return parts.level;
+  }
+
+  /** Returns the number of ticks per second. */
+  public int tickRate() {
+    return parts.tickRate;
+  }
+
+  /** Returns the static geometry of the level, in file order; unmodifiable. */
+  public List<Entity> statics() {
+    return Collections.unmodifiableList(parts.statics);
+  }
+
+  /**
+   * Registers an archetype: a kind of entity, with its shapes, materials and look.
+   *
+   * @throws IllegalStateException beyond {@value carom.sim.level.Archetypes#MAX}
+   */
+  public Archetype archetype(ArchetypeDef def) {
+    return parts.archetypes.add(def);
+  }
+
+  /**
+   * Returns an archetype of the level by its name.
+   *
+   * @throws IllegalArgumentException if there is none
+   */
+  public Archetype archetype(String name) {
+    return parts.archetype(name);
+  }
+
+  /** Registers an assembly: bodies and joints that belong together, such as a car. */
+  public Assembly assembly(AssemblyDef def) {
+    return parts.assemblies.add(def);
+  }
+
+  /**
+   * Registers a silent kind of event, see {@link #event(String, int, float, String, Sound, float)}.
+   */
+  public EventKind event(String name, int rgb, float radius, String label) {
+    return parts.eventKinds.add(name, rgb, radius, label);
+  }
+
+  /**
+   * Registers a kind of event.
+   *
+   * @param name for logs and tests
+   * @param rgb colour of its flash, 0xrrggbb
+   * @param radius of its flash, metres, 0..100; 0 for no flash
+   * @param label short text that rises from where it happens; empty for none
+   * @param sound its sound
+   * @param fullStrength {@link Event#strength} from which on the sound is loudest, finite, 0 and
+   *     above; 0 if it always is
+   * @throws IllegalArgumentException when radius or fullStrength is outside its range
+   */
+  public EventKind event(
+      String name, int rgb, float radius, String label, Sound sound, float fullStrength) {
+    return parts.eventKinds.add(name, rgb, radius, label, sound, fullStrength);
+  }
+
+  /** Registers a kind of message, and returns it. */
+  public MessageKind message(MessageKind kind) {
+    return parts.messageKinds.add(kind);
+  }
+
+  /** Adds water or sand to that of the level, and returns it. */
+  public Pool pool(PoolDef def) {
+    return parts.pools.add(def);
+  }
+
+  /** Returns a pool of the level by its name, or null. */
+  public Pool pool(String name) {
+    return parts.pools.find(name);
+  }
+
+  /**
+   * Shows particles of a world that nobody acts on, at clients.
+   *
+   * @param copy makes a client's copy of that world; the server never asks for it
+   * @throws IllegalStateException if there is one already
+   */
+  public void showAtClients(Supplier<ParticleWorld> copy) {
+    if (parts.role == Role.PREDICTION) {
+      parts.pools.follow(copy.get());
+    }
+  }
+
+  /** Makes a character that walks, see docs/MOVER.md; keep it. */
+  public EntityMover mover(MoverDef<?> def) {
+    return new EntityMover(parts.world, def, parts.tickRate);
+  }
+}
