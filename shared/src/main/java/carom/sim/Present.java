@@ -5,12 +5,19 @@ import java.util.NoSuchElementException;
 import java.util.function.IntFunction;
 import java.util.function.IntSupplier;
 
-/** Walks over what is there of the ids below a limit. What comes and goes meanwhile may be seen. */
-final class Present<T> implements Iterator<T> {
+/**
+ * What is there of the ids below a limit, for loops. What comes or goes meanwhile may be seen or
+ * not.
+ *
+ * <p>A loop that ends gives its iterator back, so that rules that loop in each tick allocate
+ * nothing. One that is left early keeps it, and costs the next loop a new one.
+ */
+final class Present<T> implements Iterable<T> {
   private final IntSupplier limit;
   private final IntFunction<? extends T> byId;
-  private int id;
-  private T next;
+
+  /** The first iterator that no loop uses; they are a list. */
+  private Walk free;
 
   Present(IntSupplier limit, IntFunction<? extends T> byId) {
     this.limit = limit;
@@ -18,22 +25,48 @@ final class Present<T> implements Iterator<T> {
   }
 
   @Override
-  public boolean hasNext() {
-    for (next = null; next == null && id < limit.getAsInt(); id++) {
-      next = byId.apply(id);
-    }
-    if (next != null) {
-      id--; // asked again, it finds the same
-    }
-    return next != null;
+  public Iterator<T> iterator() {
+    Walk walk = free == null ? new Walk() : free;
+    free = walk.after;
+    walk.after = null;
+    walk.id = -1;
+    walk.seek();
+    return walk;
   }
 
-  @Override
-  public T next() {
-    if (!hasNext()) {
-      throw new NoSuchElementException();
+  private final class Walk implements Iterator<T> {
+    private int id;
+    private T next;
+    private Walk after;
+
+    private void seek() {
+      next = null;
+      while (next == null && ++id < limit.getAsInt()) {
+        next = byId.apply(id);
+      }
     }
-    id++;
-    return next;
+
+    @Override
+    public boolean hasNext() {
+      if (next != null && byId.apply(id) != next) {
+        seek(); // it went meanwhile
+      }
+      if (next == null && id >= 0) {
+        id = Integer.MIN_VALUE; // given back once
+        after = free;
+        free = this;
+      }
+      return next != null;
+    }
+
+    @Override
+    public T next() {
+      if (!hasNext()) {
+        throw new NoSuchElementException();
+      }
+      T present = next;
+      seek();
+      return present;
+    }
   }
 }

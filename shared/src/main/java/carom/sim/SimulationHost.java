@@ -94,6 +94,8 @@ public final class SimulationHost implements Match {
   private final Queries<HostEntity> past;
   private final EntityQueries queries;
   private final EntityQueries seen;
+  private final Present<Entity> entities;
+  private final Present<Player> players;
 
   /**
    * Builds the level and sets the game up. The simulation is then at tick 0.
@@ -120,6 +122,8 @@ public final class SimulationHost implements Match {
     past = parts.history == null ? world.queries() : world.queries(parts.history);
     queries = new EntityQueries(world.queries());
     seen = new EntityQueries(past);
+    entities = new Present<>(parts.entities::capacity, parts.entities::get);
+    players = new Present<>(parts.players::limit, parts.players::get);
     parts.entities.answers(new Answers());
     parts.buildLevel();
     game.setUp(new SetUp(parts));
@@ -635,12 +639,12 @@ public final class SimulationHost implements Match {
 
   @Override
   public Iterable<Entity> entities() {
-    return () -> new Present<>(parts.entities::capacity, parts.entities::get);
+    return entities;
   }
 
   @Override
   public Iterable<Player> players() {
-    return () -> new Present<>(parts.players::limit, parts.players::get);
+    return players;
   }
 
   @Override
