@@ -119,7 +119,7 @@ public final class SetUp {
     }
   }
 
-  /** Makes a character that walks, see docs/MOVER.md; keep it. */
+  /** Makes a character that walks, see docs/engine/MOVER.md; keep it. */
   public EntityMover mover(MoverDef<?> def) {
     return new EntityMover(parts.world, def, parts.tickRate);
   }

@@ -9,7 +9,6 @@ import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
-import carom.sim.entity.Input;
 import carom.sim.joint.Assembly;
 import carom.sim.level.Archetype;
 import carom.sim.near.Neighbourhood;

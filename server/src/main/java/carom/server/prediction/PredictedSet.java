@@ -88,7 +88,8 @@ public final class PredictedSet {
    *     and if this isn't positive the update waits
    * @param out receives the set; has the own body already
    */
-  public void capture(HostPlayer player, boolean all, int disagreedTick, int rowBits, OwnState out) {
+  public void capture(
+      HostPlayer player, boolean all, int disagreedTick, int rowBits, OwnState out) {
     if (update.endIfArrived()) {
       limits.arrived();
     }

@@ -7,8 +7,8 @@ import carom.physics.JointType;
 /**
  * A joint between two entities, or one and the world. Motor, limits, spring and target may be
  * changed at any time. What {@code Game.input} changes is predicted; all else is told by the exact
- * state of the joint. docs/JOINTS.md says what they do. A handle, valid until the joint breaks or
- * is destroyed.
+ * state of the joint. docs/engine/JOINTS.md says what they do. A handle, valid until the joint
+ * breaks or is destroyed.
  */
 public final class EntityJoint {
   private final Joint<HostEntity> joint;
