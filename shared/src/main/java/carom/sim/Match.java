@@ -22,7 +22,7 @@ import java.util.function.BiFunction;
 import java.util.function.Predicate;
 
 /**
- * What the server has of a simulation, beyond what both sides have: it spawns and joins, counts
+ * The server's side of a simulation, beyond what both sides have: it spawns and joins, counts
  * scores, draws random numbers and talks to players. The callbacks that run on the server alone
  * receive it, such as {@link Game#join} and {@link Game#afterStep}. {@code get} and {@code set} are
  * for the fields of the match.

@@ -6,8 +6,8 @@ import java.util.function.IntFunction;
 import java.util.function.IntSupplier;
 
 /**
- * What is there of the ids below a limit, for loops. What comes or goes meanwhile may be seen or
- * not.
+ * The things that are present among the ids below a limit, for loops. One that comes or goes
+ * meanwhile may be seen or not.
  *
  * <p>A loop that ends gives its iterator back, so that rules that loop in each tick allocate
  * nothing. One that is left early keeps it, and costs the next loop a new one.

@@ -20,8 +20,8 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * What {@link Game#setUp} receives: it registers what the game is made of, on both sides alike and
- * in the same order.
+ * The place where {@link Game#setUp} registers what the game is made of, on both sides alike and in
+ * the same order.
  */
 public final class SetUp {
   private final SimParts parts;

@@ -13,7 +13,7 @@ import carom.sim.level.Level;
 import carom.sim.outbox.Event;
 
 /**
- * What both sides have of a simulation: {@link Game#input}, {@link Game#forces}, {@link
+ * The part of a simulation that both sides have: {@link Game#input}, {@link Game#forces}, {@link
  * Game#collision}, {@link Game#hit} and {@link Game#broke} receive it. Whatever these compute from
  * it is the same on the server and on a client that predicts. {@code get} reads the fields of the
  * match. What only the server has is in {@link Match}.

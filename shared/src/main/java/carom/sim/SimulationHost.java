@@ -697,7 +697,7 @@ public final class SimulationHost implements Match {
     return ((HostPlayer) p).input();
   }
 
-  /** What entities ask of the simulation. */
+  /** Answers what entities ask of the simulation. */
   private final class Answers implements EntityTable.Answers {
     @Override
     public void despawn(HostEntity entity) {

@@ -35,7 +35,8 @@ final class EngineExamplesTest {
       import carom.physics.mover.*;
       import carom.physics.settings.*;
       import carom.physics.threads.*;
-      import carom.sim.entity.Input;
+      import carom.sim.*;
+      import carom.sim.entity.*;
       import java.util.List;
       abstract class Examples {
         World<String> world;
@@ -43,6 +44,10 @@ final class EngineExamplesTest {
         EventLists<String> events;
         Mover<String> mover;
         Material grass, ice;
+        SetUp setUp;
+        Simulation s;
+        EntityMover walker;
+        Player p;
         Input in;
         int tick;
         float dt, walk;

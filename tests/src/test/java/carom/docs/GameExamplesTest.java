@@ -71,7 +71,8 @@ final class GameExamplesTest {
         static final Ratio NITRO = Field.ratio("nitro");
         static final Flag LEVER = Field.flag("lever");
         static final Choice<Phase> PHASE = Field.choice("phase", Phase.class);
-        SimulationHost s, m;
+        Simulation s;
+        Match m;
         Player player, shooter, scorer;
         Entity ball, crate;
         Archetype coin, spikes, balloon, hovercraft, fan, rocketKind, crouched, standing, ice;
@@ -101,6 +102,10 @@ final class GameExamplesTest {
         Archetype weather(SetUp s, String name, float gravity) { return null; }
       }
       """;
+
+  /** Finds statements that belong into {@code setUp}. */
+  private static final Pattern SETS_UP =
+      Pattern.compile("\\bs\\.(assembly|pool|event|material|mover)\\(|s\\.archetype\\(new|\\(s, ");
 
   private static final Pattern MEMBER =
       Pattern.compile("(@Override|static|private|public|protected)\\b.*", Pattern.DOTALL);
@@ -137,8 +142,9 @@ final class GameExamplesTest {
       inMember = goesOn ? inMember : MEMBER.matcher(text).matches();
       (inMember ? members : statements).append(part).append('\n');
     }
-    return "class %s extends Given {\n%s\n  public void run() throws Exception {\n%s\n  }\n}\n"
-        .formatted(name, members, statements);
+    String given = SETS_UP.matcher(statements).find() ? "SetUp s = null;" : "";
+    return "class %s extends Given {\n%s\n  public void run() throws Exception {\n%s\n%s\n  }\n}\n"
+        .formatted(name, members, given, statements);
   }
 
   private static String compile(Path folder) throws IOException {

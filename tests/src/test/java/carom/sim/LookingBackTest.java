@@ -292,6 +292,6 @@ final class LookingBackTest {
         new SimulationHost(Games.create("arena"), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
     HostPlayer p = client.mirror().join(3, "me");
     p.viewDelay(100);
-    assertSame(client.world().queries(), client.asSeenBy(p));
+    assertSame(client.world().queries(), client.pastQueries(p));
   }
 }

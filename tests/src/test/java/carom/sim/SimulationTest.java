@@ -13,7 +13,6 @@ import carom.fixtures.PlainGame;
 import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.MotionLocks;
-import carom.physics.ShapeDef;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
@@ -37,9 +36,6 @@ import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.function.Executable;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 
 class SimulationTest {
   private static final Count STEPS = Field.count("steps", 0, 1_000_000);
@@ -256,34 +252,6 @@ class SimulationTest {
     assertEquals("friction", Suggestion.nearest("frction", List.of("density", "friction")));
     assertEquals("at", Suggestion.nearest("ta", List.of("at", "zones")));
     assertNull(Suggestion.nearest("xyzzy", List.of("density", "friction")));
-  }
-
-  /**
-   * Clients would not hear of such changes, so a game learns at its first try what to do instead.
-   */
-  @ParameterizedTest
-  @EnumSource(Role.class)
-  void shapesLocksAndConstantsOfASharedWorldAreRefusedByName(Role role) {
-    SimulationHost s = start(role, "");
-    HostEntity e =
-        role == Role.AUTHORITY
-            ? s.spawn(game.disc, 0, 0, 0, null)
-            : s.mirror().spawn(0, 0, game.disc, 0, 0, 0, HostEntity.NO_OWNER, false);
-    long before = s.world().stateHash();
-    List<Executable> edits =
-        List.of(
-            () -> e.body().addShape(new ShapeDef(new Circle(1))),
-            () -> e.body().replaceShape(0, new ShapeDef(new Circle(1))),
-            () -> e.body().removeShape(0),
-            () -> e.body().setMotionLocks(new MotionLocks(true, false, false)),
-            () -> e.body().setFixedRotation(true),
-            () -> s.world().redefine(s.world().def().withGravity(0, 1)));
-    for (Executable edit : edits) {
-      String why = assertThrows(IllegalStateException.class, edit).getMessage();
-      assertTrue(why.contains(" is not possible in this world: clients compute it, too"), why);
-      assertTrue(why.contains("let the entity become another archetype"), why);
-    }
-    assertEquals(before, s.world().stateHash());
   }
 
   @Test

@@ -2,7 +2,7 @@ package carom.sim.entity;
 
 import carom.physics.QueryHit;
 
-/** What a query of {@link EntityQueries} found, and where. Reused by its owner. */
+/** An entity that a query of {@link EntityQueries} found, and where. Reused by its owner. */
 public final class EntityHit {
   final QueryHit<HostEntity> hit;
 

@@ -35,7 +35,7 @@ public final class EntityTable
   /** Most entities at a time; ids are 0..65534. */
   public static final int MAX_ENTITIES = 65_535;
 
-  /** What entities ask of the simulation around the table. */
+  /** Answers what entities ask of the simulation around the table. */
   public interface Answers {
     /** Destroys an entity, as {@link Entity#despawn} says. */
     void despawn(HostEntity entity);

@@ -5,7 +5,7 @@ import carom.physics.BodyContactVisitor;
 import carom.sim.field.Countdown;
 
 /**
- * What an entity stands on, see {@link Entity#ground}. All of it is 0 and null in the air. Reused;
+ * The ground that an entity stands on, see {@link Entity#ground}. All of it is 0 and null in the air. Reused;
  * one simulation's.
  */
 public final class Ground {

@@ -1,8 +1,8 @@
 package carom.sim.field;
 
 /**
- * What has values of a game's fields that may be written, too. On a client, writes that it can't
- * predict are dropped, see {@link FieldStore}.
+ * A holder of fields of a game that may be written, too. On a client, writes that it can't predict
+ * are dropped, see {@link FieldStore}.
  *
  * @param <E> the class of entities
  * @param <P> the class of players

@@ -1,8 +1,8 @@
 package carom.sim.field;
 
 /**
- * What has values of a game's fields that may be read: a player, an entity or the match. Reading a
- * value is one load from an array. On a client, values that the player may not know stay as they
+ * A holder of fields of a game that may be read: a player, an entity or the match. Reading a value
+ * is one load from an array. On a client, values that the player may not know stay as they
  * began.
  *
  * <p>All methods throw {@link IllegalArgumentException} for a field that isn't declared by the game
