@@ -90,6 +90,7 @@ final class Tick {
     parts.inTick = true;
     try {
       compute();
+      parts.players.endTick();
     } finally {
       parts.inTick = false;
       fields.end();

@@ -94,6 +94,20 @@ final class PlayerInputs {
     }
   }
 
+  /**
+   * Sets the buttons of the tick before for the one after a tick whose state is the server's, as
+   * far as the inputs of that tick are known.
+   */
+  public void correct(int tick) {
+    player.input().before((int) at(tick));
+    for (int id = 0; id < simulation.playerCapacity(); id++) {
+      HostPlayer other = simulation.player(id);
+      if (other != null && other != player) {
+        other.input().before((int) relayedOrPredicted(id, tick));
+      }
+    }
+  }
+
   /** Returns a relayed input or, before it arrives, the last one known, fading tick by tick. */
   private long relayedOrPredicted(int id, int tick) {
     RelayedInputs relayed = records.inputs();

@@ -105,6 +105,7 @@ final class Timeline {
   void saveCorrection() {
     correctedTick = Math.max(correctedTick, tick);
     poses.bind();
+    inputs.correct(tick);
     save();
   }
 

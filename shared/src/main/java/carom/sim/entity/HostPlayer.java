@@ -255,6 +255,7 @@ public final class HostPlayer implements Player {
     ready = (savedStanding & 2) != 0;
     colour = PlayerColour.of(savedStanding >> 2);
     input.unpack(savedInput);
+    input.before((int) (savedInput >>> Input.PACKED_BITS));
     viewDelay = savedViewDelay;
   }
 

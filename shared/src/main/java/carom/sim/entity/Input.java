@@ -30,6 +30,7 @@ public final class Input {
   private static final float RAD_TO_TURN = (float) (65536 / (2 * Math.PI));
 
   private int buttons;
+  private int before;
   private int moveX;
   private int moveY;
   private int aim;
@@ -51,6 +52,35 @@ public final class Input {
   /** Returns whether any button of the mask is held. */
   public boolean held(int mask) {
     return (buttons & mask) != 0;
+  }
+
+  /**
+   * Returns whether any button of the mask went down: it is held in this tick and wasn't in the
+   * tick before, in which the player may have been without a body.
+   */
+  public boolean pressed(int mask) {
+    return (buttons & ~before & mask) != 0;
+  }
+
+  /** Returns whether any button of the mask went up: it was held in the tick before, and isn't. */
+  public boolean released(int mask) {
+    return (before & ~buttons & mask) != 0;
+  }
+
+  /** Returns the buttons of the tick before, 16 bits; no part of {@link #pack}. */
+  int before() {
+    return before;
+  }
+
+  /**
+   * Sets the buttons of the tick before, from which {@link #pressed} and {@link #released} follow.
+   * What runs a simulation calls it: a step does for the next one, and a client that learns what
+   * was held.
+   *
+   * @param bits 16 buttons; higher bits are dropped
+   */
+  public void before(int bits) {
+    before = bits & 0xffff;
   }
 
   /** Holds or releases the buttons of the mask. */

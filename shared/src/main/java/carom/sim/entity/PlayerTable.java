@@ -157,10 +157,22 @@ public final class PlayerTable {
                     | (p.body == null ? -1 : p.body.id()) & 0xffffffffL);
         h = SimRandom.mix(h, ((long) p.score() << 32) | (p.team() & 0xffffffffL));
         h = SimRandom.mix(h, p.input().pack() | (long) p.viewDelay() << Input.PACKED_BITS);
+        if (p.input().before() != p.input().buttons()) { // equal after each step
+          h = SimRandom.mix(h, p.input().before());
+        }
         h = p.fieldValues().hash(h);
       }
     }
     return h;
+  }
+
+  /** Lets the buttons that all participants hold be those of the tick before. */
+  public void endTick() {
+    for (int i = 0; i < limit; i++) {
+      if (players[i] != null) {
+        players[i].input().before(players[i].input().buttons());
+      }
+    }
   }
 
   /** Copies the players' state to a saved one. */
@@ -174,7 +186,7 @@ public final class PlayerTable {
         s.scores[i] = p.score();
         s.teams[i] = p.team();
         s.standings[i] = p.standing();
-        s.inputs[i] = p.input().pack();
+        s.inputs[i] = p.input().pack() | (long) p.input().before() << Input.PACKED_BITS;
         s.viewDelays[i] = p.viewDelay();
         s.fields.save(p.fieldValues(), i);
       }

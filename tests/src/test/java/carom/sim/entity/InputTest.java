@@ -89,6 +89,23 @@ class InputTest {
   }
 
   @Test
+  void tellsWhatWentDownAndUpSinceTheTickBefore() {
+    Input in = new Input().hold(Input.JUMP, true);
+    assertTrue(in.pressed(Input.JUMP));
+    assertTrue(in.pressed(Input.JUMP | Input.UP));
+    assertFalse(in.pressed(Input.UP));
+    assertFalse(in.released(Input.JUMP));
+    in.before(in.buttons());
+    assertFalse(in.pressed(Input.JUMP));
+    in.unpack(Input.UP);
+    assertTrue(in.pressed(Input.UP));
+    assertTrue(in.released(Input.JUMP));
+    assertFalse(in.released(Input.UP));
+    in.before(Input.UP | 1 << 20);
+    assertEquals(Input.UP, in.before());
+  }
+
+  @Test
   void randomNumbersAreTheKnownSequenceAndEven() {
     SimRandom random = new SimRandom(1234567);
     assertEquals(6457827717110365317L, random.nextLong()); // published test vector of splitmix64
