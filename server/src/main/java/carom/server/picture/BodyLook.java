@@ -12,7 +12,8 @@ import java.util.List;
  * Immutable.
  *
  * @param slot the body's slot in the world; another body gets it when this one is gone
- * @param entity id of its entity, {@link HostEntity#LEVEL} for bodies of the level that are no entities
+ * @param entity id of its entity, {@link HostEntity#LEVEL} for bodies of the level that are no
+ *     entities
  * @param owner id of the player that owns it, or {@link HostEntity#NO_OWNER}
  * @param kind name of its archetype
  * @param type whether and how it moves

@@ -5,8 +5,8 @@ import carom.physics.BodyContactVisitor;
 import carom.sim.field.Countdown;
 
 /**
- * The ground that an entity stands on, see {@link Entity#ground}. All of it is 0 and null in the air. Reused;
- * one simulation's.
+ * The ground that an entity stands on, see {@link Entity#ground}. All of it is 0 and null in the
+ * air. Reused; one simulation's.
  */
 public final class Ground {
   /**

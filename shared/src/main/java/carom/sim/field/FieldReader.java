@@ -2,8 +2,7 @@ package carom.sim.field;
 
 /**
  * A holder of fields of a game that may be read: a player, an entity or the match. Reading a value
- * is one load from an array. On a client, values that the player may not know stay as they
- * began.
+ * is one load from an array. On a client, values that the player may not know stay as they began.
  *
  * <p>All methods throw {@link IllegalArgumentException} for a field that isn't declared by the game
  * or belongs to another scope. Methods without an index are for fields with one value, those with
