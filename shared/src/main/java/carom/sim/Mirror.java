@@ -28,7 +28,7 @@ public final class Mirror {
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    */
   public void tick(int value) {
-    parts.calls.requirePrediction("tick");
+    parts.phases.requirePrediction("tick");
     parts.tick = value;
   }
 
@@ -39,7 +39,7 @@ public final class Mirror {
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    */
   public void rulings(Rulings known) {
-    parts.calls.requirePrediction("rulings");
+    parts.phases.requirePrediction("rulings");
     parts.rulings = known;
   }
 
@@ -50,7 +50,7 @@ public final class Mirror {
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    */
   public void ownSpawns(OwnSpawns known) {
-    parts.calls.requirePrediction("ownSpawns");
+    parts.phases.requirePrediction("ownSpawns");
     parts.ownSpawns = known;
   }
 
@@ -62,7 +62,7 @@ public final class Mirror {
    * @throws IllegalStateException on {@link Role#AUTHORITY}, or when the id is taken
    */
   public HostPlayer join(int id, String name) {
-    parts.calls.requirePrediction("mirror().join");
+    parts.phases.requirePrediction("mirror().join");
     parts.players.requireFree(id);
     return parts.players.add(id, name);
   }
@@ -102,7 +102,7 @@ public final class Mirror {
       float angle,
       int ownerId,
       boolean mayBeBody) {
-    parts.calls.requirePrediction("mirror().spawn");
+    parts.phases.requirePrediction("mirror().spawn");
     return parts.entities.spawnAs(
         id, generation, archetype, x, y, angle, ownerId, mayBeBody, parts.tick);
   }
@@ -122,7 +122,7 @@ public final class Mirror {
    */
   public Joint<HostEntity> connect(
       int key, int root, int number, HostEntity a, HostEntity b, int[] definition, int at) {
-    parts.calls.requirePrediction("mirror().connect");
+    parts.phases.requirePrediction("mirror().connect");
     Joint<HostEntity> joint =
         parts.joints.create(
             key, root, number, a == null ? null : a.body(), b.body(), definition, at);
@@ -144,7 +144,7 @@ public final class Mirror {
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    */
   public void identify(HostEntity entity, int origin) {
-    parts.calls.requirePrediction("identify");
+    parts.phases.requirePrediction("identify");
     if (origin == Origin.NONE) {
       return;
     }

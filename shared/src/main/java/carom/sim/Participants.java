@@ -4,6 +4,7 @@ import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.PlayerTable;
 import carom.sim.message.PlayerRole;
+import carom.sim.phase.Phase;
 
 /**
  * Lets participants come, go, and change between playing and watching. It tells the game, and
@@ -14,9 +15,6 @@ final class Participants {
   private final SimParts parts;
   private final PlayerTable players;
   private final Spawner spawner;
-
-  /** Number of calls of {@link Game#join} and {@link Game#leave} on the stack. */
-  private int inGame;
 
   /** The player who is becoming a spectator; null mostly. */
   private HostPlayer retiring;
@@ -39,7 +37,7 @@ final class Participants {
 
   /** Adds a player, as {@link SimulationHost#join(int, String, int, int)} says. */
   HostPlayer join(int id, String name, int team, int score) {
-    parts.calls.requireAuthority("join");
+    parts.phases.requireAuthority("join");
     players.requireFree(id);
     if (!parts.journals.isEmpty() && (team != 0 || score != 0)) {
       throw new IllegalStateException(
@@ -61,7 +59,7 @@ final class Participants {
 
   /** Adds a spectator, as {@link SimulationHost#joinAsSpectator} says. */
   HostPlayer joinAsSpectator(int id, String name) {
-    parts.calls.requireAuthority("joinAsSpectator");
+    parts.phases.requireAuthority("joinAsSpectator");
     players.requireFree(id);
     parts.journals.watching(simulation, id, name);
     HostPlayer player = players.add(id, name);
@@ -73,14 +71,14 @@ final class Participants {
    * Lets a participant play or watch, as {@link SimulationHost#role(HostPlayer, PlayerRole)} says.
    */
   void role(HostPlayer participant, PlayerRole role) {
-    parts.calls.requireAuthority("role");
+    parts.phases.requireAuthority("role");
     if (participant == retiring) {
       throw new IllegalStateException("the role of " + participant + " can't change in Game.leave");
     }
     if (players.participant(participant.id()) != participant || participant.role() == role) {
       return;
     }
-    if (!parts.inTick && inGame == 0) {
+    if (isBetweenSteps()) {
       parts.journals.changing(simulation, participant.id(), role);
     }
     if (role == PlayerRole.PLAYER) {
@@ -100,7 +98,7 @@ final class Participants {
 
   /** Removes a participant, as {@link SimulationHost#leave} says. */
   void leave(HostPlayer player) {
-    parts.calls.requireOutsidePhysics("leave");
+    parts.phases.requireOutsidePhysics("leave");
     int id = player.id();
     if (players.participant(id) != player) {
       return;
@@ -116,31 +114,33 @@ final class Participants {
 
   /** Tells who left sensors by going between two ticks; what happens in a tick, that tells. */
   void tellVisits() {
-    if (parts.triggers != null && !parts.inTick && inGame == 0) {
+    if (parts.triggers != null && isBetweenSteps()) {
       parts.triggers.tell();
     }
   }
 
+  private boolean isBetweenSteps() {
+    return !parts.phases.isInStep() && parts.phases.now() == Phase.BETWEEN_STEPS;
+  }
+
   /** Lets a player into the game. */
   private void enter(HostPlayer player) {
-    parts.interference.beginRules();
-    inGame++;
+    Phase outer = parts.phases.begin(Phase.JOIN);
     try {
       parts.game.join(simulation, player);
     } finally {
-      inGame--;
+      parts.phases.end(outer);
     }
     tellVisits();
   }
 
   /** Takes a player out of the game, with everything the player owns. */
   private void retire(HostPlayer player) {
-    parts.interference.beginRules();
-    inGame++;
+    Phase outer = parts.phases.begin(Phase.LEAVE);
     try {
       parts.game.leave(simulation, player);
     } finally {
-      inGame--;
+      parts.phases.end(outer);
     }
     for (int i = 0; i < parts.entities.capacity(); i++) {
       HostEntity entity = parts.entities.get(i);

@@ -6,13 +6,12 @@ import carom.physics.WorldDef;
 import carom.sim.area.AreaForces;
 import carom.sim.area.PoolGround;
 import carom.sim.entity.AllFields;
-import carom.sim.entity.CallRules;
 import carom.sim.entity.EntityTable;
 import carom.sim.entity.HostEntity;
+import carom.sim.entity.HostPlayer;
 import carom.sim.entity.PlayerTable;
 import carom.sim.event.EventKinds;
 import carom.sim.field.FieldStore;
-import carom.sim.field.FieldUse;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
@@ -26,6 +25,7 @@ import carom.sim.level.Level;
 import carom.sim.level.LevelJoint;
 import carom.sim.message.MessageKinds;
 import carom.sim.message.WaitingMessages;
+import carom.sim.phase.Phases;
 import carom.sim.pool.PoolDef;
 import carom.sim.pool.Pools;
 import carom.sim.random.SimRandom;
@@ -53,7 +53,7 @@ final class SimParts {
   final Level level;
   final int tickRate;
   final Role role;
-  final CallRules calls;
+  final Phases<HostPlayer> phases;
   final WorldDef worldDef;
   final World<HostEntity> world;
 
@@ -87,14 +87,8 @@ final class SimParts {
   /** Answers about the level's sensors; null until the level is built. */
   LevelSensors sensors;
 
-  /** Notes how the game uses its fields; null on PREDICTION. */
-  final FieldUse fieldUse;
-
   /** The tick of the present state, or during a step the tick being computed. */
   int tick;
-
-  /** True while a step runs. */
-  boolean inTick;
 
   /** Receive what enters. */
   final Journals journals = new Journals();
@@ -112,7 +106,7 @@ final class SimParts {
     this.tickRate = tickRate;
     this.role = role;
     boolean decides = role == Role.AUTHORITY;
-    calls = new CallRules(decides);
+    phases = new Phases<>(decides);
     random = new SimRandom(seed);
     worldDef = game.world(level);
     world = new World<>(worldDef);
@@ -123,13 +117,16 @@ final class SimParts {
     joints = new JointTable<>(world, decides);
     entities =
         new EntityTable(
-            world, areas, assemblies, joints, tickRate, schema, archetypes, calls, () -> tick);
+            world, areas, assemblies, joints, tickRate, schema, archetypes, phases, () -> tick);
     players = entities.players();
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
     allFields = new AllFields(match, entities);
-    fieldUse = decides ? fields.noteUse(findings, allFields::nameOf) : null;
-    interference = new InterferenceLog(entities, players, joints::key, findings);
+    interference = new InterferenceLog(entities, phases, joints::key, findings, () -> tick);
+    if (decides) {
+      fields.noteUse(findings, allFields::nameOf);
+      interference.listen();
+    }
     history = decides && game.looksBack() ? newHistory() : null;
     pools = new Pools(tickRate, decides);
     level.archetypes().forEach(archetypes::add);
@@ -180,9 +177,7 @@ final class SimParts {
     entities.checkFields(archetypes);
     eventKinds.close();
     messageKinds.close();
-    if (role == Role.PREDICTION) {
-      fields.predict();
-    }
+    phases.endStep();
   }
 
   /** Creates an empty history of the bodies. */

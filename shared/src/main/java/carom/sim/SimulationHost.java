@@ -113,7 +113,7 @@ public final class SimulationHost implements Match {
     }
     parts = new SimParts(game, level, seed, tickRate, role);
     spawner = new Spawner(parts);
-    ticks = new Tick(this, parts, spawner);
+    ticks = new Tick(this, parts);
     participants = new Participants(this, parts, spawner);
     names = new PartNames(level, parts.assemblies, parts.entities, parts.joints);
     mirror = new Mirror(parts);
@@ -286,15 +286,15 @@ public final class SimulationHost implements Match {
    *     physics, or beyond {@value #MAX_ENTITIES}
    */
   public HostEntity spawn(Archetype archetype, BodyDef def) {
-    parts.calls.requireOutsideInput("spawn(archetype, def)");
-    parts.calls.requireAuthority("spawn");
+    parts.phases.requireOutsideInput("spawn(archetype, def)");
+    parts.phases.requireAuthority("spawn");
     return parts.entities.spawn(archetype, def);
   }
 
   @Override
   public HostEntity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
-    parts.calls.requireOutsideInput("spawn(assembly, ...)");
-    parts.calls.requireAuthority("spawn");
+    parts.phases.requireOutsideInput("spawn(assembly, ...)");
+    parts.phases.requireAuthority("spawn");
     int ownerId = owner == null ? HostEntity.NO_OWNER : owner.id();
     return parts.entities.spawn(assembly, x, y, angle, ownerId, parts.tick);
   }
@@ -309,7 +309,7 @@ public final class SimulationHost implements Match {
    *     JointTable#MAX_JOINTS} joints
    */
   public Joint<HostEntity> connect(JointDef<HostEntity> def) {
-    parts.calls.requireAuthority("connect");
+    parts.phases.requireAuthority("connect");
     return parts.world.createJoint(def);
   }
 
@@ -319,7 +319,7 @@ public final class SimulationHost implements Match {
    * @throws IllegalStateException on {@link Role#PREDICTION} or during the physics
    */
   public void disconnect(Joint<HostEntity> joint) {
-    parts.calls.requireAuthority("disconnect");
+    parts.phases.requireAuthority("disconnect");
     if (joint.isValid()) {
       parts.world.destroyJoint(joint);
     }
@@ -469,7 +469,7 @@ public final class SimulationHost implements Match {
 
   @Override
   public Event emit(EventKind kind) {
-    return outbox.event(kind, parts.inTick ? parts.tick : parts.tick + 1);
+    return outbox.event(kind, parts.phases.isInStep() ? parts.tick : parts.tick + 1);
   }
 
   /**
@@ -485,7 +485,7 @@ public final class SimulationHost implements Match {
    * @throws IllegalArgumentException when the kind isn't registered, or clients don't send it
    */
   public boolean receive(HostPlayer player, Message message) {
-    parts.calls.requireAuthority("receive");
+    parts.phases.requireAuthority("receive");
     parts.messageKinds.indexOf(message.kind(), MessageKind.Direction.FROM_CLIENT);
     return parts.received.add(player.id(), message);
   }
@@ -565,7 +565,7 @@ public final class SimulationHost implements Match {
    */
   public void restore(SimState s) {
     s.requireOf(parts);
-    parts.calls.requireOutsidePhysics("restore");
+    parts.phases.requireOutsidePhysics("restore");
     s.restore();
   }
 
@@ -631,7 +631,7 @@ public final class SimulationHost implements Match {
   @Override
   public EntityJoint connect(
       Entity a, Entity b, BiFunction<Body<Object>, Body<Object>, JointDef<Object>> how) {
-    parts.calls.requireAuthority("connect");
+    parts.phases.requireAuthority("connect");
     JointDef<Object> def = how.apply(JointEnds.FIRST, JointEnds.SECOND);
     Body<HostEntity> first = a == null ? null : ((HostEntity) a).body();
     return parts.entities.face(parts.world.createJoint(first, ((HostEntity) b).body(), def));

@@ -6,6 +6,8 @@ import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Player;
 import carom.sim.entity.ProvisionalEntities;
 import carom.sim.level.Archetype;
+import carom.sim.phase.Phase;
+import carom.sim.phase.Phases;
 import carom.sim.spawn.Origin;
 
 /**
@@ -13,36 +15,35 @@ import carom.sim.spawn.Origin;
  * compute: a server creates an entity of the next free id, and a client one of the same {@link
  * Origin}, under the server's id if it knows that already.
  */
-final class Spawner {
+final class Spawner implements Phases.Listener {
   private final SimParts parts;
   private final EntityTable entities;
   private final ProvisionalEntities provisional;
 
-  /** The player whose input runs, or null. */
-  private HostPlayer inputOf;
-
-  /** Number of spawns of that call. */
+  /** Number of spawns of the input that runs. */
   private int spawnsOfInput;
 
   Spawner(SimParts parts) {
     this.parts = parts;
     entities = parts.entities;
     provisional = entities.provisional();
+    parts.phases.listen(this, Phase.INPUT);
   }
 
-  /** Notes that a player's {@link Game#input} begins. */
-  void beginInput(HostPlayer player) {
-    inputOf = player;
+  @Override
+  public void began(Phase phase) {
     spawnsOfInput = 0;
   }
 
-  /** Notes that it has ended. */
-  void endInput() {
-    inputOf = null;
+  @Override
+  public void ended(Phase phase) {
+    if (parts.role == Role.PREDICTION) {
+      dropUnpredicted(parts.phases.player());
+    }
   }
 
-  /** Removes what a player's input spawned on PREDICTION, unless the player is the own one. */
-  void dropUnpredicted(HostPlayer player) {
+  /** Removes what a player's input spawned, unless the player is the own one. */
+  private void dropUnpredicted(HostPlayer player) {
     boolean predicted = isPredicted(player.id());
     for (int i = provisional.count() - 1; i >= 0 && !predicted; i--) {
       if (provisional.at(i).ownerId() == player.id()) {
@@ -57,23 +58,19 @@ final class Spawner {
 
   /** Creates an entity, as {@link Match#spawn(Archetype, float, float, float, Player)} says. */
   HostEntity spawn(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
-    parts.calls.requireOutsideInput("Match.spawn");
-    parts.calls.requireAuthority("spawn");
+    parts.phases.requireOutsideInput("Match.spawn");
+    parts.phases.requireAuthority("spawn");
     int ownerId = owner == null ? HostEntity.NO_OWNER : owner.id();
     return entities.spawn(archetype, x, y, angle, ownerId, parts.tick);
   }
 
   /** Creates what a player fires in its input, as {@link Player#spawn} says. */
   HostEntity fire(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
+    HostPlayer inputOf = parts.phases.player();
     if (inputOf == null) {
       throw new IllegalStateException(
           "Player.spawn is for Game.input alone; call Match.spawn in callbacks of the server");
     }
-    return spawnInInput(archetype, x, y, angle, owner);
-  }
-
-  private HostEntity spawnInInput(
-      Archetype archetype, float x, float y, float angle, HostPlayer owner) {
     if (owner != inputOf) {
       throw new IllegalArgumentException(
           "owner="
@@ -118,8 +115,8 @@ final class Spawner {
 
   /** Destroys an entity, as {@link SimulationHost#despawn} says. */
   void despawn(HostEntity entity) {
-    parts.calls.requireOutsidePhysics("despawn");
-    if (!entities.holds(entity) || (inputOf != null && !mayDespawn(entity))) {
+    parts.phases.requireOutsidePhysics("despawn");
+    if (!entities.holds(entity) || !mayDespawn(entity)) {
       return;
     }
     if (parts.history != null) {
@@ -136,9 +133,11 @@ final class Spawner {
     entities.despawn(entity);
   }
 
-  /** Returns whether a server, or a client that predicts it, despawns an entity in an input. */
+  /** Returns false for what a client can't predict: that an input despawns what isn't its own. */
   private boolean mayDespawn(HostEntity entity) {
-    boolean isOwn = entity.ownerId() == inputOf.id() && entity != inputOf.entity();
-    return parts.role == Role.AUTHORITY || isOwn;
+    HostPlayer inputOf = parts.phases.player();
+    return inputOf == null
+        || parts.role == Role.AUTHORITY
+        || (entity.ownerId() == inputOf.id() && entity != inputOf.entity());
   }
 }

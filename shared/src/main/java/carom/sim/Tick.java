@@ -7,7 +7,6 @@ import carom.physics.Joint;
 import carom.physics.JointListener;
 import carom.physics.QueryFilter;
 import carom.physics.math.Aabb;
-import carom.sim.entity.CallRules;
 import carom.sim.entity.Contact;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
@@ -17,6 +16,8 @@ import carom.sim.match.MatchClock;
 import carom.sim.match.MatchPhase;
 import carom.sim.message.Message;
 import carom.sim.message.WaitingMessages;
+import carom.sim.phase.Phase;
+import carom.sim.phase.Phases;
 import carom.sim.pool.Pools;
 import carom.sim.ruling.ForceCheck;
 import carom.sim.trigger.OverlapUse;
@@ -38,9 +39,8 @@ import java.util.function.Consumer;
 final class Tick {
   private final SimulationHost simulation;
   private final SimParts parts;
-  private final Spawner spawner;
   private final Game game;
-  private final CallRules calls;
+  private final Phases<HostPlayer> phases;
   private final FieldStore fields;
   private final Pools pools;
   private final float seconds;
@@ -56,17 +56,16 @@ final class Tick {
   private MatchClock clock;
 
   /** Creates the step of a simulation, and listens to what its world tells from now on. */
-  Tick(SimulationHost simulation, SimParts parts, Spawner spawner) {
+  Tick(SimulationHost simulation, SimParts parts) {
     this.simulation = simulation;
     this.parts = parts;
-    this.spawner = spawner;
     game = parts.game;
-    calls = parts.calls;
+    phases = parts.phases;
     fields = parts.fields;
     pools = parts.pools;
     seconds = 1f / parts.tickRate;
     forceCheck = new ForceCheck(parts.world, parts.findings);
-    overlapUse = new OverlapUse(parts.findings);
+    overlapUse = new OverlapUse(phases, parts.findings);
     if (parts.role == Role.AUTHORITY) {
       parts.triggers = new Triggers(parts.entities, parts.statics, new Visits());
       parts.entities.overlapReader(overlapUse::read);
@@ -87,13 +86,12 @@ final class Tick {
   void step() {
     parts.journals.stepping(simulation);
     parts.tick++;
-    parts.inTick = true;
+    phases.beginStep();
     try {
       compute();
       parts.players.endTick();
     } finally {
-      parts.inTick = false;
-      fields.end();
+      phases.endStep();
     }
     parts.capturePoses();
     parts.journals.stepped(simulation);
@@ -102,40 +100,34 @@ final class Tick {
   private void compute() {
     parts.entities.followPaths(parts.tick);
     ruleBeforeStep();
-    parts.interference.beginInputs();
     for (int i = 0; i < parts.players.limit(); i++) {
       HostPlayer player = parts.players.get(i);
       if (player != null && player.isAlive()) {
         takeInput(player);
       }
     }
-    fields.end();
     applyForces();
     if (parts.triggers != null) {
       parts.triggers.settle();
     }
-    during("hit");
-    calls.inPhysics(true);
-    try {
-      parts.world.step(seconds);
-    } finally {
-      calls.inPhysics(false);
-    }
+    Phase outer = phases.begin(Phase.PHYSICS);
+    parts.world.step(seconds);
+    phases.end(outer);
     ruleAfterStep();
   }
 
   private void ruleBeforeStep() {
     if (parts.role == Role.AUTHORITY) {
-      parts.interference.beginRules();
-      during("message");
+      Phase outer = phases.begin(Phase.MESSAGE);
       parts.received.forEach(handleMessage);
       parts.received.clear();
-      during("beforeStep");
+      phases.end(outer);
+      outer = phases.begin(Phase.BEFORE_STEP);
       if (clock != null) {
         followClock();
       }
       game.beforeStep(simulation);
-      parts.interference.endRulesBeforeStep(parts.tick);
+      phases.end(outer);
     } else if (parts.rulings != null) {
       parts.rulings.beforeStep();
     }
@@ -154,13 +146,11 @@ final class Tick {
 
   private void ruleAfterStep() {
     if (parts.role == Role.AUTHORITY) {
-      parts.interference.beginRules();
+      Phase outer = phases.begin(Phase.AFTER_STEP);
       parts.triggers.tell();
-      during("afterStep");
       game.afterStep(simulation);
       parts.triggers.tell();
-      during("a callback between two steps");
-      parts.interference.endRulesAfterStep(parts.tick);
+      phases.end(outer);
     } else if (parts.rulings != null) {
       parts.rulings.afterStep();
     }
@@ -177,24 +167,11 @@ final class Tick {
     if (parts.rulings != null && parts.rulings.input(player)) {
       return;
     }
-    fields.beginInput(player, player.fieldValues(), player.entity().fieldValues());
-    calls.inInput(true);
-    overlapUse.inputOf(player);
-    spawner.beginInput(player);
-    try {
-      game.input(simulation, player, player.input());
-    } finally {
-      spawner.endInput();
-      overlapUse.inputOf(null);
-      calls.inInput(false);
-    }
-    if (parts.role == Role.PREDICTION) {
-      spawner.dropUnpredicted(player);
-    }
-    if (fields.hasReadHidden() && parts.rulings != null) {
+    Phase outer = phases.beginInput(player);
+    game.input(simulation, player, player.input());
+    phases.end(outer);
+    if (parts.rulings != null && fields.hasReadHidden()) {
       parts.rulings.readHidden(player, fields.hasReadUntold());
-    } else if (fields.hasReadHidden()) {
-      parts.interference.endInput(player, parts.tick, fields);
     }
   }
 
@@ -211,23 +188,17 @@ final class Tick {
       }
     }
     forceCheck.beginTick(decides ? parts.tick : 1);
-    calls.inForces(true);
-    fields.beginForces();
-    queryScope(geometry);
+    Phase outer = phases.begin(Phase.FORCES);
+    parts.world.queryScope(geometry);
     try {
       parts.world.forEachAwake(forces);
     } finally {
-      queryScope(null);
-      fields.end();
-      calls.inForces(false);
+      parts.world.queryScope(null);
     }
+    phases.end(outer);
     if (decides) {
       pools.close();
     }
-  }
-
-  private void queryScope(QueryFilter<HostEntity> scope) {
-    parts.world.queryScope(scope);
   }
 
   private void applyForces(Body<HostEntity> body) {
@@ -242,24 +213,28 @@ final class Tick {
     forceCheck.end(body, parts.tick);
   }
 
-  /** Names the method of the game that runs from now on, for advice to its developer. */
-  private void during(String callback) {
-    if (parts.fieldUse != null) {
-      parts.fieldUse.during(callback);
-    }
-  }
-
   private final class Visits implements Triggers.Listener {
     @Override
     public void entered(HostEntity sensor, HostEntity visitor) {
-      during("entered");
-      game.entered(simulation, sensor, visitor);
+      tell(Phase.ENTERED, sensor, visitor);
     }
 
     @Override
     public void left(HostEntity sensor, HostEntity visitor) {
-      during("left");
-      game.left(simulation, sensor, visitor);
+      tell(Phase.LEFT, sensor, visitor);
+    }
+
+    private void tell(Phase phase, HostEntity sensor, HostEntity visitor) {
+      Phase outer = phases.begin(phase);
+      try { // no step may run, which would end it
+        if (phase == Phase.ENTERED) {
+          game.entered(simulation, sensor, visitor);
+        } else {
+          game.left(simulation, sensor, visitor);
+        }
+      } finally {
+        phases.end(outer);
+      }
     }
   }
 
@@ -280,9 +255,9 @@ final class Tick {
 
     @Override
     public boolean preSolve(Collision<HostEntity> c) {
-      fields.beginCollision();
+      Phase outer = phases.begin(Phase.COLLISION);
       boolean responds = game.collision(simulation, contact.of(c));
-      fields.end();
+      phases.end(outer);
       return responds;
     }
 

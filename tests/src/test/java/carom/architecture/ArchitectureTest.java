@@ -181,6 +181,7 @@ final class ArchitectureTest {
         "carom.sim.pool");
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.finding");
+    allow("carom.sim.phase");
     allow("carom.sim.match", "carom.sim.entity", "carom.sim.event", "carom.sim.field");
     allow("carom.sim.random");
     allow("carom.sim.spawn");
@@ -190,7 +191,8 @@ final class ArchitectureTest {
         "carom.physics.archive",
         "carom.sim.event",
         "carom.sim.finding",
-        "carom.sim.spawn");
+        "carom.sim.spawn",
+        "carom.sim.phase");
     allow("carom.sim.gauge", "carom.sim.event", "carom.sim.field");
     allow(
         "carom.sim.entity",
@@ -202,7 +204,8 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.message",
         "carom.sim.random",
-        "carom.sim.spawn");
+        "carom.sim.spawn",
+        "carom.sim.phase");
     allow(
         "carom.sim.outbox",
         "carom.physics",
@@ -218,13 +221,15 @@ final class ArchitectureTest {
         "carom.sim.entity",
         "carom.sim.field",
         "carom.sim.finding",
-        "carom.sim.level");
+        "carom.sim.level",
+        "carom.sim.phase");
     allow(
         "carom.sim.trigger",
         "carom.physics..",
         "carom.sim.entity",
         "carom.sim.finding",
-        "carom.sim.level");
+        "carom.sim.level",
+        "carom.sim.phase");
     allow(
         "carom.sim",
         "carom.physics..",
@@ -244,7 +249,8 @@ final class ArchitectureTest {
         "carom.sim.finding",
         "carom.sim.match",
         "carom.sim.outbox",
-        "carom.sim.trigger");
+        "carom.sim.trigger",
+        "carom.sim.phase");
     allow(
         "carom.sim.near",
         "carom.physics..",

@@ -6,6 +6,7 @@ import carom.sim.entity.HostPlayer;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Scope;
+import carom.sim.phase.Phases;
 
 /**
  * The fields of a simulation of which everything is known, such as a recording's. Each look copies
@@ -18,7 +19,7 @@ public final class RecordedFields implements ShownFields {
   /** Creates the fields of a simulation. */
   public RecordedFields(SimulationHost simulation) {
     this.simulation = simulation;
-    store = new FieldStore(simulation.schema(), simulation::tick, new Finder());
+    store = new FieldStore(simulation.schema(), simulation::tick, new Finder(), new Phases<>(true));
   }
 
   private final class Finder implements FieldStore.References<FieldView, FieldView> {

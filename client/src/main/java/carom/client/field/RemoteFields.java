@@ -9,6 +9,7 @@ import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
+import carom.sim.phase.Phases;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
 import java.util.function.IntSupplier;
@@ -40,7 +41,7 @@ public final class RemoteFields implements ShownFields {
     FieldTables tables =
         new FieldTables(schema, ProtocolLimits.MAX_PLAYERS, ProtocolLimits.MAX_ENTITIES);
     inbox = new TableInbox(tables.layouts().toArray(new TableLayout[0]));
-    store = new FieldStore(schema, clock, new Finder());
+    store = new FieldStore(schema, clock, new Finder(), new Phases<>(true));
     match = new FieldView(store, Scope.MATCH, 0);
     provisional = new FieldView(store, Scope.ENTITY, 0);
   }

@@ -5,27 +5,28 @@ import carom.physics.BodyType;
 import carom.sim.area.AreaForces;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
+import carom.sim.phase.Phases;
 import java.util.Objects;
 
 /** Lets entities become other archetypes, see {@link HostEntity#become}. One simulation's. */
 final class ArchetypeChange {
   private final EntityTable table;
   private final AreaForces<HostEntity> areas;
-  private final CallRules calls;
+  private final Phases<HostPlayer> phases;
   private final Archetypes archetypes;
 
   ArchetypeChange(
-      EntityTable table, AreaForces<HostEntity> areas, CallRules calls, Archetypes archetypes) {
+      EntityTable table, AreaForces<HostEntity> areas, Phases<HostPlayer> phases, Archetypes archetypes) {
     this.table = table;
     this.areas = areas;
-    this.calls = calls;
+    this.phases = phases;
     this.archetypes = archetypes;
   }
 
   /** Makes an entity one of another archetype. */
   void change(HostEntity entity, Archetype other) {
     Objects.requireNonNull(other, "archetype");
-    calls.requireOutsidePhysics("become");
+    phases.requireOutsidePhysics("become");
     check(entity, other);
     if (other == entity.archetype()) {
       return;

@@ -20,6 +20,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
+import carom.sim.phase.Phases;
 import carom.sim.random.SimRandom;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
@@ -96,21 +97,21 @@ public final class EntityTable
       int tickRate,
       Schema schema,
       Archetypes archetypes,
-      CallRules calls,
+      Phases<HostPlayer> phases,
       IntSupplier clock) {
     this.areas = areas;
     this.assemblies = assemblies;
     this.joints = joints;
     this.world = world;
     this.tickRate = tickRate;
-    fields = new FieldStore(schema, clock, this);
+    fields = new FieldStore(schema, clock, this, phases);
     entityFields = new EntityFields(fields);
     players =
         new PlayerTable(
             fields,
-            calls::requireAuthority,
+            phases::requireAuthority,
             (archetype, x, y, angle, owner) -> answers.spawn(archetype, x, y, angle, owner));
-    changes = new ArchetypeChange(this, areas, calls, archetypes);
+    changes = new ArchetypeChange(this, areas, phases, archetypes);
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */

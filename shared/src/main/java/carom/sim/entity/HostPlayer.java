@@ -1,5 +1,6 @@
 package carom.sim.entity;
 
+import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
 import carom.sim.history.PoseHistory;
@@ -15,7 +16,7 @@ import java.util.function.Consumer;
  * A participant as what runs a simulation holds it: a name, an input, a team, a score. It belongs
  * to one {@code SimulationHost} and its thread. A {@linkplain #isSpectator spectator} has no body.
  */
-public final class HostPlayer implements Player {
+public final class HostPlayer implements Player, FieldStore.Owner {
   /** Number of parts of a tick in which {@link #viewDelay} counts. */
   public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;
 
@@ -267,6 +268,11 @@ public final class HostPlayer implements Player {
   @Override
   public FieldValues fieldValues() {
     return fields;
+  }
+
+  @Override
+  public FieldValues bodyFieldValues() {
+    return body == null ? null : body.fieldValues();
   }
 
   @Override

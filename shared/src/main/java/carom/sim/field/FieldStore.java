@@ -1,6 +1,8 @@
 package carom.sim.field;
 
 import carom.sim.finding.Findings;
+import carom.sim.phase.Phase;
+import carom.sim.phase.Phases;
 import java.util.List;
 import java.util.function.IntSupplier;
 
@@ -13,7 +15,7 @@ import java.util.function.IntSupplier;
  * and what it spawned, of fields that players are told. It drops all others, and the server's word
  * follows. One thread; a write allocates nothing.
  */
-public final class FieldStore {
+public final class FieldStore implements Phases.Listener {
   /** Finds what references mean; the simulation knows. */
   public interface References<E, P> {
     /** Returns the entity under an id if it has this generation, or null. */
@@ -23,11 +25,13 @@ public final class FieldStore {
     P player(int id);
   }
 
-  private enum Writes {
-    ALL,
-    OWN,
-    NONE,
-    REFUSED
+  /** A player as fields see it. */
+  public interface Owner {
+    /** Returns the values of the player. */
+    FieldValues fieldValues();
+
+    /** Returns the values of the player's body, or null if it has none. */
+    FieldValues bodyFieldValues();
   }
 
   private final Schema schema;
@@ -35,29 +39,32 @@ public final class FieldStore {
   private final References<?, ?> references;
   private final long[] changes = new long[Scope.values().length];
   private final FieldValues[] shared = new FieldValues[Scope.values().length];
-  private Writes rest = Writes.ALL;
-  private Writes writes = Writes.ALL;
+  private final Phases<? extends Owner> phases;
   private FieldValues own;
   private FieldValues ownBody;
-  private Object spawner;
-  private boolean isInput;
   private boolean hasReadHidden;
   private boolean hasReadUntold;
   private boolean hasWrittenShared;
   private int hiddenWord;
   private Scope hiddenScope = Scope.PLAYER;
-  private String refuser;
   private FieldUse use;
 
   /**
    * Creates the store of a simulation.
    *
    * @param clock returns the simulation's tick
+   * @param phases the simulation's
    */
-  public FieldStore(Schema schema, IntSupplier clock, References<?, ?> references) {
+  public FieldStore(
+      Schema schema,
+      IntSupplier clock,
+      References<?, ?> references,
+      Phases<? extends Owner> phases) {
     this.schema = schema;
     this.clock = clock;
     this.references = references;
+    this.phases = phases;
+    phases.listen(this, Phase.INPUT, Phase.FORCES);
     for (Scope scope : Scope.values()) {
       shared[scope.ordinal()] = new FieldValues(this, scope, true, schema.starts(scope));
     }
@@ -100,21 +107,13 @@ public final class FieldStore {
     return changes[scope.ordinal()];
   }
 
-  /** Drops from now on what a client can't predict. A client calls it after set-up. */
-  public void predict() {
-    rest = Writes.NONE;
-    writes = Writes.NONE;
-  }
-
   /**
    * Notes from now on how the game uses its fields. A server calls it.
    *
    * @param findings receives what no client can predict
-   * @return what notes it
    */
-  public FieldUse noteUse(Findings findings, FieldUse.Owners owners) {
+  public void noteUse(Findings findings, FieldUse.Owners owners) {
     use = new FieldUse(schema, findings, owners);
-    return use;
   }
 
   /** Returns what notes how the game uses its fields, or null; a server has it. */
@@ -122,54 +121,34 @@ public final class FieldStore {
     return use;
   }
 
-  /**
-   * Begins {@code Game.input} of a player. A client takes writes to these two, and to values whose
-   * {@link FieldValues#spawner} the player is.
-   */
-  public void beginInput(Object who, FieldValues player, FieldValues body) {
-    spawner = who;
-    beginReading("input");
-    writes = rest == Writes.NONE ? Writes.OWN : rest;
-    own = player;
-    ownBody = body;
-    isInput = true;
-    hasReadHidden = false;
-    hasReadUntold = false;
-    hasWrittenShared = false;
-  }
-
-  /** Begins {@code Game.collision}, which must change nothing: refuses writes. */
-  public void beginCollision() {
-    writes = Writes.REFUSED;
-    refuser = "Game.collision, which must change nothing; write it in Game.hit or Game.afterStep";
-  }
-
-  /** Begins {@code Game.forces}, which may push bodies only: refuses writes. */
-  public void beginForces() {
-    writes = Writes.REFUSED;
-    refuser = "Game.forces, which may only push its body; write it in Game.input";
-    beginReading("forces");
-  }
-
-  private void beginReading(String callback) {
+  @Override
+  public void began(Phase phase) {
+    if (phase == Phase.INPUT) {
+      own = phases.player().fieldValues();
+      ownBody = phases.player().bodyFieldValues();
+      hasReadHidden = false;
+      hasReadUntold = false;
+      hasWrittenShared = false;
+    }
     if (use != null) {
-      use.beginReading(callback, tick());
+      use.beginReading(phase, tick());
     }
   }
 
-  /** Ends what began. */
-  public void end() {
-    writes = rest;
-    isInput = false;
-    spawner = null;
+  @Override
+  public void ended(Phase phase) {
     if (use != null) {
       use.endReading();
     }
   }
 
+  private boolean isInput() {
+    return phases.now() == Phase.INPUT;
+  }
+
   /** Notes that the game reads a word. */
   void noteRead(Scope scope, int word) {
-    if (isInput && !schema.isShared(scope, word)) {
+    if (isInput() && !schema.isShared(scope, word)) {
       hasReadHidden = true;
       hiddenScope = scope;
       hiddenWord = word;
@@ -179,7 +158,7 @@ public final class FieldStore {
 
   /** Notes that the game changes a word. */
   void noteWrite(Scope scope, int word) {
-    hasWrittenShared |= isInput && schema.isShared(scope, word);
+    hasWrittenShared |= isInput() && schema.isShared(scope, word);
   }
 
   /**
@@ -212,13 +191,13 @@ public final class FieldStore {
 
   /** Returns whether a client couldn't predict a write to these values now. */
   boolean isRuling(FieldValues values) {
-    return !isInput || !isOwn(values);
+    return !isInput() || !isOwn(values);
   }
 
   private boolean isOwn(FieldValues values) {
     return values == own
         || values == ownBody
-        || (values.spawner() != null && values.spawner() == spawner);
+        || (values.spawner() != null && values.spawner() == phases.player());
   }
 
   /**
@@ -227,17 +206,32 @@ public final class FieldStore {
    * @throws IllegalStateException if writes are refused
    */
   boolean takes(FieldValues values, int word) {
-    switch (writes) {
-      case ALL:
+    switch (phases.now()) {
+      case COLLISION:
+        throw refusal(
+            values,
+            word,
+            "Game.collision, which must change nothing; write it in Game.hit or Game.afterStep");
+      case FORCES:
+        throw refusal(
+            values, word, "Game.forces, which may only push its body; write it in Game.input");
+      case SET_UP:
         return true;
-      case OWN:
-        return isOwn(values) && word < schema.toldWords(values.scope());
-      case NONE:
-        return false;
+      case INPUT:
+        return phases.decides() || (isOwn(values) && word < schema.toldWords(values.scope()));
       default:
-        throw new IllegalStateException(
-            schema.name(values.scope(), word) + " can't be written in " + refuser);
+        return phases.decides();
     }
+  }
+
+  private IllegalStateException refusal(FieldValues values, int word, String where) {
+    return new IllegalStateException(
+        schema.name(values.scope(), word) + " can't be written in " + where);
+  }
+
+  /** Returns the phase that runs. */
+  Phase phase() {
+    return phases.now();
   }
 
   /** Notes a change and returns its number. */

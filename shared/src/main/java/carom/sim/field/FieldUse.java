@@ -3,6 +3,7 @@ package carom.sim.field;
 import carom.sim.event.Audience;
 import carom.sim.finding.Findings;
 import carom.sim.finding.RecurrenceMeter;
+import carom.sim.phase.Phase;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -29,15 +30,15 @@ public final class FieldUse {
   private static final int MOST_WRITTEN = 64;
 
   /** A word that rules write again and again. */
-  private record Written(FieldValues values, int word, String callback, int firstTick) {}
+  private record Written(FieldValues values, int word, Phase phase, int firstTick) {}
 
   private final Schema schema;
   private final Findings findings;
   private final Owners owners;
   private final List<Written> written = new ArrayList<>();
 
-  /** By scope and word: the callback that reads it, or null. */
-  private final String[][] readers = new String[Scope.values().length][];
+  /** By scope and word: the phase that reads it, or null. */
+  private final Phase[][] readers = new Phase[Scope.values().length][];
 
   /** By scope and word: how often other clients are told what an input did that read it. */
   private final RecurrenceMeter[][] told = new RecurrenceMeter[Scope.values().length][];
@@ -45,28 +46,23 @@ public final class FieldUse {
   /** By scope and word: whether there is a finding about it. */
   private final boolean[][] isFound = new boolean[Scope.values().length][];
 
-  private String callback = "a callback between two steps";
-  private String reader;
+  /** The phase whose reads are noted now, or null. */
+  private Phase reader;
 
   FieldUse(Schema schema, Findings findings, Owners owners) {
     this.schema = schema;
     this.findings = findings;
     this.owners = owners;
     for (Scope scope : Scope.values()) {
-      readers[scope.ordinal()] = new String[schema.words(scope)];
+      readers[scope.ordinal()] = new Phase[schema.words(scope)];
       told[scope.ordinal()] = new RecurrenceMeter[schema.words(scope)];
       isFound[scope.ordinal()] = new boolean[schema.words(scope)];
     }
   }
 
-  /** Says which of the game's callbacks runs from now on. */
-  public void during(String name) {
-    callback = name;
-  }
-
   /** Notes reads from now on, if it is a tick for that. */
-  void beginReading(String name, int tick) {
-    reader = tick % TICKS == 0 ? name : null;
+  void beginReading(Phase phase, int tick) {
+    reader = tick % TICKS == 0 ? phase : null;
   }
 
   /** Ends {@link #beginReading}. */
@@ -85,7 +81,7 @@ public final class FieldUse {
     if (readers[scope.ordinal()][word] == null) {
       readers[scope.ordinal()][word] = reader;
       Audience audience = schema.field(scope, word).audience();
-      boolean isForces = reader.equals("forces");
+      boolean isForces = reader == Phase.FORCES;
       if (audience == Audience.NOBODY) {
         unknown(scope, word, "no client is told", isForces ? "NEAR" : "OWNER");
       } else if (isForces && audience != Audience.NEAR && audience != Audience.ALL) {
@@ -99,7 +95,7 @@ public final class FieldUse {
     isFound[scope.ordinal()][word] = true;
     findings.add(
         "reads " + name,
-        reader
+        reader.callback()
             + " reads "
             + name
             + ", which "
@@ -107,7 +103,7 @@ public final class FieldUse {
             + ", so clients can't predict what follows; declare it .to("
             + better
             + ") or don't read it in "
-            + reader
+            + reader.callback()
             + ".");
   }
 
@@ -140,9 +136,9 @@ public final class FieldUse {
   }
 
   /** Notes a write that no client can predict. */
-  void wrote(FieldValues values, int word, RecurrenceMeter meter, int tick) {
+  void wrote(FieldValues values, int word, RecurrenceMeter meter, Phase phase, int tick) {
     if (meter.note(tick, RISE) && written.size() < MOST_WRITTEN) {
-      written.add(new Written(values, word, callback, meter.firstTick()));
+      written.add(new Written(values, word, phase, meter.firstTick()));
     }
   }
 
@@ -150,7 +146,7 @@ public final class FieldUse {
     for (int i = written.size() - 1; i >= 0; i--) {
       Written w = written.get(i);
       Scope scope = w.values.scope();
-      String by = readers[scope.ordinal()][w.word];
+      Phase by = readers[scope.ordinal()][w.word];
       if (by != null) {
         written.remove(i);
         String name = schema.name(scope, w.word);
@@ -160,12 +156,12 @@ public final class FieldUse {
                 ? "use Field.countdown for a clock, or read it in afterStep"
                 : "move the write to input or make the field server-only";
         findings.add(
-            "writes " + w.callback + " " + name,
-            w.callback
+            "writes " + w.phase.callback() + " " + name,
+            w.phase.callback()
                 + " writes "
                 + name
                 + ", which "
-                + by
+                + by.callback()
                 + " reads, so clients can't predict it; "
                 + advice
                 + ". First seen at tick "

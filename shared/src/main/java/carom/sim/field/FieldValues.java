@@ -159,7 +159,7 @@ public final class FieldValues {
     if (meters[index] == null) {
       meters[index] = new RecurrenceMeter();
     }
-    store.use().wrote(this, index, meters[index], store.tick());
+    store.use().wrote(this, index, meters[index], store.phase(), store.tick());
   }
 
   private void put(int index, int value) {

@@ -10,7 +10,10 @@ import carom.sim.field.FieldStore;
 import carom.sim.field.Scope;
 import carom.sim.finding.Findings;
 import carom.sim.finding.RecurrenceMeter;
+import carom.sim.phase.Phase;
+import carom.sim.phase.Phases;
 import java.util.Arrays;
+import java.util.function.IntSupplier;
 import java.util.function.IntUnaryOperator;
 
 /**
@@ -22,10 +25,10 @@ import java.util.function.IntUnaryOperator;
  *
  * <pre>
  *   replication, after tick n - 1     watch(entity)
- *   tick n    beginRules   Game.join, leave, message, beforeStep   endRulesBeforeStep
- *             beginInputs  Game.input, and endInput if it read what others aren't told
+ *   tick n    Game.join, leave, message, beforeStep: noted before and after
+ *             Game.input, noted if it read what others aren't told
  *             physics
- *             beginRules   Game.afterStep   endRulesAfterStep: the watched list is empty again
+ *             Game.afterStep: noted before and after; then the watched list is empty again
  *   replication, after tick n         lastTick(entity) == n: the game interfered in tick n
  * </pre>
  *
@@ -36,7 +39,7 @@ import java.util.function.IntUnaryOperator;
  * always compared, see {@link #lastTick(HostPlayer)}. The log is no part of the simulation's state.
  * It is filled on {@code Role.AUTHORITY} only. One thread; allocates only to grow.
  */
-public final class InterferenceLog {
+public final class InterferenceLog implements Phases.Listener {
   /** Holds what is known of one entity or one player. */
   private static final class Mark {
     Object subject;
@@ -71,6 +74,9 @@ public final class InterferenceLog {
   private final Definitions definitions = new Definitions();
   private final RulingLog rulings = new RulingLog();
   private final Ruling ruling = new Ruling();
+  private final Phases<HostPlayer> phases;
+  private final IntSupplier clock;
+  private final FieldStore fields;
   private final IntUnaryOperator jointKey;
   private final JointNotes joints = new JointNotes();
   private final int[] row = new int[BodyRow.INTS];
@@ -87,11 +93,51 @@ public final class InterferenceLog {
    *     the lower 16 bits
    */
   public InterferenceLog(
-      EntityTable entities, PlayerTable players, IntUnaryOperator jointKey, Findings findings) {
+      EntityTable entities,
+      Phases<HostPlayer> phases,
+      IntUnaryOperator jointKey,
+      Findings findings,
+      IntSupplier clock) {
     this.jointKey = jointKey;
     this.findings = findings;
     this.entities = entities;
-    this.players = players;
+    this.phases = phases;
+    this.clock = clock;
+    players = entities.players();
+    fields = entities.fields();
+  }
+
+  /** Begins to listen to the phases; a server's does. */
+  public void listen() {
+    phases.listen(
+        this,
+        Phase.JOIN,
+        Phase.LEAVE,
+        Phase.MESSAGE,
+        Phase.BEFORE_STEP,
+        Phase.INPUT,
+        Phase.AFTER_STEP);
+  }
+
+  @Override
+  public void began(Phase phase) {
+    if (phase != Phase.INPUT) {
+      beginRules();
+    }
+  }
+
+  @Override
+  public void ended(Phase phase) {
+    int tick = clock.getAsInt();
+    if (phase == Phase.BEFORE_STEP) {
+      endRules(tick, tick, true);
+      beginInputs();
+    } else if (phase == Phase.INPUT && fields.hasReadHidden()) {
+      endInput(phases.player(), tick);
+    } else if (phase == Phase.AFTER_STEP) {
+      endRules(tick, tick + 1, false);
+      endWatch();
+    }
   }
 
   /** Compares an entity in the next step, too. A second call before that step has no effect. */
@@ -169,8 +215,7 @@ public final class InterferenceLog {
     Mark mark = find(ofEntities, entity.id(), entity);
     HostPlayer owner = players.get(entity.ownerId());
     if (mark != null && mark.hiddenScope != null && owner != null) {
-      entities
-          .fields()
+      fields
           .use()
           .toldInput(mark.hiddenScope, mark.hiddenWord, owner.fieldValues(), mark.lastHiddenTick);
     }
@@ -206,7 +251,7 @@ public final class InterferenceLog {
    * end has no effect: {@code Game.join}, {@code Game.leave} and {@code Game.beforeStep} together
    * are the rules before a step, and a body is told one ruling of them.
    */
-  public void beginRules() {
+  private void beginRules() {
     if (rulesRun) {
       return;
     }
@@ -231,14 +276,7 @@ public final class InterferenceLog {
     Ruling.readRow(entity, mark.row);
   }
 
-  /** Notes what {@code Game.beforeStep} changed in the tick that is being computed. */
-  public void endRulesBeforeStep(int tick) {
-    endRules(tick, tick, true);
-  }
-
-  /** Notes what {@code Game.afterStep} changed, and ends the watch. */
-  public void endRulesAfterStep(int tick) {
-    endRules(tick, tick + 1, false);
+  private void endWatch() {
     for (int i = 0; i < watchedCount; i++) {
       ofEntities[watched[i].id()].watched = false;
     }
@@ -246,6 +284,11 @@ public final class InterferenceLog {
     watchedCount = 0;
   }
 
+  /**
+   * Notes what the rules changed in the tick that is being computed.
+   *
+   * @param shownTick the first tick that shows what they did to a player's body
+   */
   private void endRules(int tick, int shownTick, boolean beforeStep) {
     rulesRun = false;
     ofPlayers = grown(ofPlayers, players.limit());
@@ -281,8 +324,8 @@ public final class InterferenceLog {
    * Notes the state of the players' watched entities before the inputs. Needed only if one of these
    * may read what not all players near are told.
    */
-  public void beginInputs() {
-    if (!entities.fields().schema().hasHidden()) {
+  private void beginInputs() {
+    if (!fields.schema().hasHidden()) {
       return;
     }
     for (int i = 0; i < watchedCount; i++) {
@@ -303,11 +346,8 @@ public final class InterferenceLog {
    * Notes what a player's input did to the player's watched entities, because it depended on what
    * not all players near are told. The body gets a ruling even if nothing was done to it: that is
    * how clients know that they need not guess.
-   *
-   * @param tick the tick being computed
-   * @param fields know what it read and wrote
    */
-  public void endInput(HostPlayer player, int tick, FieldStore fields) {
+  private void endInput(HostPlayer player, int tick) {
     if (fields.hasReadUntold()) {
       ofPlayers = grown(ofPlayers, players.limit());
       claim(ofPlayers, player.id(), player).lastTick = tick; // its own client can't know it either
@@ -387,7 +427,7 @@ public final class InterferenceLog {
     ruling.key = entity.id() | entity.generation() << 16;
     rulings.add().set(ruling);
     if (mark.meter.note(tick)) {
-      find(entity, mark.meter.firstTick(), beforeStep ? "beforeStep" : "afterStep");
+      find(entity, mark.meter.firstTick());
     }
     return true;
   }
@@ -400,7 +440,8 @@ public final class InterferenceLog {
   }
 
   /** Tells that the rules change a body again and again. */
-  private void find(HostEntity entity, int firstTick, String callback) {
+  private void find(HostEntity entity, int firstTick) {
+    String callback = phases.now().callback();
     String deed = deed(ruling.mask);
     String advice;
     if (entity.archetype().type() != BodyType.DYNAMIC && (ruling.mask & Ruling.ARCHETYPE) == 0) {

@@ -3,6 +3,7 @@ package carom.sim.trigger;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.finding.Findings;
+import carom.sim.phase.Phases;
 
 /**
  * Finds games whose {@code Game.input} reads overlaps that clients can't know: of sensors that they
@@ -10,23 +11,18 @@ import carom.sim.finding.Findings;
  * a finding only.
  */
 public final class OverlapUse {
+  private final Phases<HostPlayer> phases;
   private final Findings findings;
 
-  /** The player whose input runs; null outside of inputs. */
-  private HostPlayer player;
-
   /** Creates it; what it finds goes to a list. */
-  public OverlapUse(Findings findings) {
+  public OverlapUse(Phases<HostPlayer> phases, Findings findings) {
+    this.phases = phases;
     this.findings = findings;
-  }
-
-  /** Notes that a player's input begins, or with null that it has ended. */
-  public void inputOf(HostPlayer value) {
-    player = value;
   }
 
   /** Receives an overlap that the game asked for. */
   public void read(HostEntity asked, HostEntity other) {
+    HostPlayer player = phases.player();
     if (player == null || asked == null || other == null) {
       return;
     }
