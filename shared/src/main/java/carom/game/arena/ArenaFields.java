@@ -27,10 +27,8 @@ final class ArenaFields {
   static final Countdown DASH_WAIT = Field.countdown("dashWait"); // until the next one
   static final Real DASH_X = Field.real("dashX"); // where it goes
   static final Real DASH_Y = Field.real("dashY");
-  static final Flag DASH_HELD = Field.flag("dashHeld"); // the button, a tick ago
   static final Flag JOLTS = Field.flag("jolts"); // gives a jolt in this tick
   static final Countdown JOLT_WAIT = Field.countdown("joltWait");
-  static final Flag JOLT_HELD = Field.flag("joltHeld");
 
   // Of the match. Goals have the team as index.
   static final Count GOALS =
@@ -61,10 +59,8 @@ final class ArenaFields {
         DASH_WAIT,
         DASH_X,
         DASH_Y,
-        DASH_HELD,
         JOLTS,
         JOLT_WAIT,
-        JOLT_HELD,
         GOALS,
         BALL,
         BALL_WAIT,

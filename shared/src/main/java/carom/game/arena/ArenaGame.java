@@ -1,12 +1,10 @@
 package carom.game.arena;
 
 import static carom.game.arena.ArenaFields.DASH;
-import static carom.game.arena.ArenaFields.DASH_HELD;
 import static carom.game.arena.ArenaFields.DASH_WAIT;
 import static carom.game.arena.ArenaFields.DASH_X;
 import static carom.game.arena.ArenaFields.DASH_Y;
 import static carom.game.arena.ArenaFields.JOLTS;
-import static carom.game.arena.ArenaFields.JOLT_HELD;
 import static carom.game.arena.ArenaFields.JOLT_WAIT;
 
 import carom.physics.WorldDef;
@@ -192,12 +190,12 @@ public final class ArenaGame implements Game {
       x /= length;
       y /= length;
     }
-    boolean jolts = in.held(Input.SECOND) && !p.get(JOLT_HELD) && p.get(JOLT_WAIT) == 0;
+    boolean jolts = in.pressed(Input.SECOND) && p.get(JOLT_WAIT) == 0;
     if (jolts) {
       p.set(JOLT_WAIT, s.ticks(JOLT_COOLDOWN));
       s.emit(pitch.jolt).at(body.x(), body.y()).of(p.entity()).by(p);
     }
-    boolean dashes = in.held(Input.ACTION) && !p.get(DASH_HELD) && p.get(DASH_WAIT) == 0;
+    boolean dashes = in.pressed(Input.ACTION) && p.get(DASH_WAIT) == 0;
     if (dashes) {
       p.set(DASH, s.ticks(DASH_SECONDS));
       p.set(DASH_WAIT, s.ticks(DASH_COOLDOWN));
@@ -208,8 +206,6 @@ public final class ArenaGame implements Game {
       s.emit(pitch.dash).at(body.x(), body.y()).of(p.entity()).by(p);
     }
     p.set(JOLTS, jolts);
-    p.set(JOLT_HELD, in.held(Input.SECOND));
-    p.set(DASH_HELD, in.held(Input.ACTION));
     if (p.get(DASH) > 0) {
       float dashX = p.get(DASH_X) * DASH_SPEED;
       float dashY = p.get(DASH_Y) * DASH_SPEED;

@@ -22,7 +22,6 @@ final class PlatformerFields {
   static final Countdown WANTS_JUMP = Field.countdown("wantsJump"); // also before landing
   static final Countdown DROPS = Field.countdown("drops"); // one-way platforms don't hold
   static final Flag JUMPING = Field.flag("jumping");
-  static final Flag JUMP_HELD = Field.flag("jumpHeld"); // the button, a tick ago
 
   // Of a player without a body: when and at which spawn it comes back.
   static final Countdown RESPAWN = Field.countdown("respawn").to(OWNER);
@@ -45,7 +44,6 @@ final class PlatformerFields {
         WANTS_JUMP,
         DROPS,
         JUMPING,
-        JUMP_HELD,
         RESPAWN,
         RESPAWN_PLACE,
         FLAG,

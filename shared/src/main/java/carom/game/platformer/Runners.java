@@ -3,7 +3,6 @@ package carom.game.platformer;
 import static carom.game.platformer.PlatformerFields.CAN_JUMP;
 import static carom.game.platformer.PlatformerFields.DROPS;
 import static carom.game.platformer.PlatformerFields.JUMPING;
-import static carom.game.platformer.PlatformerFields.JUMP_HELD;
 import static carom.game.platformer.PlatformerFields.WANTS_JUMP;
 
 import carom.sim.Simulation;
@@ -43,14 +42,13 @@ final class Runners {
 
   private void jump(
       Simulation s, Player p, Input in, Ground ground, boolean grounded, boolean rises) {
-    boolean held = in.held(Input.JUMP);
     boolean jumping = rises;
     if (grounded) {
       p.set(CAN_JUMP, s.ticks(COYOTE_SECONDS));
     } else {
       p.add(CAN_JUMP, -1);
     }
-    if (held && !p.get(JUMP_HELD)) {
+    if (in.pressed(Input.JUMP)) {
       p.set(WANTS_JUMP, s.ticks(BUFFER_SECONDS));
     }
     boolean down = in.held(Input.DOWN) || in.moveY() < -0.6f;
@@ -67,11 +65,10 @@ final class Runners {
           body.velocityX(), PlatformerGame.JUMP_SPEED + Math.max(0, ground.velocityY()));
       float feet = body.y() - PlatformerGame.PLAYER_HEIGHT / 2;
       s.emit(course.jumpEvent).at(body.x(), feet).of(p.entity()).by(p);
-    } else if (jumping && !held) {
+    } else if (jumping && !in.held(Input.JUMP)) {
       body.applyForce(0, -CUT_GRAVITY * body.mass());
     }
     p.set(JUMPING, jumping);
-    p.set(JUMP_HELD, held);
   }
 
   private static void run(Entity body, Input in, Ground ground, boolean grounded) {
