@@ -16,7 +16,10 @@ final class ArchetypeChange {
   private final Archetypes archetypes;
 
   ArchetypeChange(
-      EntityTable table, AreaForces<HostEntity> areas, Phases<HostPlayer> phases, Archetypes archetypes) {
+      EntityTable table,
+      AreaForces<HostEntity> areas,
+      Phases<HostPlayer> phases,
+      Archetypes archetypes) {
     this.table = table;
     this.areas = areas;
     this.phases = phases;
