@@ -20,7 +20,7 @@ import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Input;
-import carom.sim.joint.JointTable;
+import carom.sim.entity.JointTable;
 import carom.sim.level.Level;
 import java.util.List;
 import java.util.function.LongSupplier;

@@ -11,7 +11,7 @@ import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.text.Suggestion;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;

@@ -40,7 +40,7 @@ import carom.server.web.WebFlags;
 import carom.server.web.WebServer;
 import carom.server.web.WebSubject;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.IOException;
 import java.io.PrintWriter;

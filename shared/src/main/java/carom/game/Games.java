@@ -2,7 +2,7 @@ package carom.game;
 
 import carom.sim.Game;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.Collections;

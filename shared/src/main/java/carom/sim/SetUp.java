@@ -1,12 +1,12 @@
 package carom.sim;
 
 import carom.physics.mover.MoverDef;
+import carom.sim.entity.Assembly;
+import carom.sim.entity.AssemblyDef;
 import carom.sim.entity.Entity;
 import carom.sim.entity.EntityMover;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
-import carom.sim.joint.Assembly;
-import carom.sim.joint.AssemblyDef;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;

@@ -5,12 +5,12 @@ import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.sim.entity.HostEntity;
+import carom.sim.entity.JointTable;
+import carom.sim.entity.PoseHistory;
 import carom.sim.entity.SavedEntities;
 import carom.sim.entity.SavedFields;
 import carom.sim.entity.SavedPlayers;
 import carom.sim.field.Scope;
-import carom.sim.history.PoseHistory;
-import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import carom.sim.pool.PoolsState;
 

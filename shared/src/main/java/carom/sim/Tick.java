@@ -12,16 +12,11 @@ import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.field.FieldStore;
 import carom.sim.level.Archetype;
-import carom.sim.match.MatchClock;
-import carom.sim.match.MatchPhase;
 import carom.sim.message.Message;
 import carom.sim.message.WaitingMessages;
 import carom.sim.phase.Phase;
 import carom.sim.phase.Phases;
 import carom.sim.pool.Pools;
-import carom.sim.ruling.ForceCheck;
-import carom.sim.trigger.OverlapUse;
-import carom.sim.trigger.Triggers;
 import java.util.function.Consumer;
 
 /**

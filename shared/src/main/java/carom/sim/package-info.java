@@ -6,7 +6,8 @@
  * carom.sim.Role#PREDICTION} to feel its own input without waiting for the network. Nothing here
  * knows a clock, a thread, a socket or a file format other than the level's.
  *
- * <p>Entities and players, levels, fields, events, messages, joints and the history of poses have
+ * <p>What a game is written against is here, too: its callbacks, the clock of a match, and who
+ * enters and leaves sensors. Entities and players, levels, fields, events and messages have
  * packages of their own below this one.
  *
  * <p>Allowed imports: {@code carom.physics..}, the packages below this one but {@code near} and

@@ -2,6 +2,7 @@ package carom.testkit;
 
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
+import carom.physics.math.SimRandom;
 import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimState;
@@ -9,7 +10,6 @@ import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Input;
 import carom.sim.level.Level;
-import carom.sim.random.SimRandom;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;

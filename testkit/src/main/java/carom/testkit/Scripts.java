@@ -1,8 +1,8 @@
 package carom.testkit;
 
 import carom.client.InputSource;
+import carom.physics.math.SimRandom;
 import carom.sim.entity.Input;
-import carom.sim.random.SimRandom;
 
 /** Input sources that follow a simple rule. */
 public final class Scripts {

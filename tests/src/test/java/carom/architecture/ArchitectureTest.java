@@ -162,48 +162,36 @@ final class ArchitectureTest {
     allow("carom.sim.event");
     allow("carom.sim.pool", "carom.physics..");
     allow("carom.sim.message", "carom.text");
-    allow("carom.sim.level.shape", "carom.physics..", "carom.json");
     allow(
         "carom.sim.level",
-        "carom.sim.level.shape",
         "carom.physics..",
         "carom.sim.field",
         "carom.sim.event",
         "carom.sim.pool",
         "carom.json",
         "carom.text");
-    allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow(
         "carom.sim.area",
         "carom.physics..",
         "carom.sim.level",
         "carom.sim.field",
         "carom.sim.pool");
-    allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
-    allow("carom.sim.finding");
     allow("carom.sim.phase");
-    allow("carom.sim.match", "carom.sim.entity", "carom.sim.event", "carom.sim.field");
-    allow("carom.sim.random");
     allow("carom.sim.spawn");
     allow(
         "carom.sim.field",
         "carom.physics.math",
         "carom.physics.archive",
         "carom.sim.event",
-        "carom.sim.finding",
-        "carom.sim.spawn",
-        "carom.sim.phase");
-    allow("carom.sim.gauge", "carom.sim.event", "carom.sim.field");
+        "carom.sim.phase",
+        "carom.sim.spawn");
     allow(
         "carom.sim.entity",
         "carom.physics..",
         "carom.sim.area",
         "carom.sim.field",
-        "carom.sim.history",
-        "carom.sim.joint",
         "carom.sim.level",
         "carom.sim.message",
-        "carom.sim.random",
         "carom.sim.spawn",
         "carom.sim.phase");
     allow(
@@ -212,7 +200,6 @@ final class ArchitectureTest {
         "carom.sim.entity",
         "carom.sim.event",
         "carom.sim.level",
-        "carom.sim.match",
         "carom.sim.message",
         "carom.sim.spawn");
     allow(
@@ -220,37 +207,22 @@ final class ArchitectureTest {
         "carom.physics..",
         "carom.sim.entity",
         "carom.sim.field",
-        "carom.sim.finding",
-        "carom.sim.level",
-        "carom.sim.phase");
-    allow(
-        "carom.sim.trigger",
-        "carom.physics..",
-        "carom.sim.entity",
-        "carom.sim.finding",
-        "carom.sim.level",
-        "carom.sim.phase");
+        "carom.sim.phase",
+        "carom.sim.level");
     allow(
         "carom.sim",
         "carom.physics..",
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
-        "carom.sim.gauge",
         "carom.sim.message",
-        "carom.sim.history",
-        "carom.sim.random",
+        "carom.sim.entity",
         "carom.sim.area",
-        "carom.sim.joint",
         "carom.sim.pool",
         "carom.sim.ruling",
         "carom.sim.spawn",
-        "carom.sim.entity",
-        "carom.sim.finding",
-        "carom.sim.match",
-        "carom.sim.outbox",
-        "carom.sim.trigger",
-        "carom.sim.phase");
+        "carom.sim.phase",
+        "carom.sim.outbox");
     allow(
         "carom.sim.near",
         "carom.physics..",
@@ -259,7 +231,6 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
-        "carom.sim.joint",
         "carom.sim.spawn");
     allow(
         "carom.net.field",
@@ -276,15 +247,7 @@ final class ArchitectureTest {
         "carom.sim.entity",
         "carom.sim.level",
         "carom.sim.event",
-        "carom.sim.pool");
-    allow(
-        "carom.sim.scene.catalog",
-        "carom.physics..",
-        "carom.sim",
-        "carom.sim.entity",
-        "carom.sim.level",
-        "carom.sim.random",
-        "carom.sim.scene",
+        "carom.sim.pool",
         "carom.text");
     allow("carom.game", "carom.physics..", "carom.sim..", "carom.text");
     game("arena");
@@ -375,7 +338,7 @@ final class ArchitectureTest {
         "carom.net..",
         "carom.options",
         "carom.text",
-        "carom.json", // what pages in browsers send
+        "carom.json",
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -411,7 +374,6 @@ final class ArchitectureTest {
     for (int i = 0; i < to.length; i++) {
       full[i] = "carom.physics." + to[i];
     }
-    allow("carom.physics.dynamics." + name, full);
   }
 
   /** Allows what a game that ships may use; the name is the one below {@code carom.game}. */
@@ -421,15 +383,12 @@ final class ArchitectureTest {
         "carom.physics..",
         "carom.sim",
         "carom.sim.entity",
-        "carom.sim.match",
         "carom.sim.outbox",
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
-        "carom.sim.gauge",
         "carom.sim.message",
         "carom.sim.pool",
-        "carom.sim.random",
         "carom.sim.spawn");
   }
 

@@ -49,9 +49,7 @@ final class GameExamplesTest {
       import carom.sim.entity.*;
       import carom.sim.event.*;
       import carom.sim.field.*;
-      import carom.sim.gauge.Gauge;
       import carom.sim.level.*;
-      import carom.sim.match.*;
       import carom.sim.message.*;
       import carom.sim.pool.*;
       import carom.testkit.*;
@@ -76,7 +74,7 @@ final class GameExamplesTest {
         Player player, shooter, scorer;
         Entity ball, crate;
         Archetype coin, spikes, balloon, hovercraft, fan, rocketKind, crouched, standing, ice;
-        carom.sim.joint.Assembly car;
+        carom.sim.entity.Assembly car;
         Material rubber, metal;
         EventKind knock, boom, shot, goal;
         EntityHit hit;

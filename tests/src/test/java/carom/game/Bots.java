@@ -1,9 +1,9 @@
 package carom.game;
 
+import carom.physics.math.SimRandom;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Input;
-import carom.sim.random.SimRandom;
 
 /** Inputs for tests: a pure function of seed, tick and player. */
 final class Bots {

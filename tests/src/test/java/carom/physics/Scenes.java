@@ -4,9 +4,9 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;
 import carom.physics.geometry.Polygon;
-import carom.sim.random.SimRandom;
+import carom.physics.math.SimRandom;
+import carom.sim.scene.BenchmarkScenes;
 import carom.sim.scene.SceneWorld;
-import carom.sim.scene.catalog.BenchmarkScenes;
 
 /** Worlds that several tests step. */
 final class Scenes {

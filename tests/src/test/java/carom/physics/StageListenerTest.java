@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.profile.StageListener;
 import carom.physics.profile.StepStage;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;

@@ -68,7 +68,7 @@ class StateBytesTest {
 
   @Test
   void everySceneOfTheLibraryGoesOnInAnEmptyWorld() {
-    for (Scene scene : carom.sim.scene.catalog.Scenes.all()) {
+    for (Scene scene : carom.sim.scene.Scenes.all()) {
       SceneRun run = scene.start();
       int bodies = run.world().bodyCount();
       if (bodies > 3_000) {
@@ -117,7 +117,7 @@ class StateBytesTest {
   @Test
   void particlesGoOnInAnotherRunOfTheScene() {
     int tested = 0;
-    for (Scene scene : carom.sim.scene.catalog.Scenes.all()) {
+    for (Scene scene : carom.sim.scene.Scenes.all()) {
       SceneRun run = scene.start();
       if (run.particles().isEmpty()) {
         continue;

@@ -205,7 +205,7 @@ class WorldReplayTest {
   @ParameterizedTest
   @ValueSource(strings = {"bridge", "gears", "ragdolls", "mover", "one_way_platforms"})
   void scenesAreComputedAgainBitForBit(String name) {
-    SceneRun run = carom.sim.scene.catalog.Scenes.get(name).start();
+    SceneRun run = carom.sim.scene.Scenes.get(name).start();
     WorldRecorder recorder = new WorldRecorder(run.world(), MUCH, 1);
     for (int i = 0; i < 200; i++) {
       run.step();

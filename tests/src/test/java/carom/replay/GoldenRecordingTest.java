@@ -12,7 +12,7 @@ import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.io.InputStream;

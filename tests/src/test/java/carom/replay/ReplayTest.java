@@ -23,7 +23,7 @@ import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.nio.file.Files;

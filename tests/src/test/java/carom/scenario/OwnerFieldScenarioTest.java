@@ -18,7 +18,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.entity.Input;
 import carom.sim.event.Audience;
-import carom.sim.finding.Findings;
+import carom.sim.phase.Findings;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.lang.reflect.Proxy;

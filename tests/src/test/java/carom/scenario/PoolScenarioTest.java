@@ -15,7 +15,7 @@ import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import carom.sim.pool.Pools;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;

@@ -13,7 +13,7 @@ import carom.sim.entity.HostEntity;
 import carom.sim.pool.Pools;
 import carom.sim.pool.ShownParticles;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.Arrays;

@@ -14,7 +14,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.entity.Input;
 import carom.sim.level.Level;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import carom.sim.spawn.Origin;
 import carom.suite.Alone;
 import carom.testkit.Condition;

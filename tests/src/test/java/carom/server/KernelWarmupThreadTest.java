@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import org.junit.jupiter.api.Test;
 
 /** Worlds step with the same bits before, while and after kernels are warmed up elsewhere. */

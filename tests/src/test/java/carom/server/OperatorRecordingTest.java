@@ -12,7 +12,7 @@ import carom.replay.Replay;
 import carom.server.config.ServerConfig;
 import carom.server.recording.RotationLimit;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.nio.file.Files;

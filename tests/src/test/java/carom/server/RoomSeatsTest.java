@@ -14,7 +14,7 @@ import carom.net.protocol.SessionState;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.entity.HostEntity;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 

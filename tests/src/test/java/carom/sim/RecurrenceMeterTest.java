@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.sim.finding.Findings;
-import carom.sim.finding.RecurrenceMeter;
+import carom.sim.phase.Findings;
+import carom.sim.phase.RecurrenceMeter;
 import org.junit.jupiter.api.Test;
 
 /** What a game does all the time is told once; what it does now and then isn't. */

@@ -19,7 +19,7 @@ import carom.options.BadFlag;
 import carom.options.Flags;
 import carom.options.Rows;
 import carom.options.Setting;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.text.Suggestion;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -2,10 +2,10 @@ package carom.client.bots;
 
 import carom.client.InputSource;
 import carom.client.view.ClientView;
+import carom.physics.math.SimRandom;
 import carom.sim.entity.Input;
 import carom.sim.level.Appearance.Look;
 import carom.sim.level.Level;
-import carom.sim.random.SimRandom;
 import java.util.List;
 import java.util.Set;
 

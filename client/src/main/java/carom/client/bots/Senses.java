@@ -2,7 +2,7 @@ package carom.client.bots;
 
 import carom.client.field.FieldView;
 import carom.client.view.ClientView;
-import carom.sim.random.SimRandom;
+import carom.physics.math.SimRandom;
 
 /**
  * The picture that a {@link BotBrain}'s player would see, at the present tick. It is read on the

@@ -15,7 +15,7 @@ import carom.physics.rows.Rows;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
-import carom.sim.joint.JointTable;
+import carom.sim.entity.JointTable;
 import carom.sim.near.JointTies;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;

@@ -8,8 +8,8 @@ import carom.physics.rows.ExactRows;
 import carom.physics.rows.JointRow;
 import carom.physics.rows.RowKind;
 import carom.sim.SimulationHost;
+import carom.sim.entity.Assembly;
 import carom.sim.entity.HostEntity;
-import carom.sim.joint.Assembly;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 

@@ -6,7 +6,7 @@ import carom.physics.rows.BodyRow;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
-import carom.sim.joint.JointTable;
+import carom.sim.entity.JointTable;
 import carom.sim.near.Neighbourhood;
 import carom.sim.ruling.Ruling;
 import carom.sim.ruling.Rulings;

@@ -15,7 +15,7 @@ import carom.physics.BodyType;
 import carom.physics.rows.JointDefRow;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
-import carom.sim.joint.JointTable;
+import carom.sim.entity.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.near.JointDefinitions;
 import carom.sim.near.Neighbourhood;

@@ -6,7 +6,7 @@ import carom.physics.JointType;
 import carom.physics.rows.JointDefRow;
 import carom.physics.rows.JointRow;
 import carom.sim.SimulationHost;
-import carom.sim.joint.JointTable;
+import carom.sim.entity.JointTable;
 import carom.sim.level.Level;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;

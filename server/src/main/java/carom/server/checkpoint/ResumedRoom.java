@@ -2,7 +2,7 @@ package carom.server.checkpoint;
 
 import carom.server.room.match.Match;
 import carom.server.session.Session;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import java.util.List;
 
 /**

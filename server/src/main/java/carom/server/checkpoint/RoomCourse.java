@@ -1,7 +1,7 @@
 package carom.server.checkpoint;
 
 import carom.server.room.match.Match;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 
 /** The place of a room in the sequence of its matches. The room's thread. */
 public interface RoomCourse {

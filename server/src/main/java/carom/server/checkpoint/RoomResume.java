@@ -11,7 +11,7 @@ import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;

@@ -8,7 +8,7 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.server.config.RoomConfig;
 import carom.sim.SimState;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -4,7 +4,7 @@ import carom.game.GuardedGame;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.sim.Simulation;
-import carom.sim.finding.Findings;
+import carom.sim.phase.Findings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -8,7 +8,7 @@ import carom.physics.rows.JointDefRow;
 import carom.physics.rows.JointRow;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
-import carom.sim.joint.JointTable;
+import carom.sim.entity.JointTable;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 

@@ -168,7 +168,7 @@ final class ThinMatches {
 
   private static List<Gauge> gauges(SimulationHost s) {
     List<Gauge> all = new ArrayList<>();
-    for (carom.sim.gauge.Gauge gauge : s.game().gauges()) {
+    for (carom.sim.field.Gauge gauge : s.game().gauges()) {
       Field<?> field = gauge.field();
       boolean ratio = field instanceof Ratio;
       all.add(

@@ -20,7 +20,7 @@ import carom.server.session.Session;
 import carom.server.threads.LoaderThread;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;

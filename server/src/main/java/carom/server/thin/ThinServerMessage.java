@@ -93,7 +93,7 @@ public sealed interface ThinServerMessage {
   /**
    * A field that players see.
    *
-   * @param kind name of a constant of {@code carom.sim.gauge.Gauge.Kind}
+   * @param kind name of a constant of {@code carom.sim.field.Gauge.Kind}
    * @param scope {@code match}, {@code player} or {@code entity}
    * @param least value of an empty bar
    * @param most value of a full bar

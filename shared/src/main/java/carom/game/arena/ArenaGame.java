@@ -11,6 +11,8 @@ import carom.physics.WorldDef;
 import carom.physics.math.Trig;
 import carom.sim.Game;
 import carom.sim.Match;
+import carom.sim.MatchClock;
+import carom.sim.MatchPhase;
 import carom.sim.SetUp;
 import carom.sim.Simulation;
 import carom.sim.entity.Contact;
@@ -20,10 +22,8 @@ import carom.sim.entity.Player;
 import carom.sim.event.Audience;
 import carom.sim.field.Cooldown;
 import carom.sim.field.Field;
-import carom.sim.gauge.Gauge;
+import carom.sim.field.Gauge;
 import carom.sim.level.Level;
-import carom.sim.match.MatchClock;
-import carom.sim.match.MatchPhase;
 import java.util.List;
 
 /**

@@ -7,11 +7,11 @@ import static carom.game.arena.ArenaFields.TOUCHED_BEFORE;
 import static carom.sim.event.Audience.ALL;
 
 import carom.sim.Match;
+import carom.sim.MatchClock;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
-import carom.sim.match.MatchClock;
 
 /** Goals: the team that each counts for, the lamps that show them, and the winner. */
 final class Goals {

@@ -3,6 +3,8 @@ package carom.game.platformer;
 import carom.physics.WorldDef;
 import carom.sim.Game;
 import carom.sim.Match;
+import carom.sim.MatchClock;
+import carom.sim.MatchPhase;
 import carom.sim.SetUp;
 import carom.sim.Simulation;
 import carom.sim.entity.Contact;
@@ -11,8 +13,6 @@ import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
-import carom.sim.match.MatchClock;
-import carom.sim.match.MatchPhase;
 import java.util.List;
 
 /**

@@ -1,6 +1,6 @@
 /**
- * Numeric building blocks of the physics engine: vectors, transforms, boxes, intervals and
- * deterministic trigonometry.
+ * Numeric building blocks of the physics engine: vectors, transforms, boxes, intervals,
+ * deterministic trigonometry and random numbers.
  *
  * <p>Imports nothing but {@code java.lang}. Everything here is bit-exact: the same arguments give
  * the same bits on any JDK from 17 on, interpreted or compiled. Units are metres and radians, y

@@ -52,7 +52,7 @@ public sealed interface Entity extends FieldHolder<Entity, Player> permits HostE
    * Returns a body of its assembly by its name. Clients know the members by their joints and find
    * none whose joints are all gone.
    *
-   * @param name as the {@link carom.sim.joint.AssemblyDef} gives it
+   * @param name as the {@link carom.sim.entity.AssemblyDef} gives it
    * @return null if it was despawned, or if this client doesn't know it
    * @throws IllegalArgumentException if it has no assembly, or that has no body of that name
    */
@@ -61,7 +61,7 @@ public sealed interface Entity extends FieldHolder<Entity, Player> permits HostE
   /**
    * Returns a joint of its assembly by its name.
    *
-   * @param name as the {@link carom.sim.joint.AssemblyDef} gives it
+   * @param name as the {@link carom.sim.entity.AssemblyDef} gives it
    * @return null if it broke or was destroyed, or if this client doesn't simulate it
    * @throws IllegalArgumentException if it has no assembly, or that has no joint of that name
    */

@@ -6,7 +6,6 @@ import carom.physics.Joint;
 import carom.physics.math.Transform;
 import carom.sim.field.EntityRef;
 import carom.sim.field.FieldValues;
-import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.spawn.Origin;

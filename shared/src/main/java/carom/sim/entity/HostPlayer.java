@@ -3,7 +3,6 @@ package carom.sim.entity;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
-import carom.sim.history.PoseHistory;
 import carom.sim.level.Archetype;
 import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;

@@ -1,9 +1,9 @@
 package carom.sim.entity;
 
+import carom.physics.math.SimRandom;
 import carom.sim.field.FieldStore;
 import carom.sim.field.Scope;
 import carom.sim.message.PlayerRole;
-import carom.sim.random.SimRandom;
 import java.util.function.Consumer;
 
 /**

@@ -1,6 +1,6 @@
 package carom.sim.entity;
 
-import carom.sim.random.SimRandom;
+import carom.physics.math.SimRandom;
 import java.util.Arrays;
 
 /**

@@ -1,6 +1,5 @@
 /**
- * The kinds of events of a game, how each looks and sounds, and who is told; and the queue of
- * notices.
+ * Kinds of events of a game: how each looks and sounds, and who is told.
  *
  * <p>Imports nothing. Read first: {@link carom.sim.event.EventKinds}, {@link
  * carom.sim.event.EventKind}.

@@ -1,6 +1,6 @@
 package carom.sim.field;
 
-import carom.sim.finding.Findings;
+import carom.sim.phase.Findings;
 import carom.sim.phase.Phase;
 import carom.sim.phase.Phases;
 import java.util.List;

@@ -1,9 +1,9 @@
 package carom.sim.field;
 
 import carom.sim.event.Audience;
-import carom.sim.finding.Findings;
-import carom.sim.finding.RecurrenceMeter;
+import carom.sim.phase.Findings;
 import carom.sim.phase.Phase;
+import carom.sim.phase.RecurrenceMeter;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,7 +1,7 @@
 package carom.sim.field;
 
 import carom.physics.math.StateHash;
-import carom.sim.finding.RecurrenceMeter;
+import carom.sim.phase.RecurrenceMeter;
 import java.util.Arrays;
 
 /**

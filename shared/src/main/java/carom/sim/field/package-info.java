@@ -5,7 +5,8 @@
  * carom.sim.field.Scope}, an audience and a start value. A {@link carom.sim.field.Schema} lays the
  * fields of one game out in words of 32 bits, equally on server and clients. {@link
  * carom.sim.field.FieldValues} are the words of one player, one entity or the match; {@link
- * carom.sim.field.FieldHolder} reads and writes them by the field's kind.
+ * carom.sim.field.FieldHolder} reads and writes them by the field's kind. A {@link
+ * carom.sim.field.Gauge} says how a window draws a field.
  *
  * <pre>
  *   Field.count("health", 0, 100).of(PLAYER).to(ALL).startsAt(100)      a constant of the game
@@ -18,7 +19,7 @@
  * </pre>
  *
  * <p>Allowed imports: {@code carom.physics.math}, {@code carom.physics.archive}, {@code
- * carom.sim.event}, {@code carom.sim.finding}. Read first: {@link carom.sim.field.Field}, {@link
+ * carom.sim.event}, {@code carom.sim.phase}. Read first: {@link carom.sim.field.Field}, {@link
  * carom.sim.field.FieldHolder}.
  */
 package carom.sim.field;

@@ -13,8 +13,8 @@ import static carom.json.JsonFields.word;
 import static carom.json.JsonFields.wrong;
 import static carom.sim.level.LevelReader.MAX_COORDINATE;
 import static carom.sim.level.LevelReader.with;
-import static carom.sim.level.shape.ShapeReader.MAX_SIZE;
-import static carom.sim.level.shape.ShapeReader.MIN_SIZE;
+import static carom.sim.level.ShapeReader.MAX_SIZE;
+import static carom.sim.level.ShapeReader.MIN_SIZE;
 
 import carom.json.Json;
 import carom.json.JsonException;

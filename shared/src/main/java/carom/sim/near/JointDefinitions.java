@@ -1,7 +1,7 @@
 package carom.sim.near;
 
 import carom.physics.rows.JointDefRow;
-import carom.sim.joint.JointTable;
+import carom.sim.entity.JointTable;
 
 /** Knows what a server's joints were made with. */
 @FunctionalInterface

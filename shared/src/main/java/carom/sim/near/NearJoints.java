@@ -7,7 +7,7 @@ import carom.physics.rows.JointRow;
 import carom.physics.rows.Rows;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
-import carom.sim.joint.JointTable;
+import carom.sim.entity.JointTable;
 
 /**
  * The joints of a {@link Neighbourhood}: gives the rows that a world read their keys, and makes the

@@ -1,8 +1,6 @@
 package carom.sim.outbox;
 
 import carom.sim.event.EventKind;
-import carom.sim.event.NoticeQueue;
-import carom.sim.match.NextMatch;
 import carom.sim.message.Message;
 import java.util.ArrayDeque;
 import java.util.function.Consumer;

@@ -3,7 +3,7 @@
  * notices, and what to play next. None of it is part of a simulation's state.
  *
  * <p>Allowed imports: {@code carom.physics}, {@code carom.sim.entity}, {@code carom.sim.level},
- * {@code carom.sim.event}, {@code carom.sim.match}, {@code carom.sim.message}, the JDK. Read first:
- * {@link carom.sim.outbox.Outbox}, {@link carom.sim.outbox.Event}.
+ * {@code carom.sim.event}, {@code carom.sim.message}, the JDK. Read first: {@link
+ * carom.sim.outbox.Outbox}, {@link carom.sim.outbox.Event}.
  */
 package carom.sim.outbox;

@@ -4,7 +4,7 @@
  * and gives advice to the game's developer.
  *
  * <p>Allowed imports: {@code carom.physics..}, {@code carom.sim.entity}, {@code carom.sim.level},
- * {@code carom.sim.field}, {@code carom.sim.finding}, the JDK. Read first: {@link
+ * {@code carom.sim.field}, {@code carom.sim.phase}, the JDK. Read first: {@link
  * carom.sim.ruling.InterferenceLog}, {@link carom.sim.ruling.Ruling}, {@link
  * carom.sim.ruling.RulingLog}.
  */

@@ -1,8 +1,8 @@
 package carom.lab.bench;
 
+import carom.sim.scene.BenchmarkScenes;
 import carom.sim.scene.Scene;
-import carom.sim.scene.catalog.BenchmarkScenes;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import java.util.List;
 import java.util.function.Supplier;
 

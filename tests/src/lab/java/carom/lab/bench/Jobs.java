@@ -4,7 +4,7 @@ import carom.lab.broadphase.BroadphaseJob;
 import carom.lab.broadphase.PairSearchJob;
 import carom.lab.broadphase.RebuildJob;
 import carom.lab.measure.BenchJob;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;

@@ -12,10 +12,10 @@ import carom.physics.WorldState;
 import carom.server.replication.FrameCapture;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
+import carom.sim.scene.BenchmarkScenes;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.catalog.BenchmarkScenes;
 import java.util.List;
 import java.util.function.Supplier;
 

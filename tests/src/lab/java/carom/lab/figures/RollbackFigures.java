@@ -2,9 +2,9 @@ package carom.lab.figures;
 
 import carom.lab.measure.Figure;
 import carom.physics.WorldState;
+import carom.sim.scene.BenchmarkScenes;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.catalog.BenchmarkScenes;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.Arrays;

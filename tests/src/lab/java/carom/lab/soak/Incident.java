@@ -1,7 +1,7 @@
 package carom.lab.soak;
 
 import carom.net.transport.Impairment;
-import carom.sim.random.SimRandom;
+import carom.physics.math.SimRandom;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

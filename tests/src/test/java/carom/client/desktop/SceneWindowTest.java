@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.app.ClientMain;
 import carom.fixtures.VirtualDisplay;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.suite.Alone;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;

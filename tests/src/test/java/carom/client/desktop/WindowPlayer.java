@@ -11,7 +11,7 @@ import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.replay.RecordingReader;
 import carom.sim.scene.Scene;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Screen;
 import com.badlogic.gdx.graphics.Pixmap;

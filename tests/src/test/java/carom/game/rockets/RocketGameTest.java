@@ -6,12 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.GamesTest;
+import carom.sim.MatchClock;
+import carom.sim.MatchPhase;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Input;
-import carom.sim.match.MatchClock;
-import carom.sim.match.MatchPhase;
 import org.junit.jupiter.api.Test;
 
 /** Goal: the rules of a match. Method: the shipped level; two players; one shoots. */

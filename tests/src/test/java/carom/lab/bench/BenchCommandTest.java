@@ -9,7 +9,7 @@ import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Times;
 import carom.sim.scene.SceneReport;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.suite.Alone;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;

@@ -4,7 +4,7 @@ import carom.fuzz.FuzzTarget;
 import carom.net.snapshot.frame.EventRing;
 import carom.server.session.Session;
 import carom.sim.SimState;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.List;

@@ -11,7 +11,7 @@ import carom.net.snapshot.frame.EventRing;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.SimState;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;

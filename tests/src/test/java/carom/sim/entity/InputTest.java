@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.sim.random.SimRandom;
+import carom.physics.math.SimRandom;
 import org.junit.jupiter.api.Test;
 
 class InputTest {

@@ -20,8 +20,6 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;
 import carom.physics.settings.MixingRule;
 import carom.sim.SchemaChecker;
-import carom.sim.level.shape.MaterialReader;
-import carom.sim.level.shape.ShapeReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

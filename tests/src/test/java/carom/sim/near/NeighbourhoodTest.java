@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
+import carom.physics.math.SimRandom;
 import carom.physics.rows.BodyRow;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
 import carom.sim.level.Level;
-import carom.sim.random.SimRandom;
 import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.game.Games;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
-import carom.sim.scene.catalog.Scenes;
-import carom.sim.scene.catalog.ScenesTest;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

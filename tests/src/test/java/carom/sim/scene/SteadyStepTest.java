@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import carom.fixtures.Allocations;
 import carom.physics.Body;
-import carom.sim.scene.catalog.BenchmarkScenes;
-import carom.sim.scene.catalog.Scenes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

@@ -9,7 +9,7 @@ import carom.physics.geometry.Shape;
 import carom.physics.math.Transform;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.LongSupplier;

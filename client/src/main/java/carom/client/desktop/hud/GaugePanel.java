@@ -10,7 +10,7 @@ import carom.client.field.FieldView;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.sim.field.Countdown;
-import carom.sim.gauge.Gauge;
+import carom.sim.field.Gauge;
 import carom.sim.level.Appearance;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;

@@ -2,9 +2,9 @@ package carom.client.desktop.hud;
 
 import carom.client.view.ClientView;
 import carom.net.protocol.ServerMessage.RosterEntry;
+import carom.sim.MatchClock;
+import carom.sim.MatchPhase;
 import carom.sim.entity.Input;
-import carom.sim.match.MatchClock;
-import carom.sim.match.MatchPhase;
 
 /**
  * Finds out that the last player that a warm-up waits for is there, without a key for it: all

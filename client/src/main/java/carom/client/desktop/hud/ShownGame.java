@@ -4,9 +4,9 @@ import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
 import carom.game.Games;
 import carom.sim.Game;
+import carom.sim.MatchClock;
+import carom.sim.field.Gauge;
 import carom.sim.field.Scope;
-import carom.sim.gauge.Gauge;
-import carom.sim.match.MatchClock;
 import com.badlogic.gdx.graphics.Color;
 import java.util.List;
 

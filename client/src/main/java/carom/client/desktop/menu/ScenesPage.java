@@ -1,7 +1,7 @@
 package carom.client.desktop.menu;
 
 import carom.sim.scene.Scene;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
 
 /** Chooses a scene of the library, which needs no server. Render thread only. */

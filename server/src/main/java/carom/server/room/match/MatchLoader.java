@@ -10,7 +10,7 @@ import carom.server.metrics.Counters;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
-import carom.sim.match.NextMatch;
+import carom.sim.outbox.NextMatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.Supplier;

@@ -5,9 +5,9 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.record.Deltas;
 import carom.physics.Body;
 import carom.physics.BodyType;
+import carom.sim.scene.BenchmarkScenes;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.catalog.BenchmarkScenes;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -7,7 +7,7 @@ import carom.net.snapshot.record.Deltas;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;

@@ -11,7 +11,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.ArrayList;

@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.Body;
 import carom.sim.scene.Scene;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 

@@ -9,7 +9,7 @@ import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.catalog.Scenes;
+import carom.sim.scene.Scenes;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
