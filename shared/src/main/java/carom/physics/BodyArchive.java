@@ -1,7 +1,6 @@
 package carom.physics;
 
 import carom.physics.archive.Archive;
-import carom.physics.archive.Interner;
 import carom.physics.dynamics.DynamicsState;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;

@@ -118,16 +118,6 @@ final class ArchitectureTest {
         "dynamics.jointtree");
     stage("jointtree", "dynamics.store", "dynamics.body", "dynamics.domain", "dynamics.joint");
     stage(
-        "sleep",
-        "settings",
-        "math",
-        "broadphase",
-        "dynamics.store",
-        "dynamics.body",
-        "dynamics.contact",
-        "dynamics.pairs",
-        "dynamics.joint");
-    stage(
         "continuous",
         "settings",
         "math",
@@ -154,7 +144,15 @@ final class ArchitectureTest {
         "carom.physics.dynamics",
         "carom.physics.*",
         "carom.physics.broadphase.*",
-        "carom.physics.dynamics.*");
+        "carom.physics.dynamics.*",
+        "carom.physics.settings",
+        "carom.physics.math",
+        "carom.physics.broadphase",
+        "carom.physics.dynamics.store",
+        "carom.physics.dynamics.body",
+        "carom.physics.dynamics.contact",
+        "carom.physics.dynamics.pairs",
+        "carom.physics.dynamics.joint");
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.mover", "carom.physics..");
@@ -168,7 +166,6 @@ final class ArchitectureTest {
         "carom.sim.field",
         "carom.sim.event",
         "carom.sim.pool",
-        "carom.json",
         "carom.text");
     allow(
         "carom.sim.area",
@@ -261,11 +258,6 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.snapshot.ledger");
     allow(
-        "carom.net.snapshot.record",
-        "carom.net.codec",
-        "carom.net.protocol",
-        "carom.net.snapshot.frame");
-    allow(
         "carom.net.snapshot.exact",
         "carom.net.codec",
         "carom.net.protocol",
@@ -284,21 +276,17 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.snapshot.*",
         "carom.net.snapshot.frame",
-        "carom.net.snapshot.ledger",
-        "carom.net.snapshot.record");
+        "carom.net.snapshot.ledger");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows", "carom.text");
     allow("carom.text");
-    allow("carom.json", "carom.text");
     allow("carom.net.transport", "carom.net.protocol");
     allow("carom.net.admission");
     allow("carom.net.seal", "carom.text");
-    allow("carom.net.datagram");
     allow(
         "carom.net.frame",
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.seal",
-        "carom.net.datagram",
         "carom.net.admission",
         "carom.text");
     allow(
@@ -306,9 +294,8 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.seal",
-        "carom.net.datagram",
-        "carom.net.admission",
         "carom.net.frame",
+        "carom.net.admission",
         "carom.net.codec",
         "carom.text");
     allow(
@@ -317,9 +304,8 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.transport",
         "carom.net.seal",
-        "carom.net.datagram",
-        "carom.net.admission",
-        "carom.net.frame");
+        "carom.net.frame",
+        "carom.net.admission");
     allow("carom.options", "carom.net.transport", "carom.text");
     allow(
         "carom.replay",
@@ -338,7 +324,6 @@ final class ArchitectureTest {
         "carom.net..",
         "carom.options",
         "carom.text",
-        "carom.json",
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -346,10 +331,9 @@ final class ArchitectureTest {
     allow(
         "carom.client..",
         "carom.client..",
-        "carom.json",
+        "carom.text",
         "carom.net..",
         "carom.options",
-        "carom.text",
         "carom.replay",
         "carom.sim..",
         "carom.game",

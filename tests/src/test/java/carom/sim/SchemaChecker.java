@@ -1,7 +1,7 @@
 package carom.sim;
 
-import carom.json.Json;
 import carom.sim.level.Level;
+import carom.text.Json;
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;

@@ -2,8 +2,6 @@ package carom.client.app;
 
 import carom.client.ClientConfig;
 import carom.client.link.ServerAddress;
-import carom.json.Json;
-import carom.json.JsonException;
 import carom.net.frame.Trust;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
@@ -17,6 +15,8 @@ import carom.options.NetworkConditions;
 import carom.options.Rows;
 import carom.options.Setting;
 import carom.text.FileErrors;
+import carom.text.Json;
+import carom.text.JsonException;
 import carom.text.TextFile;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;

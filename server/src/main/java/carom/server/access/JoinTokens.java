@@ -1,10 +1,10 @@
 package carom.server.access;
 
-import carom.json.Json;
-import carom.json.JsonException;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
+import carom.text.Json;
+import carom.text.JsonException;
 import carom.text.TextFile;
 import carom.text.Texts;
 import java.io.IOException;

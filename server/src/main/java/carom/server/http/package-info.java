@@ -3,7 +3,7 @@
  * encryption, and rules about which requests are welcome. The operators' page and the play port use
  * it.
  *
- * <p>Allowed imports: {@code carom.net.transport}, {@code carom.net.datagram}, {@code
+ * <p>Allowed imports: {@code carom.net.transport}, {@code carom.net.frame}, {@code
  * carom.server.access}, Undertow with XNIO, slf4j, the JDK.
  *
  * <p>Read first: {@link carom.server.http.HttpPort}, {@link carom.server.http.RequestGuard}, {@link

@@ -1,7 +1,5 @@
 package carom.server.web;
 
-import carom.json.Json;
-import carom.json.JsonException;
 import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
 import carom.server.command.Quoting;
@@ -13,6 +11,8 @@ import carom.server.http.SiteFiles;
 import carom.server.metrics.ProcessFigures;
 import carom.server.room.Room;
 import carom.server.threads.LastingThread;
+import carom.text.Json;
+import carom.text.JsonException;
 import io.undertow.server.HttpServerExchange;
 import io.undertow.util.AttachmentKey;
 import io.undertow.util.Headers;

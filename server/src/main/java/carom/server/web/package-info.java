@@ -16,7 +16,7 @@
  * decoded by hand. No tick waits for any of this: a room makes a picture when it is asked for one,
  * and slow viewers miss pictures.
  *
- * <p>Allowed imports: {@code carom.server..}, {@code carom.json}, {@code carom.net.protocol},
+ * <p>Allowed imports: {@code carom.server..}, {@code carom.text}, {@code carom.net.protocol},
  * {@code carom.net.transport}, {@code carom.sim.level}, {@code carom.physics.geometry}, Micrometer,
  * Undertow with XNIO, Jackson's core, picocli, slf4j, the JDK. Read first: {@link
  * carom.server.web.WebServer}, {@link carom.server.web.LivePage}, {@link carom.server.web.Viewer}.

@@ -1,6 +1,5 @@
 package carom.net.frame;
 
-import carom.net.datagram.DatagramPath;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.seal.DatagramSealer;
 import carom.net.seal.Encryption;

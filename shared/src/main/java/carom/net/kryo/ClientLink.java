@@ -1,6 +1,5 @@
 package carom.net.kryo;
 
-import carom.net.datagram.ClientDatagrams;
 import carom.net.frame.ClientEnd;
 import carom.net.frame.Frame;
 import carom.net.frame.Trust;

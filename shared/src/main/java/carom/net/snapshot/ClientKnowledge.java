@@ -5,8 +5,6 @@ import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.SlotSet;
 import carom.net.snapshot.frame.SlotTicks;
 import carom.net.snapshot.ledger.DatagramLedger;
-import carom.net.snapshot.record.HeldTicks;
-import carom.net.snapshot.record.RecordSizes;
 import java.util.Arrays;
 
 /**

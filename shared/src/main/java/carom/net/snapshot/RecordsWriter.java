@@ -3,8 +3,6 @@ package carom.net.snapshot;
 import carom.net.codec.RangeEncoder;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.QuantizedPose;
-import carom.net.snapshot.record.Deltas;
-import carom.net.snapshot.record.RecordCodec;
 
 /**
  * Writes the records section of a datagram: of what {@link Selection} gives, as much as fits. One

@@ -3,8 +3,6 @@ package carom.net.snapshot;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.SlotSet;
-import carom.net.snapshot.record.Baseline;
-import carom.net.snapshot.record.RecordSizes;
 import java.util.Arrays;
 
 /**

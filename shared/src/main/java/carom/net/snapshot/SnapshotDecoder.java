@@ -14,12 +14,6 @@ import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.QuantizedPose;
 import carom.net.snapshot.frame.ReceivedPoses;
 import carom.net.snapshot.frame.SlotSet;
-import carom.net.snapshot.record.Baseline;
-import carom.net.snapshot.record.DeltaCodec;
-import carom.net.snapshot.record.Predictor;
-import carom.net.snapshot.record.RecordCodec;
-import carom.net.snapshot.record.SlotCodec;
-import carom.net.snapshot.record.Track;
 import carom.net.snapshot.table.TableInbox;
 import java.util.Arrays;
 

@@ -12,8 +12,6 @@ import carom.net.snapshot.frame.EventOutbox;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.ledger.DatagramLedger;
-import carom.net.snapshot.record.Deltas;
-import carom.net.snapshot.record.RecordSizes;
 import carom.net.snapshot.table.RowAudience;
 import carom.net.snapshot.table.TableOutbox;
 import carom.net.snapshot.table.Tables;

@@ -4,8 +4,9 @@
  *
  * <p>This package puts the sections of a datagram together, and takes them apart. {@code
  * ClientKnowledge} answers which entities are news for a client and against which tick they are
- * coded; {@code Selection} orders them by the priority that they have collected. Each section is
- * described by one method that writes and reads:
+ * coded; {@code Selection} orders them by the priority that they have collected. The records, each
+ * entity in sight, absolute or as the difference to a baseline, are coded here, too. Each section
+ * is described by one method that writes and reads:
  *
  * <pre>
  *           ┌──────────────── only if it has an own section ───────────────┐
@@ -17,7 +18,7 @@
  * └────────┴─────────────┴────────────────┴──────────────────────────────┴────────┴────────┘
  *   zeros up to a whole byte
  * ┌─────────────────────┬───────────────────────────────────────────────────────────────┐
- * │ rows of near update │ records: kind, slot, ...    RecordCodec (record)              │ arith-
+ * │ rows of near update │ records: kind, slot, ...    RecordCodec                       │ arith-
  * │ NearRowCodec        │ a run: its slots            SlotCodec                         │ metic:
  * │ (exact)             │        a delta for each     DeltaCodec, shared by Deltas      │ BitCoder
  * └─────────────────────┴───────────────────────────────────────────────────────────────┘
@@ -26,6 +27,7 @@
  * <p>{@code docs/protocol/DATAGRAMS.md} has the bytes and the rules. {@code frame} is what the
  * sections describe. All of it sees arrays and bytes, no worlds and no transport. Read first:
  * {@link carom.net.snapshot.SnapshotEncoder}, {@link carom.net.snapshot.SnapshotDecoder}, {@link
- * carom.net.snapshot.ClientKnowledge}, {@link carom.net.snapshot.Selection}.
+ * carom.net.snapshot.ClientKnowledge}, {@link carom.net.snapshot.Selection}, {@link
+ * carom.net.snapshot.RecordCodec}.
  */
 package carom.net.snapshot;

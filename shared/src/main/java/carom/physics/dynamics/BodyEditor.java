@@ -8,7 +8,6 @@ import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
-import carom.physics.dynamics.sleep.Sleeping;
 import carom.physics.geometry.MassData;
 import carom.physics.settings.Settings;
 

@@ -6,7 +6,6 @@ import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.continuous.ContinuousCollision;
 import carom.physics.dynamics.narrow.NarrowPhase;
 import carom.physics.dynamics.narrow.Seams;
-import carom.physics.dynamics.sleep.Sleeping;
 import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.settings.Settings;
 import java.util.Arrays;

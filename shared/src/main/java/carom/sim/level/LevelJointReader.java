@@ -1,18 +1,16 @@
 package carom.sim.level;
 
-import static carom.json.JsonFields.bool;
-import static carom.json.JsonFields.knownFields;
-import static carom.json.JsonFields.number;
-import static carom.json.JsonFields.require;
-import static carom.json.JsonFields.required;
-import static carom.json.JsonFields.text;
-import static carom.json.JsonFields.unknownWord;
-import static carom.json.JsonFields.vector;
-import static carom.json.JsonFields.word;
-import static carom.json.JsonFields.wrong;
+import static carom.text.JsonFields.bool;
+import static carom.text.JsonFields.knownFields;
+import static carom.text.JsonFields.number;
+import static carom.text.JsonFields.require;
+import static carom.text.JsonFields.required;
+import static carom.text.JsonFields.text;
+import static carom.text.JsonFields.unknownWord;
+import static carom.text.JsonFields.vector;
+import static carom.text.JsonFields.word;
+import static carom.text.JsonFields.wrong;
 
-import carom.json.Json;
-import carom.json.JsonException;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Joint;
@@ -20,6 +18,8 @@ import carom.physics.JointDef;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.rows.JointDefRow;
+import carom.text.Json;
+import carom.text.JsonException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -1,16 +1,16 @@
 package carom.sim.level;
 
-import static carom.json.JsonFields.color;
-import static carom.json.JsonFields.knownFields;
-import static carom.json.JsonFields.number;
-import static carom.json.JsonFields.require;
-import static carom.json.JsonFields.unknownWord;
-import static carom.json.JsonFields.word;
+import static carom.text.JsonFields.color;
+import static carom.text.JsonFields.knownFields;
+import static carom.text.JsonFields.number;
+import static carom.text.JsonFields.require;
+import static carom.text.JsonFields.unknownWord;
+import static carom.text.JsonFields.word;
 
-import carom.json.Json;
-import carom.json.JsonException;
 import carom.physics.Material;
 import carom.physics.settings.MixingRule;
+import carom.text.Json;
+import carom.text.JsonException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

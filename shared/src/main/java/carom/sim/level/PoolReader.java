@@ -1,23 +1,23 @@
 package carom.sim.level;
 
-import static carom.json.JsonFields.bool;
-import static carom.json.JsonFields.box;
-import static carom.json.JsonFields.color;
-import static carom.json.JsonFields.integer;
-import static carom.json.JsonFields.knownFields;
-import static carom.json.JsonFields.list;
-import static carom.json.JsonFields.number;
-import static carom.json.JsonFields.required;
-import static carom.json.JsonFields.text;
-import static carom.json.JsonFields.vector;
-import static carom.json.JsonFields.word;
-import static carom.json.JsonFields.wrong;
 import static carom.sim.level.LevelReader.BOUNDS;
 import static carom.sim.level.LevelReader.MAX_COORDINATE;
+import static carom.text.JsonFields.bool;
+import static carom.text.JsonFields.box;
+import static carom.text.JsonFields.color;
+import static carom.text.JsonFields.integer;
+import static carom.text.JsonFields.knownFields;
+import static carom.text.JsonFields.list;
+import static carom.text.JsonFields.number;
+import static carom.text.JsonFields.required;
+import static carom.text.JsonFields.text;
+import static carom.text.JsonFields.vector;
+import static carom.text.JsonFields.word;
+import static carom.text.JsonFields.wrong;
 
-import carom.json.Json;
-import carom.json.JsonException;
 import carom.sim.pool.PoolDef;
+import carom.text.Json;
+import carom.text.JsonException;
 import java.util.List;
 
 /** Reads the pools of a level file: water and sand of particles. */

@@ -1,17 +1,15 @@
 package carom.sim.level;
 
-import static carom.json.JsonFields.bool;
-import static carom.json.JsonFields.knownFields;
-import static carom.json.JsonFields.list;
-import static carom.json.JsonFields.number;
-import static carom.json.JsonFields.require;
-import static carom.json.JsonFields.required;
-import static carom.json.JsonFields.vector;
-import static carom.json.JsonFields.word;
-import static carom.json.JsonFields.wrong;
+import static carom.text.JsonFields.bool;
+import static carom.text.JsonFields.knownFields;
+import static carom.text.JsonFields.list;
+import static carom.text.JsonFields.number;
+import static carom.text.JsonFields.require;
+import static carom.text.JsonFields.required;
+import static carom.text.JsonFields.vector;
+import static carom.text.JsonFields.word;
+import static carom.text.JsonFields.wrong;
 
-import carom.json.Json;
-import carom.json.JsonException;
 import carom.physics.ChainDef;
 import carom.physics.ShapeDef;
 import carom.physics.geometry.Box;
@@ -22,6 +20,8 @@ import carom.physics.geometry.Compound;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
+import carom.text.Json;
+import carom.text.JsonException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,7 +1,7 @@
 package carom.lab.figures;
 
-import carom.json.Json;
-import carom.json.JsonException;
+import carom.text.Json;
+import carom.text.JsonException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;

@@ -8,7 +8,6 @@ import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.exact.RelayedInputs;
 import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.frame.WaitingInputs;
-import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.table.TableInbox;
 import carom.net.snapshot.table.Tables;
 import java.util.ArrayList;

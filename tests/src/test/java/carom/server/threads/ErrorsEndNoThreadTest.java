@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.datagram.DatagramPort;
+import carom.net.frame.DatagramPort;
 import carom.server.command.Caller;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;

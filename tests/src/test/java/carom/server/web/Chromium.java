@@ -1,7 +1,7 @@
 package carom.server.web;
 
-import carom.json.Json;
-import carom.json.JsonException;
+import carom.text.Json;
+import carom.text.JsonException;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.json.Json;
 import carom.server.access.LoginThrottle;
 import carom.suite.Alone;
+import carom.text.Json;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;

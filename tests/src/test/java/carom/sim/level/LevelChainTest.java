@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.json.Json;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
@@ -14,6 +13,7 @@ import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Box;
 import carom.sim.SchemaChecker;
+import carom.text.Json;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.arena.ArenaGame;
-import carom.json.Json;
 import carom.physics.JointType;
 import carom.sim.Role;
 import carom.sim.SchemaChecker;
 import carom.sim.SimulationHost;
 import carom.sim.entity.EntityJoint;
+import carom.text.Json;
 import java.util.EnumSet;
 import java.util.Set;
 import org.junit.jupiter.api.Test;

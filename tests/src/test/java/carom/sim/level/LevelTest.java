@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.json.Json;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
@@ -20,6 +19,7 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;
 import carom.physics.settings.MixingRule;
 import carom.sim.SchemaChecker;
+import carom.text.Json;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

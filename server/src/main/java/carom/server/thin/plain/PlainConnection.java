@@ -2,7 +2,7 @@ package carom.server.thin.plain;
 
 import carom.net.admission.AddressGroup;
 import carom.net.admission.Entrance;
-import carom.net.datagram.TokenBucket;
+import carom.net.admission.TokenBucket;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.RefusalReason;
 import carom.server.thin.ThinClientMessage;

@@ -2,7 +2,7 @@ package carom.server.thin.plain;
 
 import carom.net.admission.Entrance;
 import carom.net.admission.Hosts;
-import carom.net.datagram.DatagramPort;
+import carom.net.frame.DatagramPort;
 import carom.net.protocol.RefusalReason;
 import carom.net.transport.AddressFamily;
 import carom.net.transport.Link;

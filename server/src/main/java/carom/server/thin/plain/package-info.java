@@ -9,7 +9,7 @@
  *   DatagramPort (UDP) ─┘    └────── PlainEncoder ◄───────┘
  * </pre>
  *
- * <p>Imports {@code carom.server.thin}, {@code carom.net.admission}, {@code carom.net.datagram},
+ * <p>Imports {@code carom.server.thin}, {@code carom.net.admission}, {@code carom.net.frame},
  * {@code carom.net.protocol}, {@code carom.net.transport}, {@code carom.sim.entity}, the JDK.
  *
  * <p>Read first: {@link carom.server.thin.plain.PlainDoor}, {@link

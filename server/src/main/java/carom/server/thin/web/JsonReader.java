@@ -1,10 +1,10 @@
 package carom.server.thin.web;
 
-import carom.json.Json;
-import carom.json.JsonException;
 import carom.server.thin.ThinClientMessage;
 import carom.server.thin.ThinLink;
 import carom.sim.entity.Input;
+import carom.text.Json;
+import carom.text.JsonException;
 import carom.text.Suggestion;
 import java.util.HashMap;
 import java.util.HexFormat;

@@ -1,6 +1,6 @@
 package carom.server.thin.web;
 
-import carom.net.datagram.TokenBucket;
+import carom.net.admission.TokenBucket;
 import carom.server.thin.ThinClientMessage;
 import carom.server.thin.ThinLink;
 import carom.server.thin.ThinServerMessage;

@@ -14,7 +14,7 @@
  *
  * <p>Allowed imports: {@code carom.server.thin}, {@code carom.server.http}, {@code
  * carom.server.access}, {@code carom.net.transport}, {@code carom.net.admission}, {@code
- * carom.net.datagram}, {@code carom.sim.entity}, {@code carom.json}, {@code carom.text}, {@code
+ * carom.net.frame}, {@code carom.sim.entity}, {@code carom.text}, {@code carom.text}, {@code
  * carom.options}, Undertow, Jackson's core, picocli, slf4j, the JDK.
  *
  * <p>Read first: {@link carom.server.thin.web.PlayPort}, {@link carom.server.thin.web.WebLink}.

@@ -2,10 +2,8 @@ package carom.net.kryo.server;
 
 import carom.net.admission.AddressGroup;
 import carom.net.admission.Entrance;
-import carom.net.datagram.DatagramPath;
-import carom.net.datagram.FloodMeter;
-import carom.net.datagram.MoveLimit;
-import carom.net.datagram.TokenBucket;
+import carom.net.admission.TokenBucket;
+import carom.net.frame.DatagramPath;
 import carom.net.frame.Frame;
 import carom.net.frame.FramedLink;
 import carom.net.kryo.FrameCodec;

@@ -1,6 +1,7 @@
 /**
- * The server's end of KryoNet: the TCP acceptor, the update loop, and what an unknown client may
- * do.
+ * The server's end of KryoNet: the TCP acceptor, the update loop, what an unknown client may do,
+ * and what bounds the datagrams of one link: a budget, a meter for floods, and the table from the
+ * number in a datagram to its link.
  *
  * <pre>
  *   Acceptor ──► ServerNetwork ──► ServerConnection ──► an inbox per link

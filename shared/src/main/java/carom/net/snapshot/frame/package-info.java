@@ -5,6 +5,6 @@
  *
  * <p>May import {@code carom.net.codec}, {@code protocol} and {@code snapshot.ledger}. Read first:
  * {@link carom.net.snapshot.frame.FrameState}, {@link carom.net.snapshot.frame.FrameRing}, {@link
- * carom.net.snapshot.record.Predictor}.
+ * carom.net.snapshot.Predictor}.
  */
 package carom.net.snapshot.frame;

@@ -1,8 +1,8 @@
 package carom.lab.figures.wire;
 
 import carom.lab.measure.Figure;
+import carom.net.snapshot.Deltas;
 import carom.net.snapshot.frame.FrameRing;
-import carom.net.snapshot.record.Deltas;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.sim.scene.BenchmarkScenes;

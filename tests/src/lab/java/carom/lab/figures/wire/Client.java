@@ -1,12 +1,12 @@
 package carom.lab.figures.wire;
 
 import carom.net.snapshot.DecodeStatus;
+import carom.net.snapshot.Deltas;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.Interest;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.exact.OwnState;
-import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.table.Tables;
 
 /**

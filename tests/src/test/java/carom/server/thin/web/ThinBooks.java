@@ -1,6 +1,6 @@
 package carom.server.thin.web;
 
-import carom.json.Json;
+import carom.text.Json;
 import java.nio.ByteBuffer;
 import java.util.Map;
 import java.util.TreeMap;

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
-import carom.json.Json;
 import carom.net.transport.Link;
 import carom.net.transport.ServerTransport;
 import carom.server.Server;
@@ -17,6 +16,7 @@ import carom.server.thin.ThinSnapshot;
 import carom.sim.Game;
 import carom.sim.entity.Input;
 import carom.sim.level.Level;
+import carom.text.Json;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;

@@ -4,13 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.json.Json;
 import carom.net.protocol.ClientMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinSnapshot;
 import carom.suite.Alone;
+import carom.text.Json;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.util.ArrayList;
