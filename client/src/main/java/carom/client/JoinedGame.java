@@ -1,6 +1,5 @@
 package carom.client;
 
-import carom.client.clock.PacedTime;
 import carom.client.clock.RenderClock;
 import carom.client.clock.TickClock;
 import carom.client.field.OwnWords;

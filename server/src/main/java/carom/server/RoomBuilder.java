@@ -1,7 +1,6 @@
 package carom.server;
 
 import carom.physics.threads.WorkerThreads;
-import carom.server.config.LiveConfig;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;

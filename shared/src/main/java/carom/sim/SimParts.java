@@ -4,7 +4,7 @@ import carom.physics.Body;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.math.SimRandom;
-import carom.sim.area.AreaForces;
+import carom.sim.entity.AreaForces;
 import carom.sim.entity.Assemblies;
 import carom.sim.entity.EntityTable;
 import carom.sim.entity.HostEntity;

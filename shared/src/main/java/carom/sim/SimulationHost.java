@@ -12,7 +12,7 @@ import carom.physics.effects.Explosion;
 import carom.physics.effects.Hover;
 import carom.physics.math.SimRandom;
 import carom.physics.math.Transform;
-import carom.sim.area.AreaForces;
+import carom.sim.entity.AreaForces;
 import carom.sim.entity.Assemblies;
 import carom.sim.entity.Assembly;
 import carom.sim.entity.Entity;

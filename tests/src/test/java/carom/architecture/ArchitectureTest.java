@@ -144,15 +144,7 @@ final class ArchitectureTest {
         "carom.physics.dynamics",
         "carom.physics.*",
         "carom.physics.broadphase.*",
-        "carom.physics.dynamics.*",
-        "carom.physics.settings",
-        "carom.physics.math",
-        "carom.physics.broadphase",
-        "carom.physics.dynamics.store",
-        "carom.physics.dynamics.body",
-        "carom.physics.dynamics.contact",
-        "carom.physics.dynamics.pairs",
-        "carom.physics.dynamics.joint");
+        "carom.physics.dynamics.*");
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.mover", "carom.physics..");
@@ -167,12 +159,6 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.pool",
         "carom.text");
-    allow(
-        "carom.sim.area",
-        "carom.physics..",
-        "carom.sim.level",
-        "carom.sim.field",
-        "carom.sim.pool");
     allow("carom.sim.phase");
     allow("carom.sim.spawn");
     allow(
@@ -185,12 +171,12 @@ final class ArchitectureTest {
     allow(
         "carom.sim.entity",
         "carom.physics..",
-        "carom.sim.area",
         "carom.sim.field",
         "carom.sim.level",
         "carom.sim.message",
         "carom.sim.spawn",
-        "carom.sim.phase");
+        "carom.sim.phase",
+        "carom.sim.pool");
     allow(
         "carom.sim.outbox",
         "carom.physics",
@@ -214,7 +200,6 @@ final class ArchitectureTest {
         "carom.sim.field",
         "carom.sim.message",
         "carom.sim.entity",
-        "carom.sim.area",
         "carom.sim.pool",
         "carom.sim.ruling",
         "carom.sim.spawn",
@@ -270,13 +255,7 @@ final class ArchitectureTest {
         "carom.net.snapshot.frame",
         "carom.net.snapshot.ledger",
         "carom.physics.rows"); // what a joint was made with
-    allow(
-        "carom.net.snapshot",
-        "carom.net.codec",
-        "carom.net.protocol",
-        "carom.net.snapshot.*",
-        "carom.net.snapshot.frame",
-        "carom.net.snapshot.ledger");
+    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows", "carom.text");
     allow("carom.text");
     allow("carom.net.transport", "carom.net.protocol");

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.server.picture.PictureRequest;
+import carom.server.room.PictureRequest;
 import java.nio.file.Path;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;

@@ -7,7 +7,7 @@ import carom.client.app.LocalGames;
 import carom.client.desktop.game.AudioDevice;
 import carom.client.desktop.game.EventSounds;
 import carom.client.desktop.game.SceneScreen;
-import carom.client.desktop.input.KeyMap;
+import carom.client.desktop.menu.KeyMap;
 import carom.client.desktop.menu.SettingsHost;
 import carom.client.desktop.menu.StartScreen;
 import carom.client.desktop.menu.StartTarget;

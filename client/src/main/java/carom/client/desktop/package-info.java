@@ -1,14 +1,13 @@
 /**
- * The window of a client: the application, its screens and the input devices.
+ * The window of a client: the application, its screens, the input devices, and what players say:
+ * lines of chat, the line that is being written, and emotes.
  *
  * <p>This package and its subpackages are the only home of the window toolkit (libGDX). A screen
  * reads a {@code ClientView} once per frame and hands the player's input back. It never touches the
  * simulation, the link or the decoder. All classes run on the render thread.
  *
  * <pre>
- * desktop ──► game ──┬─► hud ──► paint ◄── menu, input ◄── desktop, chat
- *         ──► scene ─┘
- *         ──► sound ◄── game
+ * desktop ──► game ──► hud ──► paint ◄── menu ◄── desktop
  * </pre>
  *
  * <p>Imports {@code carom.client..}, {@code carom.net.transport}, {@code carom.net.kryo} and {@code

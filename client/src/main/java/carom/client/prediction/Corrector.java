@@ -16,7 +16,6 @@ import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.JointTable;
-import carom.sim.near.JointTies;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 

@@ -1,6 +1,5 @@
 package carom.client.prediction;
 
-import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.net.snapshot.SnapshotDecoder;

@@ -1,6 +1,5 @@
 package carom.client.prediction;
 
-import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;

@@ -1,6 +1,6 @@
 package carom.server.checkpoint;
 
-import carom.server.room.match.Match;
+import carom.server.match.Match;
 import carom.server.session.Session;
 import carom.sim.outbox.NextMatch;
 import java.util.List;

@@ -1,6 +1,6 @@
 package carom.server.checkpoint;
 
-import carom.server.room.match.Match;
+import carom.server.match.Match;
 import carom.sim.outbox.NextMatch;
 
 /** The place of a room in the sequence of its matches. The room's thread. */

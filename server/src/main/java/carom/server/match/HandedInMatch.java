@@ -1,5 +1,6 @@
 package carom.server.match;
 
+import carom.server.session.LoadedLevel;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;

@@ -2,6 +2,7 @@ package carom.server.match;
 
 import carom.net.field.Declarations;
 import carom.net.protocol.ServerMessage.Welcome;
+import carom.server.session.LoadedLevel;
 
 /**
  * The facts that a client must know of a room's match to play it. Immutable; any thread.

@@ -2,6 +2,7 @@ package carom.server.match;
 
 import carom.game.Games;
 import carom.server.config.DataFolder;
+import carom.server.session.LoadedLevel;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;

@@ -4,6 +4,7 @@ import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.server.config.DataFolder;
+import carom.server.session.LoadedLevel;
 import carom.sim.SimState;
 import carom.sim.SimulationHost;
 import carom.sim.level.Level;

@@ -5,7 +5,7 @@ import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.physics.math.Aabb;
 import carom.sim.SimulationHost;
-import carom.sim.area.AreaForces;
+import carom.sim.entity.AreaForces;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.field.FieldValues;

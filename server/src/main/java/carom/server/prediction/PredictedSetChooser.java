@@ -8,7 +8,7 @@ import carom.physics.BodyVisitor;
 import carom.physics.Joint;
 import carom.physics.math.Aabb;
 import carom.sim.SimulationHost;
-import carom.sim.area.AreaForces;
+import carom.sim.entity.AreaForces;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.near.Neighbourhood;

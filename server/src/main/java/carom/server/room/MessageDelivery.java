@@ -1,7 +1,7 @@
 package carom.server.room;
 
 import carom.net.protocol.SessionState;
-import carom.server.room.match.RoomContext;
+import carom.server.match.RoomContext;
 import carom.server.session.Session;
 import carom.sim.message.MessageKind.Direction;
 import carom.sim.outbox.Delivery;

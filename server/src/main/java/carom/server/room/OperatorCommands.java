@@ -2,14 +2,13 @@ package carom.server.room;
 
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
+import carom.server.match.Match;
 import carom.server.match.MatchInfo;
+import carom.server.match.MatchLoader;
+import carom.server.match.RoomContext;
 import carom.server.match.SavedMatch;
 import carom.server.recording.RecordingFile;
 import carom.server.replication.SentReport;
-import carom.server.room.match.Match;
-import carom.server.room.match.MatchLoader;
-import carom.server.room.match.RoomContext;
-import carom.server.session.Moderator;
 import carom.server.session.PlayerInfo;
 import carom.server.session.Session;
 import carom.sim.SimulationHost;

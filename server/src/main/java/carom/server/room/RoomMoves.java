@@ -6,7 +6,7 @@ import carom.net.protocol.SessionState;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
-import carom.server.room.match.RoomContext;
+import carom.server.match.RoomContext;
 import carom.server.session.Admission;
 import carom.server.session.Seats;
 import carom.server.session.Session;

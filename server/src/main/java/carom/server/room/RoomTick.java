@@ -2,12 +2,11 @@ package carom.server.room;
 
 import carom.net.transport.Broadcast;
 import carom.server.config.ServerConfig;
+import carom.server.match.Match;
+import carom.server.match.RoomContext;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.server.metrics.StageTimes;
 import carom.server.metrics.TurnStage;
-import carom.server.room.match.Match;
-import carom.server.room.match.RoomContext;
 import carom.server.session.Session;
 import carom.sim.MatchClock;
 import carom.sim.SimulationHost;

@@ -2,10 +2,9 @@ package carom.server.room;
 
 import carom.net.protocol.SessionState;
 import carom.server.config.ServerConfig;
-import carom.server.room.match.RoomContext;
+import carom.server.match.RoomContext;
 import carom.server.session.Session;
 import carom.server.threads.LoadWarnings;
-import carom.server.threads.SendTurns;
 import java.util.IdentityHashMap;
 import java.util.function.LongSupplier;
 

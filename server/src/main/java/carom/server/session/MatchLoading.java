@@ -4,7 +4,6 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
-import carom.server.match.LevelUpload;
 
 /**
  * Lets the client of one session load a match: sends the level, checks that the client has the game

@@ -9,7 +9,6 @@ import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
-import carom.server.match.LevelUpload;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.replication.SessionReplication;

@@ -5,7 +5,6 @@ import carom.net.transport.NetworkCounter;
 import carom.server.access.LoginThrottle;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.server.metrics.ProcessFigures;
 import carom.server.metrics.TurnStage;
 import carom.server.room.Room;
 import io.micrometer.core.instrument.FunctionCounter;

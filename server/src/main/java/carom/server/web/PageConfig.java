@@ -4,7 +4,6 @@ import carom.server.access.AddressRange;
 import carom.server.access.LoginThrottle;
 import carom.server.access.Secret;
 import carom.server.command.CommandRegistry;
-import carom.server.console.LogTail;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;

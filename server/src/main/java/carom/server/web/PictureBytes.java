@@ -1,7 +1,7 @@
 package carom.server.web;
 
-import carom.server.picture.Picture;
-import carom.server.picture.PoolPicture;
+import carom.server.room.Picture;
+import carom.server.room.PoolPicture;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 

@@ -1,7 +1,7 @@
 package carom.server.web;
 
-import carom.server.picture.PlayerPicture;
 import carom.server.replication.LinkFigures;
+import carom.server.room.PlayerPicture;
 import java.util.ArrayDeque;
 import java.util.HashMap;
 import java.util.List;

@@ -1,8 +1,8 @@
 package carom.server.web;
 
-import carom.server.picture.BodyLook;
-import carom.server.picture.Picture;
-import carom.server.picture.PictureRequest;
+import carom.server.room.BodyLook;
+import carom.server.room.Picture;
+import carom.server.room.PictureRequest;
 import carom.server.room.Room;
 import java.nio.ByteBuffer;
 import java.util.HashMap;

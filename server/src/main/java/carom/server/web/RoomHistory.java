@@ -2,7 +2,6 @@ package carom.server.web;
 
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.server.metrics.ProcessFigures;
 import carom.server.metrics.TurnStage;
 import carom.server.room.Room;
 import java.util.ArrayDeque;

@@ -2,8 +2,8 @@ package carom.server.web;
 
 import carom.server.http.Origins;
 import carom.server.match.MatchInfo;
-import carom.server.picture.BodyLook;
-import carom.server.picture.Picture;
+import carom.server.room.BodyLook;
+import carom.server.room.Picture;
 import io.undertow.websockets.core.CloseMessage;
 import io.undertow.websockets.core.WebSocketCallback;
 import io.undertow.websockets.core.WebSocketChannel;

@@ -7,7 +7,6 @@ import carom.server.command.CommandRegistry;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
 import carom.server.config.ServerConfig;
-import carom.server.console.LogTail;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;

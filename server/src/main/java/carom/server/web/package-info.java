@@ -10,6 +10,7 @@
  *       RoomFeed     one room's pictures, shared by all who look at it
  *       RoomHistory  one row of figures a second
  *       Downloads    recordings, each for a ticket
+ *       LogTail      the last lines of the log
  * </pre>
  *
  * <p>A viewer is a stranger until it has given the secret. What strangers send is bounded and

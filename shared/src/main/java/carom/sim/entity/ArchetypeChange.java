@@ -2,7 +2,6 @@ package carom.sim.entity;
 
 import carom.physics.Body;
 import carom.physics.BodyType;
-import carom.sim.area.AreaForces;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 import carom.sim.phase.Phases;

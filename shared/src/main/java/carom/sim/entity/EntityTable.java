@@ -9,7 +9,6 @@ import carom.physics.math.SimRandom;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.rows.JointDefRow;
-import carom.sim.area.AreaForces;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;

@@ -2,6 +2,7 @@ package carom.server.metrics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import carom.server.room.StageTimes;
 import org.junit.jupiter.api.Test;
 
 /** Goal: each reader sees each tick once, whatever others read. */

@@ -10,7 +10,6 @@ import carom.server.access.Secret;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
 import carom.server.config.DataFolder;
-import carom.server.console.LogTail;
 import carom.testkit.Stepper;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.IOException;

@@ -3,7 +3,7 @@ package carom.server.web;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.server.picture.RoomPictures;
+import carom.server.room.RoomPictures;
 import carom.suite.Alone;
 import java.net.URI;
 import java.net.http.HttpClient;

@@ -4,7 +4,6 @@ import carom.fuzz.FuzzTarget;
 import carom.server.access.Logins;
 import carom.server.access.Secret;
 import carom.server.command.CommandRegistry;
-import carom.server.console.LogTail;
 import carom.server.room.Room;
 import carom.testkit.Stepper;
 import ch.qos.logback.classic.LoggerContext;

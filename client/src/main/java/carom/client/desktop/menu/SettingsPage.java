@@ -1,6 +1,5 @@
 package carom.client.desktop.menu;
 
-import carom.client.desktop.input.KeyMap;
 import carom.client.settings.KeyAction;
 import carom.client.settings.Palette;
 import carom.client.settings.PlayerSettings;

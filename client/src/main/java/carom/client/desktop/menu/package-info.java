@@ -1,6 +1,7 @@
 /**
- * The menus: the start screen with its pages, settings, and the pause menu in a game. Keys, mouse
- * and Tab work everywhere. Lengths are in points, see {@link carom.client.desktop.paint.Fonts}.
+ * The menus: the start screen with its pages, settings with the keys of each action, and the pause
+ * menu in a game. Keys, mouse and Tab work everywhere. Lengths are in points, see {@link
+ * carom.client.desktop.paint.Fonts}.
  *
  * <pre>
  * StartScreen ──► Page (JoinPage, CreatePage, ListPage, SettingsPage) ──► MenuStage, Widgets
