@@ -5,7 +5,7 @@ package carom.client;
  * for all and tells its clients; their clocks then run at the same pace. Continuous and never
  * backwards. Not thread-safe.
  */
-public final class PacedTime {
+final class PacedTime {
   private boolean begun;
   private long sinceNs;
   private long pacedNs;

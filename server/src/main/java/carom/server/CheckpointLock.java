@@ -12,7 +12,7 @@ import java.nio.file.StandardOpenOption;
  * The right to use a folder of checkpoints, which one process has at a time. It ends with the
  * process, however that ends.
  */
-public final class CheckpointLock implements AutoCloseable {
+final class CheckpointLock implements AutoCloseable {
   private final FileChannel file;
 
   private CheckpointLock(FileChannel file) {

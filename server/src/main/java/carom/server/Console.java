@@ -20,7 +20,7 @@ import org.slf4j.LoggerFactory;
  * command and its answer goes to standard output. When the input ends, the console ends and the
  * server goes on.
  */
-public final class Console implements AutoCloseable {
+final class Console implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Console.class);
 
   /** Most bytes of a line that may be one: a character has at most four. */

@@ -8,7 +8,7 @@ import java.util.function.UnaryOperator;
  * The settings of a server that runs. Most stay as they were at the start; those that an operator
  * may change are read anew whenever they are used. Any thread.
  */
-public final class LiveConfig implements Supplier<ServerConfig> {
+final class LiveConfig implements Supplier<ServerConfig> {
   private volatile ServerConfig present;
 
   /** Creates settings without changes. */

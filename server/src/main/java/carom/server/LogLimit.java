@@ -17,7 +17,7 @@ import org.slf4j.helpers.MessageFormatter;
  * values are put in. What is held back is counted, and the count is logged with a later line that
  * shows the first of them. Any thread.
  */
-public final class LogLimit extends TurboFilter {
+final class LogLimit extends TurboFilter {
   static final int BURST = 100;
   static final int PER_SECOND = 2;
 

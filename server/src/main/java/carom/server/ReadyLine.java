@@ -11,7 +11,7 @@ import java.util.List;
  * Prints the line {@code ready tcp=54555 udp=54777} to standard output, for programs that wait for
  * it. On a terminal a few hints for people follow.
  */
-public final class ReadyLine {
+final class ReadyLine {
   private static final String TERMINAL_PROPERTY = "carom.terminal";
   private static final int DEFAULT_TCP_PORT = 54_555;
 

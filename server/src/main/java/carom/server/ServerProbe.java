@@ -17,7 +17,7 @@ import java.util.List;
  * Asks whether a Carom server answers at an address, before players are sent there: it connects by
  * TCP to each address of the name and reads the greeting, whose key must be the one that is named.
  */
-public final class ServerProbe {
+final class ServerProbe {
   private static final int CONNECT_MS = 2_000;
   private static final int MOST_ADDRESSES = 4;
 

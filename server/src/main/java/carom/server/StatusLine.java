@@ -16,7 +16,7 @@ import java.util.function.Function;
  * Writes the rooms' counters for an operator: one line for each room, and one for all rooms
  * together if there are several.
  */
-public final class StatusLine {
+final class StatusLine {
   private static final double NS_PER_S = 1e9;
 
   private final List<Room> rooms;

@@ -15,7 +15,7 @@ import java.util.function.UnaryOperator;
  * it, it is carried out at the end of the step, in the order of the requests. Wrong arguments are
  * refused at the request.
  */
-public final class EditQueue<T> {
+final class EditQueue<T> {
   private static final byte DESTROY_BODY = 0;
   private static final byte DESTROY_JOINT = 1;
   private static final byte ENABLE = 2;

@@ -12,7 +12,7 @@ import java.util.function.UnaryOperator;
  *
  * @param <E> type of the values
  */
-public final class Interner<E> {
+final class Interner<E> {
   /** Number of the newest values that a writer compares with. */
   private static final int LOOKED_THROUGH = 64;
 

@@ -5,7 +5,7 @@ import carom.sim.entity.PlayerTable;
 import carom.sim.field.FieldValues;
 
 /** The fields of a match, its players and its entities together. Allocates for names only. */
-public final class AllFields {
+final class AllFields {
   private final FieldValues match;
   private final EntityTable entities;
   private final PlayerTable players;

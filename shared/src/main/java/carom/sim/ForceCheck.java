@@ -11,7 +11,7 @@ import java.util.function.Consumer;
  * one it is called for. A client that doesn't have the other one would compute something else. One
  * thread; allocates for a finding only.
  */
-public final class ForceCheck {
+final class ForceCheck {
   /** A body is checked in every tick of so many. */
   private static final int TICKS = 16;
 

@@ -17,7 +17,7 @@ import java.util.TreeSet;
  * of the entity and from the level alone, so both roles compute the same one, also after
  * predictions and restores. One thread; a question allocates nothing.
  */
-public final class LevelSensors {
+final class LevelSensors {
   private final World<HostEntity> world;
 
   /** Names of the level's statics that are sensors. */

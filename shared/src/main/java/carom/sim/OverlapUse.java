@@ -10,7 +10,7 @@ import carom.sim.phase.Phases;
  * don't simulate, and of the level's, which are no part of exact states. One thread; allocates for
  * a finding only.
  */
-public final class OverlapUse {
+final class OverlapUse {
   private final Phases<HostPlayer> phases;
   private final Findings findings;
 

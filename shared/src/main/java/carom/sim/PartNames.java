@@ -10,7 +10,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 
 /** Finds the joints of a level, and the joints and bodies of assemblies, by their names. */
-public final class PartNames {
+final class PartNames {
   private final Level level;
   private final Assemblies assemblies;
   private final EntityTable entities;

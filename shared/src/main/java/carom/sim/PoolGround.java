@@ -17,7 +17,7 @@ import java.util.List;
  * bodies, which move on their paths or spin, also after the game changed them. A function of the
  * level and the tick alone, in a world of its own.
  */
-public final class PoolGround {
+final class PoolGround {
   private final World<Object> world;
   private final int tickRate;
   private final List<Body<Object>> moving = new ArrayList<>();

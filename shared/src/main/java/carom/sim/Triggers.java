@@ -24,7 +24,7 @@ import java.util.List;
  * {@link #restore} reads it anew. Between two ticks nothing waits to be told. Used on {@code
  * AUTHORITY} only. One thread; allocates only to grow.
  */
-public final class Triggers {
+final class Triggers {
   /** Is told of visits. It may spawn and despawn. */
   public interface Listener {
     /** Receives that an entity entered a sensor. Both exist. */

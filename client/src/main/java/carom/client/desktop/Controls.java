@@ -16,7 +16,7 @@ import com.badlogic.gdx.math.Vector3;
  * Reads keyboard, mouse and controller into the player's input. All devices work at once; the one
  * used last decides where the player aims. Render thread only.
  */
-public final class Controls {
+final class Controls {
   /** Stick travel that counts as none, 0..1: cheap sticks rest up to here. */
   private static final float DEAD_ZONE = 0.2f;
 

@@ -21,7 +21,7 @@ import com.badlogic.gdx.graphics.Color;
  * a line to the team; Enter sends it, Escape gives it up. Keys 1 to 8 show emotes. Lines fade after
  * some seconds. Render thread only.
  */
-public final class Conversation implements MessageListener {
+final class Conversation implements MessageListener {
   private static final long SHOWN_NS = 9_000_000_000L;
   private static final long FADES_NS = 1_000_000_000L;
   private static final float PAD = 12;

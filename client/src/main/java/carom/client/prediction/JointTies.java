@@ -9,7 +9,7 @@ import java.util.Arrays;
  * Tells which bodies of a {@link Neighbourhood} joints hold together. A client that corrects bodies
  * without exact state must not tear them apart. Mutable, reused; allocates only to grow.
  */
-public final class JointTies {
+final class JointTies {
   private boolean[] tied = new boolean[16];
   private boolean[] tiedToOwn = new boolean[16];
 

@@ -13,7 +13,7 @@ import java.util.Arrays;
  * prediction that has simulated later ticks rolls back to there, as for a mispredicted input. One
  * prediction's; allocates nothing.
  */
-public final class MatchWords {
+final class MatchWords {
   private final SimulationHost simulation;
   private final Schema schema;
   private final int[] words;

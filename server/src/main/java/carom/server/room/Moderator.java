@@ -9,7 +9,7 @@ import carom.sim.message.PlayerRole;
  * Carries out what an operator does to a player in a room: mutes it, makes it a spectator. Each
  * method answers in one line. The room's thread.
  */
-public final class Moderator {
+final class Moderator {
   private Moderator() {}
 
   /**

@@ -21,7 +21,7 @@ import java.util.function.BiConsumer;
  *
  * <p>The room's thread. Allocates only when something has changed.
  */
-public final class RosterNews {
+final class RosterNews {
   private static final long NS_PER_MS = 1_000_000;
   private static final long PING_NS = 2_000 * NS_PER_MS;
 

@@ -23,7 +23,7 @@ import java.util.Set;
  * @param hosts names under which browsers may reach the server, beside addresses and {@code
  *     localhost}
  */
-public record PageConfig(
+record PageConfig(
     String title,
     CommandRegistry commands,
     Secret secret,

@@ -15,7 +15,7 @@ import java.nio.file.Path;
  * @param residentBytes memory of the machine that the process takes, the heap included; NaN where
  *     the system has no {@code /proc}
  */
-public record ProcessFigures(long cpuNs, long heapBytes, double residentBytes) {
+record ProcessFigures(long cpuNs, long heapBytes, double residentBytes) {
   private static final Path STATUS = Path.of("/proc/self/status");
   private static final String RESIDENT = "VmRSS:";
   private static final String UNIT = " kB";

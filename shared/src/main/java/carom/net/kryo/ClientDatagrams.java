@@ -14,7 +14,7 @@ import java.nio.channels.Selector;
  * The UDP sockets of a client transport, one for each link, and the daemon thread that reads them
  * all. The thread begins with the first socket. Any thread may call the methods.
  */
-public final class ClientDatagrams implements AutoCloseable {
+final class ClientDatagrams implements AutoCloseable {
 
   /** Receiver of one socket's datagrams, called on the thread that reads. */
   public interface Receiver {

@@ -8,7 +8,7 @@ import carom.net.snapshot.frame.FrameRing;
  * baseline of three poses has those after tick T, T - stride and T - 2 stride, where T is
  * <em>age</em> ticks before the delta's tick.
  */
-public final class Baseline {
+final class Baseline {
 
   /** Most poses of a baseline. */
   public static final int MOST_POSES = 3;

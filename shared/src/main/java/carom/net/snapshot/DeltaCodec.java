@@ -21,7 +21,7 @@ import carom.net.snapshot.frame.QuantizedPose;
  * ticks follow for which it went on resting: so the client learns when it began to move. Nothing
  * depends on other records: so what a delta's bits are is the same for all sessions.
  */
-public class DeltaCodec {
+class DeltaCodec {
 
   private static final int MAX_DIGITS = 27;
 

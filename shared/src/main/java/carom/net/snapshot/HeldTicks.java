@@ -11,7 +11,7 @@ import java.util.Arrays;
  * have. A word of 64 neighbouring slots takes 64 longs from the first time that any of them is
  * held. One thread; allocates only for words that are new.
  */
-public final class HeldTicks {
+final class HeldTicks {
   private static final int MASK = FrameRing.SIZE - 1;
 
   private final FrameRing ring;

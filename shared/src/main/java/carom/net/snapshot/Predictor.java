@@ -14,7 +14,7 @@ import carom.net.snapshot.frame.QuantizedPose;
  * nothing but rounding, a large one may go on. The shares are counted over scenes, see {@link
  * Profiles}.
  */
-public final class Predictor {
+final class Predictor {
 
   /** Number of classes of bends that have shares of their own. */
   static final int BEND_SHARES = 12;

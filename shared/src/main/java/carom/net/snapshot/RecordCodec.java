@@ -19,7 +19,7 @@ import carom.net.snapshot.frame.QuantizedPose;
  * the datagram: which slots, and their deltas. All other records stand alone: kind, slot, content.
  * One object codes one datagram at a time.
  */
-public final class RecordCodec {
+final class RecordCodec {
 
   /** Kind of record that holds the deltas of some neighbouring slots. */
   public static final int RUN = 0;

@@ -4,7 +4,7 @@ package carom.net.snapshot;
  * Expected sizes of records: running means of what was written to one client. The encoder uses them
  * to predict how many records fit a budget.
  */
-public final class RecordSizes {
+final class RecordSizes {
   /** Sizes assumed before any record was written, bits. */
   private static final float FIRST_DELTA_BITS = 44;
 

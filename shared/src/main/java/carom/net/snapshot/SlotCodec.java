@@ -9,7 +9,7 @@ import carom.net.codec.SymbolTable;
  * were), and on the run's density: from all, over some evenly spread, to one alone. Nothing depends
  * on other runs.
  */
-public final class SlotCodec {
+final class SlotCodec {
 
   /** Number of bits of a density. */
   static final int DENSITY_BITS = 3;

@@ -7,7 +7,7 @@ import carom.net.snapshot.frame.QuantizedPose;
  * the body moved, how its way bends, and which of the contexts of {@link DeltaCodec} that is.
  * Mutable, reused.
  */
-public final class Track {
+final class Track {
 
   /** Number of classes of {@link #bend}. */
   static final int BENDS = 16;

@@ -9,7 +9,7 @@ import carom.physics.dynamics.store.IntList;
  * that joint, and may be thousands of times the weight of the pieces that are left: warm, they
  * would throw these about.
  */
-public final class ColdWelds {
+final class ColdWelds {
   private final JointStore joints;
   private final BodyStore bodies;
 

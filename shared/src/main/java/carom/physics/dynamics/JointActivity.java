@@ -8,7 +8,7 @@ import carom.physics.dynamics.joint.JointStore;
  * Decides which joints the solver looks at: those of which a body is active, and no other one is
  * asleep that the joint could move.
  */
-public final class JointActivity {
+final class JointActivity {
   private final BodyStore bodies;
   private final ActiveBodies active;
   private final JointStore joints;

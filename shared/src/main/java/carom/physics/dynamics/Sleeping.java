@@ -24,7 +24,7 @@ import carom.physics.settings.Settings;
  *
  * <p>The contacts of a body that wakes are in no table until {@link #mergeWoken}.
  */
-public final class Sleeping {
+final class Sleeping {
   private final Settings settings;
   private final BodyStore bodies;
   private final ActiveBodies active;

@@ -9,7 +9,7 @@ import carom.sim.level.Archetype;
  *
  * @param <T> the world's user type
  */
-public interface TrackedBodies<T> {
+interface TrackedBodies<T> {
   /** Returns a number above all ids in use. */
   int limit();
 

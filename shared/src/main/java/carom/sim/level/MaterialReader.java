@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Reads the materials of a level file, and finds those that have names. */
-public final class MaterialReader {
+final class MaterialReader {
   /** The fields of a material, in the order of {@code level.schema.json}. */
   public static final List<String> FIELDS =
       List.of(

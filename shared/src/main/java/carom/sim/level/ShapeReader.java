@@ -29,7 +29,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /** Reads the shapes of a level file. */
-public final class ShapeReader {
+final class ShapeReader {
   /** Smallest length of a part of a level, metres. */
   public static final float MIN_SIZE = 0.05f;
 

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.function.Consumer;
 
 /** Short texts for all players that wait to be sent. A full queue drops the newest text. */
-public final class NoticeQueue {
+final class NoticeQueue {
   private final int maxNotices;
   private final int maxLength;
   private final ArrayDeque<String> texts = new ArrayDeque<>();

@@ -14,7 +14,7 @@ import java.util.List;
  * The saved state of a running scene: world, particles and tick. {@link SceneRun#save} makes it and
  * {@link SceneRun#restore} takes it over.
  */
-public final class SceneState implements ParticleWorld.State {
+final class SceneState implements ParticleWorld.State {
   WorldState world;
   final ParticleState[] particles;
   int tick;

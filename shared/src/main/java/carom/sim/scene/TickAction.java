@@ -2,7 +2,7 @@ package carom.sim.scene;
 
 /** An action of a scene that runs before each step, such as a controller or an emitter. */
 @FunctionalInterface
-public interface TickAction {
+interface TickAction {
   /**
    * Runs before a step. It must depend on the tick and the world's state alone, so that a restored
    * world goes on as the saved one did.

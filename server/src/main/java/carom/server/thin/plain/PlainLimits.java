@@ -21,7 +21,7 @@ package carom.server.thin.plain;
  *     more closes the connection
  * @param stallMillis time after which a client that takes none of them is closed, ms
  */
-public record PlainLimits(
+record PlainLimits(
     int maxConnections,
     int maxPerAddress,
     int maxWaiting,

@@ -4,7 +4,7 @@ package carom.net.kryo.server;
  * Tells a flood from a burst: a link floods when it sends more than ten times its budget in each of
  * {@value #SECONDS} seconds in a row. Use it from one thread.
  */
-public final class FloodMeter {
+final class FloodMeter {
   /** Multiple of its budget from which what a link sends counts as a flood. */
   public static final int FACTOR = 10;
 

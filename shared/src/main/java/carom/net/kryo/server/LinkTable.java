@@ -13,7 +13,7 @@ import java.util.function.ToIntFunction;
  *
  * @param <T> a connection
  */
-public final class LinkTable<T> {
+final class LinkTable<T> {
   private static final int PLACE_BITS = 15;
   private static final int PLACE_MASK = (1 << PLACE_BITS) - 1;
 

@@ -17,7 +17,7 @@ import java.net.InetSocketAddress;
  * <p>Nothing here allocates, and it remembers {@value #FORGERS} addresses at most. Use it from one
  * thread.
  */
-public final class MoveLimit {
+final class MoveLimit {
   /** Largest number of datagrams per second that are opened for one link, of each kind of host. */
   public static final int PER_SECOND = 20;
 

@@ -16,7 +16,7 @@ import java.util.Arrays;
  *
  * <p>One thread writes, shares and releases; others may read what they share meanwhile.
  */
-public final class RowArrays {
+final class RowArrays {
   private final int[] strides;
   private final Object[] arrays;
   private final Spares spares;
