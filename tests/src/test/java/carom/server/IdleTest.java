@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.server.room.PictureRequest;
+import carom.server.room.Picture;
 import java.nio.file.Path;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -78,7 +78,7 @@ class IdleTest {
       assertEquals(Long.MAX_VALUE, duty.napNs(rig.nowNs));
       assertEquals(0, calls.get());
 
-      rig.room.pictures().ask(new PictureRequest(false, false, false, Set.of()));
+      rig.room.pictures().ask(new Picture.Request(false, false, false, Set.of()));
       assertEquals(1, calls.get(), "somebody wants to see it");
       Future<Integer> said = CompletableFuture.supplyAsync(() -> rig.room.operator().say("hello"));
       while (!said.isDone()) {
@@ -89,7 +89,7 @@ class IdleTest {
       rig.join("Ann");
       assertEquals(3, calls.get(), "a player comes");
       assertTrue(duty.napNs(rig.nowNs) < 20_000_000, "ticks are due");
-      rig.room.pictures().ask(new PictureRequest(false, false, false, Set.of()));
+      rig.room.pictures().ask(new Picture.Request(false, false, false, Set.of()));
       assertEquals(3, calls.get(), "a room that ticks looks itself");
     }
   }

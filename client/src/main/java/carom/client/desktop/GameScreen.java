@@ -2,16 +2,11 @@ package carom.client.desktop;
 
 import carom.client.GameClient;
 import carom.client.InputSource;
+import carom.client.desktop.KeyHints.Hint;
 import carom.client.desktop.game.EventSounds;
 import carom.client.desktop.game.GamePicture;
-import carom.client.desktop.hud.Curtain;
 import carom.client.desktop.hud.Hud;
-import carom.client.desktop.hud.KeyHints;
-import carom.client.desktop.hud.KeyHints.Hint;
-import carom.client.desktop.hud.NetGraph;
 import carom.client.desktop.hud.Readiness;
-import carom.client.desktop.hud.RoomPanel;
-import carom.client.desktop.hud.TeamNews;
 import carom.client.desktop.menu.KeyMap;
 import carom.client.desktop.menu.PauseMenu;
 import carom.client.desktop.menu.SettingsHost;

@@ -5,7 +5,6 @@ import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
-import carom.client.desktop.hud.TimeBar;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.UiColours;

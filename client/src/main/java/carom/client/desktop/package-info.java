@@ -1,6 +1,7 @@
 /**
- * The window of a client: the application, its screens, the input devices, and what players say:
- * lines of chat, the line that is being written, and emotes.
+ * The window of a client: the application, its screens with the panels that belong to one of them,
+ * the input devices, and what players say: lines of chat, the line that is being written, and
+ * emotes.
  *
  * <p>This package and its subpackages are the only home of the window toolkit (libGDX). A screen
  * reads a {@code ClientView} once per frame and hands the player's input back. It never touches the

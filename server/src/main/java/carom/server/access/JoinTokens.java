@@ -98,8 +98,8 @@ public final class JoinTokens {
    *
    * @throws BadTokenException as {@link #check} does
    */
-  public JoinToken spend(String token) throws BadTokenException {
-    JoinToken result = check(token);
+  public Token spend(String token) throws BadTokenException {
+    Token result = check(token);
     String[] parts = token.split("\\.", -1);
     if (!spent.add(signed(parts), (long) number(fields(parts[1]), "exp"), now())) {
       throw new BadTokenException("The server has no room for another token. Try again later.");
@@ -113,7 +113,7 @@ public final class JoinTokens {
    * @throws BadTokenException if it is none, is not signed by the backend, isn't for this server
    *     and this time, or was {@linkplain #spend spent}
    */
-  public JoinToken check(String token) throws BadTokenException {
+  public Token check(String token) throws BadTokenException {
     if (token.isEmpty()) {
       throw new BadTokenException("Join through the game's own site or launcher.");
     }
@@ -144,8 +144,8 @@ public final class JoinTokens {
     if (!server.isEmpty() && !server.equals(fingerprint)) {
       throw new BadTokenException("The token is for another server.");
     }
-    JoinToken result =
-        new JoinToken(
+    Token result =
+        new Token(
             text(claims, "sub"), PlayerName.fitted(text(claims, "name")), text(claims, "room"));
     requireUsable(result);
     if (spent.has(signed(parts))) {
@@ -163,7 +163,7 @@ public final class JoinTokens {
     return (parts[0] + "." + parts[1]).getBytes(StandardCharsets.US_ASCII);
   }
 
-  private static void requireUsable(JoinToken token) throws BadTokenException {
+  private static void requireUsable(Token token) throws BadTokenException {
     String account = token.account();
     if (account.isBlank()
         || !account.equals(Texts.clean(account))
@@ -218,5 +218,23 @@ public final class JoinTokens {
       throw new BadTokenException("The token's " + name + " is no number.");
     }
     return field.number;
+  }
+
+  /**
+   * The facts about a player that the operator's own backend has signed in a token.
+   *
+   * @param account the backend's name of the player's account, never empty
+   * @param name the name to play under, or empty for the one that the player asks for
+   * @param room the room to play in, or empty for the one that the player asks for
+   */
+  public record Token(String account, String name, String room) {}
+
+  /** Thrown for a join token that isn't valid. The message is for the player. */
+  public static final class BadTokenException extends Exception {
+    private static final long serialVersionUID = 1;
+
+    BadTokenException(String message) {
+      super(message, null, false, false);
+    }
   }
 }

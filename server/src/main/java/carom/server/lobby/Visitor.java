@@ -12,10 +12,8 @@ import carom.net.protocol.SessionState;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.access.AddressRange;
-import carom.server.access.BadTokenException;
 import carom.server.access.EntryRule;
 import carom.server.access.GamePassword;
-import carom.server.access.JoinToken;
 import carom.server.access.JoinTokens;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchInfo;
@@ -313,7 +311,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return new JoinRequest(name, account, hello.room(), hello.game(), hello.resumeSecret());
     }
     try {
-      JoinToken token =
+      JoinTokens.Token token =
           link.isPlainText() ? joinTokens.spend(hello.token()) : joinTokens.check(hello.token());
       return new JoinRequest(
           token.name().isEmpty() ? name : token.name(),
@@ -321,7 +319,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
           token.room().isEmpty() ? hello.room() : token.room(),
           hello.game(),
           0);
-    } catch (BadTokenException e) {
+    } catch (JoinTokens.BadTokenException e) {
       refuse(RefusalReason.TOKEN_INVALID, e.getMessage());
       return null;
     }

@@ -32,7 +32,7 @@ public final class RoomPictures {
   private static final int MAX_CONTACTS = 20_000;
 
   private final Runnable asked;
-  private final AtomicReference<PictureRequest> wanted = new AtomicReference<>();
+  private final AtomicReference<Picture.Request> wanted = new AtomicReference<>();
   private final AtomicReference<Picture> made = new AtomicReference<>();
   private final AtomicLong count = new AtomicLong();
 
@@ -54,7 +54,7 @@ public final class RoomPictures {
   }
 
   /** Asks for a picture. It replaces a request that waits. Any thread. */
-  public void ask(PictureRequest request) {
+  public void ask(Picture.Request request) {
     wanted.set(request);
     asked.run();
   }
@@ -81,7 +81,7 @@ public final class RoomPictures {
    * pictures: watching must not hurt a room. The room's thread, between two ticks.
    */
   public void take(MatchInfo match, SimulationHost simulation, Session[] bySeat) {
-    PictureRequest request = wanted.getAndSet(null);
+    Picture.Request request = wanted.getAndSet(null);
     if (request == null || broken) {
       return;
     }
@@ -95,7 +95,7 @@ public final class RoomPictures {
   }
 
   private Picture draw(
-      PictureRequest request, MatchInfo match, SimulationHost simulation, Session[] bySeat) {
+      Picture.Request request, MatchInfo match, SimulationHost simulation, Session[] bySeat) {
     if (world != simulation.world()) {
       world = simulation.world();
       Arrays.fill(looks, null);
@@ -164,14 +164,14 @@ public final class RoomPictures {
     return Arrays.copyOf(values, at);
   }
 
-  private static List<PoolPicture> particles(Pools pools) {
-    List<PoolPicture> all = new ArrayList<>(pools.shown().size());
+  private static List<Picture.Pool> particles(Pools pools) {
+    List<Picture.Pool> all = new ArrayList<>(pools.shown().size());
     for (ShownParticles some : pools.shown()) {
       Particles particles = some.particles();
       if (particles.count() > 0) {
         float[] xy = new float[2 * particles.count()];
         particles.copyPositions(xy);
-        all.add(new PoolPicture(some.rgb(), particles.spacing(), xy));
+        all.add(new Picture.Pool(some.rgb(), particles.spacing(), xy));
       }
     }
     return List.copyOf(all);
@@ -192,13 +192,13 @@ public final class RoomPictures {
   }
 
   private static Map<Integer, float[]> priorities(
-      PictureRequest request, BodyLook[] bodies, Session[] bySeat) {
+      Picture.Request request, BodyLook[] bodies, Session[] bySeat) {
     Map<Integer, float[]> all = new TreeMap<>();
     for (int player : request.priorityOf()) {
       if (player < 0
           || player >= bySeat.length
           || bySeat[player] == null
-          || all.size() == PictureRequest.MAX_PRIORITIES) {
+          || all.size() == Picture.Request.MAX_PRIORITIES) {
         continue;
       }
       float[] values = new float[bodies.length];
@@ -223,11 +223,11 @@ public final class RoomPictures {
     return Arrays.copyOf(pairs, at);
   }
 
-  private static List<PlayerPicture> players(Session[] bySeat) {
-    List<PlayerPicture> players = new ArrayList<>();
+  private static List<Picture.Player> players(Session[] bySeat) {
+    List<Picture.Player> players = new ArrayList<>();
     for (Session session : bySeat) {
       if (session != null) {
-        players.add(new PlayerPicture(PlayerInfo.of(session), session.inputs().missing()));
+        players.add(new Picture.Player(PlayerInfo.of(session), session.inputs().missing()));
       }
     }
     return players;

@@ -11,7 +11,7 @@ package carom.server.room;
  *
  * <p>The first session that had to wait is the first in the next tick. One thread; no allocation.
  */
-public final class SendTurns {
+final class SendTurns {
   private static final int TIME_PARTS = 8;
   private static final int TIME_PARTS_TO_SEND_IN = 5;
   private static final int LEAST_PARTS = 4;

@@ -8,11 +8,11 @@ import java.util.Arrays;
  *
  * <p>The longest tick of each half second doesn't count for the pace, so that a callback that
  * waited once slows no player down. A room that is too slow sheds load in this order. First it
- * sends fewer snapshots ({@link carom.server.room.SendTurns}). When snapshots wait in half of the
- * ticks, views become narrow: players are told only of what they show, not of the rest of the
- * level. When ticks still take longer than their period, time slows down: fewer ticks a second,
- * each of the same length, and all clients are told. Ticks that would come in a burst, and leave
- * everybody without a snapshot meanwhile, don't arise.
+ * sends fewer snapshots ({@code SendTurns}). When snapshots wait in half of the ticks, views become
+ * narrow: players are told only of what they show, not of the rest of the level. When ticks still
+ * take longer than their period, time slows down: fewer ticks a second, each of the same length,
+ * and all clients are told. Ticks that would come in a burst, and leave everybody without a
+ * snapshot meanwhile, don't arise.
  */
 public final class TickLoad {
   /** Slowest pace, percent of the tick rate. */

@@ -1,7 +1,6 @@
 package carom.server.web;
 
 import carom.server.room.Picture;
-import carom.server.room.PoolPicture;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -66,7 +65,7 @@ final class PictureBytes {
     for (int value : picture.playerBodies()) {
       out.putInt(value);
     }
-    for (PoolPicture pool : picture.particles()) {
+    for (Picture.Pool pool : picture.particles()) {
       out.putInt(pool.rgb()).putFloat(pool.spacing()).putInt(pool.xy().length / 2);
       put(out, pool.xy());
     }

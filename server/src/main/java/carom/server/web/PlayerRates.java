@@ -1,7 +1,7 @@
 package carom.server.web;
 
 import carom.server.replication.LinkFigures;
-import carom.server.room.PlayerPicture;
+import carom.server.room.Picture;
 import java.util.ArrayDeque;
 import java.util.HashMap;
 import java.util.List;
@@ -18,7 +18,7 @@ final class PlayerRates {
 
   private final ArrayDeque<Reading> readings = new ArrayDeque<>();
 
-  private record Reading(long timeNs, Map<Integer, PlayerPicture> players) {}
+  private record Reading(long timeNs, Map<Integer, Picture.Player> players) {}
 
   /**
    * The present rates of a player's line. NaN for what isn't known.
@@ -28,11 +28,11 @@ final class PlayerRates {
    * @param loss share of snapshot datagrams that didn't arrive, 0..1
    * @param right share of ticks in which the client's predictions were right, 0..1
    */
-  record Rate(PlayerPicture player, double kbitPerSecond, double loss, double right) {}
+  record Rate(Picture.Player player, double kbitPerSecond, double loss, double right) {}
 
   /** Adds a reading and returns the rates since the oldest, in the readings' order. */
-  List<Rate> add(long timeNs, List<PlayerPicture> players) {
-    Map<Integer, PlayerPicture> byId = new HashMap<>();
+  List<Rate> add(long timeNs, List<Picture.Player> players) {
+    Map<Integer, Picture.Player> byId = new HashMap<>();
     players.forEach(player -> byId.put(player.info().id(), player));
     readings.add(new Reading(timeNs, byId));
     if (readings.size() > READINGS) {
@@ -42,9 +42,9 @@ final class PlayerRates {
   }
 
   @SuppressWarnings("ReferenceEquality") // Each reading has objects of its own.
-  private Rate rate(long timeNs, PlayerPicture now) {
+  private Rate rate(long timeNs, Picture.Player now) {
     for (Reading reading : readings) {
-      PlayerPicture then = reading.players().get(now.info().id());
+      Picture.Player then = reading.players().get(now.info().id());
       if (then != null && then != now && isSameLink(then, now)) {
         LinkFigures a = then.link();
         LinkFigures b = now.link();
@@ -62,7 +62,7 @@ final class PlayerRates {
     return new Rate(now, Double.NaN, Double.NaN, Double.NaN);
   }
 
-  private static boolean isSameLink(PlayerPicture then, PlayerPicture now) {
+  private static boolean isSameLink(Picture.Player then, Picture.Player now) {
     return then.info().name().equals(now.info().name())
         && then.link().bytesSent() <= now.link().bytesSent()
         && then.link().settled() <= now.link().settled();

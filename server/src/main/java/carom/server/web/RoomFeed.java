@@ -2,7 +2,6 @@ package carom.server.web;
 
 import carom.server.room.BodyLook;
 import carom.server.room.Picture;
-import carom.server.room.PictureRequest;
 import carom.server.room.Room;
 import java.nio.ByteBuffer;
 import java.util.HashMap;
@@ -53,7 +52,7 @@ final class RoomFeed {
     }
     // A request that the room hasn't answered is replaced, and what it asked for is asked again.
     playersAsked |= nowNs - playersNs >= PLAYERS_NS;
-    room.pictures().ask(new PictureRequest(playersAsked, cells, contacts, priorityOf));
+    room.pictures().ask(new Picture.Request(playersAsked, cells, contacts, priorityOf));
   }
 
   private void send(Picture picture, List<Viewer> viewers, long nowNs) {

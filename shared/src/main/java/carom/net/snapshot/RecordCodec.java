@@ -1,7 +1,6 @@
 package carom.net.snapshot;
 
 import carom.net.codec.BitCoder;
-import carom.net.codec.BitTable;
 import carom.net.codec.Bits;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;

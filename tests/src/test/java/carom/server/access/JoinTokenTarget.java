@@ -56,14 +56,14 @@ public final class JoinTokenTarget implements FuzzTarget {
 
   private boolean isGood(String token) {
     try {
-      JoinToken read = tokens.check(token);
+      JoinTokens.Token read = tokens.check(token);
       int account = read.account().length();
       if (account < 1 || account > ProtocolLimits.MAX_ACCOUNT_CHARACTERS) {
         throw new AssertionError("an account of " + account + " characters");
       }
       FuzzTarget.requirePrintable(read.account() + read.name() + read.room());
       return true;
-    } catch (BadTokenException e) {
+    } catch (JoinTokens.BadTokenException e) {
       FuzzTarget.requirePrintable(e.getMessage());
       return false;
     }

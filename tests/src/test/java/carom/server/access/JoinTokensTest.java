@@ -67,33 +67,35 @@ final class JoinTokensTest {
   }
 
   private void refused(String token, String why) {
-    BadTokenException e = assertThrows(BadTokenException.class, () -> tokens.check(token), token);
+    JoinTokens.BadTokenException e =
+        assertThrows(JoinTokens.BadTokenException.class, () -> tokens.check(token), token);
     assertTrue(e.getMessage().contains(why), e::getMessage);
   }
 
   @Test
-  void aGoodTokenSaysWhoItIs() throws BadTokenException {
+  void aGoodTokenSaysWhoItIs() throws JoinTokens.BadTokenException {
     assertEquals(
-        new JoinToken("42", "Zo\u00eb", "cup"),
+        new JoinTokens.Token("42", "Zo\u00eb", "cup"),
         tokens.check(
             token(
                 backend,
                 HEAD,
                 claims(",\"name\":\"Zo\u00eb\",\"room\":\"cup\",\"server\":\"" + SERVER + "\""))));
-    assertEquals(new JoinToken("42", "", ""), tokens.check(token(backend, HEAD, claims(""))));
+    assertEquals(
+        new JoinTokens.Token("42", "", ""), tokens.check(token(backend, HEAD, claims(""))));
   }
 
   @Test
-  void aTokenThatOthersMayHaveReadNeverCountsAgain() throws BadTokenException {
+  void aTokenThatOthersMayHaveReadNeverCountsAgain() throws JoinTokens.BadTokenException {
     String token = token(backend, HEAD, claims(""));
     tokens.check(token);
     tokens.check(token);
     assertEquals("42", tokens.spend(token).account());
     refused(token, "has been used");
-    assertThrows(BadTokenException.class, () -> tokens.spend(token));
+    assertThrows(JoinTokens.BadTokenException.class, () -> tokens.spend(token));
     tokens.check(token(backend, HEAD, claims(",\"name\":\"other\"")));
     String expired = token(backend, HEAD, "{\"sub\":\"42\",\"exp\":" + NOW + "}");
-    assertThrows(BadTokenException.class, () -> tokens.spend(expired));
+    assertThrows(JoinTokens.BadTokenException.class, () -> tokens.spend(expired));
   }
 
   @Test
@@ -123,7 +125,7 @@ final class JoinTokensTest {
   }
 
   @Test
-  void noNameKeepsAnAccountOut() throws BadTokenException {
+  void noNameKeepsAnAccountOut() throws JoinTokens.BadTokenException {
     String[][] names = {
       {"Ann ", "Ann"},
       {" ", ""},
@@ -167,7 +169,9 @@ final class JoinTokensTest {
     for (String head :
         List.of("{\"alg\":\"none\"}", "{\"alg\":\"HS256\"}", "{}", "{\"alg\":[\"EdDSA\"]}")) {
       assertThrows(
-          BadTokenException.class, () -> tokens.check(token(backend, head, claims(""))), head);
+          JoinTokens.BadTokenException.class,
+          () -> tokens.check(token(backend, head, claims(""))),
+          head);
     }
     String good = token(backend, HEAD, claims(""));
     refused(good.substring(0, good.lastIndexOf('.') + 1), "operator");
@@ -192,17 +196,17 @@ final class JoinTokensTest {
       char other = letters.charAt(random.nextInt(letters.length()));
       if (other != good.charAt(i)) {
         String bad = good.substring(0, i) + other + good.substring(i + 1);
-        assertThrows(BadTokenException.class, () -> tokens.check(bad), bad);
+        assertThrows(JoinTokens.BadTokenException.class, () -> tokens.check(bad), bad);
       }
     }
     for (int length = 0; length < last; length++) {
       String bad = good.substring(0, length);
-      assertThrows(BadTokenException.class, () -> tokens.check(bad), bad);
+      assertThrows(JoinTokens.BadTokenException.class, () -> tokens.check(bad), bad);
     }
   }
 
   @Test
-  void theKeyIsReadFromPem() throws IOException, BadTokenException {
+  void theKeyIsReadFromPem() throws IOException, JoinTokens.BadTokenException {
     Path file = folder.resolve("join.pem");
     String pem =
         "-----BEGIN PUBLIC KEY-----\n"

@@ -40,10 +40,10 @@ import org.junit.jupiter.api.Test;
 
 /** Goal: a picture shows the room as it is, and only when it is asked for. */
 final class RoomPicturesTest {
-  private static final PictureRequest ALL = new PictureRequest(true, true, true, Set.of(0, 77));
-  private static final PictureRequest BODIES = new PictureRequest(false, false, false, Set.of());
+  private static final Picture.Request ALL = new Picture.Request(true, true, true, Set.of(0, 77));
+  private static final Picture.Request BODIES = new Picture.Request(false, false, false, Set.of());
 
-  private static Picture take(Stepper stepper, PictureRequest request) {
+  private static Picture take(Stepper stepper, Picture.Request request) {
     stepper.room().pictures().ask(request);
     stepper.run(0.1);
     return stepper.room().pictures().poll();
@@ -88,7 +88,7 @@ final class RoomPicturesTest {
       assertEquals(points[0], picture.contacts().length / Picture.CONTACT);
       assertEquals(Set.of(0), picture.priorities().keySet());
       assertEquals(1, picture.players().size());
-      PlayerPicture player = picture.players().get(0);
+      Picture.Player player = picture.players().get(0);
       assertEquals("Ann", player.info().name());
       assertTrue(player.link().bytesSent() > 0);
       assertTrue(player.link().acked() > 0);
@@ -154,13 +154,13 @@ final class RoomPicturesTest {
       while (stepper.room().tick() == tick) {
         stepper.step();
       }
-      List<PoolPicture> pictures = stepper.room().pictures().poll().particles();
+      List<Picture.Pool> pictures = stepper.room().pictures().poll().particles();
       Pools pools = stepper.room().simulation().pools();
       assertEquals(2, pools.count());
       assertEquals(2, pictures.size());
       for (int pool = 0; pool < 2; pool++) {
         Particles particles = pools.get(pool).particles();
-        PoolPicture picture = pictures.get(pool);
+        Picture.Pool picture = pictures.get(pool);
         assertTrue(particles.count() > 50, "pool=" + pool + " particles=" + particles.count());
         assertEquals(2 * particles.count(), picture.xy().length);
         for (int i = 0; i < particles.count(); i++) {
@@ -185,9 +185,9 @@ final class RoomPicturesTest {
       }
       assertNull(two.players());
       assertEquals(0, two.cells().length + two.contacts().length);
-      PlayerPicture before = take(stepper, ALL).players().get(0);
+      Picture.Player before = take(stepper, ALL).players().get(0);
       stepper.run(20);
-      PlayerPicture after = take(stepper, ALL).players().get(0);
+      Picture.Player after = take(stepper, ALL).players().get(0);
       double settled = after.link().settled() - before.link().settled();
       double loss = 1 - (after.link().acked() - before.link().acked()) / settled;
       assertEquals(0.2, loss, 0.05, "settled=" + settled);

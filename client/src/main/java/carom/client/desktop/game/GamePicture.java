@@ -10,7 +10,6 @@ import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.hud.ScoreList;
 import carom.client.desktop.hud.ShownGame;
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.DebugPainter;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.UiColours;

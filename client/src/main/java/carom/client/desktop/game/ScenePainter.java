@@ -1,7 +1,6 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.ShapePainter;
 import carom.client.desktop.paint.UiColours;
 import carom.physics.Body;

@@ -1,9 +1,8 @@
 package carom.client.desktop.game;
 
+import carom.client.desktop.game.DebugPainter.Layer;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.DebugPainter;
-import carom.client.desktop.paint.DebugPainter.Layer;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;

@@ -2,7 +2,6 @@ package carom.client.desktop.game;
 
 import carom.client.desktop.hud.PlayerColours;
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.ShapePainter;
 import carom.client.desktop.paint.UiColours;

@@ -115,7 +115,7 @@ public final class Hud implements Disposable {
   }
 
   /** Returns the pixels of a point. */
-  float pixelsPerPoint() {
+  public float pixelsPerPoint() {
     return scale;
   }
 
@@ -390,7 +390,7 @@ public final class Hud implements Disposable {
   }
 
   /** Draws a picture. Stands between {@link #begin} and {@link #end}. */
-  void picture(TextureRegion picture, float x, float y, float w, float h) {
+  public void picture(TextureRegion picture, float x, float y, float w, float h) {
     batch.draw(picture, x, y, w, h);
   }
 

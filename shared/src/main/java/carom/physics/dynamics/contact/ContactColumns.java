@@ -1,7 +1,6 @@
 package carom.physics.dynamics.contact;
 
 import carom.physics.dynamics.store.ParallelFor;
-import carom.physics.dynamics.store.RowMoves;
 import carom.physics.dynamics.store.Stamp;
 import java.util.Arrays;
 

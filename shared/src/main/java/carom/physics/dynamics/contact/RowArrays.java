@@ -1,6 +1,5 @@
 package carom.physics.dynamics.contact;
 
-import carom.physics.dynamics.store.RowMoves;
 import java.lang.reflect.Array;
 import java.util.Arrays;
 

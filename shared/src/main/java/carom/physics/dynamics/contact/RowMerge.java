@@ -3,7 +3,6 @@ package carom.physics.dynamics.contact;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.store.ParallelFor;
-import carom.physics.dynamics.store.RowMoves;
 import java.util.Arrays;
 
 /**

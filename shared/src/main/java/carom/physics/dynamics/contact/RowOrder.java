@@ -3,7 +3,6 @@ package carom.physics.dynamics.contact;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.store.ParallelFor;
-import carom.physics.dynamics.store.RowMoves;
 
 /**
  * Adds and removes rows of a {@link ContactTable} and keeps them in the order of their keys.

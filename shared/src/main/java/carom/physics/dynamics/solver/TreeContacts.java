@@ -34,7 +34,6 @@ import static carom.physics.dynamics.solver.ContactBlocks.TWO;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.SolverBodies;
-import carom.physics.dynamics.jointtree.ResponseRow;
 import carom.physics.dynamics.jointtree.TreeResponse;
 
 /**

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
-import carom.physics.dynamics.store.RowMoves;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.WorldDef;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.store.ParallelFor;
-import carom.physics.dynamics.store.RowMoves;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.SortedSet;

@@ -1,5 +1,6 @@
-package carom.client.desktop.hud;
+package carom.client.desktop;
 
+import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
 import carom.client.desktop.paint.Canvas;
@@ -18,7 +19,7 @@ import java.util.Locale;
  * small. Units are points. Texts change four times a second so that they can be read. It widens for
  * large figures, and doesn't narrow again, so that it stands still. Render thread only.
  */
-public final class NetGraph {
+final class NetGraph {
   /** The amount of detail. */
   public enum Size {
     /** The net graph is hidden. */

@@ -1,5 +1,6 @@
-package carom.client.desktop.hud;
+package carom.client.desktop;
 
+import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.UiColours;
 import carom.client.link.ConnectionPhase;
@@ -12,7 +13,7 @@ import com.badlogic.gdx.math.Vector3;
  * last picture while the next level loads, shows its name, and opens on the new match. Render
  * thread only.
  */
-public final class Curtain {
+final class Curtain {
   private static final float CLOSE_SECONDS = 0.35f;
   private static final float OPEN_SECONDS = 0.6f;
 

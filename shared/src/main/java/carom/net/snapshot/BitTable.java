@@ -1,4 +1,6 @@
-package carom.net.codec;
+package carom.net.snapshot;
+
+import carom.net.codec.BitCoder;
 
 /**
  * Adaptive probabilities of the bits at the nodes of a format. Each node starts with a given
@@ -7,7 +9,7 @@ package carom.net.codec;
  *
  * <p>Use it from one thread; it doesn't allocate after construction.
  */
-public final class BitTable {
+final class BitTable {
 
   /** Largest number of bits between a {@link #mark} and the {@link #rewind} to it. */
   public static final int MAX_MARKED = 64;

@@ -1,5 +1,6 @@
-package carom.client.desktop.hud;
+package carom.client.desktop;
 
+import carom.client.desktop.hud.ShownGame;
 import carom.client.view.ClientView;
 import carom.net.protocol.ServerMessage.RosterEntry;
 
@@ -7,7 +8,7 @@ import carom.net.protocol.ServerMessage.RosterEntry;
  * Notices that the own player is in another team than before, as the next match of a room may have
  * arranged its teams anew. Render thread only.
  */
-public final class TeamNews {
+final class TeamNews {
   private final ShownGame game;
   private String room = "";
   private String about = "";

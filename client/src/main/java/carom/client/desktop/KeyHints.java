@@ -1,7 +1,9 @@
-package carom.client.desktop.hud;
+package carom.client.desktop;
 
+import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.HudLayout.Panel;
 import carom.client.desktop.hud.HudLayout.Spot;
+import carom.client.desktop.hud.ShownGame;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.UiColours;
 import com.badlogic.gdx.graphics.Color;
@@ -11,7 +13,7 @@ import java.util.List;
  * The keys of a game and what it is about, in a corner. They show for the first seconds of a visit
  * and fade; a key brings them back. Render thread only.
  */
-public final class KeyHints {
+final class KeyHints {
   /**
    * A key and what it does.
    *

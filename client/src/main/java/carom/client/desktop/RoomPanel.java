@@ -1,5 +1,6 @@
-package carom.client.desktop.hud;
+package carom.client.desktop;
 
+import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;
@@ -15,7 +16,7 @@ import java.util.function.Function;
  * The server's rooms over the picture, one of which the player can go to. Opened by a key, steered
  * by arrows and Enter. It asks for the list anew while it is open. Render thread only.
  */
-public final class RoomPanel {
+final class RoomPanel {
   private static final float LINE = 24;
   private static final float PAD = 16;
   private static final float WIDTH = 640;

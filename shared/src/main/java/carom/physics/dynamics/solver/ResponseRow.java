@@ -1,10 +1,10 @@
-package carom.physics.dynamics.jointtree;
+package carom.physics.dynamics.solver;
 
 /**
  * A direction in which a contact acts on two bodies, and what impulses along it do to both. A body
  * is an array: vx, vy, w, then its response to impulses (x, y, turn) as xx, xy, xw, yy, yw, ww.
  */
-public final class ResponseRow {
+final class ResponseRow {
   private final double[] a;
   private final double[] b;
 

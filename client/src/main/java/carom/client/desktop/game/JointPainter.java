@@ -1,11 +1,13 @@
-package carom.client.desktop.paint;
+package carom.client.desktop.game;
 
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.UiColours;
 import carom.physics.JointType;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;
 
 /** Draws joints that show: rods, ropes, springs, and the ropes of pulleys. */
-public final class JointPainter {
+final class JointPainter {
   private static final float WIDTH_M = 0.035f;
   private static final float WIDTH_PX = 1.2f;
 

@@ -1,5 +1,7 @@
-package carom.client.desktop.paint;
+package carom.client.desktop.game;
 
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.ShapePainter;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Joint;
@@ -15,7 +17,7 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /** Draws debug layers of a physics world over the picture. Render thread only. */
-public final class DebugPainter {
+final class DebugPainter {
   /** A layer that can be shown. */
   public enum Layer {
     /** The edges of all shapes; sensors, bullets and the front of one-sided lines are marked. */

@@ -1,5 +1,6 @@
-package carom.client.desktop.hud;
+package carom.client.desktop;
 
+import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.UiColours;
 import com.badlogic.gdx.math.MathUtils;
@@ -7,7 +8,7 @@ import com.badlogic.gdx.math.MathUtils;
 /**
  * The time of a recording as a bar at the bottom, in which the mouse chooses. Render thread only.
  */
-public final class TimeBar {
+final class TimeBar {
   private static final float PAD = 12;
   private static final float BOTTOM = 52;
   private static final float HEIGHT = 6;

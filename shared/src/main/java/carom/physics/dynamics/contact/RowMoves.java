@@ -1,5 +1,6 @@
-package carom.physics.dynamics.store;
+package carom.physics.dynamics.contact;
 
+import carom.physics.dynamics.store.ParallelFor;
 import java.util.Arrays;
 
 /**
@@ -16,7 +17,7 @@ import java.util.Arrays;
  * on only those of later runs that move on; hence the former are moved in ascending order, the
  * latter in descending order, and nothing is lost.
  */
-public final class RowMoves {
+final class RowMoves {
   /** Largest number of arrays of a table. */
   private static final int MOST_ARRAYS = 16;
 

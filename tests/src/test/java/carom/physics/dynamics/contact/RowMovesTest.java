@@ -1,4 +1,4 @@
-package carom.physics.dynamics.store;
+package carom.physics.dynamics.contact;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 
