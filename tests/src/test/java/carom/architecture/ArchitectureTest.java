@@ -337,6 +337,7 @@ final class ArchitectureTest {
     for (int i = 0; i < to.length; i++) {
       full[i] = "carom.physics." + to[i];
     }
+    allow("carom.physics.dynamics." + name, full);
   }
 
   /** Allows what a game that ships may use; the name is the one below {@code carom.game}. */
