@@ -1,5 +1,6 @@
 package carom.server.lobby;
 
+import carom.net.admission.TokenBucket;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -14,9 +15,8 @@ final class AdmissionRate {
   static final int PER_SECOND = 4;
 
   private static final int MAX_HOSTS = 4_096;
-  private static final double NS_PER_S = 1e9;
 
-  private final Map<String, Bucket> buckets = new HashMap<>();
+  private final Map<String, TokenBucket> buckets = new HashMap<>();
   private final int burst;
 
   /**
@@ -28,42 +28,20 @@ final class AdmissionRate {
     burst = Math.max(LEAST_BURST, places);
   }
 
-  /** The number of joins that a host has left: a token bucket. */
-  private final class Bucket {
-    private double tokens = burst;
-    private long sinceNs;
-
-    private void fill(long nowNs) {
-      tokens = Math.min(burst, tokens + (nowNs - sinceNs) / NS_PER_S * PER_SECOND);
-      sinceNs = nowNs;
-    }
-  }
-
   /** Returns whether one more client of this host may join now. */
   boolean allows(String host, long nowNs) {
-    Bucket bucket = buckets.get(host);
-    if (bucket == null) {
-      return true;
-    }
-    bucket.fill(nowNs);
-    return bucket.tokens >= 1;
+    TokenBucket bucket = buckets.get(host);
+    return bucket == null || !bucket.isEmpty(nowNs);
   }
 
   /** Counts a client of this host that has joined. */
   void count(String host, long nowNs) {
     if (buckets.size() >= MAX_HOSTS && !buckets.containsKey(host)) {
-      buckets.values().removeIf(b -> isFull(b, nowNs));
+      buckets.values().removeIf(bucket -> bucket.isFull(nowNs));
       if (buckets.size() >= MAX_HOSTS) {
         buckets.clear(); // so many active hosts are no loop of one client: forget, don't grow
       }
     }
-    Bucket bucket = buckets.computeIfAbsent(host, h -> new Bucket());
-    bucket.fill(nowNs);
-    bucket.tokens--;
-  }
-
-  private boolean isFull(Bucket bucket, long nowNs) {
-    bucket.fill(nowNs);
-    return bucket.tokens >= burst;
+    buckets.computeIfAbsent(host, h -> new TokenBucket(PER_SECOND, burst)).charge(nowNs);
   }
 }

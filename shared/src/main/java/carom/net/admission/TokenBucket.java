@@ -25,14 +25,30 @@ public final class TokenBucket {
    * Takes one event at a time of {@link System#nanoTime}. Returns false when the bucket is empty.
    */
   public boolean take(long now) {
-    if (!used || now - paidUntil > 0) {
-      used = true;
-      paidUntil = now;
-    }
-    if (paidUntil + intervalNanos - now > burstNanos) {
+    if (isEmpty(now)) {
       return false;
     }
-    paidUntil += intervalNanos;
+    charge(now);
     return true;
+  }
+
+  /** Counts an event that happened, even if the bucket is empty: then it takes longer to refill. */
+  public void charge(long now) {
+    paidUntil = now + owedNanos(now) + intervalNanos;
+    used = true;
+  }
+
+  /** Returns whether no further event may happen now. */
+  public boolean isEmpty(long now) {
+    return owedNanos(now) + intervalNanos > burstNanos;
+  }
+
+  /** Returns whether as many events may happen now as in a new bucket. */
+  public boolean isFull(long now) {
+    return owedNanos(now) == 0;
+  }
+
+  private long owedNanos(long now) {
+    return used ? Math.max(0, paidUntil - now) : 0;
   }
 }
