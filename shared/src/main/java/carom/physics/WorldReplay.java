@@ -23,7 +23,7 @@ import java.util.Locale;
  * <p>The bytes need not be trusted. What isn't a whole recording of this format and physics version
  * is refused with the reason; what is damaged otherwise ends in an exception of the same kind.
  */
-final class WorldReplay {
+public final class WorldReplay {
   private static final Call[] CALLS = Call.values();
 
   private final byte[] bytes;

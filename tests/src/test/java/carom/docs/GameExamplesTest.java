@@ -51,6 +51,7 @@ final class GameExamplesTest {
       import carom.sim.field.*;
       import carom.sim.level.*;
       import carom.sim.message.*;
+      import carom.sim.outbox.NextMatch;
       import carom.sim.pool.*;
       import carom.testkit.*;
       import java.nio.file.*;
