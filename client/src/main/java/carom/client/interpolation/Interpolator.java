@@ -29,9 +29,6 @@ public final class Interpolator {
   /** Time for which an extrapolation keeps its speed, milliseconds. */
   public static final int STRAIGHT_MS = 100;
 
-  /** Takes the place of a tick where there is none. */
-  public static final int NONE = -1;
-
   /** Distance, relative to what the velocities explain, beyond which a jump is a teleport. */
   private static final float TELEPORT_FACTOR = 3;
 
@@ -51,8 +48,6 @@ public final class Interpolator {
   private final Velocity velocity;
   private final Velocity before;
   private final Velocity after;
-  private int fromTick = NONE;
-  private int toTick = NONE;
 
   /**
    * Creates an interpolator.
@@ -71,37 +66,27 @@ public final class Interpolator {
    *
    * @param states the known states
    * @param renderTick moment to draw, in ticks of the server
-   * @param out receives the pose; unchanged if the result is negative
-   * @return index of the last state before that moment, or -1 if the entity did not exist then
+   * @param out receives the sample; the pose is unchanged if the entity did not exist then
    */
-  public int sample(StateHistory states, double renderTick, Pose out) {
+  public void sample(StateHistory states, double renderTick, Sample out) {
     int size = states.size();
     int from = 0;
     while (from < size && states.tick(from) > renderTick) {
       from++;
     }
     if (from == size || !states.alive(from)) {
-      return -1;
+      out.index = Sample.NONE;
+      return;
     }
     int to = from - 1;
-    fromTick = states.tick(from);
-    toTick = to < 0 ? NONE : states.tick(to);
+    out.index = from;
+    out.fromTick = states.tick(from);
+    out.toTick = to < 0 ? Sample.NONE : states.tick(to);
     if (to >= 0 && Velocity.areLinked(states, from, to) && !jumps(states, from, to)) {
-      hermite(states, from, to, renderTick, out);
+      hermite(states, from, to, renderTick, out.pose);
     } else {
-      extrapolate(states, from, to < 0 ? renderTick - fromTick : 0, out);
+      extrapolate(states, from, to < 0 ? renderTick - out.fromTick : 0, out.pose);
     }
-    return from;
-  }
-
-  /** Returns the tick of the state before the moment of the last successful {@link #sample}. */
-  public int fromTick() {
-    return fromTick;
-  }
-
-  /** Returns the tick of the state after that moment; {@link #NONE} if it was extrapolated. */
-  public int toTick() {
-    return toTick;
   }
 
   /** Returns whether the way between two states is longer than those beside it explain. */

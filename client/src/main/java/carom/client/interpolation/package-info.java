@@ -4,6 +4,6 @@
  *
  * <p>Imports {@code carom.net.snapshot} and {@code carom.net.codec}. One thread, no allocation.
  * Read first: {@link carom.client.interpolation.Interpolator}, {@link
- * carom.client.interpolation.StateHistory}, {@link carom.client.interpolation.Pose}.
+ * carom.client.interpolation.StateHistory}, {@link carom.client.interpolation.Sample}.
  */
 package carom.client.interpolation;

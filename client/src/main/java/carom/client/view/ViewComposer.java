@@ -3,6 +3,7 @@ package carom.client.view;
 import carom.client.interpolation.DecodedHistory;
 import carom.client.interpolation.Interpolator;
 import carom.client.interpolation.Pose;
+import carom.client.interpolation.Sample;
 import carom.client.interpolation.VisualError;
 import carom.client.prediction.Prediction;
 import carom.net.snapshot.EntityHistory;
@@ -52,12 +53,9 @@ public final class ViewComposer {
     Archetype archetype;
     float alpha;
     float weight;
-    boolean sampled;
-    int fromTick;
-    int toTick;
 
-    /** Pose as interpolated. */
-    final Pose interpolated = new Pose();
+    /** As interpolated. */
+    final Sample interpolated = new Sample();
 
     /** Pose as drawn, without {@link #error}. */
     final Pose base = new Pose();
@@ -72,8 +70,14 @@ public final class ViewComposer {
   private final Interpolator interpolator;
   private final DecodedHistory states = new DecodedHistory();
   private final JointComposer joints;
-  private final Pose pose = new Pose();
-  private final Pose then = new Pose();
+
+  /** The slot as interpolated at the moment that is composed. */
+  private final Sample past = new Sample();
+
+  /** The slot as interpolated at the moment that was composed last, by what is known now. */
+  private final Sample before = new Sample();
+
+  private final Pose blended = new Pose();
   private SlotPicture[] tracks = {};
   private boolean composed;
   private long composedNs;
@@ -178,21 +182,21 @@ public final class ViewComposer {
 
   private void compose(int slot, EntityHistory history, OwnState own) {
     SlotPicture track = tracks[slot];
-    int index = interpolator.sample(states.of(history), renderTick, pose);
+    interpolator.sample(states.of(history), renderTick, past);
     ClientView.Drawn drawn = view.add();
     int generation = history.generation(0);
     float weight =
         prediction == null || !history.alive()
             ? 0
             : prediction.readPose(slot, generation, fraction, drawn.pose);
-    boolean visible = index >= 0 || weight > 0;
+    boolean visible = past.exists() || weight > 0;
     boolean hidden = prediction != null && prediction.hides(slot, generation);
     visible &= !hidden;
     if (track != null && (hidden || !history.alive())) {
       track.ghost |= hidden || track.weight > 0.5f;
       visible &= !track.ghost;
     }
-    int identity = weight > 0 || index < 0 ? 0 : index;
+    int identity = weight > 0 || !past.exists() ? 0 : past.index;
     Archetype archetype = visible ? simulation.archetypes().get(history.archetype(identity)) : null;
     if (archetype != null && weight > 0) {
       archetype = prediction.archetype(slot, generation);
@@ -206,17 +210,17 @@ public final class ViewComposer {
       tracks[slot] = track;
     }
     if (weight == 0) {
-      drawn.pose.set(pose);
-    } else if (weight < 1 && isSamePath(history, index)) {
-      pose.blend(drawn.pose, weight);
-      drawn.pose.set(pose);
-      interpolator.sample(states, renderTick, pose);
+      drawn.pose.set(past.pose);
+    } else if (weight < 1 && isSamePath(history, past.index)) {
+      blended.set(past.pose);
+      blended.blend(drawn.pose, weight);
+      drawn.pose.set(blended);
     }
     boolean fresh = !track.shown || track.generation != history.generation(identity);
     if (fresh || track.teleports != history.teleports(identity)) {
       track.error.clear();
     } else {
-      smooth(track, history, index, weight, drawn.pose);
+      smooth(track, history, weight, drawn.pose);
     }
     if (fresh) {
       boolean wasDrawn = weight == 1 && isOwnSpawn(slot, generation); // as a provisional one
@@ -225,10 +229,7 @@ public final class ViewComposer {
       track.alpha = Math.min(1, track.alpha + seconds / FADE_IN_SECONDS);
     }
     remember(track, history, identity, archetype, weight);
-    track.sampled = index >= 0;
-    track.fromTick = interpolator.fromTick();
-    track.toTick = interpolator.toTick();
-    track.interpolated.set(pose);
+    track.interpolated.set(past);
     track.base.set(drawn.pose);
     show(slot, track, drawn);
     track.error.addTo(drawn.pose);
@@ -239,7 +240,7 @@ public final class ViewComposer {
 
   /** Returns whether a past state leads to the newest: same entity, no teleport in between. */
   private static boolean isSamePath(EntityHistory history, int index) {
-    return index >= 0
+    return index != Sample.NONE
         && history.generation(index) == history.generation(0)
         && history.teleports(index) == history.teleports(0);
   }
@@ -265,8 +266,7 @@ public final class ViewComposer {
   }
 
   /** Turns what would change at once into a visual error. */
-  private void smooth(
-      SlotPicture track, EntityHistory history, int index, float weight, Pose present) {
+  private void smooth(SlotPicture track, EntityHistory history, float weight, Pose present) {
     track.error.fade(seconds);
     float blended = WEIGHT_PER_SECOND * seconds + 0.1f;
     if (Math.abs(weight - track.weight) > blended || (jumped && weight < 1)) {
@@ -276,34 +276,28 @@ public final class ViewComposer {
           Pose.wrap(track.base.angle - present.angle));
       return;
     }
-    if (index < 0 || weight == 1 || !track.sampled || !isNewPath(track)) {
+    Sample last = track.interpolated;
+    if (!past.exists() || weight == 1 || !last.exists() || !isNewPath(last, past)) {
       return;
     }
-    int from = interpolator.fromTick();
-    int to = interpolator.toTick();
-    int before = interpolator.sample(states, composedTick, then);
-    if (before >= 0
-        && history.generation(before) == history.generation(index)
-        && history.teleports(before) == history.teleports(index)) {
-      float past = 1 - weight;
+    interpolator.sample(states, composedTick, before);
+    if (before.exists()
+        && history.generation(before.index) == history.generation(past.index)
+        && history.teleports(before.index) == history.teleports(past.index)) {
+      float share = 1 - weight;
       track.error.add(
-          past * (track.interpolated.x - then.x),
-          past * (track.interpolated.y - then.y),
-          past * Pose.wrap(track.interpolated.angle - then.angle));
-    }
-    if (from != interpolator.fromTick() || to != interpolator.toTick()) {
-      interpolator.sample(states, renderTick, then); // restores its state
+          share * (last.pose.x - before.pose.x),
+          share * (last.pose.y - before.pose.y),
+          share * Pose.wrap(last.pose.angle - before.pose.angle));
     }
   }
 
   /** Returns whether the path drawn last isn't part of the path known now. */
-  private boolean isNewPath(SlotPicture track) {
-    int from = interpolator.fromTick();
-    int to = interpolator.toTick();
-    if (from == track.fromTick && to == track.toTick) {
+  private static boolean isNewPath(Sample last, Sample now) {
+    if (now.fromTick == last.fromTick && now.toTick == last.toTick) {
       return false;
     }
-    return track.toTick == Interpolator.NONE || from < track.toTick;
+    return last.toTick == Sample.NONE || now.fromTick < last.toTick;
   }
 
   /** Shows an entity that is gone a little longer, on its last course. */
