@@ -334,7 +334,7 @@ public final class SessionReplication {
 
   /** Returns the priority that an entity has collected since it was sent; 0 without a link. */
   public float collectedPriority(int entityId) {
-    return sender == null ? 0 : sender.encoder().collectedPriority(entityId);
+    return sender == null ? 0 : sender.encoder().report().collectedPriority(entityId);
   }
 
   /** Returns whether the client looks at the place of an entity and may know it. */
@@ -351,7 +351,7 @@ public final class SessionReplication {
       return null;
     }
     return new SentReport(
-        sender.encoder().explain(entityId),
+        sender.encoder().report().explain(entityId),
         predictedSet == null ? 0 : predictedSet.waitingRows(),
         sender.paceBytesPerSecond());
   }

@@ -244,7 +244,9 @@ final class SnapshotSender {
    * fit would never tell of a body.
    */
   private int leastBytes() {
-    return encoder.waiting() == 0 ? 1 : Math.min(2 * overheadBytes(), pace.mostAllowance());
+    return encoder.report().waiting() == 0
+        ? 1
+        : Math.min(2 * overheadBytes(), pace.mostAllowance());
   }
 
   /** Returns the most ticks between two snapshots. */
@@ -278,7 +280,7 @@ final class SnapshotSender {
 
   /** Returns the bytes of the last snapshot before exact state and records. */
   private int overheadBytes() {
-    return encoder.aheadBytes() - encoder.nearBytes();
+    return encoder.report().aheadBytes() - encoder.report().nearBytes();
   }
 
   private void offerEvents() {
@@ -290,9 +292,9 @@ final class SnapshotSender {
         counters.add(Counter.EVENTS_OFFERED, 1);
       }
     }
-    if (encoder.eventsLost() != lostSeen) {
-      counters.add(Counter.EVENTS_LOST, encoder.eventsLost() - lostSeen);
-      lostSeen = encoder.eventsLost();
+    if (encoder.report().eventsLost() != lostSeen) {
+      counters.add(Counter.EVENTS_LOST, encoder.report().eventsLost() - lostSeen);
+      lostSeen = encoder.report().eventsLost();
     }
   }
 
@@ -313,7 +315,7 @@ final class SnapshotSender {
       if (!link.sendDatagram(buffer, 0, length)) {
         counters.add(Counter.DATAGRAMS_UNSENT, 1);
       }
-      pace.sent(length, encoder.hasNews());
+      pace.sent(length, encoder.report().hasNews());
       bucket = Math.max(-bucketDepth, bucket - (long) length * tickRateHz);
       counters.add(Counter.DATAGRAMS_OUT, 1);
       counters.add(Counter.SNAPSHOT_BYTES, length);
@@ -321,16 +323,16 @@ final class SnapshotSender {
       bytes += length;
       bytesSent += length;
     }
-    shareOut(bytes - encoder.aheadBytes());
+    shareOut(bytes - encoder.report().aheadBytes());
     return datagrams;
   }
 
   /** Keeps exact state from taking more than the records in the long run, while records wait. */
   private void shareOut(int recordBytes) {
-    int credit = nearCredit + recordBytes - encoder.nearBytes();
+    int credit = nearCredit + recordBytes - encoder.report().nearBytes();
     // On a slow line fewer bytes: records must not wait for long.
     int most = Math.min(NEAR_CREDIT_BYTES, pace.bytesPerSecond() / NEAR_CREDIT_PER_SECOND);
-    nearCredit = encoder.waiting() == 0 ? most : Math.max(-most, Math.min(most, credit));
+    nearCredit = encoder.report().waiting() == 0 ? most : Math.max(-most, Math.min(most, credit));
   }
 
   /** Returns the round trip to the client and back, ms, or 0 before the first acknowledgement. */

@@ -85,22 +85,6 @@ final class ClientKnowledge implements DatagramLedger.Section {
     learnLevel();
   }
 
-  /** Forgets all: the client knows nothing but the level. */
-  public void reset() {
-    acked.clear();
-    heldTicks.clear();
-    lastSent.clear();
-    Arrays.fill(sightTick, 0);
-    Arrays.fill(newestSightTick, 0);
-    inSight.clear();
-    mayShow.clear();
-    candidates.clear();
-    forced.clear();
-    seenTick = -1;
-    askedNow = UNKNOWN;
-    learnLevel();
-  }
-
   /** Takes the level as acked: the client shows its entities where the level places them. */
   private void learnLevel() {
     FrameState level = ring.level();

@@ -3,7 +3,7 @@ package carom.net.snapshot;
 import java.util.Locale;
 
 /**
- * Answers "why was this entity not sent?": see {@link SnapshotEncoder#explain}.
+ * Answers "why was this entity not sent?": see {@link SnapshotReport#explain}.
  *
  * @param slot the entity asked about
  * @param reason what became of it in the last snapshot

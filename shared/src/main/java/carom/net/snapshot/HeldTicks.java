@@ -54,15 +54,6 @@ final class HeldTicks {
     }
   }
 
-  /** Forgets everything. */
-  public void clear() {
-    for (long[] ticks : held) {
-      if (ticks != null) {
-        Arrays.fill(ticks, 0);
-      }
-    }
-  }
-
   /** Adds slots of a word that are held after a tick. */
   public void add(int word, long slots, int tick) {
     if (slots == 0 || held[word] != null && tick <= newest[word] - FrameRing.SIZE) {

@@ -88,15 +88,6 @@ final class Selection {
     this.client = client;
   }
 
-  /** Forgets what was chosen, and all priority that was collected. */
-  public void reset() {
-    Arrays.fill(weight, 0);
-    weighty.clear();
-    chosen.clear();
-    spare.clear();
-    waiting = 0;
-  }
-
   private void ensure(int limit) {
     if (limit > weight.length) {
       weight = Arrays.copyOf(weight, limit);

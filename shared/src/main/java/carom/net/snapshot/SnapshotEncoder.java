@@ -60,6 +60,7 @@ public final class SnapshotEncoder {
   private final ClientKnowledge client;
   private final Selection selection;
   private final RecordsWriter records;
+  private final SnapshotReport report;
   private final OwnAcks own;
   private final UpdateDelivery updates = new UpdateDelivery(ledger);
   private final RulingDelivery rulings = new RulingDelivery(ledger);
@@ -75,13 +76,6 @@ public final class SnapshotEncoder {
   private boolean first;
   private int budget;
   private int headerBytes;
-
-  // Of the last snapshot: its budget, and what of it went to anything but records.
-  private int givenBytes;
-  private int aheadBytes;
-  private int nearBytes;
-
-  private int beganTick = -1;
 
   /**
    * Creates the encoder of a client that sees everything. No other encoder shares its deltas.
@@ -112,23 +106,9 @@ public final class SnapshotEncoder {
     client = new ClientKnowledge(ring, ledger, interest, sizes, deltas.bestStride());
     selection = new Selection(ring, interest, sizes, client);
     records = new RecordsWriter(deltas, selection, client, range);
+    report = new SnapshotReport(ring, client, selection, events);
     own = new OwnAcks(ring, ledger);
     mark = DatagramMark.ofState(epoch);
-  }
-
-  /**
-   * Forgets all acks: the client knows nothing (it loads anew, or came back). Sequence numbers go
-   * on.
-   */
-  public void reset() {
-    client.reset();
-    selection.reset();
-    own.reset();
-    updates.clear();
-    rulings.clear();
-    ledger.forget();
-    events.clear();
-    tables.reset();
   }
 
   /**
@@ -170,16 +150,6 @@ public final class SnapshotEncoder {
   /** Returns those of 64 neighbouring slots, from 64 {@code word} on, that the client sees. */
   public long inSight(int word) {
     return client.inSight(word);
-  }
-
-  /** Returns the number of events offered that are not acked yet. */
-  public int eventsWaiting() {
-    return events.waiting();
-  }
-
-  /** Returns the number of events that were dropped because too many waited. */
-  public long eventsLost() {
-    return events.lost();
   }
 
   /**
@@ -257,10 +227,7 @@ public final class SnapshotEncoder {
     news = count > 0 || rows > 0 || events.hasUnacked() || !knowsOwn;
     selection.choose(frame, count, Math.max(0, budgetBytes - headerBytes));
     budget = budgetBytes;
-    givenBytes = budgetBytes;
-    aheadBytes = 0;
-    nearBytes = 0;
-    beganTick = frame.tick();
+    report.begin(frame.tick(), news, budgetBytes);
     first = true;
   }
 
@@ -278,7 +245,7 @@ public final class SnapshotEncoder {
     boolean withOwn = first && sendOwn;
     BitWriter w = writer;
     w.reset(out, 0, MAX_DATAGRAM_BYTES);
-    writeHeader(w, ledger.begin(frame.tick(), news), withOwn);
+    int nearBytes = writeHeader(w, ledger.begin(frame.tick(), news), withOwn);
     int header = w.bytes();
     int room = 8 * (Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - header);
     range.reset(out, header, MAX_DATAGRAM_BYTES - header);
@@ -286,8 +253,7 @@ public final class SnapshotEncoder {
       nearRows.part(range, own.now());
     }
     int rowBytes = range.bits() / Byte.SIZE;
-    nearBytes += rowBytes;
-    aheadBytes += header + rowBytes;
+    report.wroteAhead(header + rowBytes, nearBytes + rowBytes);
     headerBytes = first ? header + rowBytes : headerBytes;
     records.write(frame, room - RecordsWriter.END_BITS);
     int length = header + range.finish();
@@ -301,7 +267,8 @@ public final class SnapshotEncoder {
     return selection.hasChosen() || tables.hasDue(frame.tick());
   }
 
-  private void writeHeader(BitWriter w, int sequence, boolean withOwn) {
+  /** Writes all but rows and records; returns the bytes of the near section. */
+  private int writeHeader(BitWriter w, int sequence, boolean withOwn) {
     head.mark = mark;
     head.sequence = sequence;
     head.tick = frame.tick();
@@ -311,6 +278,7 @@ public final class SnapshotEncoder {
     head.hasOwn = withOwn;
     head.ownAge = withOwn ? own.age(frame.tick()) : 0;
     head.code(w, frame.tick());
+    int nearBytes = 0;
     if (withOwn) {
       nearBytes = own.write(w, head.ownAge);
       updates.wrote(frame.tick());
@@ -319,111 +287,12 @@ public final class SnapshotEncoder {
     int share = Math.min(budget, MAX_DATAGRAM_BYTES) * Byte.SIZE / SHARE;
     events.write(w, frame.tick(), share);
     tables.write(w, frame.tick(), share);
-  }
-
-  /**
-   * Returns what the slot's record would be coded against now, and why.
-   *
-   * @param slot 0..capacity - 1
-   */
-  public BaselineReason baseline(int slot) {
-    FrameState newest = ring.newest();
-    if (newest == null || slot >= newest.slotLimit()) {
-      return BaselineReason.QUIESCENT;
-    }
-    client.update(newest);
-    return client.baseline(newest, slot);
-  }
-
-  /**
-   * Returns the priority that a slot has collected since it was sent; 0 if there is no such slot.
-   */
-  public float collectedPriority(int slot) {
-    return selection.weight(slot);
-  }
-
-  /**
-   * Explains why the slot's entity was sent with the last snapshot, or was not. For operators and
-   * tests; allocates.
-   *
-   * @param slot 0..capacity - 1
-   */
-  public Explanation explain(int slot) {
-    BaselineReason baseline = baseline(slot);
-    FrameState newest = ring.newest();
-    return new Explanation(
-        slot,
-        reason(newest, slot, baseline),
-        baseline,
-        newest == null ? -1 : newest.tick(),
-        ackedTick(slot),
-        sentTick(slot),
-        newest == null ? 0 : selection.priority(newest, slot),
-        selection.weight(slot),
-        selection.leastChosen(),
-        waiting(),
-        givenBytes,
-        aheadBytes,
-        nearBytes);
-  }
-
-  private Explanation.Reason reason(FrameState newest, int slot, BaselineReason baseline) {
-    if (sentTick(slot) >= 0 && sentTick(slot) == beganTick) {
-      return Explanation.Reason.SENT;
-    }
-    if (baseline == BaselineReason.QUIESCENT) {
-      if (newest == null || !newest.alive(slot)) {
-        return Explanation.Reason.FREE;
-      }
-      return client.isInSight(slot)
-          ? Explanation.Reason.UP_TO_DATE
-          : Explanation.Reason.OUT_OF_SIGHT;
-    }
-    if (ring.changedTick(slot) > beganTick) {
-      return Explanation.Reason.NOT_DUE;
-    }
-    return sentTick(slot) >= ring.changedTick(slot)
-        ? Explanation.Reason.UNACKED
-        : Explanation.Reason.OVER_BUDGET;
-  }
-
-  /** Returns the newest tick of the slot acked since it came into sight, or -1. */
-  public int ackedTick(int slot) {
-    return client.ackedTick(slot);
-  }
-
-  /** Returns the last tick at which a record of the slot was sent, or -1. */
-  public int sentTick(int slot) {
-    return client.sentTick(slot);
-  }
-
-  /**
-   * Returns how many changed entities are not sent yet in this tick. After the last {@link #next}
-   * these must wait.
-   */
-  public int waiting() {
-    return selection.waiting();
-  }
-
-  /**
-   * Returns the bytes of the last snapshot that weren't records: headers, own and near sections,
-   * events.
-   */
-  public int aheadBytes() {
-    return aheadBytes;
-  }
-
-  /** Returns the bytes of the last near section with its rows, part of {@link #aheadBytes}. */
-  public int nearBytes() {
     return nearBytes;
   }
 
-  /**
-   * Returns whether the snapshot begun last holds anything that the client isn't known to have. If
-   * so, the client is asked to ack soon.
-   */
-  public boolean hasNews() {
-    return news;
+  /** Returns what became of the last snapshot, and what this encoder knows of its client. */
+  public SnapshotReport report() {
+    return report;
   }
 
   /** Returns the ledger of the datagrams written, with figures of the line. For reading only. */

@@ -45,23 +45,24 @@ class BaselineTest {
   @Test
   void firstSeenIsNewUntilAcked() {
     frame(1, -1, 0);
-    assertEquals(BaselineReason.NEW, encoder.baseline(3));
+    assertEquals(BaselineReason.NEW, encoder.report().baseline(3));
     send();
-    assertEquals(BaselineReason.NEW, encoder.baseline(3), "sent is not received");
+    assertEquals(BaselineReason.NEW, encoder.report().baseline(3), "sent is not received");
     ackNewest();
-    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
-    assertEquals(tick, encoder.ackedTick(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.report().baseline(3));
+    assertEquals(tick, encoder.report().ackedTick(3));
     frame(1, -1, 5);
-    assertEquals(BaselineReason.ACKED, encoder.baseline(3));
+    assertEquals(BaselineReason.ACKED, encoder.report().baseline(3));
   }
 
   @Test
   void aNeverUsedSlotAndOneNeverSentCostNothing() {
     frame(-1, -1, 0);
-    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.report().baseline(3));
     frame(1, -1, 0);
     frame(-1, -1, 0);
-    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3), "born and dead between two sends");
+    assertEquals(
+        BaselineReason.QUIESCENT, encoder.report().baseline(3), "born and dead between two sends");
     int empty = send();
     assertEquals(empty, send());
   }
@@ -71,11 +72,12 @@ class BaselineTest {
     frame(1, -1, 0);
     send();
     frame(-1, -1, 0);
-    assertEquals(BaselineReason.GONE, encoder.baseline(3), "the client may have it, acked or not");
+    assertEquals(
+        BaselineReason.GONE, encoder.report().baseline(3), "the client may have it, acked or not");
     send();
-    assertEquals(BaselineReason.GONE, encoder.baseline(3));
+    assertEquals(BaselineReason.GONE, encoder.report().baseline(3));
     ackNewest();
-    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.report().baseline(3));
   }
 
   @Test
@@ -84,11 +86,11 @@ class BaselineTest {
     send();
     ackNewest();
     frame(1, 9, 0);
-    assertEquals(BaselineReason.IDENTITY, encoder.baseline(3));
+    assertEquals(BaselineReason.IDENTITY, encoder.report().baseline(3));
     send();
     ackNewest();
     frame(2, 9, 0);
-    assertEquals(BaselineReason.IDENTITY, encoder.baseline(3), "the slot was used again");
+    assertEquals(BaselineReason.IDENTITY, encoder.report().baseline(3), "the slot was used again");
   }
 
   @Test
@@ -99,15 +101,17 @@ class BaselineTest {
     for (int i = 0; i < 500; i++) {
       frame(1, -1, 0);
     }
-    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.report().baseline(3));
     frame(1, -1, 1);
-    assertEquals(BaselineReason.ACKED, encoder.baseline(3), "coded against the end of its rest");
+    assertEquals(
+        BaselineReason.ACKED, encoder.report().baseline(3), "coded against the end of its rest");
     for (int i = 0; i < FrameRing.SIZE - 2; i++) {
       frame(1, -1, 2 + i);
-      assertEquals(BaselineReason.ACKED, encoder.baseline(3), "moving since ticks=" + (i + 2));
+      assertEquals(
+          BaselineReason.ACKED, encoder.report().baseline(3), "moving since ticks=" + (i + 2));
     }
     frame(1, -1, 1_000);
-    assertEquals(BaselineReason.TOO_OLD, encoder.baseline(3));
+    assertEquals(BaselineReason.TOO_OLD, encoder.report().baseline(3));
   }
 
   @Test
@@ -117,10 +121,10 @@ class BaselineTest {
     ackNewest();
     tick += 20;
     frame(1, -1, 4);
-    assertEquals(BaselineReason.ACKED, encoder.baseline(3));
+    assertEquals(BaselineReason.ACKED, encoder.report().baseline(3));
     tick += FrameRing.SIZE;
     frame(1, -1, 5);
-    assertEquals(BaselineReason.TOO_OLD, encoder.baseline(3));
+    assertEquals(BaselineReason.TOO_OLD, encoder.report().baseline(3));
   }
 
   @Test
@@ -130,22 +134,16 @@ class BaselineTest {
     ackNewest();
     int quiet = send();
     encoder.force(3);
-    assertEquals(BaselineReason.FORCED, encoder.baseline(3));
+    assertEquals(BaselineReason.FORCED, encoder.report().baseline(3));
     assertEquals(true, send() > quiet);
-    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.report().baseline(3));
     encoder.force(15);
-    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(15), "nobody there");
+    assertEquals(BaselineReason.QUIESCENT, encoder.report().baseline(15), "nobody there");
     assertThrows(IndexOutOfBoundsException.class, () -> encoder.force(16));
   }
 
   @Test
-  void resetForgetsAcksOnTheirWay() {
-    frame(1, -1, 0);
-    send();
-    encoder.reset();
-    ackNewest();
-    assertEquals(BaselineReason.NEW, encoder.baseline(3));
-    assertEquals(-1, encoder.sentTick(3));
+  void nothingIsWrittenBeforeTheFirstFrame() {
     assertThrows(
         IllegalStateException.class,
         () -> new SnapshotEncoder(new FrameRing(1), 1, 60).begin(feedback, null, 100));
@@ -197,12 +195,14 @@ class BaselineTest {
     int sentBoth = all(both, own, budget);
     assertTrue(sentAlone <= budget && sentBoth <= budget, sentAlone + " " + sentBoth);
     assertTrue(sentAlone > 0.9 * budget && sentBoth > 0.9 * budget, sentAlone + " " + sentBoth);
-    Explanation verdict = both.explain(bodies - 1);
+    Explanation verdict = both.report().explain(bodies - 1);
     assertEquals(Explanation.Reason.OVER_BUDGET, verdict.reason());
     assertEquals(budget, verdict.budgetBytes());
     assertTrue(verdict.aheadBytes() > 550, verdict.toString());
-    assertTrue(alone.explain(bodies - 1).aheadBytes() < 40, "headers only");
-    assertTrue(both.waiting() > alone.waiting() + 30, both.waiting() + " " + alone.waiting());
+    assertTrue(alone.report().explain(bodies - 1).aheadBytes() < 40, "headers only");
+    assertTrue(
+        both.report().waiting() > alone.report().waiting() + 30,
+        both.report().waiting() + " " + alone.report().waiting());
   }
 
   private int all(SnapshotEncoder to, OwnState own, int budget) {

@@ -115,7 +115,7 @@ final class Channel {
     }
     bytes += sum;
     maxBytesPerTick = Math.max(maxBytesPerTick, sum);
-    maxWaiting = Math.max(maxWaiting, encoder.waiting());
+    maxWaiting = Math.max(maxWaiting, encoder.report().waiting());
   }
 
   private int due() {

@@ -127,8 +127,8 @@ class EventOverSnapshotsTest {
       }
     }
     assertEquals(sent.size(), taken, "loss=" + lossPercent);
-    assertEquals(0, encoder.eventsLost());
-    assertEquals(0, encoder.eventsWaiting());
+    assertEquals(0, encoder.report().eventsLost());
+    assertEquals(0, encoder.report().eventsWaiting());
     assertTrue(decoder.events().completeTick() > tick - 60);
     assertTrue(sent.size() > 200);
   }
@@ -140,8 +140,8 @@ class EventOverSnapshotsTest {
       tick(2, random);
       next();
     }
-    assertEquals(512, encoder.eventsWaiting());
-    assertEquals(1_200 - 512, encoder.eventsLost());
+    assertEquals(512, encoder.report().eventsWaiting());
+    assertEquals(1_200 - 512, encoder.report().eventsLost());
     int heard = 0;
     for (int t = 0; t < 300; t++) {
       tick(0, random);
@@ -199,7 +199,7 @@ class EventOverSnapshotsTest {
         again.receiveAck(anew.ackSequence(), anew.ackBits());
         hear(anew);
       }
-      assertEquals(0, again.eventsWaiting());
+      assertEquals(0, again.report().eventsWaiting());
     }
 
     /** All but what is left out, numbers of {@link #sent}. */
@@ -218,7 +218,7 @@ class EventOverSnapshotsTest {
     }
     client.comeBack(0);
     client.heardAllBut(0, 0);
-    assertEquals(0, client.again.eventsLost());
+    assertEquals(0, client.again.report().eventsLost());
   }
 
   @Test
@@ -227,10 +227,10 @@ class EventOverSnapshotsTest {
     for (int i = 0; i < 509; i++) { // with the two that were heard, two too many
       tick(1, client.random);
     }
-    assertEquals(512, encoder.eventsWaiting());
+    assertEquals(512, encoder.report().eventsWaiting());
     client.comeBack(0);
     client.heardAllBut(2, 5);
-    assertEquals(3, client.again.eventsLost(), "what was heard isn't lost");
+    assertEquals(3, client.again.report().eventsLost(), "what was heard isn't lost");
   }
 
   @Test
@@ -242,7 +242,7 @@ class EventOverSnapshotsTest {
     }
     client.comeBack(0);
     client.heardAllBut(2, 5);
-    assertEquals(3, client.again.eventsLost());
+    assertEquals(3, client.again.report().eventsLost());
   }
 
   @Test

@@ -196,14 +196,14 @@ class InterestTest {
     }
     assertEquals(records, channel.records, "nothing to say about what rests");
     assertTrue(channel.decoder.history(1).alive(), "still true");
-    assertEquals(Explanation.Reason.UP_TO_DATE, channel.encoder.explain(1).reason());
+    assertEquals(Explanation.Reason.UP_TO_DATE, channel.encoder.report().explain(1).reason());
     scene.bodies[1][3] += METRE;
     for (int i = 0; i < 20; i++) {
       step(channel, false);
     }
     assertFalse(channel.decoder.history(1).alive());
     assertTrue(channel.decoder.history(1).outOfSight(0));
-    assertEquals(Explanation.Reason.OUT_OF_SIGHT, channel.encoder.explain(1).reason());
+    assertEquals(Explanation.Reason.OUT_OF_SIGHT, channel.encoder.report().explain(1).reason());
     records = channel.records;
     scene.bodies[1][3] += METRE;
     for (int i = 0; i < 20; i++) {
@@ -270,8 +270,9 @@ class InterestTest {
     for (int i = 0; i < 300; i++) {
       step(channel, true);
       if (i >= 100) {
-        favourites += channel.encoder.explain(150).reason() == Explanation.Reason.SENT ? 1 : 0;
-        Explanation other = channel.encoder.explain(40);
+        favourites +=
+            channel.encoder.report().explain(150).reason() == Explanation.Reason.SENT ? 1 : 0;
+        Explanation other = channel.encoder.report().explain(40);
         if (other.reason() == Explanation.Reason.OVER_BUDGET) {
           overBudget++;
           assertTrue(other.collected() <= other.needed() * 1.2f, other.toString());
@@ -326,11 +327,12 @@ class InterestTest {
     }
     channel.checkConverged();
     assertEquals(5, channel.touched.size(), "slots=" + channel.touched);
-    assertEquals(BaselineReason.QUIESCENT, channel.encoder.baseline(20));
+    assertEquals(BaselineReason.QUIESCENT, channel.encoder.report().baseline(20));
     scene.bodies[20][4] = 79;
     scene.tick++;
     scene.capture();
-    assertEquals(BaselineReason.ACKED, channel.encoder.baseline(20), "coded against the level");
+    assertEquals(
+        BaselineReason.ACKED, channel.encoder.report().baseline(20), "coded against the level");
     channel.tick();
     for (int i = 0; i < 30; i++) {
       scene.tick++;

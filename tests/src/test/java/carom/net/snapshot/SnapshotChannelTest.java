@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.snapshot.exact.RelayedInputs;
 import carom.net.snapshot.frame.PlayerSet;
-import carom.net.snapshot.table.TableInbox;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -137,8 +136,8 @@ class SnapshotChannelTest {
     assertTrue(channel.maxWaiting > 300, channel.name + " waiting=" + channel.maxWaiting);
     for (int slot = 0; slot < channel.scene.slots; slot++) {
       if (channel.scene.bodies[slot] != null) {
-        int age = channel.scene.tick - Math.max(0, channel.encoder.sentTick(slot));
-        BaselineReason baseline = channel.encoder.baseline(slot);
+        int age = channel.scene.tick - Math.max(0, channel.encoder.report().sentTick(slot));
+        BaselineReason baseline = channel.encoder.report().baseline(slot);
         assertTrue(
             baseline == BaselineReason.QUIESCENT || age < 40,
             channel.name + " slot=" + slot + " waits for ticks=" + age);
@@ -196,17 +195,6 @@ class SnapshotChannelTest {
     settle(channel, 20);
     channel.checkConverged();
     assertEquals(65_535, channel.decoder.slotLimit());
-  }
-
-  @Test
-  void aNewDecoderAfterResetLearnsEverything() {
-    Channel channel = new Channel(new Scene(100, 0, 81), 82);
-    run(channel, 500);
-    channel.encoder.reset();
-    channel.decoder =
-        new SnapshotDecoder(
-            100, Channel.EPOCH, channel.scene.tick, Scene.TICK_RATE, 4, new TableInbox());
-    runAndSettle(channel, 500);
   }
 
   @Test

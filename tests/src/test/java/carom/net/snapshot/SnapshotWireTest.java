@@ -28,7 +28,7 @@ class SnapshotWireTest {
   private static final int EPOCH = 6;
 
   private final Scene scene = new Scene(60, 0, 7);
-  private final SnapshotEncoder encoder = new SnapshotEncoder(scene.ring, EPOCH, Scene.TICK_RATE);
+  private SnapshotEncoder encoder = new SnapshotEncoder(scene.ring, EPOCH, Scene.TICK_RATE);
   private SnapshotDecoder decoder = newDecoder();
   private final InputFeedback feedback = new InputFeedback();
   private final OwnState own = new OwnState(4);
@@ -106,7 +106,7 @@ class SnapshotWireTest {
     SnapshotDecoder victim = decoder;
     for (int round = 0; round < 300; round++) {
       if (round % 20 == 0) {
-        encoder.reset();
+        encoder = new SnapshotEncoder(scene.ring, EPOCH, Scene.TICK_RATE);
         decoder = newDecoder();
         victim = newDecoder();
       }
@@ -273,7 +273,7 @@ class SnapshotWireTest {
       encoder.receiveAck(encoder.sequence() + 1, -1);
     }
     for (int slot = 0; slot < 60; slot++) {
-      assertTrue(encoder.ackedTick(slot) <= scene.tick);
+      assertTrue(encoder.report().ackedTick(slot) <= scene.tick);
     }
   }
 

@@ -36,11 +36,6 @@ public final class OwnAcks implements DatagramLedger.Section {
     }
   }
 
-  /** Forgets all acks. */
-  public void reset() {
-    ackedTick = -1;
-  }
-
   @Override
   public void acknowledged(int tick, int key, long bits) {
     if (tick > ackedTick && ring.newest().tick() - tick < FrameRing.SIZE) {

@@ -222,13 +222,6 @@ public final class EventOutbox implements DatagramLedger.Section {
     forgetLost();
   }
 
-  /** Forgets everything: the client begins anew. */
-  public void clear() {
-    base = 0;
-    kept = 0;
-    next = 0;
-  }
-
   /** Returns the number of events that were dropped. */
   public long lost() {
     return lost;

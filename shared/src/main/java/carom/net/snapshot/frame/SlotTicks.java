@@ -28,12 +28,6 @@ public final class SlotTicks {
     }
   }
 
-  /** Removes the ticks of all slots. */
-  public void clear() {
-    Arrays.fill(ticks, UNKNOWN);
-    Arrays.fill(layers, 0);
-  }
-
   /** Returns the slot's tick, or {@link #UNKNOWN}. */
   public int get(int slot) {
     if (slot >= ticks.length) {

@@ -193,12 +193,6 @@ public final class DatagramLedger {
     return (int) newest & 0xffff;
   }
 
-  /** Forgets all datagrams that are on their way, of which no section is told any more. */
-  public void forget() {
-    Arrays.fill(states, ACKNOWLEDGED);
-    oldest = newest + 1;
-  }
-
   // ---- what became of it
 
   /**

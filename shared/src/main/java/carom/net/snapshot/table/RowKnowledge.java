@@ -58,17 +58,6 @@ final class RowKnowledge {
     resend = table.layout().isUrgent() ? URGENT : RESEND;
   }
 
-  /** Forgets everything: the client knows nothing but the start. */
-  void reset() {
-    known.clear();
-    mayHold.clear();
-    due.clear();
-    Arrays.fill(ackedTick, NEVER);
-    Arrays.fill(sentTick, NEVER);
-    lookedTick = NEVER;
-    unacked = 0;
-  }
-
   private void ensure(int wanted) {
     if (wanted <= room) {
       return;

@@ -53,14 +53,6 @@ public final class TableOutbox implements DatagramLedger.Section {
             .toArray();
   }
 
-  /** Forgets all acks: the client knows nothing but the start. */
-  public void reset() {
-    for (RowKnowledge of : known) {
-      of.reset();
-    }
-    stale = true;
-  }
-
   /**
    * Tells that the class of audience of some rows in sight may have changed.
    *

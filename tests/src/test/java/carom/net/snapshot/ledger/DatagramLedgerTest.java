@@ -340,18 +340,4 @@ class DatagramLedgerTest {
     assertEquals(3, ledger.copies(AGAIN, run.tick));
     assertEquals(2, ledger.copies(AGAIN, run.tick + 600));
   }
-
-  @Test
-  void whatIsForgottenIsNeverTold() {
-    Run run = new Run(3, 4, 64);
-    Line clean = new Line(0, 0, 2, 0, 0);
-    for (int t = 0; t < 9; t++) {
-      run.send(clean, 2);
-    }
-    run.ledger.forget();
-    run.ledger.receive(8, -1, run.tick);
-    assertEquals(List.of(), run.heard);
-    assertEquals(0, run.ledger.entries());
-    assertEquals(0, run.ledger.ackedDatagrams());
-  }
 }
