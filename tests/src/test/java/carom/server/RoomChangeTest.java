@@ -68,7 +68,7 @@ final class RoomChangeTest {
 
   private static Room roomOf(Rig rig, FakeClient client) {
     for (Room room : rig.server.rooms()) {
-      if (room.seats().movesOf(client.welcome.sessionSecret()) >= 0) {
+      if (room.seats().switchesOf(client.welcome.sessionSecret()) >= 0) {
         return room;
       }
     }

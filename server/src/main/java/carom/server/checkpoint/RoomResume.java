@@ -257,7 +257,7 @@ final class RoomResume {
                 saved.account(),
                 saved.secret(),
                 saved.courseTick(),
-                saved.moves());
+                saved.switches());
     if (seat != null) {
       seat.mute(saved.muted());
     }

@@ -15,7 +15,7 @@ import carom.server.session.Seats;
  * @param muted whether its chat is dropped
  * @param graceMs what was left of the grace period, ms; {@link #PLAYED} if the player was there
  * @param courseTick as {@link Seats.Seat#courseTick}
- * @param moves as {@link Seats.Seat#moves}
+ * @param switches as {@link Seats.Seat#switches}
  * @param reserved whether the player has gone to another room, which may not know it after a crash
  * @param sinceTick first tick at whose end the player may sit there
  * @param events places, in the list of the room, of the events that the player may not have heard
@@ -31,7 +31,7 @@ record SavedSeat(
     boolean muted,
     int graceMs,
     int courseTick,
-    int moves,
+    int switches,
     boolean reserved,
     int sinceTick,
     int[] events) {
@@ -63,7 +63,7 @@ record SavedSeat(
     boolean muted = a.flag("muted", !reads && s.muted);
     int grace = a.integer("grace ms", reads ? 0 : s.graceMs, PLAYED, MAX_GRACE_MS);
     int course = a.integer("course tick", reads ? 0 : s.courseTick, 0, Seats.Seat.SAME_COURSE);
-    int moves = a.integer("moves", reads ? 0 : s.moves, 0, Integer.MAX_VALUE);
+    int switches = a.integer("moves", reads ? 0 : s.switches, 0, Integer.MAX_VALUE);
     boolean reserved = a.flag("reserved", !reads && s.reserved);
     int since = a.integer("since", reads ? 0 : s.sinceTick, 0, Integer.MAX_VALUE);
     int count = a.count("events of seat", reads ? 0 : s.events.length, eventCount, Integer.BYTES);
@@ -71,7 +71,8 @@ record SavedSeat(
     a.integers("event of seat", events, count, 0, Math.max(0, eventCount - 1));
     return reads
         ? new SavedSeat(
-            id, wanted, name, account, secret, muted, grace, course, moves, reserved, since, events)
+            id, wanted, name, account, secret, muted, grace, course, switches, reserved, since,
+            events)
         : s;
   }
 }

@@ -92,7 +92,7 @@ final class SlotSeats {
         seat.isMuted(),
         graceMs,
         seat.courseTick(),
-        seat.moves(),
+        seat.switches(),
         reserved,
         since,
         events.lackedBy(seat.secret()));

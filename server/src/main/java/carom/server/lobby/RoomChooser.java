@@ -27,9 +27,9 @@ final class RoomChooser {
     Room last = null;
     int most = -1;
     for (Room room : rooms) {
-      int moves = room.hasFailed() ? -1 : room.seats().movesOf(resumeSecret);
-      if (moves > most) {
-        most = moves;
+      int switches = room.hasFailed() ? -1 : room.seats().switchesOf(resumeSecret);
+      if (switches > most) {
+        most = switches;
         last = room;
       }
     }

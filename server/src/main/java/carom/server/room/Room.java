@@ -203,7 +203,7 @@ public final class Room {
    * @param rooms all rooms of the server; others may be running
    */
   public void reconcile(List<Room> rooms) {
-    parts.moves.reconcile(rooms, parts.clock.getAsLong());
+    parts.switches.reconcile(rooms, parts.clock.getAsLong());
   }
 
   /** Returns whether players who come are on the disk in a moment; from any thread. */
@@ -345,7 +345,7 @@ public final class Room {
     return operator.run(
         () -> {
           long nowNs = parts.clock.getAsLong();
-          int moved = parts.moves.moveAway(nowNs);
+          int moved = parts.switches.switchAll(nowNs);
           int dismissed = parts.sessions.count();
           parts.departures.logDismissed(text);
           end.close(GoodbyeReason.ROOM_CLOSED, text, nowNs);

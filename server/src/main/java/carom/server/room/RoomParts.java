@@ -43,7 +43,7 @@ final class RoomParts {
   final RoomRecording recording;
   final MatchChange changes;
   final Arrivals arrivals;
-  final RoomMoves moves;
+  final RoomSwitches switches;
   final SnapshotRound snapshots;
   final MessageDelivery messages;
 
@@ -83,7 +83,7 @@ final class RoomParts {
     changes =
         new MatchChange(context, loader, loads, settings, sessions, recording, roster, announcer);
     arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
-    moves = new RoomMoves(context, self, directory, sessions, departures);
+    switches = new RoomSwitches(context, self, directory, sessions, departures);
     LoadWarnings warnings = new LoadWarnings(label, counters, config.get(ServerConfig.TICK_RATE));
     pace =
         new TickPace(

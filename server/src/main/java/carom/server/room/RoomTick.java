@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
  * <pre>
  *   Arrivals            players from the lobby get a session
  *   Departures          sessions end, or begin their grace period
- *   RoomMoves           players see the other rooms, and go there
+ *   RoomSwitches        players see the other rooms, and go there
  *   Session             one input per player
  *   SimulationHost.step
  *   FrameCapture        the frame state, quantised once for all sessions
@@ -118,7 +118,7 @@ final class RoomTick {
     stages.begin();
     parts.arrivals.admit(beginNs, nowNs);
     parts.departures.serve(nowNs);
-    parts.moves.serve(nowNs);
+    parts.switches.serve(nowNs);
     Match match = context.match();
     SimulationHost simulation = match.simulation();
     takeInputs(simulation.tick() + 1);

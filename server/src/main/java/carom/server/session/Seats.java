@@ -22,7 +22,7 @@ import java.util.function.LongSupplier;
  * <em>reserved</em> seat behind. It is free when the other room has the arrival on the disk ({@link
  * Seat#settle}), so that after a crash the player has a seat in one of the two rooms. A player has
  * seats of several rooms only then; the one to which the player went last counts ({@link
- * #movesOf}).
+ * #switchesOf}).
  */
 public final class Seats {
   private static final long RESUME_INTERVAL_MS = 1_500;
@@ -72,7 +72,7 @@ public final class Seats {
    *
    * @param account as {@link Seat#account}
    * @param courseTick as {@link Seat#courseTick}
-   * @param moves as {@link Seat#moves}
+   * @param switches as {@link Seat#switches}
    * @return the seat, or null if there is no such seat, or it is taken
    */
   public synchronized Seat restore(
@@ -82,11 +82,11 @@ public final class Seats {
       String account,
       long secret,
       int courseTick,
-      int moves) {
+      int switches) {
     if (id >= count || taken[id] != null || secret == 0) {
       return null;
     }
-    Seat seat = new Seat(id, wantedName, name, account, secret, moves);
+    Seat seat = new Seat(id, wantedName, name, account, secret, switches);
     seat.seatedAt(seatings++, UNKNOWN);
     seat.courseTick = courseTick;
     seat.occupied = true;
@@ -131,7 +131,7 @@ public final class Seats {
       free(back);
     }
     synchronized (this) {
-      Seat seat = take(from.wantedName, from.account, from.group, from.secret, from.moves + 1);
+      Seat seat = take(from.wantedName, from.account, from.group, from.secret, from.switches + 1);
       if (seat != null) {
         seat.muted = from.muted;
         seat.behind = () -> room.free(from);
@@ -141,10 +141,10 @@ public final class Seats {
   }
 
   private synchronized Seat take(
-      String wantedName, String account, AddressGroup origin, long secret, int moves) {
+      String wantedName, String account, AddressGroup origin, long secret, int switches) {
     for (int id = 0; id < count && takenCount < count; id++) {
       if (taken[id] == null) {
-        Seat seat = new Seat(id, wantedName, freeName(wantedName), account, secret, moves);
+        Seat seat = new Seat(id, wantedName, freeName(wantedName), account, secret, switches);
         seat.seatedAt(seatings++, origin);
         seat.claims = 1;
         foldedNames.add(PlayerName.folded(seat.name));
@@ -158,12 +158,12 @@ public final class Seats {
   }
 
   /**
-   * Returns {@link Seat#moves} of the seat that belongs to a secret, or -1 if none does. Of the
+   * Returns {@link Seat#switches} of the seat that belongs to a secret, or -1 if none does. Of the
    * seats of several rooms, the one with the largest number is the player's.
    */
-  public synchronized int movesOf(long secret) {
+  public synchronized int switchesOf(long secret) {
     Seat seat = find(secret);
-    return seat == null ? -1 : seat.moves;
+    return seat == null ? -1 : seat.switches;
   }
 
   /** Returns the account of the player whose seat belongs to a secret, or an empty text. */
@@ -388,7 +388,7 @@ public final class Seats {
     private final String name;
     private final String account;
     private final long secret;
-    private final int moves;
+    private final int switches;
     private int claims; // guarded by the seats' lock, as the next three
     private boolean occupied;
     private boolean reserved;
@@ -403,13 +403,13 @@ public final class Seats {
     /** Frees the seat that the player left behind in another room; null if there is none. */
     private volatile Runnable behind;
 
-    Seat(int id, String wantedName, String name, String account, long secret, int moves) {
+    Seat(int id, String wantedName, String name, String account, long secret, int switches) {
       this.id = id;
       this.wantedName = wantedName;
       this.name = name;
       this.account = account;
       this.secret = secret;
-      this.moves = moves;
+      this.switches = switches;
     }
 
     private void seatedAt(long newOrder, AddressGroup origin) {
@@ -428,8 +428,8 @@ public final class Seats {
     }
 
     /** Returns how often the player has gone to another room. */
-    public int moves() {
-      return moves;
+    public int switches() {
+      return switches;
     }
 
     /** Returns whether the player has left no seat behind in another room; any thread. */

@@ -81,7 +81,7 @@ final class ProvenStates {
     for (Room room : ending) {
       for (int id = 0; id < Soak.SEATS; id++) {
         Session session = room.session(id);
-        if (session != null && session.seat().moves() > 0) {
+        if (session != null && session.seat().switches() > 0) {
           moved.add(session.seat().secret());
         }
       }
@@ -219,12 +219,12 @@ final class ProvenStates {
       for (int id = 0; id < Soak.SEATS; id++) {
         Session session = room.session(id);
         if (session != null && session.seat().secret() == secret) {
-          all.add(room.name() + " seat=" + id + " moves=" + session.seat().moves());
+          all.add(room.name() + " seat=" + id + " moves=" + session.seat().switches());
         }
       }
       for (Seats.Seat seat : room.seats().reserved()) {
         if (seat.secret() == secret) {
-          all.add(room.name() + " reserved=" + seat.id() + " moves=" + seat.moves());
+          all.add(room.name() + " reserved=" + seat.id() + " moves=" + seat.switches());
         }
       }
     }

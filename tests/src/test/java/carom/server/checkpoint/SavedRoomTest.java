@@ -62,7 +62,7 @@ class SavedRoomTest {
     assertEquals("4711", read.seats().get(0).account());
     assertEquals(-77, read.seats().get(0).secret());
     assertEquals(1_234, read.seats().get(0).graceMs());
-    assertEquals(2, read.seats().get(0).moves());
+    assertEquals(2, read.seats().get(0).switches());
     assertTrue(read.seats().get(0).reserved());
     assertEquals(990, read.seats().get(0).sinceTick());
     assertEquals("commons", read.pending().level());

@@ -69,7 +69,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
   private final TokenBucket datagramBudget; // used by the port's thread
   private final TokenBucket streamedBudget; // used by the network thread
   private final FloodMeter floodMeter; // used by the port's thread
-  private final MoveLimit moveLimit; // used by the port's thread
+  private final AddressChangeLimit addressChangeLimit; // used by the port's thread
   private final Object sealing = new Object();
   private final Object streaming = new Object();
   private volatile LinkKeys keys; // its sealer of datagrams is guarded by the lock above
@@ -107,7 +107,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     datagramBudget = new TokenBucket(datagrams, Math.max(1, datagrams / 2));
     streamedBudget = new TokenBucket(datagrams, Math.max(1, datagrams / 2));
     floodMeter = new FloodMeter(datagrams);
-    moveLimit = new MoveLimit(network.moves);
+    addressChangeLimit = new AddressChangeLimit(network.addressChanges);
     link = new ServerLink(this);
   }
 
@@ -669,7 +669,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     LinkKeys current = keys;
     InetSocketAddress present = udpAddress; // known before the keys are
     boolean elsewhere = current != null && !from.equals(present) && !from.equals(newAddress);
-    if (elsewhere && !moveLimit.take(from, present, now)) {
+    if (elsewhere && !addressChangeLimit.take(from, present, now)) {
       network.counters.strangeDatagrams.incrementAndGet();
       return;
     }
@@ -677,7 +677,7 @@ final class ServerConnection extends Connection implements Entrance.Guest {
         current == null ? DatagramOpener.FORGED : current.datagramsIn().open(bytes, length);
     if (fields == DatagramOpener.FORGED) {
       if (elsewhere) {
-        moveLimit.forged(from, now);
+        addressChangeLimit.forged(from, now);
       }
       network.counters.forgedDatagrams.incrementAndGet();
       return;

@@ -88,7 +88,7 @@ final class ServerNetwork implements Runnable {
 
   // used by the port's thread
   /** Limit of all links together on datagrams from addresses that aren't theirs. */
-  final TokenBucket moves = MoveLimit.total();
+  final TokenBucket addressChanges = AddressChangeLimit.total();
 
   private final byte[] received = new byte[Frame.SERVER_BUFFER_BYTES];
   private final ByteBuffer receivedView = ByteBuffer.wrap(received);

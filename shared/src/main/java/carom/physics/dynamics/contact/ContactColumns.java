@@ -164,8 +164,8 @@ abstract class ContactColumns {
 
   boolean bouncy;
 
-  /** The moves of rows that make room for others or close gaps. */
-  final RowMoves moves = new RowMoves();
+  /** Shifts of rows, which make room for others or close gaps. */
+  final RowShifts shifts = new RowShifts();
 
   /** The arrays that change when rows come or go. Copies share them. */
   private RowArrays pairs =
@@ -382,11 +382,11 @@ abstract class ContactColumns {
     ownTouches();
   }
 
-  /** Notes that rows are about to move; {@link #moveRows} will take arrays of its own. */
-  final void beginMoves() {
+  /** Notes that rows are about to move; {@link #shiftRows} will take arrays of its own. */
+  final void beginShifts() {
     version++;
     realignManifolds();
-    moves.clear(pairs.shared() || touches.shared());
+    shifts.clear(pairs.shared() || touches.shared());
   }
 
   final void ownPairs() {
@@ -404,27 +404,27 @@ abstract class ContactColumns {
   }
 
   /**
-   * Carries out the noted {@link #moves}, to arrays that may be written.
+   * Carries out the noted {@link #shifts}, to arrays that may be written.
    *
    * @param newCount number of rows from now on
    * @param parallel shares the work; null for the caller alone
    */
-  final void moveRows(int newCount, ParallelFor parallel) {
+  final void shiftRows(int newCount, ParallelFor parallel) {
     pairsStamp.change();
     growCaches(Math.max(count, newCount));
-    pairs = pairs.moved(moves, pairs.room(newCount));
-    touches = touches.moved(moves, touches.room(newCount));
+    pairs = pairs.moved(shifts, pairs.room(newCount));
+    touches = touches.moved(shifts, touches.room(newCount));
     bind();
-    moves.plan(hint, hint, 1);
-    kept.rows().plan(moves);
-    moves.carryOut(parallel);
+    shifts.plan(hint, hint, 1);
+    kept.rows().plan(shifts);
+    shifts.carryOut(parallel);
     count = newCount;
   }
 
   /** Brings the kept manifolds to the rows' places, if a copy brought other rows. */
   final void realignManifolds() {
     growCaches(Math.max(count, kept.rows().rowsBefore()));
-    kept.rows().realign(key, count, moves);
+    kept.rows().realign(key, count, shifts);
   }
 
   /** Removes all rows. */
@@ -466,7 +466,7 @@ abstract class ContactColumns {
       int grown = Math.max(least, 2 * hint.length);
       hint = Arrays.copyOf(hint, grown);
       kept.rows().grow(grown);
-      moves.reserve(grown);
+      shifts.reserve(grown);
     }
   }
 

@@ -320,8 +320,8 @@ public final class ContactTable extends ContactColumns {
 
   /** Returns scratch with room for the numbers of all rows, until rows are inserted. */
   int[] rowNumbers() {
-    moves.reserve(capacity());
-    return moves.inserted;
+    shifts.reserve(capacity());
+    return shifts.inserted;
   }
 
   /**

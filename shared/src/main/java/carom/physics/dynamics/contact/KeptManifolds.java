@@ -167,7 +167,7 @@ public final class KeptManifolds {
       int into) {
     float[] r = rows.numbers;
     int at = row * KeptRows.STRIDE;
-    // From the rounded pose to the true one B turns by (1 + c, s) and moves.
+    // From the rounded pose to the true one B turns by (1 + c, s) and shifts.
     float c = cos * r[at + UNIT_COS] + sin * r[at + UNIT_SIN] - 1;
     float s = sin * r[at + UNIT_COS] - cos * r[at + UNIT_SIN];
     float nx = r[at + NX];

@@ -63,9 +63,9 @@ final class KeptRows {
   }
 
   /** Plans to move rows, for all of which there must be room. */
-  void plan(RowMoves moves) {
+  void plan(RowShifts shifts) {
     if (numbers.length > 0) {
-      moves.plan(numbers, numbers, STRIDE);
+      shifts.plan(numbers, numbers, STRIDE);
     }
   }
 
@@ -93,14 +93,14 @@ final class KeptRows {
    *
    * @param key of each row, ascending
    * @param count number of rows
-   * @param moves scratch
+   * @param shifts scratch
    */
-  void realign(long[] key, int count, RowMoves moves) {
+  void realign(long[] key, int count, RowShifts shifts) {
     if (before == null) {
       return;
     }
     long[] old = (long[]) before.array(0);
-    moves.clear(false);
+    shifts.clear(false);
     int from = 0;
     int fresh = 0;
     for (int row = 0; row < count; row++) {
@@ -108,15 +108,15 @@ final class KeptRows {
         from++;
       }
       if (from < beforeCount && old[from] == key[row]) {
-        moves.keep(from++, row);
+        shifts.keep(from++, row);
       } else {
-        moves.insert(fresh++, row);
+        shifts.insert(fresh++, row);
       }
     }
-    plan(moves);
-    moves.carryOut(null);
+    plan(shifts);
+    shifts.carryOut(null);
     for (int i = 0; i < fresh; i++) {
-      forget(moves.inserted[i]);
+      forget(shifts.inserted[i]);
     }
     before.release();
     before = null;

@@ -110,10 +110,10 @@ final class RowArrays {
   /**
    * Returns arrays to write to, with the same rows in other places once the moves are carried out.
    *
-   * @param moves tells of rows that stay, too, if these are shared; is to do the rest
+   * @param shifts tells of rows that stay, too, if these are shared; is to do the rest
    * @param least rows to have room for
    */
-  public RowArrays moved(RowMoves moves, int least) {
+  public RowArrays moved(RowShifts shifts, int least) {
     RowArrays to = this;
     if (shared()) {
       to = another(least);
@@ -122,7 +122,7 @@ final class RowArrays {
       grow(least);
     }
     for (int i = 0; i < arrays.length; i++) {
-      moves.plan(arrays[i], to.arrays[i], strides[i]);
+      shifts.plan(arrays[i], to.arrays[i], strides[i]);
     }
     return to;
   }

@@ -11,7 +11,7 @@ import java.util.Arrays;
  *
  * <p>Few rows come or go in a step, but all must be looked at. So each worker lists the changes in
  * a range of rows, together with the pairs whose keys belong there. One thread then turns the lists
- * into moves.
+ * into shifts.
  */
 final class RowMerge {
   /** Number of rows in a piece of a worker's work. */
@@ -51,7 +51,7 @@ final class RowMerge {
   private ShapeTable parts;
   private boolean all;
   private BodyStore bodies;
-  private RowMoves moves;
+  private RowShifts shifts;
   private final ParallelFor.Range looking = (from, to, worker) -> look(from, to);
   private final ParallelFor.Range starting = (from, to, worker) -> start(from, to);
 
@@ -73,7 +73,12 @@ final class RowMerge {
    * @return how many pairs are new
    */
   int find(
-      long[] keys, int count, ShapeTable shapes, boolean every, ParallelFor parallel, RowMoves to) {
+      long[] keys,
+      int count,
+      ShapeTable shapes,
+      boolean every,
+      ParallelFor parallel,
+      RowShifts to) {
     int rows = table.count();
     if (leaving.length < table.key.length) {
       leaving = new int[table.key.length];
@@ -86,7 +91,7 @@ final class RowMerge {
     candidateCount = count;
     parts = shapes;
     all = every;
-    moves = to;
+    shifts = to;
     if (rows == 0) {
       look(0, 0);
     } else {
@@ -103,7 +108,7 @@ final class RowMerge {
 
   private void start(int from, int to) {
     for (int i = from; i < to; i++) {
-      table.start(moves.inserted[i], candidates[i], bodies, parts);
+      table.start(shifts.inserted[i], candidates[i], bodies, parts);
     }
   }
 
@@ -177,7 +182,7 @@ final class RowMerge {
     return !(all || parts.moved[a] || parts.moved[b]) || parts.fat.overlaps(a, b);
   }
 
-  /** Turns the lists of the ranges into moves; returns the number of new pairs. */
+  /** Turns the lists of the ranges into shifts; returns the number of new pairs. */
   private int note() {
     int rows = table.count();
     int to = 0;
@@ -193,12 +198,12 @@ final class RowMerge {
       while (gone < goneEnd || come < comeEnd) {
         boolean comes = come < comeEnd && (gone == goneEnd || before[come] <= leaving[gone]);
         int next = comes ? before[come] : leaving[gone];
-        moves.keep(row, next - row, to);
+        shifts.keep(row, next - row, to);
         to += next - row;
         row = next;
         if (comes) {
           candidates[fresh] = candidates[come++];
-          moves.insert(fresh++, to++);
+          shifts.insert(fresh++, to++);
         } else {
           gone++;
           row++;
@@ -206,7 +211,7 @@ final class RowMerge {
       }
       from = ranges[range + END];
     } while (from < rows);
-    moves.keep(row, rows - row, to);
+    shifts.keep(row, rows - row, to);
     rowCount = to + rows - row;
     return fresh;
   }

@@ -14,17 +14,17 @@ import carom.physics.dynamics.store.ParallelFor;
  *   rows            2  3  5  9  11        each row moves at most once, neighbours together
  * </pre>
  *
- * <p>Every change is planned first ({@link RowMoves}) and then carried out array by array, in place
- * unless a copy shares the arrays.
+ * <p>Every change is planned first ({@link RowShifts}) and then carried out array by array, in
+ * place unless a copy shares the arrays.
  */
 public final class RowOrder {
   private final ContactTable table;
-  private final RowMoves moves;
+  private final RowShifts shifts;
   private final RowMerge merge;
 
   RowOrder(ContactTable table) {
     this.table = table;
-    moves = table.moves;
+    shifts = table.shifts;
     merge = new RowMerge(table);
   }
 
@@ -46,12 +46,12 @@ public final class RowOrder {
       ShapeTable parts,
       boolean all,
       ParallelFor parallel) {
-    table.beginMoves();
-    int fresh = merge.find(candidates, candidateCount, parts, all, parallel, moves);
+    table.beginShifts();
+    int fresh = merge.find(candidates, candidateCount, parts, all, parallel, shifts);
     if (fresh == 0 && merge.rowCount() == table.count()) {
       return;
     }
-    table.moveRows(merge.rowCount(), parallel);
+    table.shiftRows(merge.rowCount(), parallel);
     merge.startNew(fresh, bodies, parallel);
   }
 
@@ -63,21 +63,21 @@ public final class RowOrder {
    * @param n how many
    */
   public void insert(ContactTable from, int[] which, int n) {
-    table.beginMoves();
+    table.beginShifts();
     int count = table.count();
     int next = 0;
     for (int row = 0; row <= count; row++) {
       for (; next < n && (row == count || from.key[which[next]] < table.key[row]); next++) {
-        moves.insert(next, row + next);
+        shifts.insert(next, row + next);
       }
       if (row < count) {
-        moves.keep(row, row + next);
+        shifts.keep(row, row + next);
       }
     }
-    table.moveRows(count + n, null);
-    table.copyRows(from, which, moves.inserted, n);
+    table.shiftRows(count + n, null);
+    table.copyRows(from, which, shifts.inserted, n);
     for (int i = 0; i < n; i++) {
-      int to = moves.inserted[i];
+      int to = shifts.inserted[i];
       table.flags[to] = (byte) ((table.flags[to] & ~ContactTable.DORMANT) | ContactTable.FRESH);
     }
   }
@@ -90,7 +90,7 @@ public final class RowOrder {
    */
   public void touch(long[] keys, int n, BodyStore bodies, ShapeTable parts) {
     table.beginUpdate();
-    table.beginMoves();
+    table.beginShifts();
     int count = table.count();
     int fresh = 0;
     int from = 0;
@@ -99,20 +99,20 @@ public final class RowOrder {
       if (row >= 0) {
         table.flags[row] = ContactTable.SENSOR | ContactTable.TOUCHING;
       } else {
-        moves.keep(from, -1 - row - from, from + fresh);
+        shifts.keep(from, -1 - row - from, from + fresh);
         from = -1 - row;
-        moves.insert(fresh, from + fresh);
+        shifts.insert(fresh, from + fresh);
         fresh++;
         keys[i] = ~keys[i]; // marks it until its row is filled in
       }
     }
-    moves.keep(from, count - from, from + fresh);
-    table.moveRows(count + fresh, null);
+    shifts.keep(from, count - from, from + fresh);
+    table.shiftRows(count + fresh, null);
     fresh = 0;
     for (int i = 0; i < n; i++) {
       if (keys[i] < 0) {
         keys[i] = ~keys[i];
-        int row = moves.inserted[fresh++];
+        int row = shifts.inserted[fresh++];
         table.start(row, keys[i], bodies, parts);
         table.flags[row] = ContactTable.SENSOR | ContactTable.TOUCHING;
       }
@@ -121,30 +121,30 @@ public final class RowOrder {
 
   /** Moves the touching rows of sleeping bodies to another store, and removes their other rows. */
   public void retire(BodyStore bodies, SleepingContacts to) {
-    table.beginMoves();
+    table.beginShifts();
     int[] retired = table.rowNumbers();
     int gone = 0;
     int kept = 0;
     for (int row = 0; row < table.count(); row++) {
       if (!SleepingContacts.belongs(bodies, table.bodyA(row), table.bodyB(row))) {
-        moves.keep(row, kept++);
+        shifts.keep(row, kept++);
       } else if ((table.flags[row] & ContactTable.TOUCHING) != 0) {
         retired[gone++] = row;
       }
     }
     to.put(table, retired, gone);
-    table.moveRows(kept, null);
+    table.shiftRows(kept, null);
   }
 
   /** Removes the rows of a body's parts with numbers from one on, to before another one. */
   public void removeParts(int body, int from, int to) {
-    table.beginMoves();
+    table.beginShifts();
     int kept = 0;
     for (int row = 0; row < table.count(); row++) {
       if (!table.isOfParts(row, body, from, to)) {
-        moves.keep(row, kept++);
+        shifts.keep(row, kept++);
       }
     }
-    table.moveRows(kept, null);
+    table.shiftRows(kept, null);
   }
 }

@@ -216,7 +216,7 @@ final class KeptManifoldsTest {
     assertEquals(5, kept.rows().rowsBefore());
     long[] now = {4, 5, 7, 9, 11, 12, 20};
     int[] then = {-1, 1, -1, 3, -1, 4, -1};
-    kept.rows().realign(now, now.length, new RowMoves());
+    kept.rows().realign(now, now.length, new RowShifts());
     assertEquals(0, kept.rows().rowsBefore());
     for (int row = 0; row < now.length; row++) {
       Transform b = there(then[row]);

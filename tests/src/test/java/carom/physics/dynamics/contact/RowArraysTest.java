@@ -65,7 +65,7 @@ class RowArraysTest {
   void copiesStayAsTheyWere() {
     for (long seed = 1; seed <= 200; seed++) {
       SplittableRandom r = new SplittableRandom(seed);
-      RowMoves moves = new RowMoves();
+      RowShifts shifts = new RowShifts();
       RowArrays live = make();
       List<Integer> expected = new ArrayList<>();
       RowArrays[] saved = new RowArrays[4];
@@ -98,23 +98,23 @@ class RowArraysTest {
           default -> {
             List<Integer> now = new ArrayList<>();
             int fresh = 0;
-            moves.clear(live.shared());
+            shifts.clear(live.shared());
             for (int row = 0; row < expected.size(); row++) {
               if (r.nextInt(5) > 0) {
-                moves.keep(row, now.size());
+                shifts.keep(row, now.size());
                 now.add(expected.get(row));
               }
               if (r.nextInt(4) == 0) {
-                moves.insert(fresh++, now.size());
+                shifts.insert(fresh++, now.size());
                 now.add(-step);
               }
             }
-            moves.insert(fresh++, now.size());
+            shifts.insert(fresh++, now.size());
             now.add(-step);
-            live = live.moved(moves, live.room(now.size()));
-            moves.carryOut(null);
+            live = live.moved(shifts, live.room(now.size()));
+            shifts.carryOut(null);
             for (int i = 0; i < fresh; i++) {
-              write(live, moves.inserted[i], -step);
+              write(live, shifts.inserted[i], -step);
             }
             expected = now;
           }

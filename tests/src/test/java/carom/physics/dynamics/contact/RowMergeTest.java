@@ -127,17 +127,17 @@ final class RowMergeTest {
       SortedSet<Long> expected,
       SortedSet<Long> fresh,
       String when) {
-    RowMoves moves = new RowMoves();
-    moves.clear(false);
+    RowShifts shifts = new RowShifts();
+    shifts.clear(false);
     RowMerge merge = new RowMerge(table);
-    int come = merge.find(found, found.length, shapes, all, parallel, moves);
+    int come = merge.find(found, found.length, shapes, all, parallel, shifts);
     assertArrayEquals(toArray(fresh), Arrays.copyOf(found, come), when);
     assertEquals(expected.size(), merge.rowCount(), when);
     long[] keys = Arrays.copyOf(table.key, Math.max(table.count(), merge.rowCount()));
-    moves.plan(keys, keys, 1);
-    moves.carryOut(null);
+    shifts.plan(keys, keys, 1);
+    shifts.carryOut(null);
     for (int i = 0; i < come; i++) {
-      keys[moves.inserted[i]] = found[i];
+      keys[shifts.inserted[i]] = found[i];
     }
     assertArrayEquals(toArray(expected), Arrays.copyOf(keys, merge.rowCount()), when);
   }

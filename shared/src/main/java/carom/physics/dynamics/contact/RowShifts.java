@@ -17,7 +17,7 @@ import java.util.Arrays;
  * on only those of later runs that move on; hence the former are moved in ascending order, the
  * latter in descending order, and nothing is lost.
  */
-final class RowMoves {
+final class RowShifts {
   /** Largest number of arrays of a table. */
   private static final int MOST_ARRAYS = 16;
 

@@ -17,7 +17,7 @@ import java.net.InetSocketAddress;
  * <p>Nothing here allocates, and it remembers {@value #FORGERS} addresses at most. Use it from one
  * thread.
  */
-final class MoveLimit {
+final class AddressChangeLimit {
   /** Largest number of datagrams per second that are opened for one link, of each kind of host. */
   public static final int PER_SECOND = 20;
 
@@ -44,7 +44,7 @@ final class MoveLimit {
    *
    * @param total the limit that all links share, from {@link #total}
    */
-  public MoveLimit(TokenBucket total) {
+  public AddressChangeLimit(TokenBucket total) {
     this.total = total;
   }
 

@@ -9,7 +9,7 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import org.junit.jupiter.api.Test;
 
-final class MoveLimitTest {
+final class AddressChangeLimitTest {
   private static final long SECOND = 1_000_000_000L;
   private static final InetSocketAddress PRESENT = address(0, 7);
 
@@ -28,9 +28,9 @@ final class MoveLimitTest {
 
   @Test
   void aLinkHasTwentyASecondWhateverOthersReceive() {
-    var total = MoveLimit.total();
-    MoveLimit flooded = new MoveLimit(total);
-    MoveLimit other = new MoveLimit(total);
+    var total = AddressChangeLimit.total();
+    AddressChangeLimit flooded = new AddressChangeLimit(total);
+    AddressChangeLimit other = new AddressChangeLimit(total);
     int opened = 0;
     for (int i = 0; i < 30_000; i++) {
       long now = i * SECOND / 3_000;
@@ -45,7 +45,7 @@ final class MoveLimitTest {
 
   @Test
   void aFloodFromOtherHostsTakesNothingFromTheClientsOwn() {
-    MoveLimit limit = new MoveLimit(MoveLimit.total());
+    AddressChangeLimit limit = new AddressChangeLimit(AddressChangeLimit.total());
     for (int i = 0; i < 30_000; i++) {
       long now = i * SECOND / 3_000;
       if (limit.take(elsewhere(i), PRESENT, now)) {
@@ -57,11 +57,11 @@ final class MoveLimitTest {
 
   @Test
   void allLinksTogetherHaveTwoThousandASecond() {
-    var total = MoveLimit.total();
+    var total = AddressChangeLimit.total();
     int opened = 0;
-    MoveLimit[] links = new MoveLimit[1_000];
+    AddressChangeLimit[] links = new AddressChangeLimit[1_000];
     for (int i = 0; i < links.length; i++) {
-      links[i] = new MoveLimit(total);
+      links[i] = new AddressChangeLimit(total);
     }
     for (int i = 0; i < 100_000; i++) {
       opened += links[i % links.length].take(elsewhere(i), PRESENT, i * SECOND / 20_000) ? 1 : 0;
@@ -71,16 +71,16 @@ final class MoveLimitTest {
 
   @Test
   void anAddressThatForgesIsNotHeardForASecond() {
-    MoveLimit limit = new MoveLimit(MoveLimit.total());
-    for (int i = 0; i < MoveLimit.FORGERS; i++) {
+    AddressChangeLimit limit = new AddressChangeLimit(AddressChangeLimit.total());
+    for (int i = 0; i < AddressChangeLimit.FORGERS; i++) {
       assertTrue(limit.take(elsewhere(i), PRESENT, 0));
       limit.forged(elsewhere(i), 0);
     }
     for (int i = 0; i < 10_000; i++) {
-      assertFalse(limit.take(elsewhere(i % MoveLimit.FORGERS), PRESENT, SECOND - 1));
+      assertFalse(limit.take(elsewhere(i % AddressChangeLimit.FORGERS), PRESENT, SECOND - 1));
     }
     assertTrue(limit.take(elsewhere(100), PRESENT, SECOND - 1), "they used up nothing");
     assertTrue(limit.take(elsewhere(0), PRESENT, SECOND));
-    assertEquals(8, MoveLimit.FORGERS);
+    assertEquals(8, AddressChangeLimit.FORGERS);
   }
 }

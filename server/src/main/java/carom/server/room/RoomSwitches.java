@@ -21,8 +21,8 @@ import org.slf4j.LoggerFactory;
  * <p>A crash at any moment of that leaves the player one seat: in the other room if its log has the
  * arrival, or else here. The room's thread.
  */
-final class RoomMoves {
-  private static final Logger LOG = LoggerFactory.getLogger(RoomMoves.class);
+final class RoomSwitches {
+  private static final Logger LOG = LoggerFactory.getLogger(RoomSwitches.class);
 
   private static final long NS_PER_MS = 1_000_000;
 
@@ -36,7 +36,7 @@ final class RoomMoves {
   private final Departures departures;
 
   /** Creates an object without players to move. */
-  RoomMoves(
+  RoomSwitches(
       RoomContext room,
       Room self,
       RoomDirectory directory,
@@ -74,7 +74,7 @@ final class RoomMoves {
    *
    * @return the number of players that have gone
    */
-  int moveAway(long nowNs) {
+  int switchAll(long nowNs) {
     int moved = 0;
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
@@ -143,7 +143,7 @@ final class RoomMoves {
 
   private static boolean hasGoneOn(Seats.Seat seat, Room room, List<Room> rooms) {
     for (Room other : rooms) {
-      if (other != room && other.seats().movesOf(seat.secret()) > seat.moves()) {
+      if (other != room && other.seats().switchesOf(seat.secret()) > seat.switches()) {
         return true;
       }
     }

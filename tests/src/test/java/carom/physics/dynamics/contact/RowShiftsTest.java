@@ -6,10 +6,10 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-final class RowMovesTest {
+final class RowShiftsTest {
   @Test
   void movesEveryRowWhereItBelongs() {
-    RowMoves moves = new RowMoves();
+    RowShifts shifts = new RowShifts();
     for (long seed = 1; seed <= 300; seed++) {
       SplittableRandom r = new SplittableRandom(seed);
       int n = r.nextInt(200);
@@ -18,14 +18,14 @@ final class RowMovesTest {
       float[] expected = new float[3 * n + 50];
       int to = 0;
       int fresh = 0;
-      moves.clear(false);
+      shifts.clear(false);
       for (int row = 0; row <= n; row++) {
         for (int k = r.nextInt(3); k > 0 && r.nextInt(100) < come; k--) {
-          moves.insert(fresh++, to);
+          shifts.insert(fresh++, to);
           expected[to++] = -fresh;
         }
         if (row < n && r.nextInt(100) >= drop) {
-          moves.keep(row, to);
+          shifts.keep(row, to);
           expected[to++] = row;
         }
       }
@@ -35,12 +35,12 @@ final class RowMovesTest {
         Arrays.fill(floats, 3 * row, 3 * row + 3, row);
         longs[row] = row;
       }
-      moves.plan(floats, floats, 3);
-      moves.plan(longs, longs, 1);
-      moves.carryOut(null);
+      shifts.plan(floats, floats, 3);
+      shifts.plan(longs, longs, 1);
+      shifts.carryOut(null);
       for (int i = 0; i < fresh; i++) {
-        Arrays.fill(floats, 3 * moves.inserted[i], 3 * moves.inserted[i] + 3, -(i + 1));
-        longs[moves.inserted[i]] = -(i + 1);
+        Arrays.fill(floats, 3 * shifts.inserted[i], 3 * shifts.inserted[i] + 3, -(i + 1));
+        longs[shifts.inserted[i]] = -(i + 1);
       }
       float[] copied = new float[to];
       float[] thrice = new float[3 * to];
