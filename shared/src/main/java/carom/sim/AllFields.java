@@ -1,6 +1,7 @@
 package carom.sim;
 
 import carom.sim.entity.EntityTable;
+import carom.sim.entity.HostEntity;
 import carom.sim.entity.PlayerTable;
 import carom.sim.field.FieldValues;
 
@@ -50,6 +51,21 @@ final class AllFields {
         entities.get(i).fieldValues().replaceEntity(word, by);
       }
     }
+  }
+
+  /** Returns the id of the player whose, or whose entity's, values are; negative for others. */
+  public int playerOf(FieldValues values) {
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null && players.get(i).fieldValues() == values) {
+        return i;
+      }
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      if (entities.get(i) != null && entities.get(i).fieldValues() == values) {
+        return entities.get(i).ownerId();
+      }
+    }
+    return HostEntity.NO_OWNER;
   }
 
   /** Names what has values, for messages to people: a player, an entity or the match. */

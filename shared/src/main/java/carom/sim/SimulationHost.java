@@ -46,6 +46,7 @@ import carom.sim.outbox.Event;
 import carom.sim.outbox.NextMatch;
 import carom.sim.outbox.Outbox;
 import carom.sim.phase.Findings;
+import carom.sim.phase.RuleWatch;
 import carom.sim.pool.Pools;
 import carom.sim.ruling.InterferenceLog;
 import java.util.ArrayList;
@@ -531,6 +532,13 @@ public final class SimulationHost implements Match {
    */
   public Findings findings() {
     return parts.findings;
+  }
+
+  /** Sets what is told of each change that the game's rules make, or null for nothing. */
+  public void watchRules(RuleWatch watch) {
+    parts.entities.watch(watch);
+    parts.fields.ruleWrites(
+        watch == null ? null : values -> watch.changes(parts.allFields.playerOf(values)));
   }
 
   /**

@@ -12,6 +12,9 @@ import java.util.Map;
 
 /** The result of testing a game, for people and as JSON. Immutable. */
 public final class GameReport {
+  /** Most causes of wrong predictions that are shown of a run; JSON has all. */
+  private static final int MOST_COSTS = 5;
+
   private final String game;
   private final String level;
   private final long seed;
@@ -51,7 +54,9 @@ public final class GameReport {
                 + run.network()
                 + ", players="
                 + run.players()
-                + "); input, forces and collision may use only what a client is told: fields,"
+                + "), first "
+                + run.firstUnexplained()
+                + "; input, forces and collision may use only what a client is told: fields,"
                 + " contacts, the tick, the level");
         break;
       }
@@ -99,6 +104,14 @@ public final class GameReport {
               run.rightPercent(),
               run.kbitPerSecond()));
     }
+    text.append(System.lineSeparator());
+    for (NetworkRun run : runs) {
+      String costs = costs(run);
+      if (!costs.isEmpty()) {
+        text.append("predicted wrong, ").append(run.network()).append(", players=");
+        text.append(run.players()).append(": ").append(costs).append(System.lineSeparator());
+      }
+    }
     text.append(
         String.format(
             Locale.ROOT,
@@ -112,6 +125,22 @@ public final class GameReport {
         broken.isEmpty()
             ? "No rule is broken: same seed, rollback and saved states give the same game."
             : broken.size() + (broken.size() == 1 ? " rule is" : " rules are") + " broken.");
+    return text.toString();
+  }
+
+  /** Returns why own bodies were predicted wrong: how often, and the share of each cause. */
+  private String costs(NetworkRun run) {
+    long sum = run.costs().stream().mapToLong(Costs.Cost::times).sum();
+    if (sum == 0) {
+      return "";
+    }
+    StringBuilder text = new StringBuilder();
+    text.append(String.format(Locale.ROOT, "%.1f/min, ", sum * 60 / seconds / run.players()));
+    for (int i = 0; i < Math.min(MOST_COSTS, run.costs().size()); i++) {
+      Costs.Cost cost = run.costs().get(i);
+      text.append(i == 0 ? "" : ", ").append(cost.cause());
+      text.append(String.format(Locale.ROOT, " %.0f %%", 100.0 * cost.times() / sum));
+    }
     return text.toString();
   }
 
@@ -132,6 +161,14 @@ public final class GameReport {
         g.writeNumberField("correctionsPerMinute", run.correctionsPerMinute());
         g.writeNumberField("rightPercent", run.rightPercent());
         g.writeNumberField("kbitPerSecond", run.kbitPerSecond());
+        g.writeArrayFieldStart("wrong");
+        for (Costs.Cost cost : run.costs()) {
+          g.writeStartObject();
+          g.writeStringField("cause", cost.cause());
+          g.writeNumberField("perMinute", cost.times() * 60 / seconds / run.players());
+          g.writeEndObject();
+        }
+        g.writeEndArray();
         g.writeEndObject();
       }
       g.writeEndArray();

@@ -8,6 +8,7 @@ import carom.options.NetworkConditions.Preset;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Game;
+import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.phase.Findings;
 import java.util.ArrayList;
@@ -26,6 +27,7 @@ public final class GameTest {
 
   private final String name;
   private final Supplier<Game> games;
+  private final GameCode code;
   private final Level level;
   private final long seed;
   private final double seconds;
@@ -36,7 +38,9 @@ public final class GameTest {
 
   private GameTest(Supplier<Game> games, Level level, double seconds, long seed) {
     this.games = games;
-    this.name = games.get().name();
+    Game game = games.get();
+    code = new GameCode(game.getClass());
+    name = game.name();
     this.level = level;
     this.seconds = seconds;
     this.seed = seed;
@@ -77,9 +81,11 @@ public final class GameTest {
     } finally {
       watched.close();
     }
+    CodeCheck read = new CodeCheck(code);
+    broken.addAll(read.findings());
     try {
       RepeatCheck repeat =
-          new RepeatCheck(games, level, seed, players, (int) Math.max(120, seconds * 60));
+          new RepeatCheck(games, read, level, seed, players, (int) Math.max(120, seconds * 60));
       broken.addAll(repeat.broken());
       ms = repeat.msPerTick();
       bytes = repeat.bytesPerTick();
@@ -122,10 +128,12 @@ public final class GameTest {
       for (SimulatedClient client : clients) {
         world.awaitPlaying(client);
       }
-      world.run(SETTLE_SECONDS);
+      Costs costs = new Costs(world, code);
+      run(world, costs, SETTLE_SECONDS);
+      costs.begin();
       long[] from = sums(clients);
       for (double left = seconds; left > 0; left -= 1) {
-        world.run(Math.min(1, left));
+        run(world, costs, Math.min(1, left));
         note(world.room().simulation().findings());
       }
       long[] to = sums(clients);
@@ -137,7 +145,9 @@ public final class GameTest {
               (to[0] - from[0]) * 60 / seconds / players,
               awake == 0 ? 100 : 100.0 * (to[2] - from[2]) / awake,
               (to[3] - from[3]) * 8 / 1_000.0 / seconds / players,
+              costs.costs(),
               world.count(Counter.DIVERGENCES_UNEXPLAINED),
+              firstUnexplained(world, clients),
               world.hash()));
     } catch (AssertionError | RuntimeException e) {
       if (failures.isEmpty()) {
@@ -148,6 +158,25 @@ public final class GameTest {
         broken.add(text);
       }
     }
+  }
+
+  private static void run(Stepper world, Costs costs, double seconds) {
+    long endNs = world.nowNs() + (long) (seconds * 1e9);
+    while (world.nowNs() - endNs < 0) {
+      world.step();
+      costs.look();
+    }
+  }
+
+  private static String firstUnexplained(Stepper world, List<SimulatedClient> clients) {
+    for (SimulatedClient client : clients) {
+      HostPlayer player = world.player(client);
+      String found = player == null ? null : world.room().session(player.id()).firstUnexplained();
+      if (found != null) {
+        return client.name() + " at " + found;
+      }
+    }
+    return "";
   }
 
   private void note(Findings found) {

@@ -52,20 +52,13 @@ final class GameWatch implements InvocationHandler {
   /** Returns the callback, the exception and the line of the game's own code. */
   private String words(String callback, Throwable failure) {
     String where = "";
+    GameCode code = new GameCode(game.getClass());
     for (StackTraceElement line : failure.getStackTrace()) {
-      if (isOfGame(line)) {
+      if (code.isOfGame(line.getClassName())) {
         where = " at " + line.getFileName() + ":" + line.getLineNumber();
         break;
       }
     }
     return callback + " throws " + failure + where;
-  }
-
-  private boolean isOfGame(StackTraceElement line) {
-    String named = line.getClassName();
-    String ours = game.getClass().getName();
-    return named.equals(ours)
-        || named.startsWith(ours + "$")
-        || named.startsWith(game.getClass().getPackageName() + ".");
   }
 }

@@ -1,5 +1,7 @@
 package carom.testkit;
 
+import java.util.List;
+
 /**
  * Measures of how a game felt to its players on one network.
  *
@@ -8,8 +10,10 @@ package carom.testkit;
  * @param correctionsPerMinute how often the own body was put right, per player and minute
  * @param rightPercent share of the predictions of awake bodies that were right in every bit
  * @param kbitPerSecond payload that a client received, kbit/s
+ * @param costs why own bodies were predicted wrong, the most frequent cause first
  * @param unexplained differences between client and server for which there is no reason: a fault of
  *     Carom, or a callback that does otherwise on client and server
+ * @param firstUnexplained the first of them with player, tick and both values; may be empty
  * @param hash hash of all frames of the server
  */
 record NetworkRun(
@@ -18,5 +22,7 @@ record NetworkRun(
     double correctionsPerMinute,
     double rightPercent,
     double kbitPerSecond,
+    List<Costs.Cost> costs,
     long unexplained,
+    String firstUnexplained,
     long hash) {}

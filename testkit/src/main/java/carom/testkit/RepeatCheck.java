@@ -31,6 +31,7 @@ final class RepeatCheck {
   private static final int HELD_TICKS = 9;
 
   private final Supplier<Game> games;
+  private final CodeCheck code;
   private final Level level;
   private final long seed;
   private final int players;
@@ -41,10 +42,13 @@ final class RepeatCheck {
   /**
    * Runs the check.
    *
+   * @param code what was read of the game's code
    * @param ticks how long each way is
    */
-  RepeatCheck(Supplier<Game> games, Level level, long seed, int players, int ticks) {
+  RepeatCheck(
+      Supplier<Game> games, CodeCheck code, Level level, long seed, int players, int ticks) {
     this.games = games;
+    this.code = code;
     this.level = level;
     this.seed = seed;
     this.players = players;
@@ -69,6 +73,7 @@ final class RepeatCheck {
       broken.add(
           "the same seed and the same inputs give another state, first at tick "
               + differs
+              + difference(first, second)
               + "; use Simulation.random() instead of java.util.Random, no clock, no hash order,"
               + " and no static variables that change");
       return; // all that follows would differ, too
@@ -137,21 +142,50 @@ final class RepeatCheck {
 
   private void rollBack() {
     SimulationHost s = start();
+    SimState[] before = new SimState[STRIDE];
     for (int tick = 0; tick < 8 * STRIDE; tick += STRIDE) {
-      SimState saved = s.save(null);
-      long[] before = run(s, tick);
+      final SimState saved = s.save(null);
+      long[] hashes = new long[STRIDE];
+      for (int i = 0; i < STRIDE; i++) {
+        step(s, tick + i);
+        hashes[i] = s.stateHash();
+        before[i] = s.save(before[i]);
+      }
       s.restore(saved);
-      int differs = difference(before, run(s, tick));
-      if (differs >= 0) {
-        broken.add(
-            "after a rollback to tick "
-                + tick
-                + " the same inputs give another state, first at tick "
-                + (tick + differs + 1)
-                + "; keep what changes in fields, not in variables of the game");
-        return;
+      for (int i = 0; i < STRIDE; i++) {
+        step(s, tick + i);
+        if (s.stateHash() != hashes[i]) {
+          broken.add(
+              "after a rollback to tick "
+                  + tick
+                  + " the same inputs give another state, first at tick "
+                  + (tick + i + 1)
+                  + difference(elsewhere(before[i]), s)
+                  + advice());
+          return;
+        }
       }
     }
+  }
+
+  /** Returns a simulation in another's state. */
+  private SimulationHost elsewhere(SimState state) {
+    ArchiveWriter bytes = new ArchiveWriter();
+    state.write(bytes);
+    SimulationHost other = new SimulationHost(games.get(), level, seed, TICK_RATE, Role.AUTHORITY);
+    other.restore(other.read(new ArchiveReader(bytes.toBytes())));
+    return other;
+  }
+
+  private static String difference(SimulationHost a, SimulationHost b) {
+    String found = StateDifference.between(a, b);
+    return found.isEmpty() ? "" : ", where " + found;
+  }
+
+  private String advice() {
+    String variables = String.join("; ", code.variables());
+    return "; keep what changes in fields, not in variables of the game"
+        + (variables.isEmpty() ? "" : ". It writes " + variables);
   }
 
   private void restoreElsewhere() {
@@ -160,39 +194,21 @@ final class RepeatCheck {
       return; // the game says that its state is incomplete
     }
     for (int tick = 0; tick < 8 * STRIDE; tick += STRIDE) {
-      ArchiveWriter bytes = new ArchiveWriter();
-      s.save(null).write(bytes);
-      SimulationHost other =
-          new SimulationHost(games.get(), level, seed, TICK_RATE, Role.AUTHORITY);
-      other.restore(other.read(new ArchiveReader(bytes.toBytes())));
-      int differs = difference(run(s, tick), run(other, tick));
-      if (differs >= 0) {
-        broken.add(
-            "a state that was saved at tick "
-                + tick
-                + " goes on otherwise in another process, first at tick "
-                + (tick + differs + 1)
-                + "; keep what changes in fields, not in variables of the game");
-        return;
+      SimulationHost other = elsewhere(s.save(null));
+      for (int i = 0; i < STRIDE; i++) {
+        step(s, tick + i);
+        step(other, tick + i);
+        if (s.stateHash() != other.stateHash()) {
+          broken.add(
+              "a state that was saved at tick "
+                  + tick
+                  + " goes on otherwise in another process, first at tick "
+                  + (tick + i + 1)
+                  + difference(s, other)
+                  + advice());
+          return;
+        }
       }
     }
-  }
-
-  private long[] run(SimulationHost s, int tick) {
-    long[] hashes = new long[STRIDE];
-    for (int i = 0; i < STRIDE; i++) {
-      step(s, tick + i);
-      hashes[i] = s.stateHash();
-    }
-    return hashes;
-  }
-
-  private static int difference(long[] a, long[] b) {
-    for (int i = 0; i < a.length; i++) {
-      if (a[i] != b[i]) {
-        return i;
-      }
-    }
-    return -1;
   }
 }

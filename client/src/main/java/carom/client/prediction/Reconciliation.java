@@ -93,6 +93,15 @@ public final class Reconciliation {
     return corrected || told ? correctionMetres : 0;
   }
 
+  /**
+   * Returns how far the own body is in the present from where it was before the reconciliation,
+   * metres, whatever the reason. What the rules did to it may be known before it shows, so this may
+   * be more than {@link #correctionMetres}.
+   */
+  public float shiftMetres() {
+    return replayedTicks > 0 ? correctionMetres : 0;
+  }
+
   /** Returns how many ticks were resimulated. */
   public int replayedTicks() {
     return replayedTicks;

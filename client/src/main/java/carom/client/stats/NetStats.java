@@ -154,6 +154,14 @@ public final class NetStats {
     return prediction.correctionCount;
   }
 
+  /**
+   * Returns how often the own body was shifted in the present by more than a millimetre: because it
+   * had been predicted wrong, or because the game's rules did something to it.
+   */
+  public long shifts() {
+    return prediction.shifts;
+  }
+
   /** Returns the mean distance of all corrections of the own body, metres. */
   public double correctionMeanMetres() {
     return prediction.correctionCount == 0

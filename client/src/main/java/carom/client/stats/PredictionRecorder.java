@@ -8,6 +8,9 @@ import carom.client.prediction.Reconciliation;
  * client; one thread.
  */
 final class PredictionRecorder {
+  /** A shorter shift of the own body can't be seen, metres. */
+  private static final float LEAST_SHIFT = 0.001f;
+
   final RecentValues corrections = new RecentValues();
   final RecentValues replays = new RecentValues();
 
@@ -24,6 +27,7 @@ final class PredictionRecorder {
   int longestRollback;
   long replaysCutShort;
   long syncErrors;
+  long shifts;
   long correctionCount;
   double correctionMetres;
   double largestCorrection;
@@ -46,6 +50,7 @@ final class PredictionRecorder {
       longestRollback = Math.max(longestRollback, result.rolledBackTicks());
       replays.add(result.replayNs() / 1e6f);
     }
+    shifts += result.shiftMetres() > LEAST_SHIFT ? 1 : 0;
     if (result.corrected()) {
       double metres = result.correctionMetres();
       correctionCount++;

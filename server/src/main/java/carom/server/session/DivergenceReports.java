@@ -30,6 +30,7 @@ final class DivergenceReports {
   private final LogInterval lines = new LogInterval();
   private Diverged waiting;
   private int waitedTicks;
+  private String firstUnexplained;
 
   DivergenceReports(Session session, Counters counters) {
     this.session = session;
@@ -57,6 +58,11 @@ final class DivergenceReports {
     }
   }
 
+  /** Returns the first report that nothing explained, in words, or null. */
+  String firstUnexplained() {
+    return firstUnexplained;
+  }
+
   private void judge(SessionReplication replication, long nowNs) {
     Diverged report = waiting;
     waiting = null;
@@ -64,6 +70,9 @@ final class DivergenceReports {
       return;
     }
     counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
+    if (firstUnexplained == null) {
+      firstUnexplained = "tick " + report.tick() + ":" + replication.describe(report);
+    }
     if (lines.tryBegin(nowNs)) {
       LOG.warn(
           report.ofSet()

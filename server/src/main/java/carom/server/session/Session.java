@@ -472,6 +472,11 @@ public final class Session implements LinkHandler {
     return playedTicks;
   }
 
+  /** Returns the client's first misprediction that nothing explained, in words, or null. */
+  public String firstUnexplained() {
+    return reports.firstUnexplained();
+  }
+
   /** Returns the input buffer, for inspection. */
   public InputBuffer inputs() {
     return inputs.buffer();

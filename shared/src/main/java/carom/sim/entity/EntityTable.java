@@ -17,6 +17,7 @@ import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
 import carom.sim.phase.Phases;
+import carom.sim.phase.RuleWatch;
 import carom.sim.spawn.Origin;
 import java.util.Arrays;
 import java.util.function.BiConsumer;
@@ -58,6 +59,8 @@ public final class EntityTable
   private final EntityFields entityFields;
   private final PlayerTable players;
   private final ArchetypeChange changes;
+  private final Phases<HostPlayer> phases;
+  private RuleWatch watch;
   private HostEntity[] entities = new HostEntity[64];
   private byte[] generations = new byte[64];
   private final ProvisionalEntities provisional = new ProvisionalEntities();
@@ -99,6 +102,7 @@ public final class EntityTable
     this.joints = joints;
     this.world = world;
     this.tickRate = tickRate;
+    this.phases = phases;
     fields = new FieldStore(schema, clock, this, phases);
     entityFields = new EntityFields(fields);
     players =
@@ -142,6 +146,18 @@ public final class EntityTable
       body.forEachContact(onContact);
     } finally {
       contacts = outer;
+    }
+  }
+
+  /** Sets what is told of entities that rules change, or null; mostly it is null. */
+  public void watch(RuleWatch told) {
+    watch = told;
+  }
+
+  /** Notes that the game changes an entity. */
+  void changing(HostEntity entity) {
+    if (watch != null && phases.now().isOfRules()) {
+      watch.changes(entity.ownerId());
     }
   }
 

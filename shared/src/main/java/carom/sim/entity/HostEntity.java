@@ -85,6 +85,7 @@ public final class HostEntity implements Entity {
 
   @Override
   public void become(Archetype other) {
+    table.changing(this);
     table.changes().change(this, other);
   }
 
@@ -171,6 +172,7 @@ public final class HostEntity implements Entity {
               + " can't be teleported: clients know static geometry by the level alone; move an"
               + " entity of a static archetype");
     }
+    table.changing(this);
     table.wakeAround(this);
     if (isRoot()) {
       table.moveAssembly(this, x, y, angle);
@@ -302,52 +304,52 @@ public final class HostEntity implements Entity {
 
   @Override
   public void applyForce(float fx, float fy) {
-    body.applyForce(fx, fy);
+    changing().applyForce(fx, fy);
   }
 
   @Override
   public void applyForce(float fx, float fy, float px, float py) {
-    body.applyForce(fx, fy, px, py);
+    changing().applyForce(fx, fy, px, py);
   }
 
   @Override
   public void applyAmbientForce(float fx, float fy, float torque) {
-    body.applyAmbientForce(fx, fy, torque);
+    changing().applyAmbientForce(fx, fy, torque);
   }
 
   @Override
   public void applyTorque(float torque) {
-    body.applyTorque(torque);
+    changing().applyTorque(torque);
   }
 
   @Override
   public void applyImpulse(float jx, float jy) {
-    body.applyImpulse(jx, jy);
+    changing().applyImpulse(jx, jy);
   }
 
   @Override
   public void applyImpulse(float jx, float jy, float px, float py) {
-    body.applyImpulse(jx, jy, px, py);
+    changing().applyImpulse(jx, jy, px, py);
   }
 
   @Override
   public void applyAngularImpulse(float j) {
-    body.applyAngularImpulse(j);
+    changing().applyAngularImpulse(j);
   }
 
   @Override
   public void setVelocity(float vx, float vy) {
-    body.setVelocity(vx, vy);
+    changing().setVelocity(vx, vy);
   }
 
   @Override
   public void setAngularVelocity(float radPerSecond) {
-    body.setAngularVelocity(radPerSecond);
+    changing().setAngularVelocity(radPerSecond);
   }
 
   @Override
   public void wake() {
-    body.wake();
+    changing().wake();
   }
 
   @Override
@@ -362,12 +364,12 @@ public final class HostEntity implements Entity {
 
   @Override
   public void seekVelocity(float goalX, float goalY, float rate) {
-    body.seekVelocity(goalX, goalY, rate * body.mass());
+    changing().seekVelocity(goalX, goalY, rate * body.mass());
   }
 
   @Override
   public void moveTo(float x, float y, float angle) {
-    body.moveTo(x, y, angle, 1f / table.tickRate());
+    changing().moveTo(x, y, angle, 1f / table.tickRate());
   }
 
   @Override
@@ -406,8 +408,15 @@ public final class HostEntity implements Entity {
     table.destroy(joint);
   }
 
+  /** Returns the body, which the game changes now. */
+  private Body<HostEntity> changing() {
+    table.changing(this);
+    return body;
+  }
+
   @Override
   public void despawn() {
+    table.changing(this);
     table.answers().despawn(this);
   }
 

@@ -4,6 +4,7 @@ import carom.sim.phase.Findings;
 import carom.sim.phase.Phase;
 import carom.sim.phase.Phases;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 
 /**
@@ -48,6 +49,7 @@ public final class FieldStore implements Phases.Listener {
   private int hiddenWord;
   private Scope hiddenScope = Scope.PLAYER;
   private FieldUse use;
+  private Consumer<FieldValues> ruleWrites;
 
   /**
    * Creates the store of a simulation.
@@ -114,6 +116,18 @@ public final class FieldStore implements Phases.Listener {
    */
   public void noteUse(Findings findings, FieldUse.Owners owners) {
     use = new FieldUse(schema, findings, owners);
+  }
+
+  /** Sets what receives the values that rules write, at each write; null for nothing. */
+  public void ruleWrites(Consumer<FieldValues> receiver) {
+    ruleWrites = receiver;
+  }
+
+  /** Notes that the game writes what no client can predict. */
+  void noteRule(FieldValues values) {
+    if (ruleWrites != null && phases.now().isOfRules()) {
+      ruleWrites.accept(values);
+    }
   }
 
   /** Returns what notes how the game uses its fields, or null; a server has it. */

@@ -143,6 +143,7 @@ public final class FieldValues {
       if (store.isRuling(this)) {
         ruled += index < store.schema().toldWords(scope) ? 1 : 0;
         noteWrite(index);
+        store.noteRule(this);
       }
       store.noteWrite(scope, index);
       put(index, value);

@@ -47,6 +47,11 @@ public enum Phase {
     this.callback = callback;
   }
 
+  /** Returns whether what runs in it runs on servers alone, within the game. */
+  public boolean isOfRules() {
+    return this != SET_UP && this != BETWEEN_STEPS && this != INPUT && this != FORCES;
+  }
+
   /** Returns the name of the method of the game that runs in it, for advice to its developer. */
   public String callback() {
     return callback;

@@ -1,4 +1,4 @@
-package carom.testkit;
+package carom.testkit.games;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -27,13 +27,23 @@ import carom.sim.field.Ratio;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import carom.testkit.GameReport;
+import carom.testkit.GameTest;
+import carom.testkit.SimulatedClient;
+import carom.testkit.Stepper;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
+import java.util.function.IntSupplier;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Goal: {@code carom test} finds each kind of broken rule, names it, and finds nothing in a good
@@ -132,6 +142,43 @@ class GameTestTest {
     }
   }
 
+  /** Pushes a player once in a while, in a method of its own. */
+  public static final class HurtsSeldom extends Good {
+    @Override
+    public void afterStep(Match s) {
+      if (s.tick() % 50 == 0) {
+        hurt(s);
+      }
+    }
+
+    private static void hurt(Match s) {
+      for (Player p : s.players()) {
+        p.entity().applyImpulse(0, 4 * p.entity().mass());
+      }
+    }
+  }
+
+  /** Does in its input, by way of a lambda, what a game must not do. */
+  public static final class Calls extends Good {
+    private static int shared;
+    private final Map<String, Integer> bag = new HashMap<>(Map.of("a", 1));
+
+    @Override
+    float speed(Simulation s, Player p, Input in) {
+      IntSupplier none = () -> p.id() < 0 ? all() : 0; // never called
+      return 5 + none.getAsInt();
+    }
+
+    private int all() {
+      for (int value : bag.values()) {
+        shared += value;
+      }
+      return (int) (System.nanoTime() + Math.pow(2, 3) + Math.random() + new Object().hashCode())
+          + Path.of("x").getNameCount()
+          + shared;
+    }
+  }
+
   /** Rolls dice that no seed repeats. */
   public static final class RollsDice extends Good {
     private final Random random = new Random();
@@ -201,8 +248,16 @@ class GameTestTest {
 
   @Test
   void aVariableThatRollbacksDontRestoreIsTold() throws Exception {
-    assertFinds("after a rollback to tick ", Remembers::new);
-    assertFinds("goes on otherwise in another process", Remembers::new);
+    GameReport report = test(Remembers::new);
+    String rules = String.join("\n", report.broken());
+    assertTrue(rules.contains("after a rollback to tick "), rules);
+    assertTrue(rules.contains("goes on otherwise in another process"), rules);
+    assertTrue(rules.contains("where entity 0 (disc) has x="), rules);
+    assertTrue(
+        rules.contains(
+            "It writes GameTestTest.Remembers.calls at GameTestTest.Remembers.speed"
+                + " (GameTestTest.java:"),
+        rules);
   }
 
   @Test
@@ -214,6 +269,32 @@ class GameTestTest {
   @Test
   void anInputThatDoesOtherwiseOnClientsIsTold() throws Exception {
     assertFinds("otherwise than the server from the same inputs", KnowsItsRole::new);
+    assertFinds(" client=", KnowsItsRole::new);
+  }
+
+  @Test
+  void whatIsTooSeldomForAFindingIsInTheListOfCosts() throws Exception {
+    GameReport report = test(HurtsSeldom::new);
+    assertEquals(List.of(), report.broken());
+    assertTrue(
+        report.text().contains("GameTestTest.HurtsSeldom.hurt (GameTestTest.java:"), report.text());
+    assertTrue(report.text().contains("), in afterStep"), report.text());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "java.lang.System.nanoTime",
+        "java.lang.Math.pow",
+        "java.lang.Math.random",
+        "java.lang.Object.hashCode",
+        "java.nio.file.Path.of",
+        "java.util.Map.values",
+        "the static variable GameTestTest.Calls.shared",
+      })
+  void whatTheCodeCallsIsTold(String what) throws Exception {
+    String rules = String.join("\n", test(Calls::new).broken());
+    assertTrue(rules.contains(what + " at GameTestTest.Calls.all (GameTestTest.java:"), rules);
   }
 
   /** Runs to the right, and holds a button as long as nothing is in the way. */
@@ -236,11 +317,11 @@ class GameTestTest {
 
   /** Falls over if the bot's keys don't arrive. */
   public static final class WantsSecond extends Good {
-    private static int pressed;
+    private static final int[] PRESSED = new int[1];
 
     @Override
     float speed(Simulation s, Player p, Input in) {
-      pressed += in.held(Input.SECOND) && in.moveX() == 1 ? 1 : 0;
+      PRESSED[0] += in.held(Input.SECOND) && in.moveX() == 1 ? 1 : 0;
       return 5;
     }
   }
@@ -252,7 +333,7 @@ class GameTestTest {
       GameReport report = test(WantsSecond::new);
       assertEquals(List.of(), report.broken());
       assertTrue(Runner.decisions > 600, "decisions: " + Runner.decisions);
-      assertTrue(WantsSecond.pressed > 600, "pressed: " + WantsSecond.pressed);
+      assertTrue(WantsSecond.PRESSED[0] > 600, "pressed: " + WantsSecond.PRESSED[0]);
       assertEquals(0, Runner.walls, "there are no walls");
     } finally {
       BotBrains.remove("trial");
