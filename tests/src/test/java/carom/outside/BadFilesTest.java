@@ -28,11 +28,11 @@ import org.junit.jupiter.api.io.TempDir;
 final class BadFilesTest {
   private static final int DRAWN = 12;
 
-  /** Messages that only a programmer understands, and a path with nothing said of it. */
-  /** Words of the JDK; {@code true, false or null} are words of JSON. */
+  /** Matches words of the JDK; {@code true, false or null} are words of JSON. */
   private static final Pattern BARE =
       Pattern.compile("Exception|Input length|(?<!'|or )\\bnull\\b|(?m)^\\s+at \\S+\\(");
 
+  /** Matches a path with nothing said of it. */
   private static final Pattern LONELY_PATH = Pattern.compile("(?m)^([\\w-]+: )*\\S*/\\S*$");
 
   private enum Kind {

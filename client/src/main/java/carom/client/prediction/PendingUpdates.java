@@ -70,6 +70,18 @@ final class PendingUpdates {
     }
   }
 
+  /** Drops complete updates that begin before a tick at which all was as the server has it. */
+  void dropOlder(int knownTick) {
+    dropOlder(earlier, knownTick);
+    dropOlder(newest, knownTick);
+  }
+
+  private static void dropOlder(NearUpdate update, int knownTick) {
+    if (update.isReady() && update.baseTick() < knownTick) {
+      update.use();
+    }
+  }
+
   /**
    * Chooses the updates to apply now. Drops an update whose replay would exceed the budget, and
    * extends the budget for one that remains.

@@ -32,7 +32,10 @@ final class ReceivedRulings implements Rulings {
 
   private final Ruling[] rulings = new Ruling[MOST];
   private int next;
-  private int first = NONE;
+
+  /** The number of rulings that had come when {@link #takeFirst} was called last. */
+  private int taken;
+
   private int newestTick = -1;
   private final Ruling read = new Ruling();
   private final int[] row = new int[BodyRow.INTS];
@@ -94,16 +97,24 @@ final class ReceivedRulings implements Rulings {
       rulings[slot] = new Ruling();
     }
     rulings[slot].set(read);
-    first = Math.min(first, read.tick);
     newestTick = Math.max(newestTick, read.tick);
     received++;
   }
 
-  /** Returns the first tick of a ruling that came since the last call, or {@link #NONE}. */
-  public int takeFirst() {
-    int tick = first;
-    first = NONE;
-    return tick;
+  /**
+   * Returns the first tick of a ruling that came since the last call, or {@link #NONE}.
+   *
+   * @param knownTick a tick at which all was as the server has it: rulings up to it are included
+   *     and don't count; -1 for none
+   */
+  public int takeFirst(int knownTick) {
+    int first = NONE;
+    for (int i = Math.max(taken, next - MOST); i < next; i++) {
+      int tick = rulings[i & (MOST - 1)].tick;
+      first = tick > knownTick ? Math.min(first, tick) : first;
+    }
+    taken = next;
+    return first;
   }
 
   /** Returns how many came. */

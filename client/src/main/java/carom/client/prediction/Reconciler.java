@@ -10,6 +10,10 @@ import carom.sim.near.Neighbourhood;
  * Reconciles the timeline with one state of the server: rolls back, applies updates, compares,
  * corrects, and resimulates up to the present. {@link Prediction} describes the steps. One
  * prediction's; allocates nothing unless it corrects.
+ *
+ * <p>Nothing goes back behind the last tick at which all was as the server has it: the state there
+ * has the effect of whatever is told late of earlier ticks, and the saved ones before it may lack
+ * what was put right since.
  */
 final class Reconciler {
   private final SimulationHost simulation;
@@ -87,7 +91,7 @@ final class Reconciler {
       timeline.pin(tick);
     }
     int oldest = Math.max(lastTick, timeline.tick() - Timeline.RING + 1);
-    int ruled = rulings.takeFirst();
+    int ruled = rulings.takeFirst(agreement.equalTick());
     if (changedTick < timeline.tick()) {
       ruled = Math.min(ruled, Math.max(changedTick, oldest) + 1);
     }
@@ -177,6 +181,7 @@ final class Reconciler {
     server = own;
     stateTick = tick;
     updates.dropForeign(ownKey());
+    updates.dropOlder(agreement.equalTick());
     budget.begin();
   }
 
