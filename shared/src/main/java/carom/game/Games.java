@@ -6,10 +6,7 @@ import carom.sim.scene.catalog.Scenes;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Iterator;
 import java.util.List;
-import java.util.ServiceConfigurationError;
-import java.util.ServiceLoader;
 import java.util.function.Supplier;
 
 /**
@@ -22,9 +19,6 @@ import java.util.function.Supplier;
 public final class Games {
   /** Name of the game that a server starts by default. */
   public static final String DEFAULT = "arena";
-
-  /** Most errors before the search ends. A jar that cannot be read may fail at every question. */
-  private static final int MAX_ERRORS = 100;
 
   /** Games that the program itself brings; replaced as a whole. */
   private static volatile List<Supplier<Game>> added = List.of();
@@ -133,18 +127,9 @@ public final class Games {
   private static List<Game> all(StringBuilder broken) {
     List<Game> games = new ArrayList<>();
     added.forEach(game -> games.add(game.get()));
-    Iterator<Game> found = ServiceLoader.load(Game.class, Games.class.getClassLoader()).iterator();
-    for (int errors = 0; errors <= MAX_ERRORS; ) {
-      try {
-        if (!found.hasNext()) {
-          break;
-        }
-        games.add(found.next());
-      } catch (ServiceConfigurationError | LinkageError e) {
-        errors++;
-        broken.append("; a game can't be loaded: ").append(reason(e));
-      }
-    }
+    games.addAll(
+        JarServices.all(
+            Game.class, e -> broken.append("; a game can't be loaded: ").append(reason(e))));
     return games;
   }
 

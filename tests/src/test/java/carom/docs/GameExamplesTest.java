@@ -32,6 +32,7 @@ final class GameExamplesTest {
           "games/PLAYERS.md",
           "games/SHARED.md",
           "games/TESTING.md",
+          "games/VIEW.md",
           "server/REPLAY.md");
 
   private static final String HEAD =
@@ -39,6 +40,7 @@ final class GameExamplesTest {
       import static carom.sim.event.Audience.*;
       import static org.junit.jupiter.api.Assertions.*;
       import carom.client.bots.*;
+      import carom.client.look.*;
       import carom.game.arena.ArenaGame;
       import carom.game.tag.TagGame;
       import carom.options.NetworkConditions.Preset;
@@ -85,6 +87,7 @@ final class GameExamplesTest {
         Pool lake;
         Phase phase;
         World<String> world;
+        ViewSetup v;
         Path path;
         float x, y, wayX, wayY, jx, jy;
         int goals, team;

@@ -3,7 +3,9 @@ package carom.game;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.look.ViewSetup;
 import carom.game.tag.TagGame;
+import carom.game.tag.TagView;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
@@ -16,9 +18,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Goal: what {@code docs/games/GAMES.md} shows compiles and plays. */
+/** Goal: what {@code docs/games/GAMES.md} and {@code VIEW.md} show compiles and plays. */
 class TutorialTest {
-  private static final String SOURCE = "tests/src/test/java/carom/game/tag/TagGame.java";
+  private static final String SOURCES = "tests/src/test/java/carom/game/tag/";
 
   private static Path root() {
     Path here = Path.of("").toAbsolutePath();
@@ -29,14 +31,27 @@ class TutorialTest {
   }
 
   private static String block(String language) throws IOException {
-    String manual = Files.readString(root().resolve("docs/games/GAMES.md"));
+    return block("GAMES.md", language);
+  }
+
+  private static String block(String page, String language) throws IOException {
+    String manual = Files.readString(root().resolve("docs/games").resolve(page));
     int start = manual.indexOf("```" + language + "\n") + language.length() + 4;
     return manual.substring(start, manual.indexOf("```", start));
   }
 
   @Test
   void theManualShowsTheCodeThatCompiles() throws IOException {
-    assertEquals(Files.readString(root().resolve(SOURCE)), block("java"));
+    Path sources = root().resolve(SOURCES);
+    assertEquals(Files.readString(sources.resolve("TagGame.java")), block("java"));
+    assertEquals(Files.readString(sources.resolve("TagView.java")), block("VIEW.md", "java"));
+  }
+
+  @Test
+  void theViewOfTheManualDeclaresItsActions() {
+    ViewSetup v = new ViewSetup();
+    new TagView().setUp(v);
+    assertEquals(3, v.actions().size());
   }
 
   @Test

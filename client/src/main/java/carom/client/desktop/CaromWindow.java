@@ -100,7 +100,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     this.hasSound = hasSound;
     this.sockets = sockets;
     config = options.config();
-    keys = new KeyMap(settings().keys());
+    keys = new KeyMap(settings());
   }
 
   @Override
@@ -156,6 +156,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private void start(String message) {
     endLocalGame();
     endWatching();
+    keys.game("", List.of());
     StartScreen start = new StartScreen(widgets, this, this, games, pictures, server().toText());
     start.message(message);
     show(start);
@@ -435,6 +436,11 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   }
 
   @Override
+  public KeyMap keys() {
+    return keys;
+  }
+
+  @Override
   public String playerName() {
     return givenName == null ? settings().get(PlayerSettings.NAME) : givenName;
   }
@@ -451,7 +457,7 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   public void change(PlayerSettings changed) {
     PlayerSettings before = settings();
     options.settings().save(changed);
-    keys.set(changed.keys());
+    keys.set(changed);
     if (!changed.get(PlayerSettings.VOLUME).equals(before.get(PlayerSettings.VOLUME))) {
       sounds.volume(changed.get(PlayerSettings.VOLUME) / 100f);
     }

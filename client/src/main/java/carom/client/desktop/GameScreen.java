@@ -4,6 +4,7 @@ import carom.client.GameClient;
 import carom.client.InputSource;
 import carom.client.desktop.game.EventSounds;
 import carom.client.desktop.game.GamePicture;
+import carom.client.desktop.game.WorldPainter;
 import carom.client.desktop.hud.Curtain;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.KeyHints;
@@ -12,6 +13,7 @@ import carom.client.desktop.hud.NetGraph;
 import carom.client.desktop.hud.Readiness;
 import carom.client.desktop.hud.RoomPanel;
 import carom.client.desktop.hud.TeamNews;
+import carom.client.desktop.input.ActionHints;
 import carom.client.desktop.input.Controls;
 import carom.client.desktop.input.Conversation;
 import carom.client.desktop.input.KeyMap;
@@ -24,6 +26,7 @@ import carom.client.desktop.paint.LevelPictures;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.link.ConnectionPhase;
+import carom.client.look.Action;
 import carom.client.settings.KeyAction;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
@@ -38,9 +41,12 @@ import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
 import com.badlogic.gdx.ScreenAdapter;
 import com.badlogic.gdx.graphics.OrthographicCamera;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * One visit to a server, from connecting to leaving: updates the client, draws its view and samples
@@ -57,6 +63,8 @@ final class GameScreen extends ScreenAdapter {
     void leave(String reason);
   }
 
+  private static final Logger LOG = LoggerFactory.getLogger(GameScreen.class);
+
   private final GamePicture picture;
   private final NetGraph netGraph;
   private final KeyHints hints;
@@ -65,6 +73,7 @@ final class GameScreen extends ScreenAdapter {
   private final PauseMenu pause;
   private final KeyMap keys;
   private final Controls controls;
+  private final ActionHints actionHints;
   private final Readiness readiness = new Readiness();
   private final TeamNews teamNews;
   private final Exit exit;
@@ -97,6 +106,7 @@ final class GameScreen extends ScreenAdapter {
     this.fonts = fonts;
     this.keys = keys;
     controls = new Controls(keys);
+    actionHints = new ActionHints(keys, controls, canvas, fonts);
     pause = new PauseMenu(widgets, host, new PauseActions());
     picture = new GamePicture(canvas, fonts, sounds);
     teamNews = new TeamNews(picture.game());
@@ -126,7 +136,18 @@ final class GameScreen extends ScreenAdapter {
     this.client = client;
     client.events(picture.events(client.view()));
     conversation = new Conversation(client, keys, fonts);
-    picture.labels(conversation::drawEmotes);
+    picture.labels(this::drawLabels);
+  }
+
+  /** Draws emotes and, beside the own body, the keys of the game's own actions. */
+  private void drawLabels(ClientView view, Hud hud, ViewCamera camera, long nowNs) {
+    conversation.drawEmotes(view, hud, camera, nowNs);
+    Drawn own = view.own();
+    if (own != null && !pause.isOpen()) {
+      float radius = WorldPainter.extent(own.archetype());
+      float pixels = radius * camera.pixelsPerMetre(Gdx.graphics.getHeight());
+      actionHints.draw(hud, hud.at(camera, own.x(), own.y()), hud.points(pixels));
+    }
   }
 
   /** Chooses the colour of the own body. */
@@ -216,6 +237,31 @@ final class GameScreen extends ScreenAdapter {
 
   /** Returns the keys of the game, the ones a newcomer needs first. */
   private List<Hint> keyHints() {
+    List<Hint> hinted = new ArrayList<>();
+    for (Action action : keys.actions()) {
+      for (Action.Binding binding : action.bindings()) {
+        if (!keys.names(binding).isEmpty()) {
+          hinted.add(new Hint(KeyMap.all(keys.names(binding)), binding.name()));
+        }
+      }
+    }
+    if (hinted.isEmpty()) {
+      hinted.addAll(usualHints());
+    }
+    hinted.addAll(
+        List.of(
+            new Hint(keys.first(KeyAction.PLAYERS), "players"),
+            new Hint(keys.first(KeyAction.CHAT), "chat"),
+            new Hint("1 to 8", "emotes"),
+            new Hint(keys.first(KeyAction.MUTE), "sound"),
+            new Hint("F1", "these keys"),
+            new Hint("F2", "rooms"),
+            new Hint("F3", "net graph"),
+            new Hint("Esc", "menu")));
+    return hinted;
+  }
+
+  private List<Hint> usualHints() {
     String move =
         String.join(
             " ",
@@ -226,15 +272,7 @@ final class GameScreen extends ScreenAdapter {
     return List.of(
         new Hint(move + ", pad", "move"),
         new Hint(keys.first(KeyAction.MAIN) + ", click", KeyAction.MAIN.label()),
-        new Hint(keys.first(KeyAction.SECOND) + ", right click", KeyAction.SECOND.label()),
-        new Hint(keys.first(KeyAction.PLAYERS), "players"),
-        new Hint(keys.first(KeyAction.CHAT), "chat"),
-        new Hint("1 to 8", "emotes"),
-        new Hint(keys.first(KeyAction.MUTE), "sound"),
-        new Hint("F1", "these keys"),
-        new Hint("F2", "rooms"),
-        new Hint("F3", "net graph"),
-        new Hint("Esc", "menu"));
+        new Hint(keys.first(KeyAction.SECOND) + ", right click", KeyAction.SECOND.label()));
   }
 
   @Override
@@ -278,6 +316,7 @@ final class GameScreen extends ScreenAdapter {
     }
     return (keys.isDown(KeyAction.PLAYERS) && ask(key))
         || (client.view().watchedPlayer() >= 0 && watch(key))
+        || keys.isOfGame(key)
         || conversation.key(key, isDown(Keys.SHIFT_LEFT, Keys.SHIFT_RIGHT))
         || picture.key(key);
   }
@@ -331,6 +370,7 @@ final class GameScreen extends ScreenAdapter {
     secondsPlayed = view.phase() == ConnectionPhase.PLAYING ? secondsPlayed + deltaSeconds : 0;
     if (view.phase() == ConnectionPhase.PLAYING) {
       tellNews(view);
+      actionHints.play(view.own() == null ? 0 : deltaSeconds);
     }
     draw(view, nowNs, deltaSeconds);
   }
@@ -350,6 +390,7 @@ final class GameScreen extends ScreenAdapter {
     boolean tab = !pause.isOpen() && keys.isDown(KeyAction.PLAYERS);
     picture.panels(!rooms.isOpen());
     picture.draw(view, tab, nowNs, deltaSeconds);
+    takeActions(view);
     if (view.level() != null) {
       OrthographicCamera shown = picture.camera().gdx();
       client.look(shown.position.x, shown.position.y, shown.viewportWidth, shown.viewportHeight);
@@ -377,6 +418,18 @@ final class GameScreen extends ScreenAdapter {
     if (pause.isOpen()) {
       hud.veil();
       pause.draw(deltaSeconds);
+    }
+  }
+
+  /** Makes the actions of the game that is shown those of the keys. */
+  private void takeActions(ClientView view) {
+    List<Action> actions = picture.look().setup().actions();
+    if (keys.actions() != actions) {
+      keys.game(view.game(), actions);
+      hints.keys(keyHints());
+      if (!keys.unknown().isEmpty()) {
+        LOG.warn("unknown keys in the view of {} or the settings: {}", view.game(), keys.unknown());
+      }
     }
   }
 

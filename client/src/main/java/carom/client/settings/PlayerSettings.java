@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -18,6 +19,9 @@ import java.util.stream.Stream;
  * each row. Immutable; start from {@link #defaults}.
  */
 public final class PlayerSettings extends Settings<PlayerSettings> {
+  /** Most actions of games of which the keys are kept. */
+  private static final int MAX_GAME_KEYS = 500;
+
   /** Most servers in the list of recent ones. */
   public static final int MAX_RECENT = 8;
 
@@ -73,6 +77,11 @@ public final class PlayerSettings extends Settings<PlayerSettings> {
               .text(action.label()));
     }
   }
+
+  private static final Setting<Map<String, List<String>>> GAME_KEYS =
+      ROWS.of("game-keys", "KEYS", PlayerSettings::gameKeys, "")
+          .text("of games' own actions, such as: tag.sprint: Space, F | tag.jump: W")
+          .written(PlayerSettings::written);
 
   public static final Setting<List<String>> RECENT =
       ROWS.of("recent", "SERVERS", text -> list(text, MAX_RECENT), "")
@@ -184,9 +193,42 @@ public final class PlayerSettings extends Settings<PlayerSettings> {
     return changed.with(KEYS.get(action), List.copyOf(names));
   }
 
-  /** Returns a copy with the default keys. */
+  private static Map<String, List<String>> gameKeys(String text) {
+    Map<String, List<String>> keys = new TreeMap<>();
+    for (String entry : text.split("\\|")) {
+      int at = (entry + " ").indexOf(": ");
+      if (at > 0 && keys.size() < MAX_GAME_KEYS) {
+        keys.put(entry.substring(0, at).strip(), list(entry.substring(at + 1), MAX_GAME_KEYS));
+      }
+    }
+    return keys;
+  }
+
+  private static String written(Map<String, List<String>> keys) {
+    return keys.entrySet().stream()
+        .map(entry -> entry.getKey() + ": " + String.join(", ", entry.getValue()))
+        .collect(Collectors.joining(" | "));
+  }
+
+  /** Returns the keys that the player has chosen for an action of a game, or null for none. */
+  public List<String> gameKeys(String game, String action) {
+    return get(GAME_KEYS).get(game + "." + action);
+  }
+
+  /** Returns a copy with other keys for an action of a game; null for those of the game. */
+  public PlayerSettings withGameKeys(String game, String action, List<String> names) {
+    Map<String, List<String>> changed = new TreeMap<>(get(GAME_KEYS));
+    if (names == null) {
+      changed.remove(game + "." + action);
+    } else {
+      changed.put(game + "." + action, List.copyOf(names));
+    }
+    return with(GAME_KEYS, changed);
+  }
+
+  /** Returns a copy with the default keys, also of games. */
   public PlayerSettings withDefaultKeys() {
-    PlayerSettings changed = this;
+    PlayerSettings changed = with(GAME_KEYS, null);
     for (Setting<List<String>> row : KEYS.values()) {
       changed = changed.with(row, null);
     }

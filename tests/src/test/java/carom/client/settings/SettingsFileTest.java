@@ -53,6 +53,8 @@ final class SettingsFileTest {
             .with(PlayerSettings.INTERPOLATION, 75)
             .withKeys(KeyAction.LEFT, List.of("J", "Left"))
             .withKeys(KeyAction.MUTE, List.of())
+            .withGameKeys("tag", "sprint", List.of("Space", "L-Shift"))
+            .withGameKeys("tag", "shout", List.of())
             .withRecent("a")
             .withRecent("b:1/2")
             .withFavouriteToggled("c")
@@ -63,6 +65,7 @@ final class SettingsFileTest {
     String text = Files.readString(file());
     assertTrue(text.contains("\nwindow = 1920 x 1080\n"), text);
     assertTrue(text.contains("\nkey.left = J, Left\n"), text);
+    assertTrue(text.contains("\ngame-keys = tag.shout:  | tag.sprint: Space, L-Shift\n"), text);
     assertTrue(text.contains("\nrecent = b:1/2, a\n"), text);
   }
 

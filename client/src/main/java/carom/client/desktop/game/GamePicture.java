@@ -9,6 +9,7 @@ import carom.client.desktop.hud.Pointers;
 import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.hud.ScoreList;
 import carom.client.desktop.hud.ShownGame;
+import carom.client.desktop.look.ShownLook;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.DebugPainter;
 import carom.client.desktop.paint.Fonts;
@@ -51,6 +52,7 @@ public final class GamePicture implements Disposable {
   private final ClockPanel clock;
   private final ShownGame game = new ShownGame();
   private final PlayerColours colours;
+  private final ShownLook look;
   private final ScoreBoard scoreBoard;
   private final ScoreList scores;
   private final GaugePanel gauges;
@@ -66,6 +68,7 @@ public final class GamePicture implements Disposable {
     this.sounds = sounds;
     hud = new Hud(canvas, fonts);
     parts = new PictureParts(hud::abandon, hud::showAnswer);
+    look = new ShownLook(hud::showAnswer);
     colours = new PlayerColours(game);
     world = new WorldPainter(canvas, parts, colours);
     debug = new DebugPainter(canvas);
@@ -94,6 +97,11 @@ public final class GamePicture implements Disposable {
   /** Returns what the game that is shown says of itself. */
   public ShownGame game() {
     return game;
+  }
+
+  /** Returns the look that the game has of its own. */
+  public ShownLook look() {
+    return look;
   }
 
   /** Sets what draws words over bodies. */
@@ -171,6 +179,7 @@ public final class GamePicture implements Disposable {
       level = view.level();
       parts.renew();
     }
+    look.show(view.game());
     Drawn own = view.own() == null ? view.watched() : view.own();
     camera.update(
         view.level().bounds(),

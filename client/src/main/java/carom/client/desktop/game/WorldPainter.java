@@ -31,7 +31,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Draws a level and everything that moves in it, in metres. Render thread only. */
-final class WorldPainter {
+public final class WorldPainter {
   private static final float GRID_M = 2;
   private static final float SHADOW_X_M = 0.10f;
   private static final float SHADOW_Y_M = -0.14f;
@@ -464,7 +464,7 @@ final class WorldPainter {
   }
 
   /** Returns half of the smaller side of an archetype's first shape, metres. */
-  static float extent(Archetype archetype) {
+  public static float extent(Archetype archetype) {
     return extent(archetype.shapes().get(0).parts().get(0));
   }
 

@@ -207,6 +207,15 @@ public final class Hud implements Disposable {
     centred(large ? fonts.title() : fonts.text(), text, at.x, at.y, textColor);
   }
 
+  /** Draws a word of the world, which lies below all panels; y is the top of its capitals. */
+  public void floatingLeft(BitmapFont font, String text, float x, float y, Color tint) {
+    if (witness != null) {
+      witness.word(font, text, x, y);
+    }
+    shadow(font, text, x, y, tint);
+    write(font, text, x, y, tint);
+  }
+
   /** Draws the notices of the last seconds, newest on top, fading; long ones in several lines. */
   public void notices(ClientView view, long nowNs) {
     noticeLines.clear();
@@ -419,7 +428,7 @@ public final class Hud implements Disposable {
   }
 
   /** Returns a length in points. */
-  float points(float pixels) {
+  public float points(float pixels) {
     return pixels / scale;
   }
 

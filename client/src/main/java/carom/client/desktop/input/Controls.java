@@ -1,6 +1,7 @@
 package carom.client.desktop.input;
 
 import carom.client.desktop.paint.ViewCamera;
+import carom.client.look.Action;
 import carom.client.settings.KeyAction;
 import carom.sim.entity.Input;
 import com.badlogic.gdx.Gdx;
@@ -12,8 +13,9 @@ import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector3;
 
 /**
- * Reads keyboard, mouse and controller into the player's input. All devices work at once; the one
- * used last decides where the player aims. Render thread only.
+ * Reads keyboard, mouse and controller into the player's input: by the actions that the game's view
+ * names, or else by the usual ones. All devices work at once; the one used last decides where the
+ * player aims. Render thread only.
  */
 public final class Controls {
   /** Stick travel that counts as none, 0..1: cheap sticks rest up to here. */
@@ -24,6 +26,8 @@ public final class Controls {
   private int lastMouseX;
   private int lastMouseY;
   private boolean mouseAims;
+  private boolean padUsed;
+  private boolean lastPad;
 
   /** Creates controls over the keys that the player has chosen. */
   public Controls(KeyMap keys) {
@@ -39,51 +43,181 @@ public final class Controls {
    * @param y the player's drawn position, metres
    */
   public void sample(Input out, ViewCamera camera, float x, float y) {
-    float moveX = axis(KeyAction.RIGHT) - axis(KeyAction.LEFT);
-    float moveY = axis(KeyAction.UP) - axis(KeyAction.DOWN);
-    // One key for whatever a game does most: games use one of the two.
-    boolean both = keys.isDown(KeyAction.MAIN) || Gdx.input.isButtonPressed(Buttons.LEFT);
-    boolean jump = both || keys.isDown(KeyAction.JUMP) || keys.isDown(KeyAction.UP);
-    boolean action = both || keys.isDown(KeyAction.ACTION);
-    boolean second = keys.isDown(KeyAction.SECOND) || Gdx.input.isButtonPressed(Buttons.RIGHT);
-    float stickAimX = 0;
-    float stickAimY = 0;
-
+    padUsed = false;
     Controller pad = Controllers.getCurrent();
-    if (pad != null && pad.isConnected()) {
-      ControllerMapping map = pad.getMapping();
-      moveX +=
-          stick(pad, map.axisLeftX)
-              + pressed(pad, map.buttonDpadRight)
-              - pressed(pad, map.buttonDpadLeft);
-      moveY +=
-          -stick(pad, map.axisLeftY)
-              + pressed(pad, map.buttonDpadUp)
-              - pressed(pad, map.buttonDpadDown);
-      stickAimX = stick(pad, map.axisRightX);
-      stickAimY = -stick(pad, map.axisRightY);
-      jump |= pad.getButton(map.buttonA);
-      action |=
-          pad.getButton(map.buttonA) || pad.getButton(map.buttonX) || pad.getButton(map.buttonR1);
-      second |= pad.getButton(map.buttonB);
-    }
+    pad = pad != null && pad.isConnected() ? pad : null;
+    boolean hasX = has(Action.Kind.MOVE_X);
+    boolean hasY = has(Action.Kind.MOVE_Y);
+    float moveX = hasX ? move(Action.Kind.MOVE_X, pad) : usualX(pad);
+    float moveY = hasY ? move(Action.Kind.MOVE_Y, pad) : usualY(pad);
     float length = (float) Math.sqrt(moveX * moveX + moveY * moveY);
     if (length > 1) {
       moveX /= length;
       moveY /= length;
     }
-    aim(camera, x, y, moveX, moveY, stickAimX, stickAimY);
-    out.move(moveX, moveY)
-        .aim(aimRad)
-        .hold(Input.JUMP, jump)
-        .hold(Input.ACTION, action)
-        .hold(Input.SECOND, second)
-        .hold(Input.DOWN, moveY < -0.5f)
-        .hold(Input.UP, moveY > 0.5f);
+    aim(camera, x, y, moveX, moveY, pad);
+    out.move(moveX, moveY).aim(aimRad);
+    out.buttons(has(Action.Kind.BUTTON) ? buttons(pad) : usualButtons(pad, moveY));
+    lastPad = out.buttons() != 0 || length > 0 ? padUsed : lastPad;
   }
 
-  private void aim(
-      ViewCamera camera, float x, float y, float moveX, float moveY, float stickX, float stickY) {
+  /** Returns whether the gamepad was used last, so that hints name its buttons. */
+  boolean isPadUsed() {
+    return lastPad;
+  }
+
+  private boolean has(Action.Kind kind) {
+    for (int i = 0; i < keys.actions().size(); i++) {
+      if (keys.actions().get(i).kind() == kind) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // ---- the usual keys
+
+  private float usualX(Controller pad) {
+    float x = axis(KeyAction.RIGHT) - axis(KeyAction.LEFT);
+    return x + (pad == null ? 0 : stickX(pad, "left") + stickX(pad, "d-pad"));
+  }
+
+  private float usualY(Controller pad) {
+    float y = axis(KeyAction.UP) - axis(KeyAction.DOWN);
+    return y + (pad == null ? 0 : stickY(pad, "left") + stickY(pad, "d-pad"));
+  }
+
+  private int usualButtons(Controller pad, float moveY) {
+    // One key for whatever a game does most: games use one of the two.
+    boolean both =
+        keys.isDown(KeyAction.MAIN)
+            || Gdx.input.isButtonPressed(Buttons.LEFT)
+            || (pad != null && isPressed(pad, "A"));
+    boolean jump = both || keys.isDown(KeyAction.JUMP) || keys.isDown(KeyAction.UP);
+    boolean action =
+        both
+            || keys.isDown(KeyAction.ACTION)
+            || (pad != null && (isPressed(pad, "X") || isPressed(pad, "R1")));
+    boolean second =
+        keys.isDown(KeyAction.SECOND)
+            || Gdx.input.isButtonPressed(Buttons.RIGHT)
+            || (pad != null && isPressed(pad, "B"));
+    return (jump ? Input.JUMP : 0)
+        | (action ? Input.ACTION : 0)
+        | (second ? Input.SECOND : 0)
+        | (moveY < -0.5f ? Input.DOWN : 0)
+        | (moveY > 0.5f ? Input.UP : 0);
+  }
+
+  // ---- the game's own actions
+
+  private float move(Action.Kind kind, Controller pad) {
+    float sum = 0;
+    for (int i = 0; i < keys.actions().size(); i++) {
+      Action action = keys.actions().get(i);
+      if (action.kind() == kind) {
+        sum += keys.isDown(action.bindings().get(1)) ? 1 : 0;
+        sum -= keys.isDown(action.bindings().get(0)) ? 1 : 0;
+        for (int k = 0; pad != null && k < action.sticks().size(); k++) {
+          String stick = action.sticks().get(k);
+          sum += kind == Action.Kind.MOVE_X ? stickX(pad, stick) : stickY(pad, stick);
+        }
+      }
+    }
+    return Math.max(-1, Math.min(1, sum));
+  }
+
+  private int buttons(Controller pad) {
+    int held = 0;
+    for (int i = 0; i < keys.actions().size(); i++) {
+      Action action = keys.actions().get(i);
+      if (action.kind() == Action.Kind.BUTTON && isHeld(action, pad)) {
+        held |= action.button();
+      }
+    }
+    return held;
+  }
+
+  /** Returns whether a button of the game is held on any device. */
+  private boolean isHeld(Action action, Controller pad) {
+    boolean held = keys.isDown(action.bindings().get(0));
+    for (int i = 0; i < action.mouse().size(); i++) {
+      held |= Gdx.input.isButtonPressed(mouse(action.mouse().get(i)));
+    }
+    for (int i = 0; pad != null && i < action.pad().size(); i++) {
+      held |= isPressed(pad, action.pad().get(i));
+    }
+    return held;
+  }
+
+  private static int mouse(String name) {
+    return switch (name) {
+      case "left" -> Buttons.LEFT;
+      case "right" -> Buttons.RIGHT;
+      default -> Buttons.MIDDLE;
+    };
+  }
+
+  // ---- the gamepad
+
+  private boolean isPressed(Controller pad, String name) {
+    ControllerMapping map = pad.getMapping();
+    int button =
+        switch (name) {
+          case "A" -> map.buttonA;
+          case "B" -> map.buttonB;
+          case "X" -> map.buttonX;
+          case "Y" -> map.buttonY;
+          case "L1" -> map.buttonL1;
+          case "R1" -> map.buttonR1;
+          case "L3" -> map.buttonLeftStick;
+          case "R3" -> map.buttonRightStick;
+          case "Back" -> map.buttonBack;
+          default -> map.buttonStart;
+        };
+    return noted(pressed(pad, button)) != 0;
+  }
+
+  private float stickX(Controller pad, String name) {
+    ControllerMapping map = pad.getMapping();
+    return noted(
+        switch (name) {
+          case "left" -> stick(pad, map.axisLeftX);
+          case "right" -> stick(pad, map.axisRightX);
+          default -> pressed(pad, map.buttonDpadRight) - pressed(pad, map.buttonDpadLeft);
+        });
+  }
+
+  private float stickY(Controller pad, String name) {
+    ControllerMapping map = pad.getMapping();
+    return noted(
+        switch (name) {
+          case "left" -> -stick(pad, map.axisLeftY);
+          case "right" -> -stick(pad, map.axisRightY);
+          default -> pressed(pad, map.buttonDpadUp) - pressed(pad, map.buttonDpadDown);
+        });
+  }
+
+  private float noted(float value) {
+    padUsed |= value != 0;
+    return value;
+  }
+
+  private void aim(ViewCamera camera, float x, float y, float moveX, float moveY, Controller pad) {
+    boolean usual = !has(Action.Kind.AIM);
+    boolean pointer = usual;
+    float stickX = usual && pad != null ? stickX(pad, "right") : 0;
+    float stickY = usual && pad != null ? stickY(pad, "right") : 0;
+    for (int i = 0; !usual && i < keys.actions().size(); i++) {
+      Action action = keys.actions().get(i);
+      if (action.kind() == Action.Kind.AIM) {
+        pointer |= !action.mouse().isEmpty();
+        for (int k = 0; pad != null && k < action.sticks().size(); k++) {
+          stickX += stickX(pad, action.sticks().get(k));
+          stickY += stickY(pad, action.sticks().get(k));
+        }
+      }
+    }
     int mouseX = Gdx.input.getX();
     int mouseY = Gdx.input.getY();
     if (mouseX != lastMouseX || mouseY != lastMouseY || Gdx.input.isButtonPressed(Buttons.LEFT)) {
@@ -94,7 +228,7 @@ public final class Controls {
     if (stickX != 0 || stickY != 0) {
       aimRad = MathUtils.atan2(stickY, stickX);
       mouseAims = false;
-    } else if (mouseAims) {
+    } else if (mouseAims && pointer) {
       Vector3 at = camera.toWorld(mouseX, mouseY);
       aimRad = MathUtils.atan2(at.y - y, at.x - x);
     } else if (moveX != 0 || moveY != 0) {

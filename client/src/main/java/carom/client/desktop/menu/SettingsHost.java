@@ -1,5 +1,6 @@
 package carom.client.desktop.menu;
 
+import carom.client.desktop.input.KeyMap;
 import carom.client.settings.PlayerSettings;
 
 /** Holds the settings that menus show, and applies what the player changes. Render thread only. */
@@ -12,6 +13,9 @@ public interface SettingsHost {
 
   /** Applies changed settings at once and keeps them. */
   void change(PlayerSettings changed);
+
+  /** Returns the keys of the window and of the game that is shown. */
+  KeyMap keys();
 
   /** Returns the name to play under: that of the command line until the player types another. */
   String playerName();

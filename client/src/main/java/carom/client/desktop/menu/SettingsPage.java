@@ -1,6 +1,7 @@
 package carom.client.desktop.menu;
 
 import carom.client.desktop.input.KeyMap;
+import carom.client.look.Action;
 import carom.client.settings.KeyAction;
 import carom.client.settings.Palette;
 import carom.client.settings.PlayerSettings;
@@ -9,6 +10,7 @@ import com.badlogic.gdx.scenes.scene2d.Actor;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
 import com.badlogic.gdx.scenes.scene2d.ui.TextField;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 
 /** The settings, each in a line. A change counts at once and is kept. Render thread only. */
@@ -21,7 +23,10 @@ final class SettingsPage implements Page {
   private final MenuStage stage;
   private final Runnable rebuild;
   private TextField name;
-  private KeyAction waiting;
+
+  /** The action for which the player chooses a key, of the window or of the game; or null. */
+  private Object waiting;
+
   private String problem = "";
 
   /**
@@ -97,11 +102,25 @@ final class SettingsPage implements Page {
         widgets.button(
             s.get(PlayerSettings.PALETTE).label(),
             () -> change(host.settings().with(PlayerSettings.PALETTE, next))));
+    KeyMap keys = host.keys();
+    if (!keys.actions().isEmpty()) {
+      into.add(widgets.muted("Keys of this game")).padTop(10).colspan(2).row();
+    }
+    for (Action action : keys.actions()) {
+      for (Action.Binding binding : action.bindings()) {
+        if (action.kind() != Action.Kind.AIM) {
+          key(into, binding, binding.name(), keys.names(binding), n -> keys.withKeys(binding, n));
+        }
+      }
+    }
     into.add(widgets.muted("Keys")).padTop(10).colspan(2).row();
     for (KeyAction action : KeyAction.values()) {
-      String keys = KeyMap.all(s.keys().get(action));
-      String text = waiting == action ? "press a key ... (Esc: none)" : keys;
-      line(into, action.label(), widgets.button(text, () -> ask(action)));
+      key(
+          into,
+          action,
+          action.label(),
+          s.keys().get(action),
+          n -> host.settings().withKeys(action, n));
     }
     line(
         into,
@@ -137,14 +156,26 @@ final class SettingsPage implements Page {
     line(into, label, row);
   }
 
-  private void ask(KeyAction action) {
+  /** Adds a line for the keys of an action. */
+  private void key(
+      Table into,
+      Object action,
+      String label,
+      List<String> keys,
+      Function<List<String>, PlayerSettings> with) {
+    boolean asks = action.equals(waiting);
+    String text = asks ? "press a key ... (Esc: none)" : KeyMap.all(keys);
+    line(into, label, widgets.button(text, () -> ask(action, with)));
+  }
+
+  private void ask(Object action, Function<List<String>, PlayerSettings> with) {
     waiting = action;
     stage.capture(
         key -> {
           waiting = null;
           String chosen = Keys.toString(key);
           boolean none = key == 0 || chosen == null;
-          change(host.settings().withKeys(action, none ? List.of() : List.of(chosen)));
+          change(with.apply(none ? List.of() : List.of(chosen)));
         });
     rebuild.run();
   }
