@@ -9,6 +9,7 @@ import carom.client.desktop.hud.Pointers;
 import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.hud.ScoreList;
 import carom.client.desktop.hud.ShownGame;
+import carom.client.desktop.look.LookPainter;
 import carom.client.desktop.look.ShownLook;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.DebugPainter;
@@ -44,7 +45,7 @@ public final class GamePicture implements Disposable {
 
   private final ViewCamera camera = new ViewCamera();
   private final PictureParts parts;
-  private final Flashes flashes = new Flashes();
+  private final Flashes flashes;
   private final EventSounds sounds;
   private final WorldPainter world;
   private final DebugPainter debug;
@@ -53,6 +54,7 @@ public final class GamePicture implements Disposable {
   private final ShownGame game = new ShownGame();
   private final PlayerColours colours;
   private final ShownLook look;
+  private final LookPainter lookPainter;
   private final ScoreBoard scoreBoard;
   private final ScoreList scores;
   private final GaugePanel gauges;
@@ -67,16 +69,24 @@ public final class GamePicture implements Disposable {
   public GamePicture(Canvas canvas, Fonts fonts, EventSounds sounds) {
     this.sounds = sounds;
     hud = new Hud(canvas, fonts);
-    parts = new PictureParts(hud::abandon, hud::showAnswer);
+    parts = new PictureParts(this::repair, hud::showAnswer);
     look = new ShownLook(hud::showAnswer);
+    lookPainter = new LookPainter(look, parts);
+    flashes = new Flashes(lookPainter.effects()::replacesRing);
     colours = new PlayerColours(game);
-    world = new WorldPainter(canvas, parts, colours);
+    world = new WorldPainter(canvas, parts, colours, lookPainter);
     debug = new DebugPainter(canvas);
     clock = new ClockPanel(hud, canvas, fonts, game);
     scoreBoard = new ScoreBoard(hud, canvas, fonts, game);
     scores = new ScoreList(hud, canvas, fonts, game, colours);
     gauges = new GaugePanel(hud, canvas, fonts, game);
     pointers = new Pointers(hud, canvas, fonts, game);
+  }
+
+  /** Ends what a part of the picture that threw has begun. */
+  private void repair() {
+    hud.abandon();
+    lookPainter.abandon();
   }
 
   /** Returns the camera, which follows the own player. */
@@ -132,6 +142,7 @@ public final class GamePicture implements Disposable {
         double ago = view.renderTick() - event.tick();
         if (ago < STALE_SECONDS * view.tickRate()) {
           parts.run("flashes", () -> flashes.happened(event, predicted));
+          parts.run("effects of events", () -> lookPainter.effects().happened(event, predicted));
           parts.run("sounds", () -> sounds.happened(event, predicted));
         }
       }
@@ -179,7 +190,9 @@ public final class GamePicture implements Disposable {
       level = view.level();
       parts.renew();
     }
-    look.show(view.game());
+    if (look.show(view.game())) {
+      lookPainter.renew();
+    }
     Drawn own = view.own() == null ? view.watched() : view.own();
     camera.update(
         view.level().bounds(),
@@ -238,6 +251,7 @@ public final class GamePicture implements Disposable {
 
   @Override
   public void dispose() {
+    lookPainter.dispose();
     hud.dispose();
   }
 }

@@ -15,8 +15,6 @@ import org.junit.jupiter.api.Test;
 
 /** Goal: a game has the look of its view, and the usual one when the view fails. */
 final class ShownLookTest {
-  private static final Error MISSING = new NoClassDefFoundError("lib/Gone");
-
   private final List<String> told = new ArrayList<>();
   private final ShownLook look = new ShownLook(told::add);
 
@@ -54,7 +52,7 @@ final class ShownLookTest {
             new Declares(
                 "look-lacks",
                 () -> {
-                  throw MISSING;
+                  throw new NoClassDefFoundError("lib/Gone");
                 }));
     for (String game : List.of("look-throws", "look-lacks")) {
       told.clear();
