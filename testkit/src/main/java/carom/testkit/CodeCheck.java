@@ -42,6 +42,8 @@ final class CodeCheck {
       Set.of(
           "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "expm1", "log", "log10",
           "log1p", "pow", "cbrt", "sinh", "cosh", "tanh", "hypot");
+  private static final Set<String> SEEDED =
+      Set.of("java/util/Random", "java/util/SplittableRandom");
   private static final Set<String> HASHES =
       Set.of("java/util/HashMap", "java/util/HashSet", "java/util/IdentityHashMap");
   private static final Set<String> SORTED =
@@ -102,6 +104,7 @@ final class CodeCheck {
       }
     }
     Set<String> callbacks = new TreeSet<>();
+    callbacks.add("<init>");
     for (Method method : Game.class.getMethods()) {
       callbacks.add(method.getName());
     }
@@ -117,7 +120,7 @@ final class CodeCheck {
 
   /**
    * Returns the variables of the game's objects that callbacks write while playing, in words, each
-   * with callback and line. Scratch is no fault; what is remembered belongs into a field.
+   * with callback and line. Scratch is no fault; what is remembered belongs in a field.
    */
   List<String> variables() {
     return List.copyOf(variables);
@@ -148,7 +151,7 @@ final class CodeCheck {
       found.staticWrites.forEach(
           (variable, line) ->
               findings.add(
-                  callback
+                  words(callback)
                       + " writes the static variable "
                       + variable
                       + line
@@ -160,12 +163,12 @@ final class CodeCheck {
       for (Call inner : found.calls) {
         String why = wrong(inner);
         if (why != null) {
+          String owner = inner.owner.replace('/', '.');
+          boolean isNew = inner.name.equals("<init>");
           findings.add(
-              callback
+              words(callback)
                   + " calls "
-                  + inner.owner.replace('/', '.')
-                  + "."
-                  + inner.name
+                  + (isNew ? "new " + owner : owner + "." + inner.name)
                   + inner.line
                   + "; "
                   + why);
@@ -173,6 +176,10 @@ final class CodeCheck {
         waiting.add(inner);
       }
     }
+  }
+
+  private static String words(String callback) {
+    return callback.equals("<init>") ? "the constructor" : callback;
   }
 
   /** Returns why a call is wrong, with advice, or null. */
@@ -191,12 +198,12 @@ final class CodeCheck {
       boolean isStrict = owner.endsWith("StrictMath");
       return name.equals("random") ? RANDOM : !isStrict && INEXACT.contains(name) ? BITS : null;
     }
-    if (owner.equals("java/util/Random")
-        || owner.equals("java/util/SplittableRandom")
+    boolean isSeeded = !call.descriptor.equals("()V"); // then its numbers are always the same
+    if ((SEEDED.contains(owner) && name.equals("<init>") && !isSeeded)
         || owner.equals("java/util/concurrent/ThreadLocalRandom")
         || owner.equals("java/security/SecureRandom")
         || (owner.equals("java/util/UUID") && name.equals("randomUUID"))
-        || (owner.equals("java/util/Collections") && name.equals("shuffle"))) {
+        || (name.equals("shuffle") && call.descriptor.equals("(Ljava/util/List;)V"))) {
       return RANDOM;
     }
     if (owner.startsWith("java/time/") && (name.equals("now") || owner.endsWith("/Clock"))) {
@@ -264,7 +271,7 @@ final class CodeCheck {
   private final class Reader extends ClassVisitor {
     private final String type;
     private final Map<String, Code> methods;
-    private String file = "";
+    private String file;
 
     Reader(String type, Map<String, Code> methods) {
       super(API);
@@ -322,6 +329,10 @@ final class CodeCheck {
     public void visitMethodInsn(int op, String owner, String name, String what, boolean inFace) {
       found.calls.add(new Call(owner, name, what, here()));
       unread.add(owner);
+      if ((owner.equals("java/util/Map") || owner.equals("java/util/Set"))
+          && (name.equals("of") || name.equals("copyOf") || name.equals("ofEntries"))) {
+        made.add("java/util/HashMap"); // its order is another in each process
+      }
     }
 
     @Override

@@ -12,13 +12,13 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Finds out why players' own bodies were predicted wrong while bots play a game. Each time, the
- * cause is looked for in the ticks since the body was last right: a line of the game's rules that
- * changed the player's bodies or fields, whatever how seldom; an input that came too late; else the
+ * Finds out why clients shifted their players' own bodies while bots play a game. Each time, the
+ * cause is looked for in the ticks since the snapshot before: a line of the game's rules that
+ * changed the player's bodies or fields, also once only; an input that came too late; else the
  * bodies near it. One simulated world's; one thread.
  */
 final class Costs implements RuleWatch {
-  /** A cause of wrong predictions of own bodies, and how often it was one. */
+  /** A cause of shifts of own bodies, and how often it was one. */
   record Cost(String cause, long times) {}
 
   private static final String LATE = "own inputs that came too late";
@@ -32,7 +32,7 @@ final class Costs implements RuleWatch {
 
     int lateTick = -1;
     int comparedTick;
-    long wrong;
+    long shifts;
     long missing;
   }
 
@@ -75,12 +75,13 @@ final class Costs implements RuleWatch {
     of.lateTick = missing > of.missing ? watched.tick() : of.lateTick;
     of.missing = missing;
     int tick = client.game().decoder().newestTick();
-    long wrong = client.stats().shifts();
-    if (wrong > of.wrong && !isNew) {
-      times.merge(cause(of, tick, client.stats().nearBodies()), wrong - of.wrong, Long::sum);
+    long shifts = client.stats().shifts();
+    if (shifts > of.shifts && !isNew) {
+      times.merge(cause(of, tick, client.stats().nearBodies()), shifts - of.shifts, Long::sum);
     }
-    of.wrong = wrong;
+    of.shifts = shifts;
     of.comparedTick = Math.max(of.comparedTick, tick);
+    of.lines.headMap(of.comparedTick - 1).clear();
   }
 
   private String cause(Watched of, int tick, int nearBodies) {

@@ -16,9 +16,13 @@ record GameCode(Class<?> game) {
     return line(at.getClassName(), at.getMethodName(), at.getFileName(), at.getLineNumber());
   }
 
-  /** Returns class, method and line, such as {@code Tag.hurt (Tag.java:57)}. */
+  /**
+   * Returns class, method and line, such as {@code Tag.hurt (Tag.java:57)}.
+   *
+   * @param file name of the source, or null if the class was compiled without it
+   */
   String line(String className, String method, String file, int line) {
     String simple = className.substring(className.lastIndexOf('.') + 1).replace('$', '.');
-    return simple + "." + method + " (" + file + ":" + line + ")";
+    return simple + "." + method + (file == null ? "" : " (" + file + ":" + line + ")");
   }
 }

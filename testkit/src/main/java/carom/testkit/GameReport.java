@@ -12,7 +12,7 @@ import java.util.Map;
 
 /** The result of testing a game, for people and as JSON. Immutable. */
 public final class GameReport {
-  /** Most causes of wrong predictions that are shown of a run; JSON has all. */
+  /** Most causes of shifts that are shown of a run; JSON has all. */
   private static final int MOST_COSTS = 5;
 
   private final String game;
@@ -108,7 +108,7 @@ public final class GameReport {
     for (NetworkRun run : runs) {
       String costs = costs(run);
       if (!costs.isEmpty()) {
-        text.append("predicted wrong, ").append(run.network()).append(", players=");
+        text.append("own bodies shifted, ").append(run.network()).append(", players=");
         text.append(run.players()).append(": ").append(costs).append(System.lineSeparator());
       }
     }
@@ -128,7 +128,7 @@ public final class GameReport {
     return text.toString();
   }
 
-  /** Returns why own bodies were predicted wrong: how often, and the share of each cause. */
+  /** Returns why own bodies were shifted: how often, and the share of each cause. */
   private String costs(NetworkRun run) {
     long sum = run.costs().stream().mapToLong(Costs.Cost::times).sum();
     if (sum == 0) {
@@ -161,7 +161,7 @@ public final class GameReport {
         g.writeNumberField("correctionsPerMinute", run.correctionsPerMinute());
         g.writeNumberField("rightPercent", run.rightPercent());
         g.writeNumberField("kbitPerSecond", run.kbitPerSecond());
-        g.writeArrayFieldStart("wrong");
+        g.writeArrayFieldStart("shifts");
         for (Costs.Cost cost : run.costs()) {
           g.writeStartObject();
           g.writeStringField("cause", cost.cause());

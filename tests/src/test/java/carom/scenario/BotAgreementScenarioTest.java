@@ -18,10 +18,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Goal: whatever is told late, clients go on from where they agreed with the server. Method: bots
- * who dash, jolt and push each other in the arena, over a network that loses bursts, so that
- * rulings and exact updates come after the ticks they are about were put right by other means.
- * Seeds 1 and 2 once went back behind such a tick: by a late ruling, and by a late update.
+ * Goal: though some of it is told late, clients go on from where they agreed with the server.
+ * Method: bots who dash, jolt and push each other in the arena, over a network that loses bursts,
+ * so that rulings and exact updates come after the ticks they are about were put right by other
+ * means. Seeds 1 and 2 once went back behind such a tick: by a late ruling, and by a late update.
  */
 final class BotAgreementScenarioTest {
   static LongStream seeds() {

@@ -89,7 +89,7 @@ final class Controls {
   }
 
   private int usualButtons(Controller pad, float moveY) {
-    // One key for whatever a game does most: games use one of the two.
+    // One key for what a game does most: games use one of the two.
     boolean both =
         keys.isDown(KeyAction.MAIN)
             || Gdx.input.isButtonPressed(Buttons.LEFT)

@@ -1,7 +1,7 @@
 package carom.client.look;
 
 /**
- * The look of a game: its keys, pictures, effects and sounds. Put a class with a public constructor
+ * The look of a game: at present its actions and their keys. Put a class with a public constructor
  * without parameters beside the game, and list it in {@code
  * META-INF/services/carom.client.look.GameView} of the game's jar. Only windows load it. A game
  * without one has the usual look.
@@ -15,8 +15,8 @@ package carom.client.look;
  * }
  * }</pre>
  *
- * <p>A view that throws costs a message: the part that failed is left out, and the usual look takes
- * its place. Called on the thread that draws.
+ * <p>A view that throws costs a message, and the game has the usual look. Called on the thread that
+ * draws.
  */
 public interface GameView {
   /** Returns the name of the game. */

@@ -1,7 +1,7 @@
 /**
- * The look of a game as its author describes it: keys, pictures, effects, sounds and the HUD. A
- * game's jar has one {@link carom.client.look.GameView}; a window finds it and draws what it
- * declares. No class here knows a window toolkit, and no server loads one.
+ * The look of a game as its author describes it: at present its actions and their keys. A game's
+ * jar has one {@link carom.client.look.GameView}; a window finds it and draws what it declares. No
+ * class here knows a window toolkit, and no server loads one.
  *
  * <p>Imports {@code carom.client.view} and {@code carom.client.field} for what a picture shows,
  * {@code carom.game} and {@code carom.sim..}. Read first: {@link carom.client.look.GameView},

@@ -11,9 +11,9 @@ import carom.sim.near.Neighbourhood;
  * corrects, and resimulates up to the present. {@link Prediction} describes the steps. One
  * prediction's; allocates nothing unless it corrects.
  *
- * <p>Nothing goes back behind the last tick at which all was as the server has it: the state there
- * has the effect of whatever is told late of earlier ticks, and the saved ones before it may lack
- * what was put right since.
+ * <p>Nothing goes back behind the last tick at which all was as the server has it. The state of
+ * that tick includes what is told late of earlier ones. The states saved before it may lack what
+ * was put right since.
  */
 final class Reconciler {
   private final SimulationHost simulation;

@@ -95,8 +95,8 @@ public final class Reconciliation {
 
   /**
    * Returns how far the own body is in the present from where it was before the reconciliation,
-   * metres, whatever the reason. What the rules did to it may be known before it shows, so this may
-   * be more than {@link #correctionMetres}.
+   * metres, for any reason. What the rules did to it may be known before it shows, so this may be
+   * more than {@link #correctionMetres}.
    */
   public float shiftMetres() {
     return replayedTicks > 0 ? correctionMetres : 0;

@@ -47,7 +47,7 @@ public enum Phase {
     this.callback = callback;
   }
 
-  /** Returns whether what runs in it runs on servers alone, within the game. */
+  /** Returns whether a change that the game makes in it is none that clients compute. */
   public boolean isOfRules() {
     return this != SET_UP && this != BETWEEN_STEPS && this != INPUT && this != FORCES;
   }

@@ -75,7 +75,7 @@ public final class Phases<P> {
     inStep = true;
   }
 
-  /** Ends set-up, or a step with all its phases, whatever has been thrown in it. */
+  /** Ends set-up, or a step with all its phases, also one in which something was thrown. */
   public void endStep() {
     inStep = false;
     player = null;

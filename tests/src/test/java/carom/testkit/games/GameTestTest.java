@@ -189,6 +189,22 @@ class GameTestTest {
     }
   }
 
+  /** Lays out what it has by dice that are the same each time, which breaks no rule. */
+  public static final class LaysOut extends Good {
+    private float speed;
+
+    @Override
+    public void setUp(SetUp s) {
+      super.setUp(s);
+      speed = 4 + new Random(7).nextFloat();
+    }
+
+    @Override
+    float speed(Simulation s, Player p, Input in) {
+      return speed;
+    }
+  }
+
   /** Does otherwise on clients. */
   public static final class KnowsItsRole extends Good {
     private boolean serves;
@@ -263,6 +279,9 @@ class GameTestTest {
   @Test
   void diceThatNoSeedRepeatsAreTold() throws Exception {
     assertFinds("the same seed and the same inputs give another state", RollsDice::new);
+    assertFinds(
+        "the constructor calls new java.util.Random at GameTestTest.RollsDice", RollsDice::new);
+    assertEquals(List.of(), test(LaysOut::new).broken());
     assertFinds("server and clients with the same seed end in another state", RollsDice::new);
   }
 
