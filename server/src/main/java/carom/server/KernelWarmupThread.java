@@ -97,9 +97,9 @@ final class KernelWarmupThread {
     int still = 0;
     for (int i = 0; i < MOST_STEPS && still < STILL_STEPS && !sets.isEmpty(); i++) {
       boolean anew = rehearsal.isAtEnd();
-      long bytes = threads.getThreadAllocatedBytes(thread.getId());
+      long bytes = threads.getCurrentThreadAllocatedBytes();
       rehearsal.step();
-      boolean allocated = threads.getThreadAllocatedBytes(thread.getId()) != bytes;
+      boolean allocated = threads.getCurrentThreadAllocatedBytes() != bytes;
       boolean trusted = sets.stream().allMatch(VectorKernels::isTrusted);
       still = anew || allocated || !trusted ? 0 : still + 1;
     }

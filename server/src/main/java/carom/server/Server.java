@@ -355,10 +355,12 @@ public final class Server implements AutoCloseable, RoomKeeper {
     for (int i = 0; i < rooms.size(); i++) {
       work += rooms.get(i).doWork(nowNs);
     }
-    for (Room room : leaving) {
-      work += room.doWork(nowNs);
+    if (!leaving.isEmpty()) {
+      for (Room room : leaving) {
+        work += room.doWork(nowNs);
+      }
+      leaving.removeIf(room -> room.isClosed() && room.isDeserted());
     }
-    leaving.removeIf(room -> room.isClosed() && room.isDeserted());
     return work;
   }
 

@@ -29,17 +29,16 @@ final class ClientAllocationTest {
               network.client(),
               new Bot(1));
       ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-      long id = Thread.currentThread().getId();
       long now = 1_000_000;
       long allocated = 0;
       for (int frame = 0; frame < WARM_UP_FRAMES + FRAMES; frame++) {
         now += ScriptedServer.TICK_NS;
         server.tick(now);
-        long before = threads.getThreadAllocatedBytes(id);
+        long before = threads.getCurrentThreadAllocatedBytes();
         client.update(now);
         int drawn = client.view().entityCount();
         if (frame >= WARM_UP_FRAMES) {
-          allocated += threads.getThreadAllocatedBytes(id) - before;
+          allocated += threads.getCurrentThreadAllocatedBytes() - before;
           assertTrue(drawn > 20, "drawn=" + drawn);
         }
       }

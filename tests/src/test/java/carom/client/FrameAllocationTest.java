@@ -34,7 +34,6 @@ final class FrameAllocationTest {
             network.client(),
             new Bot(1));
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long id = Thread.currentThread().getId();
     long now = 1_000_000;
     for (int i = 0; i < WARM_UP_TICKS; i++) {
       now += ScriptedServer.TICK_NS;
@@ -52,10 +51,10 @@ final class FrameAllocationTest {
         for (int frame = 1; frame < FRAMES_PER_TICK; frame++) {
           int tick = client.view().tick();
           double drawnAt = client.view().renderTick();
-          long before = threads.getThreadAllocatedBytes(id);
+          long before = threads.getCurrentThreadAllocatedBytes();
           client.update(now + frame * ScriptedServer.TICK_NS / FRAMES_PER_TICK);
           int drawn = client.view().entityCount();
-          long bytes = threads.getThreadAllocatedBytes(id) - before;
+          long bytes = threads.getCurrentThreadAllocatedBytes() - before;
           assertTrue(drawn > 20, "drawn=" + drawn);
           assertTrue(client.view().renderTick() > drawnAt, "the picture stands still");
           if (client.view().tick() == tick) {

@@ -209,16 +209,15 @@ final class EventListsTest {
     }
     steps(w, 3_000);
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long thread = Thread.currentThread().getId();
     long least = Long.MAX_VALUE;
     int events = 0;
     for (int round = 0; round < 10 && least > 0; round++) {
-      long before = threads.getThreadAllocatedBytes(thread);
+      long before = threads.getCurrentThreadAllocatedBytes();
       for (int i = 0; i < 100; i++) {
         w.step(DT);
         events += this.events.hits().count() + this.events.sensorEnds().count();
       }
-      least = Math.min(least, threads.getThreadAllocatedBytes(thread) - before);
+      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
     }
     assertTrue(events > 20, "events=" + events);
     assertEquals(0, least);

@@ -237,11 +237,11 @@ class SleepTest {
     for (int i = 0; i < 2000; i++) {
       stepAndPoke(w, i);
     }
-    long before = threads.getThreadAllocatedBytes(Thread.currentThread().getId());
+    long before = threads.getCurrentThreadAllocatedBytes();
     for (int i = 0; i < 600; i++) {
       stepAndPoke(w, i);
     }
-    long bytes = threads.getThreadAllocatedBytes(Thread.currentThread().getId()) - before;
+    long bytes = threads.getCurrentThreadAllocatedBytes() - before;
     assertTrue(bytes < 2000, "bytes=" + bytes);
   }
 

@@ -295,7 +295,6 @@ final class WorkersTest {
   @Test
   void aSharedStepAllocatesNothing() {
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long me = Thread.currentThread().getId();
     SceneRun run = Busy.PYRAMID.scene.start();
     try (WorkerThreads workers = new WorkerThreads(2)) {
       run.world().workers(workers);
@@ -304,11 +303,11 @@ final class WorkersTest {
       }
       long least = Long.MAX_VALUE;
       for (int attempt = 0; attempt < 50 && least > 200; attempt++) { // vectors until compiled
-        long before = threads.getThreadAllocatedBytes(me);
+        long before = threads.getCurrentThreadAllocatedBytes();
         for (int i = 0; i < 30; i++) {
           run.step();
         }
-        least = Math.min(least, threads.getThreadAllocatedBytes(me) - before);
+        least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
       }
       assertTrue(least < 200, "bytes in 30 steps: " + least);
     }

@@ -24,7 +24,6 @@ final class RecordingCostTest {
 
   private final com.sun.management.ThreadMXBean threads =
       (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-  private final long thread = Thread.currentThread().getId();
 
   private interface Turn {
     void run(int tick);
@@ -36,11 +35,11 @@ final class RecordingCostTest {
     }
     long least = Long.MAX_VALUE;
     for (int window = 0; window < WINDOWS; window++) {
-      long before = threads.getThreadAllocatedBytes(thread);
+      long before = threads.getCurrentThreadAllocatedBytes();
       for (int i = 0; i < WINDOW_TICKS; i++) {
         turn.run(1_000 + window * WINDOW_TICKS + i);
       }
-      least = Math.min(least, threads.getThreadAllocatedBytes(thread) - before);
+      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
     }
     return least;
   }

@@ -24,7 +24,6 @@ class AllocationScenarioTest {
   @ValueSource(strings = {"arena", "platformer"})
   void aRoomWithTwentyPlayersAllocatesNextToNothing(String game) {
     var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long thread = Thread.currentThread().getId();
     try (Stepper stepper = Stepper.of(game)) {
       for (int i = 0; i < PLAYERS; i++) {
         stepper.add("bot" + i, Impairment.NONE.withLatency(20, 0), new Bot(i));
@@ -36,9 +35,9 @@ class AllocationScenarioTest {
         int firstTick = stepper.frame().tick();
         long endNs = stepper.nowNs() + (long) (WINDOW_SECONDS * 1e9);
         while (stepper.nowNs() < endNs) {
-          long before = threads.getThreadAllocatedBytes(thread);
+          long before = threads.getCurrentThreadAllocatedBytes();
           stepper.stepTimeAndServer();
-          bytes += threads.getThreadAllocatedBytes(thread) - before;
+          bytes += threads.getCurrentThreadAllocatedBytes() - before;
           stepper.stepClients();
         }
         least = Math.min(least, (double) bytes / (stepper.frame().tick() - firstTick));

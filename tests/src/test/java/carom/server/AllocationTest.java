@@ -20,7 +20,6 @@ class AllocationTest {
   void steadyTickAllocatesNextToNothing() {
     com.sun.management.ThreadMXBean threads =
         (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long thread = Thread.currentThread().getId();
     try (Rig rig = new Rig(ServerConfig.defaults(), new TestGame(60))) {
       for (int i = 0; i < PLAYERS; i++) {
         rig.join("p" + i).input.move(i % 2, 1 - i % 2);
@@ -34,9 +33,9 @@ class AllocationTest {
           for (FakeClient client : rig.clients) {
             client.step(rig.room.tick());
           }
-          long before = threads.getThreadAllocatedBytes(thread);
+          long before = threads.getCurrentThreadAllocatedBytes();
           rig.server.tick(rig.nowNs);
-          bytes += threads.getThreadAllocatedBytes(thread) - before;
+          bytes += threads.getCurrentThreadAllocatedBytes() - before;
         }
         least = Math.min(least, bytes);
       }

@@ -134,7 +134,6 @@ public final class BroadphaseBench {
       cache.rebuild(scene.boxes(), scene.ids(), n);
     }
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long me = Thread.currentThread().getId();
     double[] update = new double[most];
     double[] pairs = new double[most];
     double[] sum = new double[most];
@@ -154,7 +153,7 @@ public final class BroadphaseBench {
       scene.step();
       tally.count = 0;
       tally.hash = 0;
-      long bytes = threads.getThreadAllocatedBytes(me);
+      long bytes = threads.getCurrentThreadAllocatedBytes();
       long t0 = threads.getCurrentThreadCpuTime();
       switch (method) {
         case KD_REBUILD -> kd.rebuild(scene.boxes(), scene.ids(), n);
@@ -176,7 +175,7 @@ public final class BroadphaseBench {
         update[rows] = (double) (t1 - t0) / n;
         pairs[rows] = (double) (t2 - t1) / n;
         sum[rows] = update[rows] + pairs[rows];
-        allocated += threads.getThreadAllocatedBytes(me) - bytes;
+        allocated += threads.getCurrentThreadAllocatedBytes() - bytes;
         rows++;
       }
     }

@@ -26,7 +26,6 @@ class PredictionAllocationTest {
     rig.client().step(rig.server().tick(), 0);
     assertTrue(rig.tellAll());
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long id = Thread.currentThread().getId();
     Pose pose = new Pose();
     long least = Long.MAX_VALUE;
     for (int window = 0; window < WINDOWS && least > 0; window++) {
@@ -34,14 +33,14 @@ class PredictionAllocationTest {
       int drawn = 0;
       for (int i = 0; i < TICKS; i++) {
         rig.server().step();
-        long before = threads.getThreadAllocatedBytes(id);
+        long before = threads.getCurrentThreadAllocatedBytes();
         rig.client().step(rig.server().tick(), 0);
         boolean agreed = rig.tellOwn();
         rig.client().advance(1 / 60f);
         for (int slot = 0; slot < 200; slot++) {
           drawn += rig.client().readPose(slot, 0, 0.5f, pose) > 0 ? 1 : 0;
         }
-        allocated += threads.getThreadAllocatedBytes(id) - before;
+        allocated += threads.getCurrentThreadAllocatedBytes() - before;
         assertTrue(agreed, "tick " + rig.server().tick());
       }
       assertTrue(drawn > 190 * TICKS, "drawn=" + drawn);

@@ -152,17 +152,14 @@ class SnapshotCostTest {
       step(9.81f, 1);
       tick();
     }
-    long id = Thread.currentThread().getId();
     long least = Long.MAX_VALUE;
     for (int round = 0; round < 5; round++) {
-      long before = threads.getThreadAllocatedBytes(id);
-      long asking = threads.getThreadAllocatedBytes(id) - before;
-      before = threads.getThreadAllocatedBytes(id);
+      long before = threads.getCurrentThreadAllocatedBytes();
       for (int i = 0; i < 100; i++) {
         step(9.81f, 1);
         tick();
       }
-      least = Math.min(least, threads.getThreadAllocatedBytes(id) - before - asking);
+      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
     }
     assertEquals(0, least, "bytes in 100 ticks of capture, encode, decode");
   }

@@ -305,10 +305,9 @@ class KdTreeTest {
     IntVisitor ids = id -> ++count[0] > 0;
     com.sun.management.ThreadMXBean threads =
         (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long me = Thread.currentThread().getId();
     long least = Long.MAX_VALUE;
     for (int round = 0; round < 8; round++) {
-      long before = threads.getThreadAllocatedBytes(me);
+      long before = threads.getCurrentThreadAllocatedBytes();
       for (int tick = 0; tick < 50; tick++) {
         scene.step();
         tree.refit();
@@ -327,7 +326,7 @@ class KdTreeTest {
           tree.rebuild(scene.boxes(), scene.ids(), n);
         }
       }
-      least = Math.min(least, threads.getThreadAllocatedBytes(me) - before);
+      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
     }
     assertTrue(least < 200, "bytes in 50 ticks=" + least + " (the counter itself needs a few)");
   }

@@ -116,9 +116,9 @@ final class MoverWorldsTest {
     com.sun.management.ThreadMXBean threads =
         (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     run(mover, 3000);
-    long before = threads.getThreadAllocatedBytes(Thread.currentThread().getId());
+    long before = threads.getCurrentThreadAllocatedBytes();
     run(mover, 3000);
-    long bytes = threads.getThreadAllocatedBytes(Thread.currentThread().getId()) - before;
+    long bytes = threads.getCurrentThreadAllocatedBytes() - before;
     assertTrue(bytes < 2000, "bytes=" + bytes);
   }
 

@@ -302,18 +302,17 @@ final class WorkerThreadsTest {
   @Test
   void runsAllocateNothing() {
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long me = Thread.currentThread().getId();
     int[] done = new int[64];
     Workers.Task task = (i, worker) -> done[i]++;
     try (WorkerThreads workers = new WorkerThreads(2)) {
       for (int i = 0; i < 2000; i++) {
         workers.run(64, task);
       }
-      long before = threads.getThreadAllocatedBytes(me);
+      long before = threads.getCurrentThreadAllocatedBytes();
       for (int i = 0; i < 2000; i++) {
         workers.run(64, task);
       }
-      assertTrue(threads.getThreadAllocatedBytes(me) - before < 2000);
+      assertTrue(threads.getCurrentThreadAllocatedBytes() - before < 2000);
     }
   }
 
