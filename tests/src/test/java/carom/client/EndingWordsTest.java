@@ -23,7 +23,7 @@ import carom.physics.threads.WorkerThreads;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -42,7 +42,7 @@ import org.junit.jupiter.api.io.TempDir;
  * sockets; a scripted server says each reason there is, and a real one is full, stopped or doesn't
  * let anybody watch.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(120)
 final class EndingWordsTest {
   private static final String DETAILS = "These are the details.";

@@ -18,7 +18,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.seal.Encryption;
 import carom.physics.rows.BodyRow;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.text.Texts;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -44,7 +44,7 @@ import org.junit.jupiter.api.Timeout;
  * client goes on within its limits, and nothing is thrown. Method: the real client over sockets,
  * against servers that send bytes of their own, and against one that speaks the protocol and lies.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(180)
 final class HostileServerTest {
   private static final long SEED = Long.getLong("carom.seed", System.nanoTime());

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import com.sun.net.httpserver.HttpServer;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
@@ -34,7 +34,7 @@ import org.junit.jupiter.api.io.TempDir;
  * {@code gradle/Wrapper.java}, which {@code gradlew.bat} runs, with a home of their own and a small
  * release that only prints what it is called with.
  */
-@Alone("processes")
+@Needs("processes")
 @Timeout(120)
 final class GradlewTest {
   private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
@@ -32,7 +32,7 @@ import org.w3c.dom.NodeList;
  * compiled by the POMs' compile scope and its tests run in a JVM of their own. Without Gradle these
  * tests are skipped.
  */
-@Alone("processes")
+@Needs("processes")
 class StarterTest {
   private static final Path STARTER = Path.of("..", "docs", "starter");
   private static final int MOST_SECONDS = 900; // takes 5 to 10 on a machine that does nothing else

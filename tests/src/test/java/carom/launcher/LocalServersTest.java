@@ -14,7 +14,7 @@ import carom.client.link.ConnectionPhase;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Goal: a player needs no server to play. Method: real games in this process, with bots. */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class LocalServersTest {
   private static GameClient client(ClientTransport transport, int tcpPort, int udpPort) {

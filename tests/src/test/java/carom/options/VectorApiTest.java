@@ -3,7 +3,7 @@ package carom.options;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.physics.simd.VectorModule;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,7 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Goal: programs have the Vector API without a warning. Method: processes of their own. */
-@Alone("processes")
+@Needs("processes")
 class VectorApiTest {
   /** Prints whether the module is loaded, and whether a class that needs it works. */
   static final class Program {

@@ -3,7 +3,7 @@ package carom.outside;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.file.Files;
@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
  * with each file of the data folder and each path of a flag as junk, a folder, a loop, empty or
  * huge. A run draws some of the cases; {@code -Dcarom.all=true} takes all.
  */
-@Alone("processes")
+@Needs("processes")
 @Timeout(600)
 final class BadFilesTest {
   private static final int DRAWN = 12;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: an update of Java stops no program, and no flag is complained of. Method: the installed
  * programs on each other JVM of this machine; skipped if there is none.
  */
-@Alone("processes")
+@Needs("processes")
 @Timeout(120)
 final class LaterJvmTest {
   private static final Pattern COMPLAINT =

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
@@ -30,7 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: no protocol, file or log depends on the locale. Method: installed programs, each under a
  * locale that has digits, letters or years of its own, against each other.
  */
-@Alone("processes")
+@Needs("processes")
 @Timeout(180)
 final class LocaleTest {
   /** Arabic digits, a dotless i, Persian digits and months, Devanagari digits. */

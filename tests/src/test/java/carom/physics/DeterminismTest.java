@@ -12,7 +12,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import carom.fixtures.Allocations;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Equal calls give equal bits, wherever and however they are made. */
-@Alone("processes")
+@Needs("processes")
 final class DeterminismTest {
   /**
    * State and events of each scene after its steps; a change here is a decision that the commit

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
  * The engine's jar as a module, used by a consumer that is a module, too. Gradle makes the jar and
  * says where it is; without Gradle these tests are skipped.
  */
-@Alone("processes")
+@Needs("processes")
 class ModulePathTest {
   private static final String CONSUMER =
       """

@@ -18,7 +18,7 @@ import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.level.LevelException;
 import carom.sim.outbox.NextMatch;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -93,7 +93,7 @@ class MatchScenarioTest {
     }
   }
 
-  @Alone("sockets")
+  @Needs("sockets")
   @Test
   void aRoomGoesRoundItsLevelsOverRealSocketsToo() {
     // Goal: the next match reaches players over KryoNet. Method: two players, three levels of two

@@ -9,7 +9,7 @@ import carom.client.MessageListener;
 import carom.net.transport.Impairment;
 import carom.server.metrics.Counter;
 import carom.sim.message.Emote;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.ArrayList;
@@ -135,7 +135,7 @@ class MessageScenarioTest {
     }
   }
 
-  @Alone("sockets")
+  @Needs("sockets")
   @Test
   void linesArriveOverSockets() {
     try (Stepper stepper = Stepper.overSockets("arena")) {

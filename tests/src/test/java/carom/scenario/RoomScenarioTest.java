@@ -18,7 +18,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -302,7 +302,7 @@ class RoomScenarioTest {
     assertTrue(answer.join().contains("muted Ann"), answer.join());
   }
 
-  @Alone("sockets")
+  @Needs("sockets")
   @Test
   void roomsAreChangedOverRealSocketsToo(@TempDir Path folder) throws Exception {
     try (Stepper stepper =

@@ -19,7 +19,7 @@ import carom.sim.entity.Input;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
 import carom.sim.outbox.NextMatch;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -255,7 +255,7 @@ class RosterScenarioTest {
     }
   }
 
-  @Alone("sockets")
+  @Needs("sockets")
   @Test
   void aGamesMessagesGoBothWaysOverSocketsOnABadNetwork() {
     try (Stepper stepper = Stepper.overSockets(DuelGame.level(), ServerConfig.defaults())) {

@@ -14,7 +14,7 @@ import carom.options.NetworkConditions;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
@@ -30,7 +30,7 @@ import picocli.CommandLine;
  * the server's frame of each tick that a client decodes ({@link SimulatedClient}). The test asserts
  * nothing about time except that it ends.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 class SocketConditionTest {
   private static final int LEAST_COMPARED = 400;

@@ -11,7 +11,7 @@ import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.sim.entity.HostEntity;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
@@ -32,7 +32,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * Goal: what holds in memory holds over KryoNet. Method: the same stepper over real TCP and UDP
  * sockets on loopback, on free ports, in real time; each test takes a few seconds.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(40)
 class SocketScenarioTest {
   @ParameterizedTest

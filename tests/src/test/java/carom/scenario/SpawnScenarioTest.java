@@ -16,7 +16,7 @@ import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.outbox.NextMatch;
 import carom.sim.spawn.Origin;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
@@ -374,7 +374,7 @@ class SpawnScenarioTest {
     assertTrue(out.toString().contains("OK: "), out::toString);
   }
 
-  @Alone("sockets")
+  @Needs("sockets")
   @Test
   void overRealSocketsTheyAppearAndGoAsWell() {
     try (Stepper stepper = Stepper.overSockets("rockets")) {

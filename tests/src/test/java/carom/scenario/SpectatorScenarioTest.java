@@ -28,7 +28,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.SimulationHost;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -45,7 +45,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: spectators see the game as it was, exactly, and never what is younger than the delay.
  * Method: they compute the bytes they were sent while the game goes on, tick by tick.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 class SpectatorScenarioTest {
   private static final int DELAY_S = 2;

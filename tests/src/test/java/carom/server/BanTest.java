@@ -26,7 +26,7 @@ import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
 import carom.sim.message.MessageKinds;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;
@@ -41,7 +41,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Goal: who is banned stays out. Method: real sockets, commands, and an editor's changes. */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class BanTest {
   @TempDir private Path folder;

@@ -28,7 +28,7 @@ import carom.sim.message.BuiltInKinds;
 import carom.sim.message.MessageKind.Direction;
 import carom.sim.message.PlayerColour;
 import carom.sim.outbox.NextMatch;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Folders;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
@@ -61,7 +61,7 @@ import org.slf4j.LoggerFactory;
  * Goal: a server that was killed goes on as if it had not been. Method: in virtual time; a crash is
  * a copy of the folder at some moment, from which another server begins.
  */
-@Alone("waits")
+@Needs("waits")
 @Timeout(120)
 class CheckpointTest {
   private static final long START_NS = 1_000_000_000L;

@@ -14,7 +14,7 @@ import carom.server.config.RoomConfig;
 import carom.server.match.HandedInMatch;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.classic.spi.ThrowableProxyUtil;
@@ -36,7 +36,7 @@ import org.slf4j.LoggerFactory;
  * Goal: a game that hangs costs its own room a few seconds, and the others nothing. Method: a
  * server with threads and sockets; a callback that loops on demand.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(120)
 class HangTest {
   @TempDir Path folder;

@@ -7,7 +7,7 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.DatagramPacket;
@@ -45,7 +45,7 @@ import org.junit.jupiter.api.io.TempDir;
  * its ports, the same offence many times, the lines and bytes of standard error. {@code
  * -Dcarom.log.offences=N} says how often.
  */
-@Alone("sockets")
+@Needs("sockets")
 final class HostileLogTest {
   /** More than what a cause may write at once, or nothing would be held back. */
   private static final int OFFENCES = Integer.getInteger("carom.log.offences", 250);

@@ -11,7 +11,7 @@ import carom.client.link.ConnectionPhase;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
 import carom.replay.RecordingReader;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -37,7 +37,7 @@ import org.junit.jupiter.api.io.TempDir;
  * random moments, {@code kill -STOP}, clients over sockets. How often the server is killed is
  * {@code -Dcarom.kills=N}, 5 without.
  */
-@Alone("processes")
+@Needs("processes")
 class KillTest {
   private static final int KILLS = Integer.getInteger("carom.kills", 5);
   private static final int PLAYERS = 3;

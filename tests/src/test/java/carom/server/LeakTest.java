@@ -13,7 +13,7 @@ import carom.net.kryo.server.KryoServerTransport;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import com.sun.management.UnixOperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 import java.net.ServerSocket;
@@ -29,7 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
  * open files, early and late. {@code -Dcarom.leak.ticks} and {@code -Dcarom.leak.cycles} run it for
  * longer; it prints what it has seen.
  */
-@Alone("sockets")
+@Needs("sockets")
 class LeakTest {
   private static final int TICKS = Integer.getInteger("carom.leak.ticks", 12_000);
   private static final int CYCLES = Integer.getInteger("carom.leak.cycles", 24);

@@ -20,7 +20,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;
 import carom.server.room.Room;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -38,7 +38,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: rooms come, change and go while players play, and nothing is lost silently. Method: the
  * command against servers in virtual time, and against one with real sockets and threads.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class RoomChangeTest {
   private static final Caller OPERATOR = new Caller(Role.OPERATOR, "page", "192.0.2.7");

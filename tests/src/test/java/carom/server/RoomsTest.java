@@ -19,7 +19,7 @@ import carom.server.room.Room;
 import carom.server.session.Session;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.Input;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Goal: a lobby assigns players to several rooms, and nothing leaks from room to room. */
-@Alone("sockets")
+@Needs("sockets")
 class RoomsTest {
   private static final ServerConfig CONFIG = ServerConfig.defaults().with(ServerConfig.SEED, 5);
 

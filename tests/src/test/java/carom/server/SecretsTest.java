@@ -12,7 +12,7 @@ import carom.sim.message.BuiltInKinds;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
 import carom.sim.message.MessageKinds;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.BufferedReader;
 import java.io.DataInputStream;
 import java.io.File;
@@ -44,7 +44,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Method: the program as a process; every command that {@code help} lists, with every secret as its
  * first and second word, by RCON, in the chat and at the console.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(300)
 final class SecretsTest {
   private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+)");

@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.Link;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
@@ -37,7 +37,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: the program works as an operator starts it. Method: its own process, real ports, signals
  * and exit codes.
  */
-@Alone("processes")
+@Needs("processes")
 @Timeout(60)
 class ServerMainTest {
   private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+)");

@@ -9,14 +9,14 @@ import carom.net.kryo.server.KryoServerTransport;
 import carom.net.kryo.server.ServerIdentity;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.Encryption;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Goal: nobody is sent to a dead end. Method: a real server, and ports that are none. */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(30)
 final class ServerProbeTest {
   private static String problem(String server, String fingerprint) {

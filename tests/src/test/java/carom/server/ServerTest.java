@@ -19,7 +19,7 @@ import carom.suite.Alone;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Alone("sockets")
+@Alone("measures")
 class ServerTest {
   private final InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
 

@@ -33,7 +33,7 @@ import carom.sim.message.BuiltInKinds;
 import carom.sim.message.MessageKind;
 import carom.sim.message.MessageKind.Direction;
 import carom.sim.message.MessageKinds;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -52,7 +52,7 @@ import org.junit.jupiter.params.provider.EnumSource;
  * Goal: nothing that a team alone may know reaches spectators before the match is over. Method:
  * what they were sent, computed as they could, while the game goes on and after it.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(120)
 final class SpectatorSecretsTest {
   private static final long SLICE_NS = 5_000_000;

@@ -7,7 +7,7 @@ import carom.net.kryo.server.KryoServerTransport;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
  * Method: the ends of all ranges and random values between them; rooms, seats, the transport's
  * limits and its ports are made as the program makes them.
  */
-@Alone("sockets")
+@Needs("sockets")
 class StatedRangesTest {
   private static final long SEED = Long.getLong("carom.seed", 37);
 

@@ -8,16 +8,15 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Marks a test class, or a method of one, that shares the machine with no other test: it opens
- * sockets, starts processes or windows, or waits for a clock. {@link SuiteMain} runs what is marked
- * one after another when all the rest is done. The rest runs side by side, in virtual time or as
- * pure computation. {@code AloneTest} fails on what lacks the mark.
+ * Marks a test class, or a method of one, that shares the machine with no other test, because it
+ * measures or keeps every core busy. {@link SuiteMain} runs what is marked one after another when
+ * all the rest is done. What only needs sockets, processes, windows or a clock says {@link Needs}.
  */
 @Documented
 @Inherited
 @Target({ElementType.TYPE, ElementType.METHOD})
 @Retention(RetentionPolicy.RUNTIME)
 public @interface Alone {
-  /** Returns what it needs, such as {@code "sockets"}. */
+  /** Returns why, such as {@code "measures"}. */
   String value();
 }

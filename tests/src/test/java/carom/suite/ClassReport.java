@@ -92,7 +92,8 @@ final class ClassReport {
       xml.append("</testcase>\n");
     }
     xml.append("</testsuite>\n");
-    String part = testClass.part() == TestClass.Part.ALONE ? "-alone" : "";
+    String part =
+        testClass.isOfTheClass() ? "" : "-" + testClass.part().name().toLowerCase(Locale.ROOT);
     Files.writeString(folder.resolve("TEST-" + name() + part + ".xml"), xml);
   }
 

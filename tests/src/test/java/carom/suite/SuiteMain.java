@@ -1,5 +1,6 @@
 package carom.suite;
 
+import carom.suite.TestClass.Part;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -16,10 +17,10 @@ import picocli.CommandLine;
 import picocli.CommandLine.Option;
 
 /**
- * Runs the tests: first the classes that may have company, in as many processes as there are cores,
- * each of which takes the longest class that is left; then those that are {@link Alone}, one after
- * another. A class that ends its process or hangs is a failure with its name, and costs no other
- * class its results.
+ * Runs the tests. As many processes as there are cores run what computes, and leave the processor
+ * to as many others for what {@link Needs} more than that; each takes the longest class of its kind
+ * that is left. When all that is done, those that are {@link Alone} run one after another. A class
+ * that ends its process or hangs is a failure with its name, and costs no other class its results.
  *
  * <p>Prints each failure as it happens; lines that begin with {@code |} tell how far it is. Exits
  * with 0 if all passed, 1 if tests failed.
@@ -44,10 +45,10 @@ final class SuiteMain implements Runnable {
   @Option(names = "--only", description = "a class or method to run; * stands for anything")
   private List<String> only = new ArrayList<>();
 
-  @Option(names = "--quick", description = "only what has company and isn't in the table")
+  @Option(names = "--quick", description = "only what computes and isn't in the table")
   private boolean quick;
 
-  @Option(names = "--processes", description = "tests side by side; 0: one for each core")
+  @Option(names = "--processes", description = "processes of each kind; 0: one for each core")
   private int processes;
 
   @Option(
@@ -73,14 +74,20 @@ final class SuiteMain implements Runnable {
       Map<String, Double> known = read(slow);
       List<TestClass> all = new ArrayList<>(TestClass.find(classes, only));
       if (quick) {
-        all.removeIf(test -> test.alone() || known.containsKey(test.name()));
+        all.removeIf(test -> test.part() != Part.COMPUTING || known.containsKey(test.name()));
       }
       all.sort(Comparator.comparingDouble(test -> -known.getOrDefault(test.name(), 0.)));
       total = all.size();
       Files.createDirectories(results);
       int cores = processes > 0 ? processes : Runtime.getRuntime().availableProcessors();
-      run(all.stream().filter(test -> !test.alone()).toList(), cores, "beside");
-      run(all.stream().filter(TestClass::alone).toList(), 1, "alone");
+      List<Thread> beside = new ArrayList<>(begin(all, Part.NEEDING, cores));
+      beside.addAll(begin(all, Part.COMPUTING, cores));
+      for (Thread thread : beside) {
+        thread.join();
+      }
+      for (Thread thread : begin(all, Part.ALONE, 1)) {
+        thread.join();
+      }
       writeSeconds();
       if (reports.size() < total) {
         throw new IllegalStateException((total - reports.size()) + " classes weren't run");
@@ -92,27 +99,27 @@ final class SuiteMain implements Runnable {
     }
   }
 
-  private void run(List<TestClass> classesToRun, int count, String name)
-      throws InterruptedException {
-    Deque<TestClass> left = new ArrayDeque<>(classesToRun);
+  /** Starts the threads that run all classes of a kind, in a process each. */
+  private List<Thread> begin(List<TestClass> all, Part part, int count) {
+    Deque<TestClass> left =
+        new ArrayDeque<>(all.stream().filter(test -> test.part() == part).toList());
+    String name = part.name().toLowerCase(Locale.ROOT);
     List<Thread> threads = new ArrayList<>();
-    for (int i = 0; i < Math.min(count, classesToRun.size()); i++) {
-      Path output = results.resolve(name + "-" + (i + 1) + ".txt");
-      Thread thread = new Thread(() -> work(left, output), "suite-" + name + "-" + (i + 1));
-      threads.add(thread);
-      thread.start();
+    for (int i = 1; i <= Math.min(count, left.size()); i++) {
+      Path output = results.resolve(name + "-" + i + ".txt");
+      Runnable work = () -> work(left, output, part == Part.COMPUTING);
+      threads.add(new Thread(work, "suite-" + name + "-" + i));
     }
-    for (Thread thread : threads) {
-      thread.join();
-    }
+    threads.forEach(Thread::start);
+    return threads;
   }
 
-  private void work(Deque<TestClass> left, Path output) {
+  private void work(Deque<TestClass> left, Path output, boolean yields) {
     WorkerProcess worker = null;
     try {
       for (TestClass next = next(left); next != null; next = next(left)) {
         if (worker == null) {
-          worker = new WorkerProcess(output);
+          worker = new WorkerProcess(output, yields);
         }
         ClassReport report = worker.run(next, limitSeconds, this::told);
         report.write(results);

@@ -1,12 +1,15 @@
 package carom.suite;
 
 import java.io.IOException;
+import java.lang.reflect.AnnotatedElement;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -15,21 +18,16 @@ import java.util.stream.Stream;
  *
  * @param name its full name
  * @param methods a pattern of its methods to run; empty: all
- * @param part which of these, see {@link Alone}
+ * @param part which of these, see {@link Needs} and {@link Alone}
  */
 record TestClass(String name, String methods, Part part) {
   enum Part {
-    /** What isn't marked. */
-    BESIDE,
-    /** The methods that are marked. */
-    ALONE,
-    /** All of a class that is marked. */
-    ALL_ALONE;
-
-    /** Returns whether a method belongs to it. */
-    boolean has(Method method) {
-      return this == ALL_ALONE || isAlone(method) == (this == ALONE);
-    }
+    /** What isn't marked: it computes. */
+    COMPUTING,
+    /** What is marked with {@link Needs}. */
+    NEEDING,
+    /** What is marked with {@link Alone}. */
+    ALONE
   }
 
   private static final Pattern NAME = Pattern.compile("[^$]*Tests?[.]class");
@@ -53,27 +51,34 @@ record TestClass(String name, String methods, Part part) {
       if (methods != null) {
         Class<?> type = load(name);
         if (!Modifier.isAbstract(type.getModifiers())) {
-          if (type.isAnnotationPresent(Alone.class)) {
-            found.add(new TestClass(name, methods, Part.ALL_ALONE));
-          } else if (Stream.of(type.getDeclaredMethods()).anyMatch(TestClass::isAlone)) {
-            found.add(new TestClass(name, methods, Part.BESIDE));
-            found.add(new TestClass(name, methods, Part.ALONE));
-          } else {
-            found.add(new TestClass(name, methods, Part.BESIDE));
-          }
+          Set<Part> parts = EnumSet.of(part(type));
+          Stream.of(type.getDeclaredMethods()).forEach(m -> parts.add(part(m, part(type))));
+          parts.forEach(part -> found.add(new TestClass(name, methods, part)));
         }
       }
     }
     return found;
   }
 
-  /** Returns whether it needs the machine for itself. */
-  boolean alone() {
-    return part != Part.BESIDE;
+  /** Returns whether a method of it belongs to its part. */
+  boolean has(Method method) {
+    return part(method, part(load(name))) == part;
   }
 
-  private static boolean isAlone(Method method) {
-    return method.isAnnotationPresent(Alone.class);
+  /** Returns whether it is that part of its class that is marked as the class. */
+  boolean isOfTheClass() {
+    return part(load(name)) == part;
+  }
+
+  private static Part part(Class<?> type) {
+    return part(type, Part.COMPUTING);
+  }
+
+  private static Part part(AnnotatedElement marked, Part otherwise) {
+    if (marked.isAnnotationPresent(Alone.class)) {
+      return Part.ALONE;
+    }
+    return marked.isAnnotationPresent(Needs.class) ? Part.NEEDING : otherwise;
   }
 
   private static Class<?> load(String name) {

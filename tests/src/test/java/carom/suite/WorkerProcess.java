@@ -19,6 +19,7 @@ import java.util.function.BiConsumer;
 
 /** A process of {@link SuiteWorker} with the flags of this one. Used by one thread. */
 final class WorkerProcess implements AutoCloseable {
+  private static final Path NICE = Path.of("/usr/bin/nice");
   private static final int START_MS = 120_000;
   private static final int DUMP_SECONDS = 30;
   private static final int STACK_LINES = 40;
@@ -33,11 +34,15 @@ final class WorkerProcess implements AutoCloseable {
    * Starts a process.
    *
    * @param output the file that gets what the process prints
+   * @param yields whether it leaves the processor to others that want it, where {@code nice} is
    */
-  WorkerProcess(Path output) throws IOException {
+  WorkerProcess(Path output, boolean yields) throws IOException {
     try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       server.setSoTimeout(START_MS);
       List<String> command = new ArrayList<>();
+      if (yields && Files.isExecutable(NICE)) {
+        command.addAll(List.of(NICE.toString(), "-n", "10"));
+      }
       command.add(tool("java"));
       command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
       command.add("-cp");

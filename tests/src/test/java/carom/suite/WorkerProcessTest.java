@@ -17,7 +17,7 @@ import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Goal: no test class hides what became of it or of others. Method: classes that do it. */
-@Alone("processes")
+@Needs("processes")
 final class WorkerProcessTest {
   @TestMethodOrder(MethodOrderer.MethodName.class)
   static class Mixed {
@@ -34,6 +34,10 @@ final class WorkerProcessTest {
     @Alone("nothing")
     @Test
     void isAlone() {}
+
+    @Needs("nothing")
+    @Test
+    void needsNothing() {}
 
     @Test
     void passes() {}
@@ -77,8 +81,8 @@ final class WorkerProcessTest {
 
   @Test
   void whatPassesFailsAndIsSkippedIsTold() throws Exception {
-    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"))) {
-      ClassReport beside = run(worker, Mixed.class, "", TestClass.Part.BESIDE, 600);
+    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true)) {
+      ClassReport beside = run(worker, Mixed.class, "", TestClass.Part.COMPUTING, 600);
       assertEquals(3, beside.tests());
       assertEquals(1, beside.count(TestEvent.Kind.FAILED));
       assertEquals(1, beside.count(TestEvent.Kind.SKIPPED));
@@ -86,16 +90,17 @@ final class WorkerProcessTest {
       assertTrue(xml.contains("tests=\"3\" skipped=\"1\" failures=\"1\""), xml);
       assertTrue(xml.contains("as &lt;it&gt; should"), xml);
       assertEquals(1, run(worker, Mixed.class, "", TestClass.Part.ALONE, 600).tests());
-      assertEquals(4, run(worker, Mixed.class, "", TestClass.Part.ALL_ALONE, 600).tests());
-      assertEquals(2, run(worker, Mixed.class, "pass.*|fails", TestClass.Part.BESIDE, 600).tests());
+      assertEquals(1, run(worker, Mixed.class, "", TestClass.Part.NEEDING, 600).tests());
+      assertEquals(
+          2, run(worker, Mixed.class, "pass.*|fails", TestClass.Part.COMPUTING, 600).tests());
       assertTrue(worker.usable());
     }
   }
 
   @Test
   void aTestThatEndsItsProcessFailsByNameAndTheOnesBeforeArePassed() throws Exception {
-    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"))) {
-      ClassReport report = run(worker, Halting.class, "", TestClass.Part.BESIDE, 600);
+    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true)) {
+      ClassReport report = run(worker, Halting.class, "", TestClass.Part.COMPUTING, 600);
       assertEquals(1, report.count(TestEvent.Kind.PASSED));
       assertEquals(1, report.count(TestEvent.Kind.FAILED));
       String xml = xml(Halting.class);
@@ -107,8 +112,8 @@ final class WorkerProcessTest {
 
   @Test
   void aTestThatHangsFailsByNameAndTellsWhereItWas() throws Exception {
-    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"))) {
-      ClassReport report = run(worker, Hanging.class, "", TestClass.Part.BESIDE, 5);
+    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true)) {
+      ClassReport report = run(worker, Hanging.class, "", TestClass.Part.COMPUTING, 5);
       assertEquals(1, report.count(TestEvent.Kind.FAILED));
       String xml = xml(Hanging.class);
       assertTrue(xml.contains("still ran after 5 s"), xml);

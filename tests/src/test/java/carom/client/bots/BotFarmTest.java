@@ -21,7 +21,7 @@ import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Goal: a crowd of bots gets in and stays in. */
-@Alone("sockets")
+@Needs("sockets")
 final class BotFarmTest {
   private static final long SECOND = 1_000_000_000L;
   private static final int CROWD = 40;

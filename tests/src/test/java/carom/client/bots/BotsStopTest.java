@@ -9,7 +9,7 @@ import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: after a bot farm has stopped, another one can start at once. Method: a farm in its own
  * process is told to end; the server must see its players leave, not wait for them to come back.
  */
-@Alone("sockets")
+@Needs("sockets")
 final class BotsStopTest {
   @Test
   void botsThatAreAskedToStopLeaveTheirPlaces(@TempDir Path folder) throws Exception {

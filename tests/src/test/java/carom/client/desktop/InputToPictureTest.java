@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: what a player does is seen within two frames. Method: keys pressed through a virtual
  * display, and what its screen shows of a body at rest; the server is 100 ms away.
  */
-@Alone("windows")
+@Alone("measures")
 @Timeout(180)
 final class InputToPictureTest {
   /** Colour of the first player of the arena. */

@@ -8,7 +8,7 @@ import carom.client.bots.Bot;
 import carom.fixtures.VirtualDisplay;
 import carom.net.transport.Impairment;
 import carom.server.CaromMain;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Goal: a clip of a recorded game is one command. Method: a real game, drawn on a display. */
-@Alone("windows")
+@Needs("windows")
 @Timeout(180)
 final class RenderTest {
   @TempDir private Path folder;

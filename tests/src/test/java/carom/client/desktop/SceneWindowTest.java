@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import carom.client.app.ClientMain;
 import carom.fixtures.VirtualDisplay;
 import carom.sim.scene.Scenes;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** {@code carom-client --scene}: the flag, and a real window on a virtual display. */
-@Alone("windows")
+@Needs("windows")
 final class SceneWindowTest {
   @TempDir Path folder;
 

@@ -9,7 +9,7 @@ import carom.fixtures.VirtualDisplay;
 import carom.net.transport.Impairment;
 import carom.sim.MatchClock;
 import carom.sim.MatchPhase;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.io.File;
 import java.io.IOException;
@@ -29,7 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
  * for the colour-blind. Method: {@link ScreenTour} goes through them, {@link ScreenCheck} looks at
  * each; the pictures stay in {@code build/screens}.
  */
-@Alone("windows")
+@Needs("windows")
 @Timeout(400)
 final class ScreensTest {
   @TempDir private Path folder;

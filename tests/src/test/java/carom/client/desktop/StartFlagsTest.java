@@ -13,7 +13,7 @@ import carom.net.transport.Impairment;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -35,7 +35,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: each way to start the window shows a picture. Method: a window on a virtual display for
  * each flag, which ends by itself and says nothing on standard error.
  */
-@Alone("windows")
+@Needs("windows")
 @Timeout(300)
 final class StartFlagsTest {
   @TempDir private Path folder;

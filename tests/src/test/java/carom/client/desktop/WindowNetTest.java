@@ -15,7 +15,7 @@ import carom.server.ServerMain;
 import carom.server.match.MatchLibrary;
 import carom.sim.Game;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
@@ -45,7 +45,7 @@ import org.junit.jupiter.api.io.TempDir;
  * play, over a mobile network and over one of 60 ms; a third watches the rooms, the recordings and
  * the scenes. Their output and logs must be free of failures.
  */
-@Alone("windows")
+@Needs("windows")
 @Timeout(400)
 final class WindowNetTest {
   /** Time in each room, s: a key is held 0.1 s, and there are about 45. */

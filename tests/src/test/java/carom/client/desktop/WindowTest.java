@@ -15,7 +15,7 @@ import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -36,7 +36,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: a player sees the server's world. Method: a real window on a virtual display joins a real
  * server over sockets; the picture it saves is compared with where the server has things.
  */
-@Alone("windows")
+@Needs("windows")
 final class WindowTest {
   private static final int COLOUR_TOLERANCE = 14;
   private static final float METRES_ASIDE =

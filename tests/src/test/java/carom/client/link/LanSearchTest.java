@@ -9,7 +9,7 @@ import carom.net.protocol.Protocol;
 import carom.net.transport.Impairment;
 import carom.server.query.StatusFacts;
 import carom.server.query.StatusQuery;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.net.DatagramPacket;
@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: a player sees the servers of the network as they are, and no answer can harm or swamp the
  * list. Method: a server's real answers, a hostile machine's, and random bytes.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class LanSearchTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();

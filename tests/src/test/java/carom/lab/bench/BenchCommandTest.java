@@ -10,7 +10,7 @@ import carom.lab.measure.Entrant;
 import carom.lab.measure.Times;
 import carom.sim.scene.SceneReport;
 import carom.sim.scene.Scenes;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonToken;
@@ -30,7 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
 /** The benchmark measures, writes what it promises, and refuses what makes no sense. */
-@Alone("waits")
+@Needs("waits")
 class BenchCommandTest {
   /** What programs that read the rows may rely on. */
   private static final List<String> PROMISED =

@@ -10,14 +10,14 @@ import carom.lab.measure.Entrant;
 import carom.lab.measure.Scaling;
 import carom.lab.measure.Times;
 import carom.sim.scene.SceneReport;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** Rows survive their way between processes, gates see what is wrong, and tables mark it. */
-@Alone("waits")
+@Needs("waits")
 class BenchRowTest {
   private static final Entrant CAROM = new Entrant("carom", "vector", 2);
 

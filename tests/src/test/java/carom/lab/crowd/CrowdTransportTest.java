@@ -2,10 +2,10 @@ package carom.lab.crowd;
 
 import carom.net.kryo.KryoTransportTest;
 import carom.net.transport.ClientTransport;
-import carom.suite.Alone;
+import carom.suite.Needs;
 
 /** Runs the tests of {@link KryoTransportTest} with clients that share a thread. */
-@Alone("sockets")
+@Needs("sockets")
 final class CrowdTransportTest extends KryoTransportTest {
   @Override
   protected ClientTransport clients(int connectMillis) {

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.lab.measure.Figure;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * figures made by hand, bad flags, and the jobs in virtual time, whose figures don't depend on the
  * machine.
  */
-@Alone("processes")
+@Needs("processes")
 class FiguresTest {
   @Test
   void aFigureComesBackFromJson() throws IOException {

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.frame.Frame;
 import carom.net.kryo.server.KryoLimits;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: no address that hasn't proven itself gets more bytes than came from it. Method: raw peers
  * that never answer a challenge count what they send and get, on each way to a datagram.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class AmplificationTest {
   /** Long enough for what a server sends unasked, such as repeated challenges. */

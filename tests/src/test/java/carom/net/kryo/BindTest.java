@@ -10,7 +10,7 @@ import carom.net.kryo.server.ServerIdentity;
 import carom.net.seal.Encryption;
 import carom.net.transport.Impairment;
 import carom.net.transport.Link;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -19,7 +19,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Goal: ports are open where the operator said, and nowhere else. */
-@Alone("sockets")
+@Needs("sockets")
 final class BindTest {
   private static boolean isOpen(String host, int port) {
     try (Socket socket = new Socket(host, port)) {

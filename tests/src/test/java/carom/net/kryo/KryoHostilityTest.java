@@ -14,7 +14,7 @@ import carom.net.protocol.ClientMessageCodec;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.DatagramSealer;
 import carom.net.transport.Link;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetSocketAddress;
@@ -36,7 +36,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: no attack on the open ports affects other clients. Method: after each attempt a canary, a
  * link that was there before, still exchanges messages and datagrams, and a newcomer gets in.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(30)
 final class KryoHostilityTest {
   private static final KryoLimits LIMITS =

@@ -21,7 +21,7 @@ import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.PortUnavailableException;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.DatagramSocket;
@@ -44,7 +44,7 @@ import org.junit.jupiter.api.Timeout;
  * Tests the contract of a client's and a server's transport. {@code CrowdTransportTest} runs the
  * same tests on a crowd.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(30)
 public class KryoTransportTest {
 

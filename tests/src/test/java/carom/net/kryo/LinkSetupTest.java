@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.transport.Link;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
@@ -35,7 +35,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: docs/protocol/LINK.md is all that a client needs to open a link. Method: one that was
  * written from the page, with nothing of Carom's own code, and joins a real server.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(30)
 final class LinkSetupTest {
   private static final byte[] HEAD = HexFormat.of().parseHex("302a300506032b656e032100");

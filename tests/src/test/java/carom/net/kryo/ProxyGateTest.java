@@ -13,7 +13,7 @@ import carom.net.kryo.server.ServerIdentity;
 import carom.net.seal.Encryption;
 import carom.net.transport.Impairment;
 import carom.net.transport.Link;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -36,7 +36,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: players behind a proxy have their own addresses, and nobody else can claim one. Method: a
  * proxy of a few lines that writes the header byte by byte, and headers that are cut or wrong.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class ProxyGateTest {
   private final Queue<String> log = new ConcurrentLinkedQueue<>();

@@ -20,7 +20,7 @@ import carom.net.seal.ExchangeKey;
 import carom.net.seal.KnownServers;
 import carom.net.seal.ServerKey;
 import carom.net.transport.Link;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -46,7 +46,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: only the two ends of a link take part in it. Method: somebody between them, who sees all
  * and changes, repeats, forges and moves what he likes, over real sockets.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(40)
 final class SealedLinkTest {
 

@@ -13,7 +13,7 @@ import carom.net.frame.Trust;
 import carom.net.kryo.server.KryoLimits;
 import carom.net.protocol.ClientMessage;
 import carom.net.transport.Link;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: a player gets in over a slow line, to a name of which some addresses are dead, and where
  * UDP is blocked. Method: real sockets, with relays in between that share no code with the product.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(120)
 final class WayInTest {
   private static final InetSocketAddress NOBODY = new InetSocketAddress(Network.HOST, 9);

@@ -8,12 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 
-@Alone("sockets")
+@Needs("sockets")
 class InProcessNetworkTest {
 
   private final InProcessNetwork network = new InProcessNetwork(new TextCodec());

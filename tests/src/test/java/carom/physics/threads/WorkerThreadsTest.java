@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Each task runs once, on any thread. */
-@Alone("waits")
+@Needs("waits")
 final class WorkerThreadsTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 5})

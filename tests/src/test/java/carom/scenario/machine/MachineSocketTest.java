@@ -13,7 +13,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.Locale;
@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  * steps with a guess that no client can predict. So a second counts only if every input was there
  * in time, in it and in the second before.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(120)
 class MachineSocketTest {
   private static final Impairment FAR =

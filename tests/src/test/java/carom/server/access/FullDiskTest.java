@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.net.seal.ServerKey;
 import carom.server.recording.RecordingFile;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: a disk that is full at the first start leaves no file that the next start reads as broken.
  * Method: a process that may create files, but not write a byte to them.
  */
-@Alone("processes")
+@Needs("processes")
 @Timeout(60)
 final class FullDiskTest {
   @TempDir private Path folder;

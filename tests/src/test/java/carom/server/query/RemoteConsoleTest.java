@@ -8,7 +8,7 @@ import carom.server.access.LoginThrottle;
 import carom.server.access.Secret;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -30,7 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: every byte of RCON is as specified, and strangers get nowhere. Method: the bytes that the
  * package {@code rcon} 2.4.9 sends, which {@link StockClientsTest} runs itself.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class RemoteConsoleTest {
   private static final String PASSWORD = "a long password";

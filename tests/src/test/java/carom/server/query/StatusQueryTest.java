@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: every byte of an answer is as specified, and nobody can use answers against others. Method:
  * the bytes of python-a2s 1.4.2, which {@link StockClientsTest} runs itself, and forged ones.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class StatusQueryTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();

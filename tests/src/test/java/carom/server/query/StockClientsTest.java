@@ -11,7 +11,7 @@ import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
 import carom.server.config.DataFolder;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: clients that others wrote speak with the server. Method: the Python packages python-a2s and
  * rcon, installed by pip into the build folder, ask a running arena with two bots.
  */
-@Alone("processes")
+@Needs("processes")
 @Timeout(400)
 final class StockClientsTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();

@@ -13,7 +13,7 @@ import carom.replay.Replay;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.level.Level;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.ByteArrayOutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,7 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: a spectator that comes late need not fetch the past. Method: the test replays the bytes
  * that the recording shows from there on.
  */
-@Alone("waits")
+@Needs("waits")
 final class DelayedRecordingTest {
   private static final int DELAY = 60;
   private static final int PIECE = 1_000;

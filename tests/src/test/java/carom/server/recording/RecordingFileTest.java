@@ -15,7 +15,7 @@ import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.CaromMain;
 import carom.server.metrics.Counter;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Stepper;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
@@ -35,7 +35,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.slf4j.LoggerFactory;
 
 /** Goal: {@code --record} writes what {@code carom replay} plays. Method: both, with bots. */
-@Alone("waits")
+@Needs("waits")
 final class RecordingFileTest {
   @TempDir private Path folder;
   private final StringWriter out = new StringWriter();

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.replay.Block;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Random;
@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@Alone("waits")
+@Needs("waits")
 class RotationLimitTest {
   @TempDir private Path folder;
 

@@ -8,7 +8,7 @@ import carom.net.frame.DatagramPort;
 import carom.server.command.Caller;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Timeout;
  * throws what the JVM throws when memory, stack or classes are missing, and has to go on, or to say
  * that it ends.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class ErrorsEndNoThreadTest {
   private static final List<Throwable> ERRORS =

@@ -12,7 +12,7 @@ import carom.fixtures.CrouchGame.Rule;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.sim.message.PlayerColour;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
@@ -32,7 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: an operator sees and does on the page what it promises. Method: headless Chromium opens it,
  * clicks, types, and its pixels are looked at.
  */
-@Alone("waits")
+@Needs("waits")
 @Timeout(240)
 final class BrowserTest {
   private static final int ENTER = 13;

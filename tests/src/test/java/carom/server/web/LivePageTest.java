@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.access.LoginThrottle;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.text.Json;
 import java.io.IOException;
 import java.io.InputStream;
@@ -38,7 +38,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Goal: strangers can do no harm through the page. Method: what they would send. */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(120)
 final class LivePageTest {
   @TempDir private Path folder;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.room.RoomPictures;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
@@ -24,7 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Method: pages over WebSockets; the pictures that the room makes and those that arrive are
  * counted. What that is in milliseconds, {@code carom.lab.figures.PageViewers} measures.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(120)
 final class ViewerCostTest {
   private static final int VIEWERS = 10;

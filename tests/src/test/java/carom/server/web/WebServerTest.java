@@ -11,7 +11,7 @@ import carom.server.CaromMain;
 import carom.server.access.Logins;
 import carom.server.metrics.Counter;
 import carom.server.metrics.TurnStage;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -38,7 +38,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Goal: programs learn how a server is. Method: HTTP requests beside a room stepped by hand. */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(60)
 final class WebServerTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();

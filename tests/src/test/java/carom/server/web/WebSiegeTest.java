@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.transport.NetworkCounter;
 import carom.server.access.Logins;
 import carom.server.http.HttpPort;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: visitors who hold connections hold up nobody, and hold none for long. Method: raw sockets
  * that begin requests and stop, trickle, or don't read, beside others that ask for health.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(120)
 final class WebSiegeTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();

@@ -3,7 +3,7 @@ package carom.sim.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.physics.World;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.File;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Test;
  * step, it allocates in that step of every run. So a scene is run anew if any bytes were seen, and
  * a step counts with the fewest bytes of its runs.
  */
-@Alone("processes")
+@Needs("processes")
 final class SteadySceneTest {
   private static final int WARM_UP = 400;
   private static final int STEPS = 300;

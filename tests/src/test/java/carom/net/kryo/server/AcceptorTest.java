@@ -3,7 +3,7 @@ package carom.net.kryo.server;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.Serialization;
 import com.esotericsoftware.kryonet.Server;
@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
  * Goal: who connects is heard, however many others connect. Method: a server that takes its turns
  * when the test says so.
  */
-@Alone("sockets")
+@Needs("sockets")
 class AcceptorTest {
   private static final String HOST = "127.0.0.1";
   private static final int CONNECTIONS = 120; // some systems keep 128

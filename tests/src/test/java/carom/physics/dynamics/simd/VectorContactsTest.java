@@ -15,7 +15,7 @@ import carom.physics.dynamics.solver.ContactLanes;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.simd.VectorModule;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -24,7 +24,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Vectors give the bits of the scalar code; whether they are there depends on the JVM's flags. */
-@Alone("processes")
+@Needs("processes")
 class VectorContactsTest {
   /**
    * A heap of boxes and discs, with friction, bounces and moving surfaces, some of which resist

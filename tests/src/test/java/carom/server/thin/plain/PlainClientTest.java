@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.server.config.ServerConfig;
 import carom.server.thin.plain.PlainRig.Stock;
 import carom.server.thin.plain.PlainRig.Where;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: an unmodified KryoNet 2.22.0-RC1 with its Kryo 2.24.0 plays. Method: programs with nothing
  * else of Carom than carom-plain, each in a process of its own, against a server on real ports.
  */
-@Alone("processes")
+@Needs("processes")
 @Timeout(180)
 final class PlainClientTest {
   private static final Path HOME = Path.of(System.getProperty("java.home"));

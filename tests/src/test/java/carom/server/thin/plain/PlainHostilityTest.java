@@ -12,7 +12,7 @@ import carom.server.access.AccessLists;
 import carom.server.access.EntryRule;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.DatagramSocket;
@@ -46,7 +46,7 @@ import org.junit.jupiter.api.io.TempDir;
  * server send where nobody asked. Method: bytes by hand; after each attempt a canary, a player that
  * was there before, still hears what it says, and a newcomer gets in.
  */
-@Alone("sockets")
+@Needs("sockets")
 @Timeout(120)
 final class PlainHostilityTest {
   private static final PlainLimits LIMITS =

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.server.thin.ThinClientMessage;
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinSnapshot;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -36,7 +36,7 @@ import org.junit.jupiter.api.io.TempDir;
  * random values, written here and read by the real one in a process of its own, and the other way
  * round.
  */
-@Alone("processes")
+@Needs("processes")
 @Timeout(120)
 final class StockKryoTest {
   private static final long SEED = Long.getLong("carom.seed", System.nanoTime());

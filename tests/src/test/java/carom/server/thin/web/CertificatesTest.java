@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
@@ -34,7 +34,7 @@ import org.junit.jupiter.api.io.TempDir;
  * files are named. Method: keys that keytool makes, and TLS connections of the JDK.
  */
 @Timeout(180)
-@Alone("processes")
+@Needs("processes")
 final class CertificatesTest {
   private static final char[] PASSWORD = "password".toCharArray();
 

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.server.web.Chromium;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import com.sun.net.httpserver.HttpServer;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
  * at.
  */
 @Timeout(240)
-@Alone("processes")
+@Needs("processes")
 final class JavaScriptClientTest {
   private static final Path EXAMPLE = Path.of("../docs/thin/client.html");
 

@@ -10,7 +10,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;
 import carom.server.web.Chromium;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: a link is a game. Method: headless Chromium opens it, joins, plays each game that ships,
  * chats, changes the room, is loaded again and leaves; the page logs no error.
  */
-@Alone("sockets, a browser")
+@Needs("sockets, a browser")
 @Timeout(240)
 final class PlayPageTest {
   private static final int ENTER = 13;

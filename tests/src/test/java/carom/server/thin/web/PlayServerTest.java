@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.text.Json;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** Goal: programs play by WebSocket. Method: the JDK's WebSocket at a real server's port. */
 @Timeout(120)
-@Alone("sockets")
+@Needs("sockets")
 final class PlayServerTest {
   private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(40);
 

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.access.AddressRange;
 import carom.server.thin.ThinServerMessage;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Timeout;
  * floods, stop half way or don't read, and a player that joins after each.
  */
 @Timeout(180)
-@Alone("sockets")
+@Needs("sockets")
 final class PlaySiegeTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
   private static final String UPGRADE =

@@ -3,7 +3,7 @@ package carom.server.thin.web;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.outside.Python;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
  * docs/thin, with the Python package websockets as pip installs it, joins a real server's arena.
  */
 @Timeout(400)
-@Alone("sockets")
+@Needs("sockets")
 final class PythonClientTest {
   private static final Path EXAMPLE = Path.of("../docs/thin/client.py").toAbsolutePath();
 

@@ -9,7 +9,7 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinSnapshot;
-import carom.suite.Alone;
+import carom.suite.Needs;
 import carom.text.Json;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Timeout;
  * Goal: the door carries what both ends say. Method: the JDK's WebSocket at a port without rooms.
  */
 @Timeout(120)
-@Alone("sockets")
+@Needs("sockets")
 final class WebLinkTest {
   private static final List<InetAddress> HERE = List.of(InetAddress.getLoopbackAddress());
 

@@ -4,6 +4,7 @@ import static com.tngtech.archunit.core.domain.JavaModifier.STATIC;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.suite.Alone;
+import carom.suite.Needs;
 import com.tngtech.archunit.ArchConfiguration;
 import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
@@ -22,11 +23,11 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: tests that run beside others don't disturb each other. Method: from each test class,
- * through the helpers of the tests and of the laboratory, look for calls that open sockets, start
- * processes or windows, or wait for a clock.
+ * Goal: tests that only compute wait for nothing. Method: from each test class, through the helpers
+ * of the tests and of the laboratory, look for calls that open sockets, start processes or windows,
+ * or wait for a clock.
  */
-final class AloneTest {
+final class NeedsTest {
   /** What needs the machine: of the JDK, and of the product the classes that are made of it. */
   private static final Pattern NEEDS =
       Pattern.compile(
@@ -57,9 +58,9 @@ final class AloneTest {
   @Test
   void whatNeedsTheMachineSaysSo() {
     Map<String, String> missing = new TreeMap<>();
-    for (JavaClass type : ArchConfiguration.withThreadLocalScope(AloneTest::outside)) {
+    for (JavaClass type : ArchConfiguration.withThreadLocalScope(NeedsTest::outside)) {
       String name = type.getFullName().replaceAll("[$].*", "");
-      if (name.endsWith("Test") && isHelper(type) && !isAlone(type)) {
+      if (name.endsWith("Test") && isHelper(type) && !isMarked(type)) {
         type.getCodeUnits().stream()
             .map(this::need)
             .filter(Objects::nonNull)
@@ -67,7 +68,7 @@ final class AloneTest {
             .ifPresent(need -> missing.put(name, need));
       }
     }
-    assertEquals(Map.of(), missing, "classes that need @Alone, with what they call");
+    assertEquals(Map.of(), missing, "classes that need @Needs, with what they call");
   }
 
   /** Imports all but the product. Of that and of the JDK the names are enough. */
@@ -78,9 +79,11 @@ final class AloneTest {
         .importPackages("carom");
   }
 
-  private static boolean isAlone(JavaClass type) {
+  private static boolean isMarked(JavaClass type) {
     for (Class<?> c = type.reflect(); c != null; c = c.getEnclosingClass()) {
-      if (c.isAnnotationPresent(Alone.class) || Modifier.isAbstract(c.getModifiers())) {
+      if (c.isAnnotationPresent(Needs.class)
+          || c.isAnnotationPresent(Alone.class)
+          || Modifier.isAbstract(c.getModifiers())) {
         return true; // of an abstract one those that extend it are looked at
       }
     }
@@ -93,7 +96,7 @@ final class AloneTest {
       return needs.get(code.getFullName());
     }
     needs.put(code.getFullName(), null); // circles end here
-    if (code.isAnnotatedWith(Alone.class)) {
+    if (code.isAnnotatedWith(Needs.class) || code.isAnnotatedWith(Alone.class)) {
       return null;
     }
     String found = null;
