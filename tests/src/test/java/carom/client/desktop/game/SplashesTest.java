@@ -3,6 +3,9 @@ package carom.client.desktop.game;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.sim.spawn.Origin;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Goal: a body that hits water throws drops, once. Method: a lake below 0, frame by frame. */
@@ -62,5 +65,23 @@ final class SplashesTest {
     splashes.watch(lake, 7, 1, 0.3f, 1, 0.1f, 0, -4);
     assertTrue(
         hard.showing() > 2 * splashes.showing(), hard.showing() + " and " + splashes.showing());
+  }
+
+  @Test
+  void effectsTakeEntitiesWithAnyId() {
+    List<Integer> ids = new ArrayList<>(List.of(0, 65_535, Integer.MAX_VALUE));
+    ids.add(Origin.FIRST);
+    ids.add(Origin.LAST);
+    ids.add(Origin.passing(Origin.of(7, 3)));
+    Splashes splashes = new Splashes();
+    Splashes.WaterMap lake = (x, y) -> y < 0 ? 0x3a86c8 : Splashes.NONE;
+    for (int id : ids) {
+      splashes.clear();
+      for (int i = 0; i < 60; i++) {
+        splashes.age(lake, 0, -10, 1 / 60f);
+        splashes.watch(lake, id, 1, 0.5f, 1, 3 - i * 0.12f, 0, -7);
+      }
+      assertTrue(splashes.showing() > 0, "id=" + id);
+    }
   }
 }

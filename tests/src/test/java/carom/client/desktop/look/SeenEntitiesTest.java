@@ -1,11 +1,10 @@
-package carom.client.desktop.game;
+package carom.client.desktop.look;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.sim.spawn.Origin;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -56,23 +55,5 @@ final class SeenEntitiesTest {
       known = shown;
     }
     assertTrue(made.size() <= most, "made=" + made.size() + " most=" + most);
-  }
-
-  @Test
-  void effectsTakeEntitiesWithAnyId() {
-    List<Integer> ids = new ArrayList<>(List.of(0, 65_535, Integer.MAX_VALUE));
-    ids.add(Origin.FIRST);
-    ids.add(Origin.LAST);
-    ids.add(Origin.passing(Origin.of(7, 3)));
-    Splashes splashes = new Splashes();
-    Splashes.WaterMap lake = (x, y) -> y < 0 ? 0x3a86c8 : Splashes.NONE;
-    for (int id : ids) {
-      splashes.clear();
-      for (int i = 0; i < 60; i++) {
-        splashes.age(lake, 0, -10, 1 / 60f);
-        splashes.watch(lake, id, 1, 0.5f, 1, 3 - i * 0.12f, 0, -7);
-      }
-      assertTrue(splashes.showing() > 0, "id=" + id);
-    }
   }
 }

@@ -1,4 +1,4 @@
-package carom.client.desktop.game;
+package carom.client.desktop.look;
 
 import com.badlogic.gdx.utils.LongMap;
 import java.util.ArrayDeque;
@@ -12,25 +12,28 @@ import java.util.function.Supplier;
  *
  * @param <T> what the effect knows of an entity
  */
-final class SeenEntities<T extends SeenEntities.Seen> {
+public final class SeenEntities<T extends SeenEntities.Seen> {
   /** The part of an effect's knowledge of an entity that all effects have in common. */
-  abstract static class Seen {
-    long frame;
-    double quietUntil;
-    boolean isNew;
+  public abstract static class Seen {
+    private long frame;
+    private double quietUntil;
+    private boolean isNew;
+
+    /** Creates the knowledge of an entity that hasn't been seen. */
+    protected Seen() {}
 
     /** Returns whether the entity hadn't been seen when it was last asked for. */
-    final boolean isNew() {
+    public final boolean isNew() {
       return isNew;
     }
 
     /** Returns whether the entity's last effect was so recent that it has no other one. */
-    final boolean isQuiet(double now) {
+    public final boolean isQuiet(double now) {
       return now < quietUntil;
     }
 
     /** Lets the entity have no effect until a moment. */
-    final void quieten(double until) {
+    public final void quieten(double until) {
       quietUntil = until;
     }
   }
@@ -41,12 +44,12 @@ final class SeenEntities<T extends SeenEntities.Seen> {
   private long frame;
 
   /** Creates an empty memory; {@code maker} makes the knowledge of one more entity. */
-  SeenEntities(Supplier<T> maker) {
+  public SeenEntities(Supplier<T> maker) {
     this.maker = maker;
   }
 
   /** Forgets all entities. */
-  void clear() {
+  public void clear() {
     for (T seen : known.values()) {
       spare.add(seen);
     }
@@ -54,11 +57,11 @@ final class SeenEntities<T extends SeenEntities.Seen> {
   }
 
   /** Begins a frame and forgets the entities that the last one lacked. */
-  void nextFrame() {
+  public void nextFrame() {
     Iterator<T> all = known.values();
     while (all.hasNext()) {
       T seen = all.next();
-      if (seen.frame != frame) {
+      if (((Seen) seen).frame != frame) {
         all.remove();
         spare.add(seen);
       }
@@ -67,23 +70,23 @@ final class SeenEntities<T extends SeenEntities.Seen> {
   }
 
   /** Returns what is known of an entity of this frame. It is the caller's to change. */
-  T see(int id, int generation) {
+  public T see(int id, int generation) {
     long key = (long) generation << 32 | id;
     T seen = known.get(key);
     if (seen == null) {
       seen = spare.isEmpty() ? maker.get() : spare.poll();
-      seen.isNew = true;
-      seen.quietUntil = 0;
+      ((Seen) seen).isNew = true;
+      ((Seen) seen).quietUntil = 0;
       known.put(key, seen);
     } else {
-      seen.isNew = false;
+      ((Seen) seen).isNew = false;
     }
-    seen.frame = frame;
+    ((Seen) seen).frame = frame;
     return seen;
   }
 
   /** Returns the number of entities that are known. */
-  int size() {
+  public int size() {
     return known.size;
   }
 }
