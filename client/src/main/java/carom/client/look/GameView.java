@@ -1,10 +1,9 @@
 package carom.client.look;
 
 /**
- * The look of a game: at present its actions and their keys. Put a class with a public constructor
- * without parameters beside the game, and list it in {@code
- * META-INF/services/carom.client.look.GameView} of the game's jar. Only windows load it. A game
- * without one has the usual look.
+ * The look of a game: keys, pictures, sounds, camera. Put a class with a public constructor without
+ * parameters beside the game, and list it in {@code META-INF/services/carom.client.look.GameView}
+ * of the game's jar. Only windows load it. A game without one has the usual look.
  *
  * <pre>{@code
  * public final class TagView implements GameView {

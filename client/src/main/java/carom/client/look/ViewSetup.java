@@ -1,8 +1,10 @@
 package carom.client.look;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -10,7 +12,17 @@ import java.util.Set;
  * {@link IllegalArgumentException} for what can't be meant.
  */
 public final class ViewSetup {
+  /** Most sprites, and most of anything else that is declared one by one. */
+  public static final int MAX = 500;
+
   private final List<Action> actions = new ArrayList<>();
+  private final List<Sprite> sprites = new ArrayList<>();
+  private final List<Background> backgrounds = new ArrayList<>();
+  private final Map<String, List<Effect>> events = new HashMap<>();
+  private final Map<String, List<Effect>> blows = new HashMap<>();
+  private final Map<String, Particles> trails = new HashMap<>();
+  private final CameraSetup camera = new CameraSetup();
+  private String music = "";
 
   /** Creates the set-up of a view that declares nothing, which is the usual look. */
   public ViewSetup() {}
@@ -36,5 +48,99 @@ public final class ViewSetup {
   /** Returns the actions in the order in which they were declared. Do not change the list. */
   public List<Action> actions() {
     return actions;
+  }
+
+  private static <T> T limited(int present, T added) {
+    if (present >= MAX) {
+      throw new IllegalArgumentException(added.getClass().getSimpleName() + ": more than " + MAX);
+    }
+    return added;
+  }
+
+  /**
+   * Adds a picture for each entity of an archetype, in place of its shapes.
+   *
+   * @param archetype its name; that of a level's piece or body works, too
+   * @param file name of a PNG or JPEG file, as {@link Class#getResource} finds it: beside the
+   *     view's class, or with a leading slash from the jar's root
+   */
+  public Sprite sprite(String archetype, String file) {
+    Sprite sprite = limited(sprites.size(), new Sprite(archetype, file));
+    sprites.add(sprite);
+    return sprite;
+  }
+
+  /** Adds a picture behind the level, before those that were added earlier. */
+  public Background background(String file) {
+    Background background = limited(backgrounds.size(), new Background(file));
+    backgrounds.add(background);
+    return background;
+  }
+
+  /**
+   * Adds what an event sets off. Particles take the place of the event's ring, sounds that of its
+   * usual sound; its word stays.
+   *
+   * @param name of the kind of event
+   */
+  public void event(String name, Effect... effects) {
+    events.computeIfAbsent(name, n -> limited(events.size(), new ArrayList<>()));
+    events.get(name).addAll(List.of(effects));
+  }
+
+  /**
+   * Adds what a blow to a body sets off, in place of the usual sparks.
+   *
+   * @param archetype name of the body's archetype
+   */
+  public void blow(String archetype, Effect... effects) {
+    blows.computeIfAbsent(archetype, n -> limited(blows.size(), new ArrayList<>()));
+    blows.get(archetype).addAll(List.of(effects));
+  }
+
+  /** Sets what bodies of an archetype leave behind them, in place of the usual streak. */
+  public void trail(String archetype, Particles particles) {
+    trails.put(archetype, limited(trails.size(), particles));
+  }
+
+  /** Returns what the window shows of the level, to be changed. */
+  public CameraSetup camera() {
+    return camera;
+  }
+
+  /** Sets the music of the game, a {@code .wav} or {@code .ogg} file that is played on and on. */
+  public void music(String file) {
+    SoundFile.requireSound(file);
+    music = file;
+  }
+
+  /** Returns the file of the music; empty for none. */
+  public String music() {
+    return music;
+  }
+
+  /** Returns the sprites. Do not change the list. */
+  public List<Sprite> sprites() {
+    return sprites;
+  }
+
+  /** Returns the backgrounds, the furthest first. Do not change the list. */
+  public List<Background> backgrounds() {
+    return backgrounds;
+  }
+
+  /** Returns what an event sets off; null for the usual. */
+  public List<Effect> event(String name) {
+    return events.get(name);
+  }
+
+  /** Returns what a blow to an archetype's body sets off; null for the usual. */
+  public List<Effect> blow(String archetype) {
+    return blows.get(archetype);
+  }
+
+  /** Returns what an archetype's bodies leave behind them; null for the usual. */
+  public Particles trail(String archetype) {
+    return trails.get(archetype);
   }
 }

@@ -1,10 +1,13 @@
 package carom.client.desktop;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.bots.Bot;
+import carom.client.look.GameViews;
+import carom.client.look.RandomView;
 import carom.fixtures.VirtualDisplay;
 import carom.net.transport.Impairment;
 import carom.server.CaromMain;
@@ -17,6 +20,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -44,10 +48,16 @@ final class RenderTest {
   }
 
   private String render(int status, String... flags) throws Exception {
+    return render(CaromMain.class, List.of("render"), status, flags);
+  }
+
+  private String render(Class<?> main, List<String> first, int status, String... flags)
+      throws Exception {
     List<String> command = new ArrayList<>();
     command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
-    command.addAll(List.of("-cp", System.getProperty("java.class.path")));
-    command.addAll(List.of(CaromMain.class.getName(), "render", recorded.toString()));
+    command.addAll(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
+    command.addAll(first);
+    command.add(recorded.toString());
     command.addAll(List.of(flags));
     Path output = folder.resolve("output.txt");
     try (VirtualDisplay display = VirtualDisplay.open()) {
@@ -110,6 +120,51 @@ final class RenderTest {
     String unknown =
         render(1, "--frames", folder.resolve("b").toString(), "--from", "2", "--follow", "Bob");
     assertTrue(unknown.contains("nobody is called Bob") && unknown.contains("[Ann]"), unknown);
+  }
+
+  /**
+   * Draws the clip with the view of a seed; its first argument is the seed, its second if faulty.
+   */
+  static final class WithRandomView {
+    public static void main(String[] args) {
+      long seed = Long.parseLong(args[0]);
+      GameViews.add(() -> new RandomView(seed, Boolean.parseBoolean(args[1])));
+      CaromMain.main(Arrays.copyOfRange(args, 2, args.length));
+    }
+  }
+
+  /** Goal: no look that can be declared breaks the picture; what isn't there is told by name. */
+  @Test
+  void anyLookIsDrawn() throws Exception {
+    assumeTrue(VirtualDisplay.available(), "Xvfb is not installed (Debian: apt-get install xvfb)");
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    for (int i = 0; i < 2; i++) {
+      boolean faulty = i % 2 == 1;
+      Path frames = folder.resolve("look" + i);
+      List<String> first = List.of(Long.toString(seed + i), Boolean.toString(faulty), "render");
+      String text =
+          render(
+              WithRandomView.class,
+              first,
+              0,
+              "--frames",
+              frames.toString(),
+              "--from",
+              "3",
+              "--seconds",
+              "1",
+              "--fps",
+              "5",
+              "--size",
+              "320x180",
+              "--follow",
+              "ann");
+      String what = "-Dcarom.seed=" + seed + " case " + i + ": " + text;
+      assertTrue(text.contains("5 pictures in "), what);
+      assertFalse(text.contains("is left out"), what);
+      assertFalse(!faulty && text.contains("can't be"), what);
+      assertFalse(text.contains("own look failed"), what);
+    }
   }
 
   @Test

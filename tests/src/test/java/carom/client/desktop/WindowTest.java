@@ -9,6 +9,7 @@ import carom.client.desktop.paint.ViewCamera;
 import carom.fixtures.VirtualDisplay;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
+import carom.physics.math.Aabb;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.SimulationHost;
@@ -85,7 +86,8 @@ final class WindowTest {
     assertEquals(720, image.getHeight());
     GdxNativesLoader.load(); // the camera's matrices
     ViewCamera camera = new ViewCamera();
-    camera.update(level.bounds(), true, player[0], player[1], 1_280, 720, 1);
+    Aabb subject = new Aabb(player[0], player[1], player[0], player[1]);
+    camera.update(level.bounds(), subject, 1_280, 720, 1);
 
     assertColour(
         playerColour, image, camera, player[0] - METRES_ASIDE * 0.5f, player[1] - 0.3f, "player");

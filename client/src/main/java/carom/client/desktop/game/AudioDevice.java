@@ -2,9 +2,12 @@ package carom.client.desktop.game;
 
 import carom.sim.event.Sound;
 import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.audio.Music;
+import com.badlogic.gdx.backends.lwjgl3.audio.OpenALSound;
 import com.badlogic.gdx.files.FileHandle;
 import com.badlogic.gdx.utils.Disposable;
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
@@ -15,7 +18,9 @@ import org.lwjgl.openal.ALC10;
 
 /** The machine's loudspeakers, if it has any. Render thread only. */
 public final class AudioDevice implements Speaker, Disposable {
-  private final Map<Sound, com.badlogic.gdx.audio.Sound> sounds = new EnumMap<>(Sound.class);
+  private final Map<Sound, Clip> sounds = new EnumMap<>(Sound.class);
+  private Music music;
+  private float musicVolume;
 
   /**
    * Loads the sounds. The toolkit must run.
@@ -28,18 +33,18 @@ public final class AudioDevice implements Speaker, Disposable {
     }
     for (Sound sound : Sound.values()) {
       if (sound != Sound.NONE) {
-        sounds.put(sound, Gdx.audio.newSound(new Wav(sound)));
+        sounds.put(sound, load(sound.name() + ".wav", Waves.wav(sound)));
       }
     }
   }
 
-  /** A sound in memory, where the toolkit expects a file. */
-  private static final class Wav extends FileHandle {
+  /** A file in memory, where the toolkit expects one on a disk. */
+  private static final class InMemory extends FileHandle {
     private final byte[] bytes;
 
-    Wav(Sound sound) {
-      super(sound.name() + ".wav");
-      bytes = Waves.wav(sound);
+    InMemory(String name, byte[] bytes) {
+      super(name);
+      this.bytes = bytes;
     }
 
     @Override
@@ -50,6 +55,37 @@ public final class AudioDevice implements Speaker, Disposable {
     @Override
     public long length() {
       return bytes.length;
+    }
+  }
+
+  /** A sound of the toolkit. */
+  private static final class Loaded extends Clip {
+    private final com.badlogic.gdx.audio.Sound sound;
+    private final float seconds;
+
+    Loaded(com.badlogic.gdx.audio.Sound sound) {
+      this.sound = sound;
+      seconds = ((OpenALSound) sound).duration();
+    }
+
+    @Override
+    float seconds() {
+      return seconds;
+    }
+
+    @Override
+    long play(float volume, float pan, float pitch) {
+      return sound.play(volume, pitch, pan);
+    }
+
+    @Override
+    void stop(long id) {
+      sound.stop(id);
+    }
+
+    @Override
+    void dispose() {
+      sound.dispose();
     }
   }
 
@@ -72,7 +108,7 @@ public final class AudioDevice implements Speaker, Disposable {
     try (DirectoryStream<Path> outputs =
         Files.newDirectoryStream(Path.of("/dev/snd"), "pcmC*D*p")) {
       return outputs.iterator().hasNext();
-    } catch (java.io.IOException e) {
+    } catch (IOException e) {
       return false; // no such folder
     }
   }
@@ -82,20 +118,62 @@ public final class AudioDevice implements Speaker, Disposable {
     return !sounds.isEmpty();
   }
 
-  @Override
-  public long play(Sound sound, float volume, float pan, float pitch) {
-    return works() ? sounds.get(sound).play(volume, pitch, pan) : -1;
+  private static Clip load(String name, byte[] bytes) {
+    return new Loaded(Gdx.audio.newSound(new InMemory(name, bytes)));
   }
 
   @Override
-  public void stop(Sound sound, long id) {
-    if (works()) {
-      sounds.get(sound).stop(id);
+  public Clip clip(Sound sound) {
+    return sounds.get(sound);
+  }
+
+  @Override
+  public Clip clip(String name, byte[] bytes) throws IOException {
+    try {
+      return load(name, bytes);
+    } catch (RuntimeException e) { // the decoders throw all kinds
+      throw new IOException(name + " can't be decoded: " + e, e);
+    }
+  }
+
+  @Override
+  public void music(String name, byte[] bytes) throws IOException {
+    if (music != null) {
+      music.dispose();
+      music = null;
+    }
+    if (bytes == null || !works()) {
+      return;
+    }
+    try {
+      music = Gdx.audio.newMusic(new InMemory(name, bytes));
+      music.setLooping(true);
+      musicVolume(musicVolume);
+    } catch (RuntimeException e) { // as above
+      music = null;
+      throw new IOException(name + " can't be decoded: " + e, e);
+    }
+  }
+
+  @Override
+  public void musicVolume(float volume) {
+    musicVolume = volume;
+    if (music == null) {
+      return;
+    }
+    music.setVolume(volume);
+    if (volume == 0) {
+      music.pause();
+    } else if (!music.isPlaying()) {
+      music.play();
     }
   }
 
   @Override
   public void dispose() {
-    sounds.values().forEach(com.badlogic.gdx.audio.Sound::dispose);
+    if (music != null) {
+      music.dispose();
+    }
+    sounds.values().forEach(Clip::dispose);
   }
 }

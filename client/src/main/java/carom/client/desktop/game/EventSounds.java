@@ -1,17 +1,30 @@
 package carom.client.desktop.game;
 
 import carom.client.EventListener;
+import carom.client.desktop.look.HeardEffects;
+import carom.client.desktop.look.LookFiles;
+import carom.client.desktop.look.ShownLook;
+import carom.client.look.Effect;
+import carom.client.look.SoundFile;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.outbox.Event;
+import carom.text.FileErrors;
 import com.badlogic.gdx.math.MathUtils;
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
- * Plays the sounds of events, louder if they are hard and near, and from the side they come from.
- * Of many events at the same time the loudest are heard. Render thread only; no allocation per
- * event.
+ * Plays the sounds of events and of a game's look, louder if they are hard and near, and from the
+ * side they come from. Of many events at the same time the loudest are heard. Render thread only;
+ * no allocation per event.
  */
-public final class EventSounds implements EventListener {
+public final class EventSounds implements EventListener, HeardEffects {
   /** Most sounds at a time. */
   static final int VOICES = 10;
 
@@ -32,9 +45,20 @@ public final class EventSounds implements EventListener {
   /** Loudness of the softest event, 0..1. */
   private static final float SOFTEST = 0.08f;
 
+  /** Loudness of music beside the loudest sound. */
+  private static final float MUSIC = 0.5f;
+
+  /** Largest files, bytes. */
+  private static final int MAX_SOUND = 4 << 20;
+
+  private static final int MAX_MUSIC = 24 << 20;
+  private static final Logger LOG = LoggerFactory.getLogger(EventSounds.class);
+
   /** A sound that is playing. */
   private static final class Voice {
     final Event event = new Event();
+    Clip clip;
+    boolean ofEvent;
     float loudness;
     double until;
     long id;
@@ -42,8 +66,8 @@ public final class EventSounds implements EventListener {
 
   private final Speaker speaker;
   private final Voice[] voices = new Voice[VOICES];
-  private final double[] quietUntil = new double[Sound.values().length];
-  private final float[] lastLoudness = new float[Sound.values().length];
+  private final Map<String, Clip> files = new HashMap<>();
+  private ShownLook look;
   private float volume;
   private boolean muted;
 
@@ -69,11 +93,57 @@ public final class EventSounds implements EventListener {
   /** Sets the volume of the loudest sound, 0..1; sounds that play keep theirs. */
   public void volume(float loudest) {
     volume = loudest;
+    tellMusic();
+  }
+
+  private void tellMusic() {
+    speaker.musicVolume(muted ? 0 : MUSIC * volume);
+  }
+
+  /** Plays the sounds and the music of a game's look from now on; null for the usual sounds. */
+  public void look(ShownLook of) {
+    for (Voice voice : voices) {
+      stop(voice);
+    }
+    files.values().stream().filter(Objects::nonNull).forEach(Clip::dispose);
+    files.clear();
+    look = of;
+    String file = of == null ? "" : of.setup().music();
+    try {
+      byte[] bytes =
+          file.isEmpty() || !speaker.works() ? null : LookFiles.read(of.home(), file, MAX_MUSIC);
+      speaker.music(file, bytes);
+    } catch (IOException e) {
+      missing(file, e);
+    }
+    tellMusic();
+  }
+
+  private void missing(String file, IOException e) {
+    LOG.error("the sound {} of {} can't be used: {}", file, look.home(), FileErrors.reason(e));
+    look.tell("A sound of the game's look can't be played: " + file);
+  }
+
+  /** Returns the sound of a file; null if it can't be played. */
+  private Clip clip(SoundFile sound) {
+    List<String> names = sound.files();
+    String file = names.get(MathUtils.random(names.size() - 1));
+    if (!files.containsKey(file)) {
+      Clip read = null;
+      try {
+        read = speaker.clip(file, LookFiles.read(look.home(), file, MAX_SOUND));
+      } catch (IOException e) {
+        missing(file, e);
+      }
+      files.put(file, read);
+    }
+    return files.get(file);
   }
 
   /** Switches the sound off or on; playing sounds stop. */
   public void mute(boolean silent) {
     muted = silent;
+    tellMusic();
     for (Voice voice : voices) {
       if (silent) {
         stop(voice);
@@ -100,35 +170,68 @@ public final class EventSounds implements EventListener {
 
   @Override
   public void happened(Event event, boolean predicted) {
-    Sound sound = event.kind().sound();
-    if (muted || sound == Sound.NONE || !audible()) {
+    if (muted || !audible()) {
       return;
     }
     float hardness = hardness(event);
-    float loudness = Math.max(SOFTEST, hardness) * nearness(event);
-    boolean echo = now < quietUntil[sound.ordinal()] && loudness <= lastLoudness[sound.ordinal()];
+    float nearness = nearness(event.x(), event.y(), event.kind().radius());
+    List<Effect> effects = look == null ? null : look.setup().event(event.kind().name());
+    boolean own = false;
+    for (int i = 0; effects != null && i < effects.size(); i++) {
+      if (effects.get(i) instanceof SoundFile file) {
+        own = true;
+        play(file, event, event.x(), hardness, nearness);
+      }
+    }
+    Sound sound = event.kind().sound();
+    if (!own && sound != Sound.NONE) {
+      float pitch = 1.1f - 0.2f * hardness; // what is hit harder sounds larger
+      play(speaker.clip(sound), event, event.x(), Math.max(SOFTEST, hardness) * nearness, pitch);
+    }
+  }
+
+  @Override
+  public void play(SoundFile file, float x, float y, float hardness) {
+    if (!muted && audible()) {
+      play(file, null, x, hardness, nearness(x, y, 0));
+    }
+  }
+
+  private void play(SoundFile file, Event event, float x, float hardness, float nearness) {
+    Clip clip = clip(file);
+    if (clip != null) {
+      float loudness = file.volume() * Math.max(SOFTEST, hardness) * nearness;
+      play(clip, event, x, loudness, file.pitch(MathUtils.random()));
+    }
+  }
+
+  private void play(Clip clip, Event event, float x, float loudness, float pitch) {
+    boolean echo = now < clip.quietUntil && loudness <= clip.lastLoudness;
     Voice voice = quietest();
     if (loudness < FAINTEST || echo || (playing(voice) && voice.loudness >= loudness)) {
       return;
     }
     stop(voice);
-    quietUntil[sound.ordinal()] = now + APART_SECONDS;
-    lastLoudness[sound.ordinal()] = loudness;
-    float pitch = 1.1f - 0.2f * hardness; // what is hit harder sounds larger
-    float aside = MathUtils.clamp((event.x() - listenerX) / ASIDE_M, -MOST_ASIDE, MOST_ASIDE);
-    voice.event.set(event);
+    clip.quietUntil = now + APART_SECONDS;
+    clip.lastLoudness = loudness;
+    float aside = MathUtils.clamp((x - listenerX) / ASIDE_M, -MOST_ASIDE, MOST_ASIDE);
+    voice.ofEvent = event != null;
+    if (event != null) {
+      voice.event.set(event);
+    }
+    voice.clip = clip;
     voice.loudness = loudness;
-    voice.until = now + Waves.seconds(sound) / pitch;
-    voice.id = speaker.play(sound, volume * loudness, aside, pitch);
+    voice.until = now + clip.seconds() / pitch;
+    voice.id = clip.play(volume * loudness, aside, pitch);
   }
 
   /** Stops the sound of an event that did not happen. */
   @Override
   public void retracted(Event event) {
     for (Voice voice : voices) {
-      if (playing(voice) && voice.event.tick() == event.tick() && voice.event.isLike(event)) {
+      boolean isIts = voice.ofEvent && voice.event.tick() == event.tick();
+      if (playing(voice) && isIts && voice.event.isLike(event)) {
         stop(voice);
-        return;
       }
     }
   }
@@ -140,10 +243,10 @@ public final class EventSounds implements EventListener {
         : MathUtils.clamp(event.strength() / kind.fullStrength(), 0, 1);
   }
 
-  private float nearness(Event event) {
-    float near = NEAR_M + 2 * event.kind().radius();
-    float dx = event.x() - listenerX;
-    float dy = event.y() - listenerY;
+  private float nearness(float x, float y, float radius) {
+    float near = NEAR_M + 2 * radius;
+    float dx = x - listenerX;
+    float dy = y - listenerY;
     return 1 / (1 + (dx * dx + dy * dy) / (near * near));
   }
 
@@ -166,7 +269,7 @@ public final class EventSounds implements EventListener {
   private void stop(Voice voice) {
     if (playing(voice)) {
       voice.until = now;
-      speaker.stop(voice.event.kind().sound(), voice.id);
+      voice.clip.stop(voice.id);
     }
   }
 }

@@ -5,9 +5,11 @@ import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
+import carom.sim.event.EventKind;
 import carom.sim.outbox.Event;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;
+import java.util.function.Predicate;
 
 /**
  * Visual effects of events: a ring that opens and a word that rises, as the event's kind says. So
@@ -22,10 +24,13 @@ final class Flashes implements EventListener {
   private final Event[] events = new Event[FLASHES];
   private final float[] age = new float[FLASHES];
   private final Color color = new Color();
+  private final Predicate<EventKind> ringless;
   private int next;
   private int shown;
 
-  Flashes() {
+  /** Creates effects; {@code ringless} says for which events something else shows than a ring. */
+  Flashes(Predicate<EventKind> ringless) {
+    this.ringless = ringless;
     for (int i = 0; i < FLASHES; i++) {
       events[i] = new Event();
       age[i] = LABEL_SECONDS;
@@ -69,7 +74,7 @@ final class Flashes implements EventListener {
   void draw(Canvas canvas) {
     for (int i = 0; i < FLASHES; i++) {
       float left = 1 - age[i] / RING_SECONDS;
-      if (left > 0 && events[i].kind().radius() > 0) {
+      if (left > 0 && events[i].kind().radius() > 0 && !ringless.test(events[i].kind())) {
         float radius = events[i].kind().radius() * (1 - left * left);
         canvas.ring(
             events[i].x(),

@@ -9,14 +9,19 @@ import carom.client.desktop.hud.Pointers;
 import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.hud.ScoreList;
 import carom.client.desktop.hud.ShownGame;
+import carom.client.desktop.look.LookPainter;
 import carom.client.desktop.look.ShownLook;
+import carom.client.desktop.look.Tremor;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.UiColours;
 import carom.client.desktop.paint.ViewCamera;
+import carom.client.look.CameraSetup;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.physics.math.Aabb;
+import carom.sim.level.Appearance;
 import carom.sim.level.Level;
 import carom.sim.outbox.Event;
 import com.badlogic.gdx.Gdx;
@@ -43,7 +48,7 @@ public final class GamePicture implements Disposable {
 
   private final ViewCamera camera = new ViewCamera();
   private final PictureParts parts;
-  private final Flashes flashes = new Flashes();
+  private final Flashes flashes;
   private final EventSounds sounds;
   private final WorldPainter world;
   private final DebugPainter debug;
@@ -52,6 +57,7 @@ public final class GamePicture implements Disposable {
   private final ShownGame game = new ShownGame();
   private final PlayerColours colours;
   private final ShownLook look;
+  private final LookPainter lookPainter;
   private final ScoreBoard scoreBoard;
   private final ScoreList scores;
   private final GaugePanel gauges;
@@ -61,21 +67,30 @@ public final class GamePicture implements Disposable {
   private boolean showPanels = true;
   private double seconds;
   private Level level;
+  private final Aabb subject = new Aabb();
 
   /** Creates a picture. The arguments stay the property of the caller. */
   public GamePicture(Canvas canvas, Fonts fonts, EventSounds sounds) {
     this.sounds = sounds;
     hud = new Hud(canvas, fonts);
-    parts = new PictureParts(hud::abandon, hud::showAnswer);
+    parts = new PictureParts(this::repair, hud::showAnswer);
     look = new ShownLook(hud::showAnswer);
+    lookPainter = new LookPainter(look, parts, sounds);
+    flashes = new Flashes(lookPainter.effects()::replacesRing);
     colours = new PlayerColours(game);
-    world = new WorldPainter(canvas, parts, colours);
+    world = new WorldPainter(canvas, parts, colours, lookPainter);
     debug = new DebugPainter(canvas);
     clock = new ClockPanel(hud, canvas, fonts, game);
     scoreBoard = new ScoreBoard(hud, canvas, fonts, game);
     scores = new ScoreList(hud, canvas, fonts, game, colours);
     gauges = new GaugePanel(hud, canvas, fonts, game);
     pointers = new Pointers(hud, canvas, fonts, game);
+  }
+
+  /** Ends what a part of the picture that threw has begun. */
+  private void repair() {
+    hud.abandon();
+    lookPainter.abandon();
   }
 
   /** Returns the camera, which follows the own player. */
@@ -131,6 +146,7 @@ public final class GamePicture implements Disposable {
         double ago = view.renderTick() - event.tick();
         if (ago < STALE_SECONDS * view.tickRate()) {
           parts.run("flashes", () -> flashes.happened(event, predicted));
+          parts.run("effects of events", () -> lookPainter.effects().happened(event, predicted));
           parts.run("sounds", () -> sounds.happened(event, predicted));
         }
       }
@@ -178,19 +194,20 @@ public final class GamePicture implements Disposable {
       level = view.level();
       parts.renew();
     }
-    look.show(view.game());
+    if (look.show(view.game())) {
+      lookPainter.renew();
+      camera.setup(look.setup().camera());
+      parts.run("the look's sounds", () -> sounds.look(look));
+    }
     Drawn own = view.own() == null ? view.watched() : view.own();
-    camera.update(
-        view.level().bounds(),
-        own != null,
-        own == null ? 0 : own.x(),
-        own == null ? 0 : own.y(),
-        width,
-        height,
-        deltaSeconds);
+    Aabb shown = own == null ? null : subject(view, own);
+    camera.update(view.level().bounds(), shown, width, height, deltaSeconds);
     float x = own == null ? camera.gdx().position.x : own.x();
     float y = own == null ? camera.gdx().position.y : own.y();
     parts.run("sounds", () -> sounds.listen(x, y, deltaSeconds));
+    Tremor tremor = lookPainter.effects().tremor();
+    tremor.update(x, y, deltaSeconds);
+    camera.shake(tremor.x(), tremor.y());
     parts.run("the game's own words", () -> game.look(view));
     parts.run("players' colours", () -> colours.look(view));
     float pixelsPerMetre = camera.pixelsPerMetre(height);
@@ -221,6 +238,21 @@ public final class GamePicture implements Disposable {
     hud.drawAnswer(deltaSeconds);
   }
 
+  /** Returns what the camera shows: a point ahead of the own body, or all bodies of players. */
+  private Aabb subject(ClientView view, Drawn own) {
+    CameraSetup setup = look.setup().camera();
+    float x = own.x() + setup.leadSeconds() * own.velocityX();
+    float y = own.y() + setup.leadSeconds() * own.velocityY();
+    subject.set(x, y, x, y);
+    for (int i = 0; setup.isFramingAll() && i < view.entityCount(); i++) {
+      Drawn body = view.entity(i);
+      if (body.archetype().appearance().look() == Appearance.Look.PLAYER) {
+        subject.add(body.x(), body.y());
+      }
+    }
+    return subject;
+  }
+
   private void panels(ClientView view, boolean table, long nowNs) {
     boolean over = !parts.isBroken("clock") && clock.isOver(view);
     parts.run("clock", () -> clock.draw(view));
@@ -237,6 +269,8 @@ public final class GamePicture implements Disposable {
 
   @Override
   public void dispose() {
+    sounds.look(null);
+    lookPainter.dispose();
     hud.dispose();
   }
 }

@@ -1,5 +1,6 @@
 package carom.client.desktop.game;
 
+import carom.client.desktop.look.BlowListener;
 import carom.client.desktop.look.SeenEntities;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.UiColours;
@@ -47,6 +48,7 @@ final class Impacts {
   private static final float SPARK_METRES = 0.08f; // width of a new one
   private static final float GLOW_M = 0.35f;
   private static final int BLOWS = 32;
+  private static final int NO_SPARKS = -1;
   private static final int SPARKS = 256;
 
   /** The velocity of an entity a frame ago, and before the blow that goes on, m/s. */
@@ -69,9 +71,12 @@ final class Impacts {
   private final Specks sparks = new Specks(SPARKS, SPARK_SECONDS);
 
   private final Color color = new Color();
+  private final BlowListener listener;
   private double now;
 
-  Impacts() {
+  /** Creates effects; the listener hears of each blow that shows. */
+  Impacts(BlowListener listener) {
+    this.listener = listener;
     Arrays.fill(blowAge, RING_SECONDS);
   }
 
@@ -159,7 +164,10 @@ final class Impacts {
     float nx = dx / blow;
     float ny = dy / blow;
     float extent = WorldPainter.extent(kind);
-    add(x - nx * extent, y - ny * extent, nx, ny, blow, kind.appearance().rgb());
+    float hitX = x - nx * extent;
+    float hitY = y - ny * extent;
+    boolean replaced = listener.blow(kind, hitX, hitY, nx, ny, blow);
+    add(hitX, hitY, nx, ny, blow, replaced ? NO_SPARKS : kind.appearance().rgb());
   }
 
   /**
@@ -170,7 +178,7 @@ final class Impacts {
    * @param nx unit vector along which the struck body was pushed
    * @param ny unit vector along which the struck body was pushed
    * @param blow change of velocity, m/s
-   * @param rgb colour of the struck body
+   * @param rgb colour of the struck body, or {@link #NO_SPARKS}
    */
   private void add(float x, float y, float nx, float ny, float blow, int rgb) {
     float size = MathUtils.clamp(blow / HARD_M_S, 0.2f, 1);
@@ -179,7 +187,7 @@ final class Impacts {
     blowSize[nextBlow] = size;
     blowAge[nextBlow] = 0;
     nextBlow = (nextBlow + 1) % BLOWS;
-    int count = 2 + Math.round(8 * size);
+    int count = rgb == NO_SPARKS ? 0 : 2 + Math.round(8 * size);
     for (int i = 0; i < count; i++) {
       // Mostly along the surface that was hit, some back from it.
       float along = MathUtils.random(-1f, 1f);

@@ -1,6 +1,7 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.hud.PlayerColours;
+import carom.client.desktop.look.LookPainter;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.ShapePainter;
@@ -65,7 +66,8 @@ public final class WorldPainter {
   private final JointPainter joints;
   private final AreaPainter areas;
   private final PoolPainter pools;
-  private final Impacts impacts = new Impacts();
+  private final Impacts impacts;
+  private final LookPainter look;
   private final Splashes splashes = new Splashes();
   private final CooldownRings cooldowns = new CooldownRings();
   private final float[] streak = new float[6];
@@ -76,7 +78,9 @@ public final class WorldPainter {
   private Level sceneryOf;
   private boolean hasTeams;
 
-  WorldPainter(Canvas canvas, PictureParts parts, PlayerColours colours) {
+  WorldPainter(Canvas canvas, PictureParts parts, PlayerColours colours, LookPainter look) {
+    this.look = look;
+    impacts = new Impacts(look.effects());
     this.canvas = canvas;
     this.colours = colours;
     this.parts = parts;
@@ -102,16 +106,21 @@ public final class WorldPainter {
     parts.run("impacts", () -> impacts.update(view, deltaSeconds));
     parts.run("splashes", () -> splashes.update(view, deltaSeconds));
     parts.run("flashes", () -> flashes.age(deltaSeconds));
+    look.update(view, deltaSeconds, this::rgb);
     canvas.begin(camera.combined, pixelsPerMetre);
     parts.run("backdrop", () -> backdrop(level, camera));
+    between(camera, pixelsPerMetre, () -> look.backgrounds(camera));
+    parts.run("zones", () -> zones(level));
     parts.run("areas behind", () -> areasBehind(view, seconds));
     parts.run("shadows", () -> shadows(view));
     if (view.pools() != null) {
       parts.run("water and sand", () -> pools.draw(view.pools(), camera, pixelsPerMetre));
     }
     parts.run("scenery", () -> scenery(seconds));
+    between(camera, pixelsPerMetre, () -> behindBodies(view, camera));
     parts.run("streaks", () -> streaks(view));
     parts.run("bodies", () -> bodies(view, seconds));
+    between(camera, pixelsPerMetre, () -> look.bodies(view, camera, this::rgb));
     parts.run("joints", () -> joints(view, pixelsPerMetre));
     parts.run("areas before", () -> areasBefore(view, seconds));
     parts.run("waits", () -> cooldowns.draw(view, canvas, deltaSeconds));
@@ -119,10 +128,37 @@ public final class WorldPainter {
     parts.run("impacts", () -> impacts.draw(canvas));
     parts.run("flashes", () -> flashes.draw(canvas));
     canvas.end();
+    look.particles(camera, true);
+  }
+
+  /** Draws something by other means between the figures. */
+  private void between(OrthographicCamera camera, float pixelsPerMetre, Runnable drawn) {
+    canvas.end();
+    drawn.run();
+    canvas.begin(camera.combined, pixelsPerMetre);
+  }
+
+  private void behindBodies(ClientView view, OrthographicCamera camera) {
+    look.shadows(view, camera);
+    look.pieces(
+        camera,
+        () -> {
+          for (Scenery s : scenery) {
+            look.piece(s.archetype, s.x, s.y, MathUtils.atan2(s.sin, s.cos));
+          }
+        });
+    look.particles(camera, false);
+  }
+
+  private int rgb(Drawn drawn) {
+    return bodyRgb(playerRgb(drawn), drawn);
   }
 
   private void scenery(float seconds) {
     for (Scenery s : scenery) {
+      if (look.paints(s.archetype)) {
+        continue;
+      }
       shapes.pose(s.x, s.y, s.cos, s.sin);
       boolean glows = s.archetype.appearance().look() == Appearance.Look.BUMPER;
       paint(
@@ -144,6 +180,13 @@ public final class WorldPainter {
     Drawn own = view.own();
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
+      if (look.paints(drawn.archetype())) {
+        if (drawn == own) {
+          pose(drawn, 0, 0);
+          halo(drawn, extent(drawn.archetype()), seconds);
+        }
+        continue;
+      }
       pose(drawn, 0, 0);
       float glow = glow(drawn.archetype(), drawn.x(), drawn.y());
       int chosen = playerRgb(drawn);
@@ -164,8 +207,10 @@ public final class WorldPainter {
     }
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
-      pose(drawn, SHADOW_X_M, SHADOW_Y_M);
-      shadow(drawn.archetype(), drawn.alpha());
+      if (!look.paints(drawn.archetype())) {
+        pose(drawn, SHADOW_X_M, SHADOW_Y_M);
+        shadow(drawn.archetype(), drawn.alpha());
+      }
     }
   }
 
@@ -232,12 +277,12 @@ public final class WorldPainter {
 
   /** Draws a fading wedge behind a fast ball or a dashing player. */
   private void streak(Drawn drawn) {
-    Appearance look = drawn.archetype().appearance();
+    Appearance looks = drawn.archetype().appearance();
     float vx = drawn.velocityX();
     float vy = drawn.velocityY();
     float speed = (float) Math.sqrt(vx * vx + vy * vy);
-    boolean shows = look.look() == Appearance.Look.BALL || look.look() == Appearance.Look.PLAYER;
-    if (!shows || speed < STREAK_M_S) {
+    boolean shows = looks.look() == Appearance.Look.BALL || looks.look() == Appearance.Look.PLAYER;
+    if (!shows || speed < STREAK_M_S || look.hasTrail(drawn.archetype())) {
       return;
     }
     int rgb = bodyRgb(playerRgb(drawn), drawn);
@@ -265,6 +310,7 @@ public final class WorldPainter {
     scenery.clear();
     impacts.clear();
     splashes.clear();
+    look.clear();
     SimulationHost still =
         new SimulationHost(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
     still.world().forEachBody(this::gather);
@@ -288,8 +334,13 @@ public final class WorldPainter {
         UiColours.shade(level.theme().background(), 1, 1, fill),
         UiColours.shade(level.theme().sky(), 1, 1, edge));
     Level.Bounds b = level.bounds();
-    Color grid = UiColours.shade(level.theme().grid(), 1, 0.4f, fill);
-    canvas.grid(b.minX(), b.minY(), b.maxX(), b.maxY(), GRID_M, grid);
+    if (!look.hasBackground()) {
+      Color grid = UiColours.shade(level.theme().grid(), 1, 0.4f, fill);
+      canvas.grid(b.minX(), b.minY(), b.maxX(), b.maxY(), GRID_M, grid);
+    }
+  }
+
+  private void zones(Level level) {
     for (Level.Zone zone : level.zones()) {
       if (zone.rgb() >= 0) {
         zone(zone);

@@ -18,6 +18,7 @@ public final class ShownLook {
   private final Consumer<String> player;
   private String game = "";
   private ViewSetup setup = new ViewSetup();
+  private Class<?> home;
 
   /**
    * Creates the usual look.
@@ -40,18 +41,30 @@ public final class ShownLook {
     }
     game = name;
     setup = new ViewSetup();
+    home = null;
     try {
       ViewSetup declared = new ViewSetup();
       GameView view = GameViews.create(name);
       if (view != null) {
         view.setUp(declared);
         setup = declared;
+        home = view.getClass();
       }
     } catch (RuntimeException | Error e) { // also an error, such as a class that is missing
       LOG.error("the view of game {} failed: {}", name, GameFault.describe(e), e);
       player.accept("The game's own look failed, so it has the usual one");
     }
     return true;
+  }
+
+  /** Returns the class beside which the view's files are; null without a view. */
+  public Class<?> home() {
+    return home;
+  }
+
+  /** Tells the player a sentence about the look. */
+  public void tell(String sentence) {
+    player.accept(sentence);
   }
 
   /** Returns what the view declares. */

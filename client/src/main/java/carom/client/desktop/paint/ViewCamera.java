@@ -1,5 +1,8 @@
 package carom.client.desktop.paint;
 
+import carom.client.look.CameraSetup;
+import carom.client.look.ViewSetup;
+import carom.physics.math.Aabb;
 import carom.sim.level.Level;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.math.MathUtils;
@@ -23,9 +26,18 @@ public final class ViewCamera {
   /** Rate at which the camera approaches the player, 1/s. */
   private static final float FOLLOW_PER_SECOND = 6;
 
+  /** Rate at which the picture widens and narrows for all players, 1/s. */
+  private static final float ZOOM_PER_SECOND = 2.5f;
+
+  /** Space around all players, metres. */
+  private static final float AROUND_ALL_M = 4;
+
   private final OrthographicCamera camera = new OrthographicCamera();
   private final Vector3 scratch = new Vector3();
+  private CameraSetup setup = new ViewSetup().camera();
   private boolean placed;
+  private float shakeX;
+  private float shakeY;
 
   /** Returns the toolkit's camera; the same object for ever. Change it only through this class. */
   public OrthographicCamera gdx() {
@@ -42,40 +54,68 @@ public final class ViewCamera {
     return screenHeight / camera.viewportHeight;
   }
 
+  /** Sets what is shown of a level while a player is followed. */
+  public void setup(CameraSetup wanted) {
+    setup = wanted;
+  }
+
   /**
-   * Fits the view to the window and moves it towards the player. Without a player to follow it
+   * Fits the view to the window and moves it towards the players. Without a player to follow it
    * stays; before the first one it shows the whole level.
+   *
+   * @param subject what it shows; null if there is nobody to follow
    */
-  public void update(
-      Level.Bounds bounds,
-      boolean followed,
-      float x,
-      float y,
-      int width,
-      int height,
-      float seconds) {
+  public void update(Level.Bounds bounds, Aabb subject, int width, int height, float seconds) {
+    boolean followed = subject != null;
     float levelWidth = bounds.maxX() - bounds.minX() + 2 * MARGIN_M;
     float levelHeight = bounds.maxY() - bounds.minY() + 2 * MARGIN_M;
     float aspect = width / (float) height;
     float whole = Math.max(levelHeight, levelWidth / aspect);
     boolean follows = placed || followed;
-    float shown =
-        whole <= WHOLE_HEIGHT_M || !follows ? whole : Math.min(levelHeight, FOLLOW_HEIGHT_M);
-    camera.viewportHeight = shown;
-    camera.viewportWidth = shown * aspect;
+    camera.position.sub(shakeX, shakeY, 0);
+    float near = follows ? near(whole, levelHeight, subject, aspect) : whole;
+    boolean zooms = placed && followed && setup.isFramingAll();
+    float zoom = zooms ? 1 - (float) Math.exp(-ZOOM_PER_SECOND * seconds) : 1;
+    camera.viewportHeight = MathUtils.lerp(camera.viewportHeight, near, zoom);
+    camera.viewportWidth = camera.viewportHeight * aspect;
 
     float centerX = (bounds.minX() + bounds.maxX()) / 2;
     float centerY = (bounds.minY() + bounds.maxY()) / 2;
     float slackX = Math.max(0, (levelWidth - camera.viewportWidth) / 2);
     float slackY = Math.max(0, (levelHeight - camera.viewportHeight) / 2);
-    float lookX = followed ? x : placed ? camera.position.x : centerX;
-    float lookY = followed ? y : placed ? camera.position.y : centerY;
+    float lookX =
+        followed ? (subject.minX + subject.maxX) / 2 : placed ? camera.position.x : centerX;
+    float lookY =
+        followed ? (subject.minY + subject.maxY) / 2 : placed ? camera.position.y : centerY;
     float goalX = MathUtils.clamp(lookX, centerX - slackX, centerX + slackX);
     float goalY = MathUtils.clamp(lookY, centerY - slackY, centerY + slackY);
     float step = placed ? 1 - (float) Math.exp(-FOLLOW_PER_SECOND * seconds) : 1;
     camera.position.x = MathUtils.lerp(camera.position.x, goalX, step);
     camera.position.y = MathUtils.lerp(camera.position.y, goalY, step);
+    camera.position.add(shakeX, shakeY, 0);
     placed |= followed;
+    camera.update();
+  }
+
+  /** Returns the height to show while a player is followed, metres. */
+  private float near(float whole, float levelHeight, Aabb subject, float aspect) {
+    float least = setup.height();
+    if (subject != null && setup.isFramingAll()) {
+      float height = subject.maxY - subject.minY + 2 * AROUND_ALL_M;
+      float width = subject.maxX - subject.minX + 2 * AROUND_ALL_M;
+      return Math.min(whole, Math.max(least, Math.max(height, width / aspect)));
+    }
+    if (least > 0) {
+      return Math.min(whole, least);
+    }
+    return whole <= WHOLE_HEIGHT_M ? whole : Math.min(levelHeight, FOLLOW_HEIGHT_M);
+  }
+
+  /** Moves the picture for a moment, metres; {@link #update} goes on from where it was. */
+  public void shake(float x, float y) {
+    camera.position.add(x - shakeX, y - shakeY, 0);
+    shakeX = x;
+    shakeY = y;
     camera.update();
   }
 

@@ -5,6 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.EventReconciler;
+import carom.client.desktop.look.ShownLook;
+import carom.client.look.GameView;
+import carom.client.look.GameViews;
+import carom.client.look.Shake;
+import carom.client.look.SoundFile;
+import carom.client.look.ViewSetup;
 import carom.game.arena.ArenaGame;
 import carom.sim.Role;
 import carom.sim.SimState;
@@ -14,8 +20,11 @@ import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.level.Level;
 import carom.sim.outbox.Event;
+import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -27,7 +36,36 @@ class EventSoundsTest {
   private static final float LOUDEST = 0.5f;
 
   /** A sound that was asked for. */
-  private record Played(Sound sound, float volume, float pan, float pitch) {}
+  private record Played(String sound, float volume, float pan, float pitch) {}
+
+  /** A sound that is written down instead of played. */
+  private final class Noted extends Clip {
+    final String name;
+
+    Noted(String name) {
+      this.name = name;
+    }
+
+    @Override
+    float seconds() {
+      return 0.5f;
+    }
+
+    @Override
+    long play(float volume, float pan, float pitch) {
+      played.add(new Played(name, volume, pan, pitch));
+      return played.size() - 1L;
+    }
+
+    @Override
+    void stop(long id) {
+      stopped.add(id);
+    }
+  }
+
+  private final Map<String, Clip> clips = new HashMap<>();
+  private String music = "";
+  private float musicVolume;
 
   private final List<Played> played = new ArrayList<>();
   private final List<Long> stopped = new ArrayList<>();
@@ -40,14 +78,26 @@ class EventSoundsTest {
         }
 
         @Override
-        public long play(Sound sound, float volume, float pan, float pitch) {
-          played.add(new Played(sound, volume, pan, pitch));
-          return played.size() - 1L;
+        public Clip clip(Sound sound) {
+          return clips.computeIfAbsent(sound.name(), Noted::new);
         }
 
         @Override
-        public void stop(Sound sound, long id) {
-          stopped.add(id);
+        public Clip clip(String name, byte[] bytes) throws IOException {
+          if (bytes[0] != 'R' && bytes[0] != 'O') {
+            throw new IOException(name + " can't be decoded");
+          }
+          return new Noted(name);
+        }
+
+        @Override
+        public void music(String name, byte[] bytes) {
+          music = bytes == null ? "" : name;
+        }
+
+        @Override
+        public void musicVolume(float volume) {
+          musicVolume = volume;
         }
       };
   private final EventSounds sounds = new EventSounds(speaker, LOUDEST);
@@ -206,5 +256,50 @@ class EventSoundsTest {
     works = true;
     silent.happened(event(Sound.ZAP, 5, 0, 0, 0), false);
     assertEquals(2, played.size());
+  }
+
+  private static final String FILES = "/carom/client/look/rockets/";
+
+  /** The look of the arena with sounds of its own. */
+  private static final class Heard implements GameView {
+    @Override
+    public String game() {
+      return "heard";
+    }
+
+    @Override
+    public void setUp(ViewSetup v) {
+      v.event("dash", SoundFile.of(FILES + "shot1.wav").volume(0.5f).pitch(2, 2));
+      v.event("goal", SoundFile.of(FILES + "gun.png.wav"), Shake.by(1));
+      v.music(FILES + "boom1.wav");
+    }
+  }
+
+  @Test
+  void aLookHasSoundsAndMusicOfItsOwn() {
+    List<String> told = new ArrayList<>();
+    GameViews.add(Heard::new);
+    ShownLook look = new ShownLook(told::add);
+    look.show("heard");
+    sounds.look(look);
+    assertEquals(FILES + "boom1.wav", music);
+    assertTrue(musicVolume > 0 && musicVolume < LOUDEST, "softer than the loudest event");
+
+    assertEquals(LOUDEST / 2, volume(event(Sound.WHOOSH, 1, 0, 0, 0)), 1e-6f);
+    assertEquals(new Played(FILES + "shot1.wav", LOUDEST / 2, 0, 2), played.get(0));
+    assertEquals(LOUDEST, volume(event(Sound.ZAP, 2, 0, 0, 0)), 1e-6f);
+    assertEquals("ZAP", played.get(1).sound(), "the usual one for what the look doesn't name");
+
+    assertEquals(0, volume(event(Sound.FANFARE, 3, 0, 0, 0)), "its file is missing");
+    assertEquals(0, volume(event(Sound.FANFARE, 4, 0, 0, 0)));
+    assertEquals(1, told.size(), "told once: " + told);
+    assertTrue(told.get(0).contains("gun.png.wav"), told.get(0));
+
+    sounds.mute(true);
+    assertEquals(0, musicVolume);
+    sounds.mute(false);
+    sounds.look(null);
+    assertEquals("", music);
+    assertEquals(LOUDEST, volume(event(Sound.WHOOSH, 5, 0, 0, 0)), 1e-6f);
   }
 }

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Test;
 
 /** Goal: a game has the look of its view, and the usual one when the view fails. */
 final class ShownLookTest {
-
   private final List<String> told = new ArrayList<>();
   private final ShownLook look = new ShownLook(told::add);
 

@@ -1,0 +1,20 @@
+package carom.client.desktop.look;
+
+import carom.sim.level.Archetype;
+
+/** Hears of blows that bodies in the picture get. Render thread only. */
+@FunctionalInterface
+public interface BlowListener {
+  /**
+   * Hears of a blow.
+   *
+   * @param kind the body's archetype
+   * @param x where, metres
+   * @param y where, metres
+   * @param normalX unit vector along which the body was pushed
+   * @param normalY unit vector along which the body was pushed
+   * @param blow change of its velocity, m/s
+   * @return whether sparks of the listener's own take the place of the usual ones
+   */
+  boolean blow(Archetype kind, float x, float y, float normalX, float normalY, float blow);
+}

@@ -1,0 +1,57 @@
+package carom.client.look;
+
+/**
+ * What the window shows of the level. Without a view's word it is the whole level if that fits at
+ * a readable size, or else 16 m of it around the player. Each method changes it and returns it.
+ *
+ * <pre>{@code
+ * v.camera().height(18).lead(0.35f);        // a chase
+ * v.camera().height(14).framesAll();        // a duel
+ * }</pre>
+ */
+public final class CameraSetup {
+  private float height;
+  private float leadSeconds;
+  private boolean framesAll;
+
+  CameraSetup() {}
+
+  /** Sets the height that it shows while it follows a player, 4..200 metres. */
+  public CameraSetup height(float metres) {
+    if (!(metres >= 4 && metres <= 200)) {
+      throw new IllegalArgumentException("a camera's height=" + metres + " is outside 4..200");
+    }
+    height = metres;
+    return this;
+  }
+
+  /** Looks ahead to where the player will be in 0..2 seconds at the present velocity. */
+  public CameraSetup lead(float seconds) {
+    if (!(seconds >= 0 && seconds <= 2)) {
+      throw new IllegalArgumentException("a camera's lead=" + seconds + " is outside 0..2");
+    }
+    leadSeconds = seconds;
+    return this;
+  }
+
+  /** Keeps the bodies of all players in the picture; {@link #height} is then the least. */
+  public CameraSetup framesAll() {
+    framesAll = true;
+    return this;
+  }
+
+  /** Returns the height that it shows, metres; 0 for the usual. */
+  public float height() {
+    return height;
+  }
+
+  /** Returns how far ahead it looks, seconds of the player's way. */
+  public float leadSeconds() {
+    return leadSeconds;
+  }
+
+  /** Returns whether it keeps all players in the picture. */
+  public boolean isFramingAll() {
+    return framesAll;
+  }
+}
