@@ -1,8 +1,9 @@
 package carom.client.look;
 
 /**
- * What the window shows of the level. Without a view's word it is the whole level if that fits at
- * a readable size, or else 16 m of it around the player. Each method changes it and returns it.
+ * The part of the level that the window shows. Without a view's word it is the whole level if that
+ * fits at a readable size, or else 16 m of it around the player. Each method changes it and returns
+ * it.
  *
  * <pre>{@code
  * v.camera().height(18).lead(0.35f);        // a chase

@@ -78,7 +78,9 @@ public final class ShownValue {
     return holder.get(choice).ordinal();
   }
 
-  /** Returns how full a bar of this value is, 0..1; counts go from their least to their greatest. */
+  /**
+   * Returns how full a bar of this value is, 0..1; counts go from their least to their greatest.
+   */
   public float share(ClientView view, int player, Drawn body) {
     float value = number(view, player, body);
     if (field instanceof Count count) {

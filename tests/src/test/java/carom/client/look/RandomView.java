@@ -11,8 +11,17 @@ public final class RandomView implements GameView {
   private static final String FILES = "/carom/client/look/rockets/";
   private static final List<String> THINGS =
       List.of(
-          "player.red", "player.blue", "ball", "spark", "lamp.red", "bumper", "corner", "crate", "?");
-  private static final List<String> EVENTS = List.of("hit", "dash", "jolt", "jolt hit", "goal", "?");
+          "player.red",
+          "player.blue",
+          "ball",
+          "spark",
+          "lamp.red",
+          "bumper",
+          "corner",
+          "crate",
+          "?");
+  private static final List<String> EVENTS =
+      List.of("hit", "dash", "jolt", "jolt hit", "goal", "?");
   private static final List<String> PICTURES =
       List.of("hull.png", "gun.png", "smoke.png", "stars.png", "rocket.png", "plate.png");
 
@@ -71,7 +80,9 @@ public final class RandomView implements GameView {
     if (random.nextBoolean()) {
       s.size(in(0.01, 9), in(0.01, 9));
     }
-    s.at(in(-3, 3), in(-3, 3)).frames(1 + random.nextInt(256)).turn(one(List.of(Sprite.Turn.values())));
+    s.at(in(-3, 3), in(-3, 3))
+        .frames(1 + random.nextInt(256))
+        .turn(one(List.of(Sprite.Turn.values())));
     s.perSecond(in(-99, 99)).perMetre(in(-99, 99)).tint(random.nextInt());
     if (random.nextBoolean()) {
       s.flips();

@@ -58,7 +58,8 @@ final class ViewSetupTest {
     SplittableRandom random = new SplittableRandom(4);
     for (int i = 0; i < 2_000; i++) {
       int frames = 1 + random.nextInt(256);
-      Sprite sprite = setup.sprites().isEmpty() ? setup.sprite("a", "a.png") : setup.sprites().get(0);
+      Sprite sprite =
+          setup.sprites().isEmpty() ? setup.sprite("a", "a.png") : setup.sprites().get(0);
       sprite.frames(frames);
       sprite.perSecond((float) random.nextDouble(-1e4, 1e4));
       sprite.perMetre((float) random.nextDouble(-1e4, 1e4));

@@ -120,8 +120,7 @@ public final class LookEffects implements EventListener, BlowListener {
 
   /** Draws what flies; {@code glowing} ones add their light, the others cover. */
   void draw(SpriteBatch batch, boolean glowing) {
-    batch.setBlendFunction(
-        GL20.GL_SRC_ALPHA, glowing ? GL20.GL_ONE : GL20.GL_ONE_MINUS_SRC_ALPHA);
+    batch.setBlendFunction(GL20.GL_SRC_ALPHA, glowing ? GL20.GL_ONE : GL20.GL_ONE_MINUS_SRC_ALPHA);
     for (int i = 0; i < Sparks.MOST; i++) {
       Particles of = sparks.kind(i);
       if (of == null || of.isGlowing() != glowing) {

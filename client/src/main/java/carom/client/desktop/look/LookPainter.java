@@ -63,9 +63,7 @@ public final class LookPainter implements Disposable {
 
   /** Returns whether sprites take the place of an archetype's shapes. */
   public boolean paints(Archetype archetype) {
-    return !look.setup().sprites().isEmpty()
-        && !parts.isBroken(SPRITES)
-        && sprites.has(archetype);
+    return !look.setup().sprites().isEmpty() && !parts.isBroken(SPRITES) && sprites.has(archetype);
   }
 
   /** Returns whether a trail takes the place of an archetype's streak. */

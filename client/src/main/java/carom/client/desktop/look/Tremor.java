@@ -8,7 +8,7 @@ public final class Tremor {
   /** Distance at which a shake is half as strong, metres. */
   private static final float NEAR_M = 12;
 
-  /** How often it goes to and fro, 1/s; the two differ, so that it draws no line. */
+  /** Frequency of its way to and fro, Hz; the two differ, so that it draws no line. */
   private static final float HERTZ_X = 13;
 
   private static final float HERTZ_Y = 17;
