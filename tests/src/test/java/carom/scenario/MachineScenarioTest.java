@@ -122,11 +122,11 @@ final class MachineScenarioTest {
   @Test
   void whatIsTooLargeForASetIsCutAndHeldAtTheCut() {
     // Goal: a car that drives over a carpet of 270 links doesn't fall through it or jump, though no
-    // predicted set holds them all. Method: a driver on it for half a minute.
+    // predicted set holds them all. Method: a driver on it for a quarter of a minute.
     Level level = MachineGame.level(spawn("carpet", -27, 0.06f, 0));
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
-      stepper.run(33);
+      stepper.run(18);
       double mean = client.stats().correctionMeanMetres();
       double largest = client.stats().correctionMaxMetres();
       String about = "mean=" + mean + " largest=" + largest + " " + stepper.describe();

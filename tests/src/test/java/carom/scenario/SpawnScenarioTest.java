@@ -16,7 +16,7 @@ import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.outbox.NextMatch;
 import carom.sim.spawn.Origin;
-import carom.suite.Needs;
+import carom.suite.Alone;
 import carom.testkit.Condition;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
@@ -170,17 +170,17 @@ class SpawnScenarioTest {
   }
 
   @Test
-  void tenShotsASecondForAMinuteLeaveNothingBehind() {
+  void tenShotsASecondForHalfAMinuteLeaveNothingBehind() {
     try (Stepper stepper = Stepper.of(rapid(), ServerConfig.defaults())) {
       SimulatedClient ann = stepper.add("Ann", FAR, shooter(0));
       stepper.awaitPlaying(ann);
       stepper.run(2);
       SpawnWatch watch = new SpawnWatch(stepper, ann);
-      watch.run(60);
+      watch.run(30);
       ann.play((view, tick, out) -> {});
       watch.run(3);
       String about = about(stepper, watch, ann);
-      assertTrue(watch.spawned() > 500, about);
+      assertTrue(watch.spawned() > 250, about);
       assertTrue(watch.mostAlive() <= Origin.MOST_PER_PLAYER, about);
       assertEquals(0, watch.latestTicks(), about);
       assertTrue(watch.matchedPercent() >= 97, about);
@@ -209,11 +209,11 @@ class SpawnScenarioTest {
       stepper.awaitPlaying(ann);
       stepper.run(2);
       SpawnWatch watch = new SpawnWatch(stepper, ann);
-      watch.run(60);
+      watch.run(30);
       ann.play(InputSource.IDLE);
       watch.run(3);
       String about = about(stepper, watch, ann);
-      assertTrue(watch.spawned() > 500, about);
+      assertTrue(watch.spawned() > 250, about);
       assertEquals(watch.spawned(), watch.shown(), about);
       assertEquals(100, watch.matchedPercent(), about);
       assertEquals(100, watch.rightPercent(), about);
@@ -374,7 +374,7 @@ class SpawnScenarioTest {
     assertTrue(out.toString().contains("OK: "), out::toString);
   }
 
-  @Needs("sockets")
+  @Alone("measures")
   @Test
   void overRealSocketsTheyAppearAndGoAsWell() {
     try (Stepper stepper = Stepper.overSockets("rockets")) {

@@ -46,7 +46,7 @@ class RoomChangeCrashTest {
       List.of(
           new RoomConfig("cup", "", List.of("arena"), 4, 7, Map.of()),
           new RoomConfig("jump", "", List.of("platformer"), 4, 8, Map.of()));
-  private static final int TICKS = 420;
+  private static final int TICKS = Integer.getInteger("carom.crashes.ticks", 240);
 
   @TempDir Path folder;
 

@@ -20,6 +20,7 @@ import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 
 /** A game with balls without gravity, one of which each player steers. It fails on demand. */
@@ -61,7 +62,7 @@ final class TestGame extends PlainGame {
   /** Makes {@link #beforeStep} loop for as long as it is true. */
   volatile boolean hangs;
 
-  /** Makes {@link #setUp} loop for as long as it is true. */
+  /** Makes {@link #setUp} wait for as long as it is true, which leaves the processor to others. */
   volatile boolean hangsInSetUp;
 
   /** Ends the match at the next tick. */
@@ -107,7 +108,7 @@ final class TestGame extends PlainGame {
   @Override
   public void setUp(SetUp s) {
     while (hangsInSetUp) {
-      Thread.onSpinWait();
+      LockSupport.parkNanos(1_000_000);
     }
     ball = s.archetype(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0, 1)));
     shout = s.event("shout", 0xffffff, 0, "");

@@ -79,8 +79,8 @@ final class BotPlayTest {
 
   @Test
   void arenaBotsPlayAllOverThePitchInsteadOfInItsCorners() {
-    Played[] simple = play("arena", 8, 80, Bot::new, Bot::new);
-    Played[] skilled = play("arena", 8, 80, Bot::skilled, Bot::skilled);
+    Played[] simple = play("arena", 8, 40, Bot::new, Bot::new);
+    Played[] skilled = play("arena", 8, 40, Bot::skilled, Bot::skilled);
     String about = "simple " + List.of(simple) + " skilled " + List.of(skilled);
     double before = (simple[0].inCorners() + simple[1].inCorners()) / 2;
     double now = (skilled[0].inCorners() + skilled[1].inCorners()) / 2;

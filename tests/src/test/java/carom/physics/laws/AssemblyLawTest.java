@@ -27,12 +27,12 @@ final class AssemblyLawTest {
 
   @Test
   void rigidAssembliesGainNoEnergy() {
-    hold(Kind.RIGID, 10, 1500, 15, AssemblyLawTest::gain);
+    hold(Kind.RIGID, 10, 500, 5, AssemblyLawTest::gain);
   }
 
   @Test
   void sprungAssembliesGainNoEnergy() {
-    hold(Kind.SPRUNG, 10, 1000, 10, AssemblyLawTest::gain);
+    hold(Kind.SPRUNG, 10, 500, 5, AssemblyLawTest::gain);
   }
 
   @Test
