@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 
 /**
  * Receives what a {@link GameView} declares, and hands it to what draws. Methods that declare throw
@@ -142,5 +143,18 @@ public final class ViewSetup {
   /** Returns what an archetype's bodies leave behind them; null for the usual. */
   public Particles trail(String archetype) {
     return trails.get(archetype);
+  }
+
+  /** Returns the names of archetypes and pieces that are declared anything for, in order. */
+  public Set<String> things() {
+    Set<String> names = new TreeSet<>(blows.keySet());
+    names.addAll(trails.keySet());
+    sprites.forEach(sprite -> names.add(sprite.archetype()));
+    return names;
+  }
+
+  /** Returns the names of kinds of events that are declared anything for, in order. */
+  public Set<String> events() {
+    return new TreeSet<>(events.keySet());
   }
 }

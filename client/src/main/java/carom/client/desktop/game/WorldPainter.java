@@ -28,7 +28,9 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.math.MathUtils;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** Draws a level and everything that moves in it, in metres. Render thread only. */
 public final class WorldPainter {
@@ -315,6 +317,20 @@ public final class WorldPainter {
         new SimulationHost(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
     still.world().forEachBody(this::gather);
     hasTeams = !still.game().teams().isEmpty();
+    checkLook(still);
+  }
+
+  private void checkLook(SimulationHost still) {
+    Set<String> things = new HashSet<>();
+    scenery.forEach(s -> things.add(s.archetype.name()));
+    for (int i = 0; i < still.archetypes().size(); i++) {
+      things.add(still.archetypes().get(i).name());
+    }
+    Set<String> events = new HashSet<>();
+    for (int i = 0; i < still.eventKinds().size(); i++) {
+      events.add(still.eventKinds().get(i).name());
+    }
+    look.check(things, events);
   }
 
   private void gather(Body<HostEntity> body) {

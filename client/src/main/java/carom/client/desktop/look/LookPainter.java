@@ -7,6 +7,7 @@ import carom.sim.level.Archetype;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
 import com.badlogic.gdx.utils.Disposable;
+import java.util.Collection;
 import java.util.function.ToIntFunction;
 
 /**
@@ -47,6 +48,11 @@ public final class LookPainter implements Disposable {
   public void clear() {
     sprites.clear();
     effects.clear();
+  }
+
+  /** Logs what the look declares for things that there aren't, see {@link ShownLook#check}. */
+  public void check(Collection<String> things, Collection<String> events) {
+    look.check(things, events);
   }
 
   /** Ends a batch that a part has begun before it threw. */

@@ -4,6 +4,8 @@ import carom.client.look.GameView;
 import carom.client.look.GameViews;
 import carom.client.look.ViewSetup;
 import carom.game.GameFault;
+import carom.text.Suggestion;
+import java.util.Collection;
 import java.util.function.Consumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -55,6 +57,32 @@ public final class ShownLook {
       player.accept("The game's own look failed, so it has the usual one");
     }
     return true;
+  }
+
+  /**
+   * Logs what the view declares for things that there aren't, such as a sprite whose archetype has
+   * a mistyped name. Call it for each level: a view may name pieces of another one.
+   *
+   * @param things names of the game's archetypes and of the level's pieces
+   * @param events names of the game's kinds of events
+   * @return the number of names that nothing has
+   */
+  public int check(Collection<String> things, Collection<String> events) {
+    return check(
+            setup.things(), things, "neither an archetype of the game nor a piece of the level")
+        + check(setup.events(), events, "no event of the game");
+  }
+
+  private int check(Collection<String> named, Collection<String> there, String problem) {
+    int missing = 0;
+    for (String name : named) {
+      if (!there.contains(name)) {
+        missing++;
+        String near = Suggestion.didYouMean(name, there);
+        LOG.warn("the view of game {} names \"{}\", which is {}{}", game, name, problem, near);
+      }
+    }
+    return missing;
   }
 
   /** Returns the class beside which the view's files are; null without a view. */

@@ -70,4 +70,14 @@ final class ShownLookTest {
     look.show("platformer");
     assertEquals(0, look.setup().actions().size());
   }
+
+  @Test
+  void namesThatNothingHasAreFound() {
+    look.show("rockets");
+    List<String> things = List.of("player", "rocket", "wall", "side wall", "pillar", "crate");
+    assertEquals(0, look.check(things, List.of("shot", "boom", "other")));
+    assertEquals(
+        2, look.check(List.of("plyer", "rocket", "wall", "side wall"), List.of("shot", "boom")));
+    assertEquals(1, look.check(things, List.of("boom")));
+  }
 }
