@@ -1,5 +1,6 @@
 /**
- * The look of the game {@code rockets}.
+ * The look of the game {@code rockets}. Its pictures and sounds were computed for Carom, and have
+ * Carom's licence.
  *
  * <p>Imports {@code carom.client.look} and {@code carom.sim.entity}. Read first: {@link
  * carom.client.look.rockets.RocketsView}.
