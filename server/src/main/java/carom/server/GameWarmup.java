@@ -56,7 +56,7 @@ final class GameWarmup {
 
   private void run(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
     long beginNs = System.nanoTime();
-    Schema schema = SimulationHost.schemaOf(games.get());
+    Schema schema = SimulationHost.schemaOf(games.get(), level);
     InProcessNetwork network = new InProcessNetwork(codec);
     try (Server server = new Server(config, games, level, network.server(), () -> virtualNs)) {
       Extra[] extras = new Extra[Math.min(CLIENTS, config.get(ServerConfig.MAX_PLAYERS))];

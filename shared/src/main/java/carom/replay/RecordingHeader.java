@@ -69,7 +69,7 @@ public record RecordingHeader(
     try {
       Level parsed = Level.parse(levelName, level);
       GuardedGame rules = new GuardedGame(Games.create(game), (callback, s, failure) -> {});
-      String difference = SimulationHost.schemaOf(rules).difference(fields);
+      String difference = SimulationHost.schemaOf(rules, parsed).difference(fields);
       if (difference != null) {
         throw new RecordingException(
             "game " + game + " has other fields than the recording: " + difference);

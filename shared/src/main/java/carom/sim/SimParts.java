@@ -109,7 +109,7 @@ final class SimParts {
     areas =
         new AreaForces<>(
             world, level.areas(), (carrier, power) -> carrier.user().get(power), decides);
-    Schema schema = SimulationHost.schemaOf(game);
+    Schema schema = SimulationHost.schemaOf(game, level);
     joints = new JointTable<>(world, decides);
     entities =
         new EntityTable(

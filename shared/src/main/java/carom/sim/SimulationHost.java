@@ -64,8 +64,8 @@ import java.util.function.Predicate;
  * <p>Tick 0 is the state after set-up. {@link #step} computes the next tick in this order: paths of
  * kinematic bodies, players' {@linkplain Game#message messages}, {@link Game#beforeStep}, each
  * player's {@link Game#input} by player id, areas and {@link Game#forces} on each awake body, the
- * physics, {@link Game#entered} and {@link Game#left}, {@link Game#afterStep}. While a step runs,
- * {@link #tick} is the tick being computed.
+ * physics, {@link Game#entered} and {@link Game#left}, the level's triggers, {@link
+ * Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
  *
  * <p>Games see it as a {@link Simulation} or a {@link Match}, and never as this. What only one kind
  * of program calls is in parts: {@link #mirror} for a client, {@link #outbox} for what goes to
@@ -129,18 +129,34 @@ public final class SimulationHost implements Match {
     if (role == Role.AUTHORITY) {
       game.begin(this);
     }
-    ticks.beginClock();
+    ticks.begin();
     parts.closeDeclarations();
     parts.capturePoses();
   }
 
-  /** Returns the schema of a game: its fields and those of its {@linkplain Game#clock clock}. */
+  /**
+   * Returns the schema of a game on a level without triggers: its fields and those of its
+   * {@linkplain Game#clock clock}. What players are told is the same on every level.
+   */
   public static Schema schemaOf(Game game) {
+    return Schema.of(fieldsOf(game));
+  }
+
+  /** Returns the schema of a game on a level: {@link #schemaOf(Game)} and what triggers keep. */
+  public static Schema schemaOf(Game game, Level level) {
+    List<Field<?>> fields = fieldsOf(game);
+    if (!level.triggers().isEmpty()) {
+      fields.addAll(LevelRules.FIELDS);
+    }
+    return Schema.of(fields);
+  }
+
+  private static List<Field<?>> fieldsOf(Game game) {
     List<Field<?>> fields = new ArrayList<>(game.fields());
     if (game.clock() != null) {
       fields.addAll(MatchClock.fields());
     }
-    return Schema.of(fields);
+    return fields;
   }
 
   /**

@@ -24,7 +24,7 @@ import java.util.function.Consumer;
  * each of them may do meanwhile.
  *
  * <pre>
- *   AUTHORITY    paths  message  beforeStep   input...  forces...  physics  entered, left  afterStep
+ *   AUTHORITY    paths  message  beforeStep   input...  forces...  physics  entered, left  level's triggers  afterStep
  *   PREDICTION   paths  rulings of the server input...  forces...  physics  rulings
  *                                                                  └ collision, hit, broke
  * </pre>
@@ -47,6 +47,9 @@ final class Tick {
   private final Consumer<Body<HostEntity>> forces = this::applyForces;
   private final WaitingMessages.Reader handleMessage = this::handle;
 
+  /** The triggers of the level; null on PREDICTION, and if there are none. */
+  private LevelRules levelRules;
+
   /** The phases of the match, or null if the game has none. */
   private MatchClock clock;
 
@@ -63,14 +66,18 @@ final class Tick {
     overlapUse = new OverlapUse(phases, parts.findings);
     if (parts.role == Role.AUTHORITY) {
       parts.triggers = new Triggers(parts.entities, parts.statics, new Visits());
+      levelRules = parts.level.triggers().isEmpty() ? null : new LevelRules(simulation, parts);
       parts.entities.overlapReader(overlapUse::read);
     }
     parts.world.listener(new Collisions());
     parts.world.jointListener(new Joints());
   }
 
-  /** Begins the match's phases, if it has any; once, after the game's set-up. */
-  void beginClock() {
+  /** Begins the match's phases and the level's triggers, if any; once, after the set-up. */
+  void begin() {
+    if (levelRules != null) {
+      levelRules.begin();
+    }
     clock = game.clock();
     if (clock != null) {
       clock.setUp(simulation, parts.tickRate);
@@ -143,6 +150,9 @@ final class Tick {
     if (parts.role == Role.AUTHORITY) {
       Phase outer = phases.begin(Phase.AFTER_STEP);
       parts.triggers.tell();
+      if (levelRules != null) {
+        levelRules.run();
+      }
       game.afterStep(simulation);
       parts.triggers.tell();
       phases.end(outer);
@@ -222,6 +232,9 @@ final class Tick {
     private void tell(Phase phase, HostEntity sensor, HostEntity visitor) {
       Phase outer = phases.begin(phase);
       try { // no step may run, which would end it
+        if (levelRules != null) {
+          levelRules.visit(phase == Phase.ENTERED, sensor, visitor);
+        }
         if (phase == Phase.ENTERED) {
           game.entered(simulation, sensor, visitor);
         } else {
@@ -258,6 +271,9 @@ final class Tick {
 
     @Override
     public void hit(Collision<HostEntity> c) {
+      if (levelRules != null) {
+        levelRules.hit(c);
+      }
       game.hit(simulation, contact.of(c));
     }
   }

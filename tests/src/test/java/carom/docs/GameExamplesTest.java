@@ -3,6 +3,9 @@ package carom.docs;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.game.Games;
+import carom.sim.Role;
+import carom.sim.SimulationHost;
 import carom.sim.level.Level;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -218,6 +221,24 @@ final class GameExamplesTest {
       }
     }
     assertTrue(pieces >= 10, "pieces=" + pieces);
+  }
+
+  @Test
+  void theLevelWithTriggersOpensItsDoor() throws Exception {
+    for (String block : blocks("games/LEVELS.md", "json")) {
+      if (block.contains("Gatehouse")) {
+        Level level = Level.parse("LEVELS.md", block.getBytes(StandardCharsets.UTF_8));
+        SimulationHost s =
+            new SimulationHost(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
+        s.join("Ann");
+        for (int tick = 0; tick < 120; tick++) {
+          s.step();
+        }
+        assertEquals(4.5f, s.entity(0).y(), 1e-4f);
+        return;
+      }
+    }
+    throw new AssertionError("LEVELS.md shows no level with triggers");
   }
 
   private static void load(String piece) throws Exception {

@@ -129,6 +129,7 @@ public final class Level {
   private final List<Area> areas;
   private final List<LevelJoint> joints;
   private final List<PoolDef> pools;
+  private final List<LevelTrigger> triggers;
 
   Level(LevelReader r, byte[] source) {
     this.source = source;
@@ -146,6 +147,7 @@ public final class Level {
     areas = List.copyOf(r.areas);
     joints = List.copyOf(r.joints);
     pools = List.copyOf(r.pools);
+    triggers = List.copyOf(r.triggers);
   }
 
   /**
@@ -319,6 +321,11 @@ public final class Level {
    */
   public List<LevelJoint> joints() {
     return joints;
+  }
+
+  /** Returns the triggers in file order, unmodifiable. */
+  public List<LevelTrigger> triggers() {
+    return triggers;
   }
 
   private static void requireSize(String fileName, int size) throws LevelException {

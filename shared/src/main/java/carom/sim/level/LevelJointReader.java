@@ -322,7 +322,7 @@ final class LevelJointReader {
   }
 
   /** Returns the body that a word names: NAME, or NAME[n] for one of several. */
-  private int body(Json node) throws JsonException {
+  int body(Json node) throws JsonException {
     require(node, Json.Kind.STRING);
     Item item = items.get(node.text);
     int number = 0;

@@ -31,8 +31,8 @@ import java.util.Map;
 /**
  * Turns a JSON tree into the contents of a {@link Level}, and refuses everything else with a
  * sentence that names the place, the value and the limit. {@code levels/level.schema.json} gives
- * editors the same rules; a test compares the two. Shapes, materials, areas, pools and joints have
- * readers of their own.
+ * editors the same rules; a test compares the two. Shapes, materials, areas, pools, joints and
+ * triggers have readers of their own.
  */
 final class LevelReader {
   static final int MAX_STATIC_ITEMS = 2048;
@@ -68,7 +68,8 @@ final class LevelReader {
           "pools",
           "statics",
           "bodies",
-          "joints");
+          "joints",
+          "triggers");
   static final List<String> BOUNDS = List.of("min", "max");
   static final List<String> THEME = List.of("background", "sky", "grid", "accent");
   static final List<String> SPAWN = List.of("name", "at", "team");
@@ -122,6 +123,7 @@ final class LevelReader {
   final List<Area> areas = new ArrayList<>();
   final List<PoolDef> pools = new ArrayList<>();
   final List<LevelJoint> joints = new ArrayList<>();
+  final List<LevelTrigger> triggers = new ArrayList<>();
 
   private final String file;
   private final LevelJointReader jointReader = new LevelJointReader(this);
@@ -172,6 +174,7 @@ final class LevelReader {
     for (Json joint : list(root, "joints", LevelJointReader.MAX_JOINTS)) {
       joints.add(jointReader.read(joint));
     }
+    triggers.addAll(new TriggerReader(this, file, jointReader).read(root));
   }
 
   private void readBounds(Json node) throws JsonException {

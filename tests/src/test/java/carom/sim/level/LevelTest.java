@@ -515,6 +515,9 @@ class LevelTest {
     assertEquals(LevelJointReader.SPRING, schema.fields("spring"));
     assertEquals(LevelJointReader.BREAKS, schema.fields("breaks"));
     assertEquals(LevelReader.LOOKS, schema.words("look"));
+    assertEquals(TriggerReader.TRIGGER, schema.fields("trigger"));
+    assertEquals(List.copyOf(TriggerReader.conditionFields()), schema.fields("condition"));
+    assertEquals(List.copyOf(TriggerReader.actionFields()), schema.fields("action"));
   }
 
   @Test
