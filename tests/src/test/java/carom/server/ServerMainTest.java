@@ -73,7 +73,8 @@ class ServerMainTest {
   private Process startWithInput(List<String> before, String... args) throws IOException {
     List<String> command = new ArrayList<>(before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
+    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"));
+    command.addAll(List.of("-Dkryo.unsafe=false", "-cp"));
     String path = System.getProperty("java.class.path");
     command.add(games == null ? path : path + File.pathSeparator + games);
     command.add(ServerMain.class.getName());

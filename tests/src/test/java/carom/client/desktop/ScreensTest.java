@@ -113,6 +113,7 @@ final class ScreensTest {
     Path output = folder.resolve("output.txt");
     List<String> command = new ArrayList<>();
     command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
+    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"));
     command.addAll(List.of("-Dkryo.unsafe=false", "-cp", System.getProperty("java.class.path")));
     command.addAll(List.of(ScreenTour.class.getName(), tour, shots.toAbsolutePath().toString()));
     command.addAll(List.of("--settings", settings.toString(), "--volume", "0"));
