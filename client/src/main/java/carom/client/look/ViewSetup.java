@@ -23,6 +23,7 @@ public final class ViewSetup {
   private final Map<String, List<Effect>> blows = new HashMap<>();
   private final Map<String, Particles> trails = new HashMap<>();
   private final CameraSetup camera = new CameraSetup();
+  private final List<HudItem> hud = new ArrayList<>();
   private String music = "";
 
   /** Creates the set-up of a view that declares nothing, which is the usual look. */
@@ -107,6 +108,18 @@ public final class ViewSetup {
   /** Returns what the window shows of the level, to be changed. */
   public CameraSetup camera() {
     return camera;
+  }
+
+  /** Adds lines about the own player, in place of the game's own bars and numbers. */
+  public void hud(HudItem... lines) {
+    for (HudItem line : lines) {
+      hud.add(limited(hud.size(), line));
+    }
+  }
+
+  /** Returns the lines about the own player in their order. Do not change the list. */
+  public List<HudItem> hud() {
+    return hud;
   }
 
   /** Sets the music of the game, a {@code .wav} or {@code .ogg} file that is played on and on. */

@@ -74,10 +74,13 @@ public final class RocketGame implements Game {
   private static final float BLAST_SPEED = 9;
   private static final int DAMAGE = 45;
 
-  // Of a player. Input writes the first two, so that clients predict shots.
+  // Fields of a player. Input writes the first two, so that clients predict shots.
   private static final Countdown RELOAD = Field.countdown("reload");
   private static final Flag SETS_OFF = Field.flag("setsOff"); // wants its rockets to go off
-  private static final Count HEALTH = Field.count("health", 0, 100).to(ALL).startsAt(100);
+
+  /** Health that a player has left. */
+  public static final Count HEALTH = Field.count("health", 0, 100).to(ALL).startsAt(100);
+
   private static final Countdown OUT = Field.countdown("out").to(NOBODY); // until it is back
 
   // Of a rocket.

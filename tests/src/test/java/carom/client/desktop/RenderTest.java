@@ -39,8 +39,12 @@ final class RenderTest {
 
   @BeforeEach
   void record() throws Exception {
-    recorded = folder.resolve("match.carom");
-    try (Stepper stepper = Stepper.of("arena")) {
+    record("arena");
+  }
+
+  private void record(String game) throws Exception {
+    recorded = folder.resolve(game + ".carom");
+    try (Stepper stepper = Stepper.of(game)) {
       stepper.server().record(recorded);
       stepper.join("Ann", Impairment.NONE, new Bot(1));
       stepper.run(6);
@@ -137,6 +141,7 @@ final class RenderTest {
   @Test
   void anyLookIsDrawn() throws Exception {
     assumeTrue(VirtualDisplay.available(), "Xvfb is not installed (Debian: apt-get install xvfb)");
+    record("rockets");
     long seed = Long.getLong("carom.seed", System.nanoTime());
     for (int i = 0; i < 2; i++) {
       boolean faulty = i % 2 == 1;

@@ -1,5 +1,6 @@
 package carom.client.look;
 
+import carom.game.rockets.RocketGame;
 import java.util.List;
 import java.util.SplittableRandom;
 
@@ -10,18 +11,8 @@ import java.util.SplittableRandom;
 public final class RandomView implements GameView {
   private static final String FILES = "/carom/client/look/rockets/";
   private static final List<String> THINGS =
-      List.of(
-          "player.red",
-          "player.blue",
-          "ball",
-          "spark",
-          "lamp.red",
-          "bumper",
-          "corner",
-          "crate",
-          "?");
-  private static final List<String> EVENTS =
-      List.of("hit", "dash", "jolt", "jolt hit", "goal", "?");
+      List.of("player", "rocket", "wall", "side wall", "pillar", "?");
+  private static final List<String> EVENTS = List.of("shot", "boom", "?");
   private static final List<String> PICTURES =
       List.of("hull.png", "gun.png", "smoke.png", "stars.png", "rocket.png", "plate.png");
 
@@ -40,7 +31,7 @@ public final class RandomView implements GameView {
 
   @Override
   public String game() {
-    return "arena";
+    return "rockets";
   }
 
   private float in(double least, double most) {
@@ -76,6 +67,16 @@ public final class RandomView implements GameView {
     };
   }
 
+  private HudItem line() {
+    HudItem line =
+        switch (random.nextInt(3)) {
+          case 0 -> HudItem.bar("goals", RocketGame.HEALTH);
+          case 1 -> HudItem.icons(picture(), RocketGame.HEALTH);
+          default -> HudItem.time("wait", RocketGame.HEALTH).whileSet(RocketGame.HEALTH);
+        };
+    return line.at(one(List.of(HudItem.Place.values()))).colour(random.nextInt());
+  }
+
   private void sprite(Sprite s) {
     if (random.nextBoolean()) {
       s.size(in(0.01, 9), in(0.01, 9));
@@ -84,6 +85,9 @@ public final class RandomView implements GameView {
         .frames(1 + random.nextInt(256))
         .turn(one(List.of(Sprite.Turn.values())));
     s.perSecond(in(-99, 99)).perMetre(in(-99, 99)).tint(random.nextInt());
+    if (random.nextInt(3) == 0) {
+      s.by(RocketGame.HEALTH);
+    }
     if (random.nextBoolean()) {
       s.flips();
     }
@@ -112,6 +116,9 @@ public final class RandomView implements GameView {
         case 4 -> v.trail(one(THINGS), particles(Particles.stream(1 + random.nextInt(500))));
         default -> sprite(v.sprite(one(THINGS), picture()));
       }
+    }
+    for (int i = random.nextInt(9); i > 0; i--) {
+      v.hud(line());
     }
     v.camera().height(in(4, 200)).lead(in(0, 2));
     if (random.nextBoolean()) {

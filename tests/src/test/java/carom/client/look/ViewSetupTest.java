@@ -4,6 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.sim.event.Audience;
+import carom.sim.field.Countdown;
+import carom.sim.field.Field;
+import carom.sim.field.Scope;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -33,6 +37,17 @@ final class ViewSetupTest {
     refused("sound=\"a.flac\"", () -> setup.music("a.flac"));
     refused("height=1.0", () -> setup.camera().height(1));
     refused("lead=NaN", () -> setup.camera().lead(Float.NaN));
+  }
+
+  @Test
+  void linesShowWhatPlayersAreTold() {
+    Field<?> hidden = Field.count("hidden", 0, 9).of(Scope.PLAYER).to(Audience.NOBODY);
+    refused("hidden", () -> HudItem.number("hidden", hidden));
+    Countdown out = Field.countdown("out");
+    refused("out, which has no greatest value", () -> HudItem.bar("back in", out));
+    setup.hud(HudItem.time("back in", out).whileSet(out).at(HudItem.Place.TOP));
+    assertEquals("back in", setup.hud().get(0).label());
+    assertEquals(HudItem.Place.TOP, setup.hud().get(0).place());
   }
 
   @Test

@@ -9,6 +9,7 @@ import carom.client.desktop.hud.Pointers;
 import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.hud.ScoreList;
 import carom.client.desktop.hud.ShownGame;
+import carom.client.desktop.look.LookHud;
 import carom.client.desktop.look.LookPainter;
 import carom.client.desktop.look.ShownLook;
 import carom.client.desktop.look.Tremor;
@@ -46,6 +47,8 @@ public final class GamePicture implements Disposable {
   /** Age beyond which an event isn't shown. Events from before a reconnect would puzzle players. */
   private static final float STALE_SECONDS = 1;
 
+  private static final String LINES = "the look's lines";
+
   private final ViewCamera camera = new ViewCamera();
   private final PictureParts parts;
   private final Flashes flashes;
@@ -61,6 +64,7 @@ public final class GamePicture implements Disposable {
   private final ScoreBoard scoreBoard;
   private final ScoreList scores;
   private final GaugePanel gauges;
+  private final LookHud lines;
   private final Pointers pointers;
   private Labels labels = (view, hud, camera, nowNs) -> {};
   private boolean showDebug;
@@ -84,6 +88,7 @@ public final class GamePicture implements Disposable {
     scoreBoard = new ScoreBoard(hud, canvas, fonts, game);
     scores = new ScoreList(hud, canvas, fonts, game, colours);
     gauges = new GaugePanel(hud, canvas, fonts, game);
+    lines = lookPainter.hud(hud, canvas, fonts);
     pointers = new Pointers(hud, canvas, fonts, game);
   }
 
@@ -260,7 +265,11 @@ public final class GamePicture implements Disposable {
       parts.run("table of players", () -> scoreBoard.draw(view, clock.depth()));
     } else {
       parts.run("scores", () -> scores.draw(view));
-      parts.run("gauges", () -> gauges.draw(view));
+      if (lines.hasLines() && !parts.isBroken(LINES)) {
+        parts.run(LINES, () -> lines.draw(view));
+      } else {
+        parts.run("gauges", () -> gauges.draw(view));
+      }
     }
     if (!over) { // the result says the same
       parts.run("notices", () -> hud.notices(view, nowNs));

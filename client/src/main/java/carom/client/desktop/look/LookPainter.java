@@ -1,5 +1,8 @@
 package carom.client.desktop.look;
 
+import carom.client.desktop.hud.Hud;
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
@@ -36,6 +39,11 @@ public final class LookPainter implements Disposable {
     pictures = new LookPictures(look::tell);
     sprites = new SpritePainter(look, pictures);
     effects = new LookEffects(look, pictures, ears);
+  }
+
+  /** Returns what draws the look's lines about the own player. */
+  public LookHud hud(Hud hud, Canvas canvas, Fonts fonts) {
+    return new LookHud(look, pictures, hud, canvas, fonts);
   }
 
   /** Begins with another look. */

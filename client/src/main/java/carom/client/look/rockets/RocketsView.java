@@ -2,11 +2,13 @@ package carom.client.look.rockets;
 
 import carom.client.look.Action;
 import carom.client.look.GameView;
+import carom.client.look.HudItem;
 import carom.client.look.Particles;
 import carom.client.look.Shake;
 import carom.client.look.SoundFile;
 import carom.client.look.Sprite;
 import carom.client.look.ViewSetup;
+import carom.game.rockets.RocketGame;
 import carom.sim.entity.Input;
 import java.util.List;
 
@@ -84,6 +86,7 @@ public final class RocketsView implements GameView {
     v.event(
         "boom", SoundFile.of("boom1.wav", "boom2.wav"), Shake.by(0.35f), SMOULDER, FIRE, SPARKS);
     v.blow("player", SoundFile.of("knock.wav").volume(0.6f));
+    v.hud(HudItem.bar("hull", RocketGame.HEALTH));
     v.camera().lead(0.25f);
   }
 }
