@@ -67,10 +67,11 @@ public final class JsonFields {
 
   private static float number(Json node, float min, float max) throws JsonException {
     require(node, Json.Kind.NUMBER);
-    if (!(node.number >= min && node.number <= max)) {
+    float value = (float) node.number; // compared as one: 0.1 is a limit of 0.1f
+    if (!(value >= min && value <= max)) {
       throw wrong(node, "=" + node.shown() + " must be in " + plain(min) + ".." + plain(max));
     }
-    return (float) node.number;
+    return value;
   }
 
   /** Returns a whole number in a range, or another if the field is missing. */

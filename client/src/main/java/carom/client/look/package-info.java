@@ -1,5 +1,5 @@
 /**
- * The look of a game as its author describes it: at present its actions and their keys. A game's
+ * The look of a game as its author describes it: keys, pictures, sounds, lines, camera. A game's
  * jar has one {@link carom.client.look.GameView}; a window finds it and draws what it declares. No
  * class here knows a window toolkit, and no server loads one.
  *

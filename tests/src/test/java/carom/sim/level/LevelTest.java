@@ -2,6 +2,7 @@ package carom.sim.level;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -26,6 +27,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
@@ -355,6 +357,19 @@ class LevelTest {
       }
     }
     return tests;
+  }
+
+  @Test
+  void aLimitIsWithinItsRange() {
+    String crates =
+        "\"bodies\": [{\"at\": [0, 0], \"shape\": {\"type\": \"circle\", \"radius\": %s}}]}";
+    for (String radius : List.of("0.05", "2000")) {
+      assertDoesNotThrow(() -> parse(HEAD + String.format(Locale.ROOT, crates, radius)), radius);
+    }
+    for (String radius : List.of("0.0499", "2000.1", "1e300")) {
+      String json = HEAD + String.format(Locale.ROOT, crates, radius);
+      assertThrows(LevelException.class, () -> parse(json), radius);
+    }
   }
 
   @Test

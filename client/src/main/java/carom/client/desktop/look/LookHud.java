@@ -18,7 +18,9 @@ import com.badlogic.gdx.math.MathUtils;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Draws the lines of a game's look about the own player, or the one watched. Render thread only. */
+/**
+ * Draws the lines of a game's look about the own player, or the one watched. Render thread only.
+ */
 public final class LookHud {
   private static final float PAD = 10;
   private static final float LINE = 22;
