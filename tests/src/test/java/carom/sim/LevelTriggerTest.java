@@ -14,7 +14,6 @@ import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
 import carom.physics.math.SimRandom;
 import carom.sim.entity.Player;
-import carom.sim.event.EventKind;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
@@ -43,7 +42,6 @@ final class LevelTriggerTest {
   /** A game that has fields, an event and a disc for each player. */
   private static final class Yard extends PlainGame {
     Archetype disc;
-    EventKind bell;
 
     Yard() {
       super("yard");
@@ -58,7 +56,7 @@ final class LevelTriggerTest {
     public void setUp(SetUp s) {
       disc =
           s.archetype(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0.5f)));
-      bell = s.event("bell", 0xffffff, 1, "");
+      s.event("bell", 0xffffff, 1, "");
     }
 
     @Override

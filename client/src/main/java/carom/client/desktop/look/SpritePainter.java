@@ -19,7 +19,6 @@ import com.badlogic.gdx.math.MathUtils;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 /** Draws the sprites and backgrounds of a game's look, in metres. Render thread only. */
 final class SpritePainter {
@@ -43,7 +42,7 @@ final class SpritePainter {
   private final ShownLook look;
   private final LookPictures pictures;
   private final SeenEntities<Track> tracks = new SeenEntities<>(Track::new);
-  private final Map<Archetype, List<Ready>> ready = new IdentityHashMap<>();
+  private final IdentityHashMap<Archetype, List<Ready>> ready = new IdentityHashMap<>();
   private final Color color = new Color();
   private final float[] quad = new float[VERTICES];
   private final Aabb bounds = new Aabb();
