@@ -13,6 +13,7 @@ import io.undertow.server.HttpServerExchange;
 import io.undertow.server.protocol.http.HttpOpenListener;
 import io.undertow.util.Headers;
 import io.undertow.util.Methods;
+import io.undertow.util.SameThreadExecutor;
 import io.undertow.util.StatusCodes;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -72,8 +73,8 @@ public final class HttpPort implements AutoCloseable {
   /** Connections that may wait to be accepted. */
   private static final int BACKLOG = 128;
 
-  /** Time that a visitor has to read why its request is refused, ms. */
-  private static final int LINGER_MS = 250;
+  /** Time that a visitor has to send the rest and read why its request is refused, ms. */
+  private static final int LINGER_MS = 1_000;
 
   /** Time for which a request that hangs may hold the server's stop, ms. */
   private static final int STOP_MS = 1_000;
@@ -254,7 +255,10 @@ public final class HttpPort implements AutoCloseable {
         exchange.getRequestMethod().equals(Methods.GET)
             || exchange.getRequestMethod().equals(Methods.HEAD);
     if (!isRead || !exchange.isRequestComplete()) {
-      refuseBody(exchange, isRead);
+      // Dispatched, so that the server doesn't end the exchange when this returns, and the
+      // connection
+      // with it while the body is on its way.
+      exchange.dispatch(SameThreadExecutor.INSTANCE, () -> refuseBody(exchange, isRead));
     } else {
       handler.handleRequest(exchange);
     }
