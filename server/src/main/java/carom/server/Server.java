@@ -355,7 +355,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
     for (int i = 0; i < rooms.size(); i++) {
       work += rooms.get(i).doWork(nowNs);
     }
-    if (!leaving.isEmpty()) {
+    if (!leaving.isEmpty()) { // asked first: an iterator for each turn would be garbage
       for (Room room : leaving) {
         work += room.doWork(nowNs);
       }

@@ -2,7 +2,8 @@ package carom.client.look;
 
 /**
  * A picture behind the level, repeated without end, that moves less than the level does. The first
- * one declared is the furthest. Each method changes it and returns it.
+ * one declared is the furthest. Each method changes it and returns it, and throws {@link
+ * IllegalArgumentException} for a value outside its range.
  */
 public final class Background {
   private final String file;
@@ -17,37 +18,37 @@ public final class Background {
     this.file = file;
   }
 
-  /** Sets the height of one picture, metres; 10 without it. */
+  /** Sets the height of one picture, 0.1..10,000 metres; 10 without it. */
   public Background height(float metres) {
-    if (!(metres > 0)) {
-      throw new IllegalArgumentException("a background's height=" + metres);
-    }
-    height = metres;
+    height = Range.check("a background's height", metres, 0.1f, 10_000);
     return this;
   }
 
-  /** Sets how much it moves with the level: 0, as without it, is the sky, 1 the level itself. */
+  /**
+   * Sets how much it moves with the level, -10..10: 0, as without it, is the sky, 1 the level
+   * itself, and more is before it.
+   */
   public Background parallax(float share) {
-    parallax = share;
+    parallax = Range.check("a background's parallax", share, -10, 10);
     return this;
   }
 
-  /** Repeats it to the sides only, with its lower edge at a height of the level, metres. */
+  /** Repeats it to the sides only, with its lower edge at a height of the level, ±32,768 m. */
   public Background standsAt(float y) {
-    bottom = y;
+    bottom = Range.check("a background's lower edge", y, -32_768, 32_768);
     return this;
   }
 
-  /** Lets it drift by itself, m/s. */
+  /** Lets it drift by itself to the right and upwards, -100..100 m/s. */
   public Background drifts(float x, float y) {
-    driftX = x;
-    driftY = y;
+    driftX = Range.check("a background's drift", x, -100, 100);
+    driftY = Range.check("a background's drift", y, -100, 100);
     return this;
   }
 
   /** Sets how opaque it is, 0..1. */
   public Background alpha(float share) {
-    alpha = Math.max(0, Math.min(1, share));
+    alpha = Range.check("a background's alpha", share, 0, 1);
     return this;
   }
 

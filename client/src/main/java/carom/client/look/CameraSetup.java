@@ -19,19 +19,13 @@ public final class CameraSetup {
 
   /** Sets the height that it shows while it follows a player, 4..200 metres. */
   public CameraSetup height(float metres) {
-    if (!(metres >= 4 && metres <= 200)) {
-      throw new IllegalArgumentException("a camera's height=" + metres + " is outside 4..200");
-    }
-    height = metres;
+    height = Range.check("a camera's height", metres, 4, 200);
     return this;
   }
 
   /** Looks ahead to where the player will be in 0..2 seconds at the present velocity. */
   public CameraSetup lead(float seconds) {
-    if (!(seconds >= 0 && seconds <= 2)) {
-      throw new IllegalArgumentException("a camera's lead=" + seconds + " is outside 0..2");
-    }
-    leadSeconds = seconds;
+    leadSeconds = Range.check("a camera's lead", seconds, 0, 2);
     return this;
   }
 

@@ -2,7 +2,8 @@ package carom.client.look;
 
 /**
  * Small things that fly for a moment and fade: sparks, smoke, splinters, confetti. They are part of
- * the picture only, hit nothing, and cost no traffic. Each method changes it and returns it.
+ * the picture only, hit nothing, and cost no traffic. Each method changes it and returns it, and
+ * throws {@link IllegalArgumentException} for a value outside its range.
  *
  * <pre>{@code
  * v.event("boom", Particles.burst(60).speed(2, 9).seconds(0.3f, 0.9f).colour(0xffe08a, 0xc0392b).glow());
@@ -30,40 +31,42 @@ public final class Particles implements Effect {
   private String picture = "";
 
   private Particles(int count) {
-    if (count < 1 || count > MAX) {
-      throw new IllegalArgumentException("particles=" + count + " is outside 1.." + MAX);
-    }
-    this.count = count;
+    this.count = Range.check("particles", count, 1, MAX);
   }
 
-  /** Returns so many that fly apart at once. The harder the event or blow, the more there are. */
+  /**
+   * Returns 1..{@value #MAX} that fly apart at once. The harder the event or blow, the more there
+   * are.
+   */
   public static Particles burst(int count) {
     return new Particles(count);
   }
 
-  /** Returns so many in each second, for a trail. */
+  /** Returns 1..{@value #MAX} in each second, for a trail. */
   public static Particles stream(int perSecond) {
     return new Particles(perSecond);
   }
 
-  /** Sets how fast they begin to fly, m/s. */
+  /** Sets how fast they begin to fly, 0..1,000 m/s. */
   public Particles speed(float least, float most) {
+    Range.checkPair("speed", least, most, 0, 1_000);
     leastSpeed = least;
     mostSpeed = most;
     return this;
   }
 
-  /** Sets for how long they fly, seconds. */
+  /** Sets for how long they fly, 0.02..10 seconds. */
   public Particles seconds(float least, float most) {
-    leastSeconds = Math.max(0.02f, least);
-    mostSeconds = Math.max(leastSeconds, most);
+    Range.checkPair("seconds", least, most, 0.02f, 10);
+    leastSeconds = least;
+    mostSeconds = most;
     return this;
   }
 
-  /** Sets their size at first and at last, metres. */
+  /** Sets their half size at first and at last, 0..100 metres. */
   public Particles size(float atFirst, float atLast) {
-    sizeAtFirst = atFirst;
-    sizeAtLast = atLast;
+    sizeAtFirst = Range.check("size at first", atFirst, 0, 100);
+    sizeAtLast = Range.check("size at last", atLast, 0, 100);
     return this;
   }
 
@@ -76,28 +79,29 @@ public final class Particles implements Effect {
 
   /** Sets how opaque they begin, 0..1. */
   public Particles alpha(float share) {
-    alpha = Math.max(0, Math.min(1, share));
+    alpha = Range.check("particles' alpha", share, 0, 1);
     return this;
   }
 
-  /** Sets how they fall: 1 as bodies of the level do, below 0 they rise. */
+  /** Sets how they fall, -100..100: 1 as bodies of the level do, below 0 they rise. */
   public Particles gravity(float share) {
-    gravity = share;
+    gravity = Range.check("particles' gravity", share, -100, 100);
     return this;
   }
 
-  /** Sets how soon they slow down, 1/s. */
+  /** Sets how soon they slow down, 0..1,000 1/s. */
   public Particles drag(float perSecond) {
-    drag = Math.max(0, perSecond);
+    drag = Range.check("particles' drag", perSecond, 0, 1_000);
     return this;
   }
 
   /**
-   * Sets the half angle of the cone in which they fly, radians. Its middle is where a blow pushes
-   * the body, and for a trail where the body comes from. Without it, they fly in all directions.
+   * Sets the half angle of the cone in which they fly, 0..π radians. Its middle is where a blow
+   * pushes the body, and for a trail where the body comes from. Without it, they fly in all
+   * directions.
    */
   public Particles spread(float radians) {
-    spread = radians;
+    spread = Range.check("particles' spread", radians, 0, (float) Math.PI);
     return this;
   }
 
@@ -133,7 +137,7 @@ public final class Particles implements Effect {
     return between(leastSeconds, mostSeconds, random);
   }
 
-  /** Returns the size when a share of the life is over, metres. */
+  /** Returns the half size when a share of the life is over, metres. */
   public float size(float over) {
     return between(sizeAtFirst, sizeAtLast, over);
   }

@@ -16,24 +16,17 @@ public final class Shake implements Effect {
   private float seconds = 0.4f;
 
   private Shake(float metres) {
-    if (!(metres > 0 && metres <= MAX_METRES)) {
-      throw new IllegalArgumentException(
-          "a shake's metres=" + metres + " is outside 0.." + MAX_METRES);
-    }
-    this.metres = metres;
+    this.metres = Range.check("a shake's metres", metres, 0, MAX_METRES);
   }
 
-  /** Returns a shake that moves the picture so far, metres, if its cause is hard and near. */
+  /** Returns a shake that moves the picture 0..2 metres if its cause is hard and near. */
   public static Shake by(float metres) {
     return new Shake(metres);
   }
 
   /** Sets for how long it shakes, 0.05..3 seconds; 0.4 without it. */
   public Shake seconds(float length) {
-    if (!(length >= 0.05f && length <= 3)) {
-      throw new IllegalArgumentException("a shake's seconds=" + length + " is outside 0.05..3");
-    }
-    seconds = length;
+    seconds = Range.check("a shake's seconds", length, 0.05f, 3);
     return this;
   }
 

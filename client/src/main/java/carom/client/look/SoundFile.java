@@ -44,16 +44,13 @@ public final class SoundFile implements Effect {
 
   /** Sets its loudness, 0..1; 1 without it. */
   public SoundFile volume(float share) {
-    volume = Math.max(0, Math.min(1, share));
+    volume = Range.check("a sound's volume", share, 0, 1);
     return this;
   }
 
   /** Sets the range of its pitch, 0.5..2, where 1 is as recorded; 0.95..1.05 without it. */
   public SoundFile pitch(float least, float most) {
-    if (!(least >= 0.5f && least <= most && most <= 2)) {
-      throw new IllegalArgumentException(
-          "a sound's pitch=" + least + ", " + most + " is no range within 0.5..2");
-    }
+    Range.checkPair("pitch", least, most, 0.5f, 2);
     leastPitch = least;
     mostPitch = most;
     return this;

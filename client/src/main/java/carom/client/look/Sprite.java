@@ -7,7 +7,8 @@ import carom.sim.field.Ratio;
 /**
  * A picture that is drawn for each entity of an archetype, or for each piece of a level of that
  * name, in place of its shapes. Several sprites of an archetype lie on each other in the order in
- * which they were declared. Each method changes it and returns it.
+ * which they were declared. Each method changes it and returns it, and throws {@link
+ * IllegalArgumentException} for a value outside its range.
  *
  * <pre>{@code
  * v.sprite("car", "car.png").size(2.8f, 1.2f).tint();
@@ -50,43 +51,38 @@ public final class Sprite {
     this.file = file;
   }
 
-  private static void require(boolean so, String problem) {
-    if (!so) {
-      throw new IllegalArgumentException(problem);
-    }
-  }
-
-  /** Sets its size, metres. Without it, the picture is as wide as the archetype's shapes. */
+  /**
+   * Sets its size, 0.01..2,000 metres each. Without it, the picture is as wide as the archetype's
+   * shapes.
+   */
   public Sprite size(float newWidth, float newHeight) {
-    require(newWidth > 0 && newHeight > 0, "a sprite's size=" + newWidth + ", " + newHeight);
-    width = newWidth;
-    height = newHeight;
+    width = Range.check("a sprite's width", newWidth, 0.01f, 2_000);
+    height = Range.check("a sprite's height", newHeight, 0.01f, 2_000);
     return this;
   }
 
-  /** Moves it, metres in its own frame: x is where it points. */
+  /** Moves it, ±2,000 metres in its own frame: x is where it points. */
   public Sprite at(float x, float y) {
-    offsetX = x;
-    offsetY = y;
+    offsetX = Range.check("a sprite's place", x, -2_000, 2_000);
+    offsetY = Range.check("a sprite's place", y, -2_000, 2_000);
     return this;
   }
 
-  /** Divides the picture into frames of equal width, side by side; the first one shows. */
+  /** Divides the picture into 1..256 frames of equal width, side by side; the first one shows. */
   public Sprite frames(int count) {
-    require(count >= 1 && count <= 256, "a sprite's frames=" + count + " is outside 1..256");
-    frames = count;
+    frames = Range.check("a sprite's frames", count, 1, 256);
     return this;
   }
 
-  /** Shows the frames one after the other, so many a second. */
+  /** Shows the frames one after the other, ±1,000 a second; below 0 from the last to the first. */
   public Sprite perSecond(float count) {
-    framesPerSecond = count;
+    framesPerSecond = Range.check("frames per second", count, -1_000, 1_000);
     return this;
   }
 
-  /** Shows the frames one after the other as the body moves, so many for each metre. */
+  /** Shows the frames one after the other as the body moves, ±1,000 for each metre. */
   public Sprite perMetre(float count) {
-    framesPerMetre = count;
+    framesPerMetre = Range.check("frames per metre", count, -1_000, 1_000);
     return this;
   }
 

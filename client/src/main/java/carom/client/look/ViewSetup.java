@@ -158,6 +158,37 @@ public final class ViewSetup {
     return trails.get(archetype);
   }
 
+  /** Returns whether bodies, backdrop, events and blows have the usual look. */
+  public boolean isPlain() {
+    return sprites.isEmpty() && backgrounds.isEmpty() && effects().isEmpty() && trails.isEmpty();
+  }
+
+  /** Returns what events and blows set off. */
+  public List<Effect> effects() {
+    List<Effect> all = new ArrayList<>();
+    events.values().forEach(all::addAll);
+    blows.values().forEach(all::addAll);
+    return all;
+  }
+
+  /** Returns the files of all pictures that are declared, in order. */
+  public Set<String> pictures() {
+    Set<String> files = new TreeSet<>();
+    sprites.forEach(sprite -> files.add(sprite.file()));
+    backgrounds.forEach(background -> files.add(background.file()));
+    hud.stream()
+        .filter(line -> line.kind() == HudItem.Kind.ICONS)
+        .forEach(l -> files.add(l.label()));
+    List<Effect> flying = effects();
+    flying.addAll(trails.values());
+    for (Effect effect : flying) {
+      if (effect instanceof Particles particles && !particles.picture().isEmpty()) {
+        files.add(particles.picture());
+      }
+    }
+    return files;
+  }
+
   /** Returns the names of archetypes and pieces that are declared anything for, in order. */
   public Set<String> things() {
     Set<String> names = new TreeSet<>(blows.keySet());

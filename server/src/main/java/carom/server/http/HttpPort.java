@@ -255,9 +255,8 @@ public final class HttpPort implements AutoCloseable {
         exchange.getRequestMethod().equals(Methods.GET)
             || exchange.getRequestMethod().equals(Methods.HEAD);
     if (!isRead || !exchange.isRequestComplete()) {
-      // Dispatched, so that the server doesn't end the exchange when this returns, and the
-      // connection
-      // with it while the body is on its way.
+      // Dispatched: else the exchange would end as this returns, and with it the connection, while
+      // the body is on its way.
       exchange.dispatch(SameThreadExecutor.INSTANCE, () -> refuseBody(exchange, isRead));
     } else {
       handler.handleRequest(exchange);

@@ -50,9 +50,9 @@ public final class RandomView implements GameView {
   }
 
   private Particles particles(Particles p) {
-    p.speed(in(0, 3), in(3, 30)).seconds(in(0, 1), in(0, 3)).size(in(0, 2), in(0, 2));
-    p.colour(random.nextInt(), random.nextInt()).alpha(in(-1, 2)).gravity(in(-2, 2));
-    p.drag(in(-1, 9)).spread(in(-9, 9));
+    p.speed(in(0, 3), in(3, 30)).seconds(in(0.02, 1), in(1, 3)).size(in(0, 2), in(0, 2));
+    p.colour(random.nextInt(), random.nextInt()).alpha(in(0, 1)).gravity(in(-2, 2));
+    p.drag(in(0, 9)).spread(in(0, 3.1));
     if (random.nextBoolean()) {
       p.glow();
     }
@@ -62,7 +62,7 @@ public final class RandomView implements GameView {
   private Effect effect() {
     return switch (random.nextInt(3)) {
       case 0 -> Shake.by(in(0.01, 2)).seconds(in(0.05, 3));
-      case 1 -> SoundFile.of(FILES + "boom1.wav", "missing.ogg").volume(in(-1, 2));
+      case 1 -> SoundFile.of(FILES + "boom1.wav", "missing.ogg").volume(in(0, 1));
       default -> particles(Particles.burst(1 + random.nextInt(Particles.MAX)));
     };
   }
@@ -109,7 +109,7 @@ public final class RandomView implements GameView {
                 .height(in(0.1, 99))
                 .parallax(in(-2, 2))
                 .drifts(in(-9, 9), in(-9, 9))
-                .alpha(in(-1, 2));
+                .alpha(in(0, 1));
         case 1 -> v.background(picture()).height(in(0.1, 99)).standsAt(in(-50, 50));
         case 2 -> v.event(one(EVENTS), effect(), effect());
         case 3 -> v.blow(one(THINGS), effect());

@@ -13,9 +13,10 @@ import carom.text.FileErrors;
 import com.badlogic.gdx.math.MathUtils;
 import java.io.IOException;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
+import java.util.Set;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -67,6 +68,7 @@ public final class EventSounds implements EventListener, HeardEffects {
   private final Speaker speaker;
   private final Voice[] voices = new Voice[VOICES];
   private final Map<String, Clip> files = new HashMap<>();
+  private final Set<String> unplayable = new HashSet<>();
   private ShownLook look;
   private float volume;
   private boolean muted;
@@ -105,9 +107,13 @@ public final class EventSounds implements EventListener, HeardEffects {
     for (Voice voice : voices) {
       stop(voice);
     }
-    files.values().stream().filter(Objects::nonNull).forEach(Clip::dispose);
+    files.values().forEach(Clip::dispose);
     files.clear();
+    unplayable.clear();
     look = of;
+    if (of != null && speaker.works()) {
+      of.setup().effects().forEach(this::read); // now, not as the first shot is heard
+    }
     String file = of == null ? "" : of.setup().music();
     try {
       byte[] bytes =
@@ -124,20 +130,21 @@ public final class EventSounds implements EventListener, HeardEffects {
     look.tell("A sound of the game's look can't be played: " + file);
   }
 
-  /** Returns the sound of a file; null if it can't be played. */
-  private Clip clip(SoundFile sound) {
-    List<String> names = sound.files();
-    String file = names.get(MathUtils.random(names.size() - 1));
-    if (!files.containsKey(file)) {
-      Clip read = null;
+  /** Reads the files of an effect that is a sound. One that can't be played is told once. */
+  private void read(Effect effect) {
+    if (!(effect instanceof SoundFile sound)) {
+      return;
+    }
+    for (String file : sound.files()) {
       try {
-        read = speaker.clip(file, LookFiles.read(look.home(), file, MAX_SOUND));
+        if (!files.containsKey(file) && !unplayable.contains(file)) {
+          files.put(file, speaker.clip(file, LookFiles.read(look.home(), file, MAX_SOUND)));
+        }
       } catch (IOException e) {
+        unplayable.add(file);
         missing(file, e);
       }
-      files.put(file, read);
     }
-    return files.get(file);
   }
 
   /** Switches the sound off or on; playing sounds stop. */
@@ -179,8 +186,7 @@ public final class EventSounds implements EventListener, HeardEffects {
     boolean own = false;
     for (int i = 0; effects != null && i < effects.size(); i++) {
       if (effects.get(i) instanceof SoundFile file) {
-        own = true;
-        play(file, event, event.x(), hardness, nearness);
+        own |= play(file, event, event.x(), hardness, nearness);
       }
     }
     Sound sound = event.kind().sound();
@@ -197,12 +203,16 @@ public final class EventSounds implements EventListener, HeardEffects {
     }
   }
 
-  private void play(SoundFile file, Event event, float x, float hardness, float nearness) {
-    Clip clip = clip(file);
-    if (clip != null) {
-      float loudness = file.volume() * Math.max(SOFTEST, hardness) * nearness;
-      play(clip, event, x, loudness, file.pitch(MathUtils.random()));
+  /** Plays the sound of a file, if it is loud enough; returns false if there is none. */
+  private boolean play(SoundFile file, Event event, float x, float hardness, float nearness) {
+    List<String> names = file.files();
+    Clip clip = files.get(names.get(MathUtils.random(names.size() - 1)));
+    if (clip == null) {
+      return false;
     }
+    float loudness = file.volume() * Math.max(SOFTEST, hardness) * nearness;
+    play(clip, event, x, loudness, file.pitch(MathUtils.random()));
+    return true;
   }
 
   private void play(Clip clip, Event event, float x, float loudness, float pitch) {

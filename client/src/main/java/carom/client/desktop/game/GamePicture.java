@@ -66,12 +66,12 @@ public final class GamePicture implements Disposable {
   private final GaugePanel gauges;
   private final LookHud lines;
   private final Pointers pointers;
+  private final Aabb subject = new Aabb();
   private Labels labels = (view, hud, camera, nowNs) -> {};
   private boolean showDebug;
   private boolean showPanels = true;
   private double seconds;
   private Level level;
-  private final Aabb subject = new Aabb();
 
   /** Creates a picture. The arguments stay the property of the caller. */
   public GamePicture(Canvas canvas, Fonts fonts, EventSounds sounds) {

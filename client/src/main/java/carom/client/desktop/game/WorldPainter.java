@@ -133,8 +133,11 @@ public final class WorldPainter {
     look.particles(camera, true);
   }
 
-  /** Draws something by other means between the figures. */
+  /** Draws what a game's look has between the figures. */
   private void between(OrthographicCamera camera, float pixelsPerMetre, Runnable drawn) {
+    if (look.isPlain()) {
+      return;
+    }
     canvas.end();
     drawn.run();
     canvas.begin(camera.combined, pixelsPerMetre);

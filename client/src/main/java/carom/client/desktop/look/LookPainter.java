@@ -31,6 +31,7 @@ public final class LookPainter implements Disposable {
   private final LookEffects effects;
   private final SpriteBatch batch = new SpriteBatch();
   private final ShownLook look;
+  private boolean isPlain = true;
 
   /** Creates a painter. The arguments stay the property of the caller. */
   public LookPainter(ShownLook look, PictureParts parts, HeardEffects ears) {
@@ -49,6 +50,8 @@ public final class LookPainter implements Disposable {
   /** Begins with another look. */
   public void renew() {
     pictures.home(look.home());
+    look.setup().pictures().forEach(pictures::of); // now, not as the first rocket flies
+    isPlain = look.setup().isPlain();
     clear();
   }
 
@@ -68,6 +71,11 @@ public final class LookPainter implements Disposable {
     if (batch.isDrawing()) {
       batch.end();
     }
+  }
+
+  /** Returns whether there is nothing to paint, so that all has the usual look. */
+  public boolean isPlain() {
+    return isPlain;
   }
 
   /** Returns what events, blows and movements set off. */
@@ -92,9 +100,10 @@ public final class LookPainter implements Disposable {
 
   /** Lets time pass; call it once per picture. */
   public void update(ClientView view, float seconds, ToIntFunction<Drawn> bodyRgb) {
-    if (!look.setup().sprites().isEmpty()) {
-      parts.run(SPRITES, () -> sprites.update(view, seconds));
+    if (isPlain) {
+      return;
     }
+    parts.run(SPRITES, () -> sprites.update(view, seconds));
     parts.run(EFFECTS, () -> effects.update(view, seconds, bodyRgb));
   }
 
