@@ -65,35 +65,6 @@ public final class MemoryDirectory {
     new ArrayList<>(doors).forEach(Door::tell);
   }
 
-  /** A watcher, and what it has been told. */
-  private final class Watch {
-    private final String prefix;
-    private final DirectoryWatcher watcher;
-    private final TreeMap<String, DirectoryEntry> told = new TreeMap<>();
-
-    Watch(String prefix, DirectoryWatcher watcher) {
-      this.prefix = prefix;
-      this.watcher = watcher;
-    }
-
-    void tell() {
-      List<DirectoryEntry> gone = new ArrayList<>();
-      for (DirectoryEntry last : told.values()) {
-        DirectoryEntry now = entries.get(last.key());
-        if (now == null || now.number() != last.number()) {
-          gone.add(last);
-        }
-      }
-      gone.forEach(last -> told.remove(last.key()));
-      gone.forEach(watcher::gone);
-      for (DirectoryEntry entry : under(prefix)) {
-        if (!entry.equals(told.put(entry.key(), entry))) {
-          watcher.present(entry);
-        }
-      }
-    }
-  }
-
   private List<DirectoryEntry> under(String prefix) {
     return entries.tailMap(prefix).values().stream()
         .takeWhile(entry -> entry.key().startsWith(prefix))
@@ -113,14 +84,14 @@ public final class MemoryDirectory {
         isAway = nowAway;
         tell();
         if (!isAway) {
-          new ArrayList<>(watches).forEach(watch -> watch.watcher.complete());
+          new ArrayList<>(watches).forEach(Watch::complete);
         }
       }
     }
 
     private void tell() {
       if (!isAway) {
-        new ArrayList<>(watches).forEach(Watch::tell);
+        new ArrayList<>(watches).forEach(watch -> watch.all(under(watch.prefix)));
       }
     }
 
@@ -134,6 +105,7 @@ public final class MemoryDirectory {
 
     @Override
     public long lease(int ttlMs) throws DirectoryException {
+      EntryLimits.checkTtl(ttlMs);
       synchronized (MemoryDirectory.this) {
         begin();
         leases.put(++lastNumber, new Lease(ttlMs, clock.getAsLong() + ttlMs * NS_PER_MS));
@@ -163,6 +135,8 @@ public final class MemoryDirectory {
 
     @Override
     public long create(String key, String value, long lease) throws DirectoryException {
+      EntryLimits.checkKey(key);
+      EntryLimits.checkValue(value);
       synchronized (MemoryDirectory.this) {
         begin();
         if (entries.containsKey(key) || (lease != 0 && !leases.containsKey(lease))) {
@@ -177,6 +151,8 @@ public final class MemoryDirectory {
 
     @Override
     public boolean update(String key, String value, long number) throws DirectoryException {
+      EntryLimits.checkKey(key);
+      EntryLimits.checkValue(value);
       synchronized (MemoryDirectory.this) {
         begin();
         DirectoryEntry entry = entries.get(key);
@@ -191,6 +167,7 @@ public final class MemoryDirectory {
 
     @Override
     public boolean delete(String key, long number) throws DirectoryException {
+      EntryLimits.checkKey(key);
       synchronized (MemoryDirectory.this) {
         begin();
         DirectoryEntry entry = entries.get(key);
@@ -205,6 +182,7 @@ public final class MemoryDirectory {
 
     @Override
     public DirectoryEntry get(String key) throws DirectoryException {
+      EntryLimits.checkKey(key);
       synchronized (MemoryDirectory.this) {
         begin();
         return entries.get(key);
@@ -213,6 +191,7 @@ public final class MemoryDirectory {
 
     @Override
     public List<DirectoryEntry> list(String prefix) throws DirectoryException {
+      EntryLimits.checkPrefix(prefix);
       synchronized (MemoryDirectory.this) {
         begin();
         return under(prefix);
@@ -221,12 +200,13 @@ public final class MemoryDirectory {
 
     @Override
     public void watch(String prefix, DirectoryWatcher watcher) {
+      EntryLimits.checkPrefix(prefix);
       synchronized (MemoryDirectory.this) {
         Watch watch = new Watch(prefix, watcher);
         watches.add(watch);
         if (!isAway) {
-          watch.tell();
-          watcher.complete();
+          watch.all(under(prefix));
+          watch.complete();
         }
       }
     }

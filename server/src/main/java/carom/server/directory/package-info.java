@@ -2,7 +2,14 @@
  * The fleet's directory: small entries that several servers share, held by leases, in a database
  * that survives the loss of any server.
  *
- * <p>Allowed imports: the JDK.
+ * <pre>
+ *     Directories         opens what an operator names
+ *       EtcdDirectory       by EtcdGateway (calls), EtcdWatch (one thread for each watch)
+ *     MemoryDirectory     for tests and virtual time
+ * </pre>
+ *
+ * <p>Allowed imports: {@code carom.server.http} for certificates, {@code carom.text}, Jackson's
+ * streaming parser, slf4j, the JDK.
  *
  * <p>Read first: {@link carom.server.directory.Directory}, {@link
  * carom.server.directory.DirectoryEntry}, {@link carom.server.directory.MemoryDirectory}.

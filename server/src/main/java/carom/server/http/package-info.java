@@ -4,7 +4,7 @@
  * it.
  *
  * <p>Allowed imports: {@code carom.net.transport}, {@code carom.net.frame}, {@code
- * carom.server.access}, Undertow with XNIO, slf4j, the JDK.
+ * carom.server.access}, {@code carom.text}, Undertow with XNIO, slf4j, the JDK.
  *
  * <p>Read first: {@link carom.server.http.HttpPort}, {@link carom.server.http.RequestGuard}, {@link
  * carom.server.http.Origins}.

@@ -1,28 +1,16 @@
 package carom.server.thin.web;
 
-import static java.nio.charset.StandardCharsets.ISO_8859_1;
-
-import carom.text.FileErrors;
-import java.io.ByteArrayInputStream;
+import carom.server.http.Pem;
 import java.io.IOException;
 import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
-import java.security.KeyFactory;
 import java.security.Principal;
 import java.security.PrivateKey;
-import java.security.Signature;
-import java.security.cert.CertificateException;
-import java.security.cert.CertificateFactory;
 import java.security.cert.X509Certificate;
-import java.security.spec.PKCS8EncodedKeySpec;
 import java.time.Instant;
-import java.util.Base64;
 import java.util.List;
-import java.util.Map;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import javax.net.ssl.KeyManager;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLEngine;
@@ -38,15 +26,6 @@ import org.slf4j.LoggerFactory;
 final class Certificates {
   private static final Logger LOG = LoggerFactory.getLogger(Certificates.class);
   private static final String ALIAS = "play";
-  private static final int MAX_FILE_BYTES = 1 << 20;
-  private static final Pattern KEY =
-      Pattern.compile("-----BEGIN ([A-Z ]*)PRIVATE KEY-----([^-]*)-----END");
-
-  /**
-   * Algorithms of keys, each with that of a signature by which key and certificate are compared.
-   */
-  private static final Map<String, String> ALGORITHMS =
-      Map.of("RSA", "SHA256withRSA", "EC", "SHA256withECDSA", "EdDSA", "EdDSA");
 
   private final Path certFile;
   private final Path keyFile;
@@ -131,106 +110,12 @@ final class Certificates {
   }
 
   private Pair read() throws IOException {
-    X509Certificate[] chain = certificates();
-    PrivateKey key = key(chain[0]);
-    return new Pair(List.of(chain), key);
-  }
-
-  private static String text(String flag, Path file) throws IOException {
-    String text;
-    try {
-      text = Files.size(file) > MAX_FILE_BYTES ? null : Files.readString(file, ISO_8859_1);
-    } catch (IOException e) {
-      throw new IOException(flag + "=" + file + " can't be read: " + FileErrors.reason(e), e);
+    List<X509Certificate> chain = Pem.certificates("--tls-cert", certFile);
+    Instant end = chain.get(0).getNotAfter().toInstant();
+    if (end.isBefore(Instant.now())) {
+      LOG.warn("play: the certificate in {} ended on {}; browsers refuse it", certFile, end);
     }
-    if (text == null) {
-      throw new IOException(flag + "=" + file + " has more than " + MAX_FILE_BYTES + " bytes");
-    }
-    return text;
-  }
-
-  private X509Certificate[] certificates() throws IOException {
-    String text = text("--tls-cert", certFile);
-    if (!text.contains("-----BEGIN CERTIFICATE-----")) {
-      throw new IOException(
-          "--tls-cert="
-              + certFile
-              + " has no certificate; it must be PEM, with a line -----BEGIN CERTIFICATE-----");
-    }
-    String first = text.substring(text.indexOf("-----BEGIN CERTIFICATE-----"));
-    try {
-      X509Certificate[] chain =
-          CertificateFactory.getInstance("X.509")
-              .generateCertificates(new ByteArrayInputStream(first.getBytes(ISO_8859_1)))
-              .toArray(X509Certificate[]::new);
-      if (chain[0].getNotAfter().toInstant().isBefore(Instant.now())) {
-        LOG.warn(
-            "play: the certificate in {} ended on {}; browsers refuse it",
-            certFile,
-            chain[0].getNotAfter().toInstant());
-      }
-      return chain;
-    } catch (CertificateException | ArrayStoreException e) {
-      throw new IOException(
-          "--tls-cert=" + certFile + " has a certificate that can't be read: " + e.getMessage(), e);
-    }
-  }
-
-  private PrivateKey key(X509Certificate certificate) throws IOException {
-    String name = "--tls-key=" + keyFile;
-    Matcher found = KEY.matcher(text("--tls-key", keyFile));
-    if (!found.find()) {
-      throw new IOException(
-          name + " has no key; it must be PEM, with a line -----BEGIN PRIVATE KEY-----");
-    }
-    String form = found.group(1).strip();
-    if (!form.isEmpty()) {
-      throw new IOException(
-          name
-              + " is "
-              + (form.equals("ENCRYPTED") ? "protected by a password" : "of the form " + form)
-              + "; it must be PKCS #8 without one: openssl pkcs8 -topk8 -nodes -in OLD -out NEW");
-    }
-    byte[] bytes;
-    try {
-      bytes = Base64.getMimeDecoder().decode(found.group(2));
-    } catch (IllegalArgumentException e) {
-      throw new IOException(name + " is damaged: " + e.getMessage(), e);
-    }
-    for (Map.Entry<String, String> algorithm : ALGORITHMS.entrySet()) {
-      PrivateKey key = key(bytes, algorithm.getKey());
-      if (key != null && belongs(key, certificate, algorithm.getValue())) {
-        return key;
-      } else if (key != null) {
-        throw new IOException(
-            name + " doesn't belong to the first certificate of --tls-cert=" + certFile);
-      }
-    }
-    throw new IOException(name + " is damaged, or of none of the algorithms RSA, EC and Ed25519");
-  }
-
-  /** Returns the key, or null if it is none of an algorithm. */
-  private static PrivateKey key(byte[] bytes, String algorithm) {
-    try {
-      return KeyFactory.getInstance(algorithm).generatePrivate(new PKCS8EncodedKeySpec(bytes));
-    } catch (GeneralSecurityException e) {
-      return null;
-    }
-  }
-
-  private static boolean belongs(PrivateKey key, X509Certificate certificate, String algorithm) {
-    byte[] text = {1, 2, 3};
-    try {
-      Signature signature = Signature.getInstance(algorithm);
-      signature.initSign(key);
-      signature.update(text);
-      byte[] signed = signature.sign();
-      signature.initVerify(certificate.getPublicKey());
-      signature.update(text);
-      return signature.verify(signed);
-    } catch (GeneralSecurityException e) {
-      return false; // a key of another algorithm
-    }
+    return new Pair(chain, Pem.key("--tls-key", keyFile, "--tls-cert=" + certFile, chain.get(0)));
   }
 
   /** Hands out the newest certificates. */
