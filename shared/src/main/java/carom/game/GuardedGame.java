@@ -5,6 +5,7 @@ import carom.sim.Game;
 import carom.sim.Match;
 import carom.sim.MatchClock;
 import carom.sim.MatchPhase;
+import carom.sim.Rules;
 import carom.sim.SetUp;
 import carom.sim.Simulation;
 import carom.sim.entity.Contact;
@@ -210,6 +211,16 @@ public final class GuardedGame implements Game {
   @Override
   public boolean emote(Match s, Player p, Emote emote) {
     return ask("emote", s, p, emote, Game::emote, false);
+  }
+
+  @Override
+  public void rules(Rules r) {
+    call("rules", r, null, null, (g, rules, none, nothing) -> g.rules(rules));
+  }
+
+  @Override
+  public boolean hasRules() {
+    return game.hasRules();
   }
 
   @Override

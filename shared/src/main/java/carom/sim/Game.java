@@ -200,6 +200,29 @@ public interface Game {
   void input(Simulation s, Player p, Input in);
 
   /**
+   * Applies the rules that a player should notice at once: a door that opens, a pick-up that is
+   * taken; both roles, each tick after the inputs and before the {@link #forces}. Clients predict
+   * what it does. {@link Rules} says what it may read and change.
+   */
+  default void rules(Rules r) {}
+
+  /**
+   * Returns whether there are {@link #rules}. Then clients are told what rules need. The default
+   * finds out whether the method is overridden.
+   */
+  default boolean hasRules() {
+    boolean isOverridden = false;
+    for (var method : getClass().getMethods()) {
+      isOverridden |=
+          method.getName().equals("rules")
+              && method.getParameterCount() == 1
+              && method.getParameterTypes()[0] == Rules.class
+              && method.getDeclaringClass() != Game.class;
+    }
+    return isOverridden;
+  }
+
+  /**
    * Handles a message of a player, of a kind that {@link #setUp} registered; {@link Role#AUTHORITY}
    * only, before {@link #beforeStep}, by player id and then in the order of arrival. What the
    * player may do now is for the game to check; ranges and lengths have been checked.

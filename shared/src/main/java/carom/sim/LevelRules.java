@@ -1,25 +1,19 @@
 package carom.sim;
 
-import carom.physics.Body;
-import carom.physics.BodyVisitor;
 import carom.physics.Collision;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
-import carom.sim.field.Count;
 import carom.sim.field.Countdown;
-import carom.sim.field.EntityRef;
 import carom.sim.field.Field;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.Flag;
 import carom.sim.field.FloatField;
 import carom.sim.field.IntField;
-import carom.sim.field.Real;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
-import carom.sim.level.Level;
 import carom.sim.level.LevelTrigger;
 import carom.sim.level.LevelTrigger.Action;
 import carom.sim.level.LevelTrigger.Condition;
@@ -29,72 +23,47 @@ import carom.sim.outbox.NextMatch;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
- * Runs the triggers of a level, on {@code AUTHORITY} only. What it remembers from tick to tick is
- * in fields of the match, so that it is saved, restored and hashed with them.
+ * Runs the triggers of a level, on the server and on each client that predicts. What it remembers
+ * from tick to tick is in {@link RuleWords}, so that it is saved, hashed, sent and rolled back.
  *
  * <p>Conditions that happen at a moment (enter, leave, hit) are asked at each such moment. The
  * others are asked once a tick, and what they do follows from the difference to the tick before.
+ *
+ * <p>A client does what it can compute: it asks no condition about what it isn't told, and leaves
+ * all but moves, pushes, switches, what is removed and fields that all are told to the server. Of
+ * what it lacks it learns by the words of the match and by rulings.
  */
 final class LevelRules {
-  /** Bits of {@link #STATE}. */
+  /** Bits of {@link RuleWords#state}. */
   private static final int HELD = 1;
 
   private static final int FIRED = 2;
   private static final int SWITCHED = 4;
   private static final int DUE_ELSE = 8;
 
-  private static final Count STATE =
-      Field.count("triggerState", 0, 15)
-          .of(Scope.MATCH)
-          .to(Audience.NOBODY)
-          .times(LevelTrigger.MAX);
-
-  /** The tick at which what waits happens; 0 for nothing. */
-  private static final Count DUE = ticks("triggerDue", LevelTrigger.MAX);
-
-  /** The tick at which what repeats happens again. */
-  private static final Count AGAIN = ticks("triggerAgain", LevelTrigger.MAX);
-
-  /** The entity that set off what waits. */
-  private static final EntityRef BY =
-      Field.entity("triggerBy").of(Scope.MATCH).to(Audience.NOBODY).times(LevelTrigger.MAX);
-
-  /** The tick at which a body that moves is there; 0 for one that stays. */
-  private static final Count UNTIL = ticks("triggerMoveUntil", LevelTrigger.MAX_MOVED);
-
-  private static final Real TO_X = place("triggerMoveX");
-  private static final Real TO_Y = place("triggerMoveY");
-
-  /** The fields of a match whose level has triggers. */
-  static final List<Field<?>> FIELDS = List.of(STATE, DUE, AGAIN, BY, UNTIL, TO_X, TO_Y);
-
-  /** Difference of velocities, m/s, below which a body that moves keeps its own. */
-  private static final float SAME_VELOCITY = 1e-3f;
-
-  /** The highest speed of a body that moves, m/s along an axis; what needs more comes later. */
-  private static final float MAX_SPEED = 500;
-
   /** A condition with what its names mean here. */
   private record Node(
-      Condition condition,
-      List<HostEntity> statics,
-      List<Integer> bodies,
-      Field<?> field,
-      List<Node> parts) {}
+      Condition condition, int sensor, Field<?> field, List<Node> parts, boolean isPredicted) {}
 
   /** An action with what its names mean here. */
-  private record Act(Action action, Archetype archetype, Field<?> field, EventKind event, int to) {}
+  private record Act(
+      Action action,
+      Archetype archetype,
+      Field<?> field,
+      EventKind event,
+      int to,
+      boolean isPredicted) {}
 
   private record Rule(LevelTrigger trigger, Node when, List<Act> then, List<Act> otherwise) {}
 
   private final SimulationHost simulation;
   private final SimParts parts;
+  private final RuleWords words;
+  private final boolean decides;
   private final List<Rule> rules = new ArrayList<>();
-
-  /** Numbers in {@link Level#bodies} of the bodies that are moved. */
-  private final List<Integer> moved = new ArrayList<>();
 
   // Hits of the tick that is computed; nothing is left of them between two ticks.
   private int hits;
@@ -110,20 +79,13 @@ final class LevelRules {
   // Scratch of a question.
   private HostEntity visitor;
   private LevelTrigger.Who who = LevelTrigger.Who.ANY;
-  private int inside;
-  private final BodyVisitor<HostEntity> count = this::count;
+  private final Consumer<HostEntity> offerInside = this::offerInside;
 
   LevelRules(SimulationHost simulation, SimParts parts) {
     this.simulation = simulation;
     this.parts = parts;
-  }
-
-  private static Count ticks(String name, int times) {
-    return Field.count(name, 0, Integer.MAX_VALUE).of(Scope.MATCH).to(Audience.NOBODY).times(times);
-  }
-
-  private static Real place(String name) {
-    return Field.real(name).of(Scope.MATCH).to(Audience.NOBODY).times(LevelTrigger.MAX_MOVED);
+    words = parts.ruleWords;
+    decides = parts.role == Role.AUTHORITY;
   }
 
   // ---- what names mean
@@ -141,21 +103,6 @@ final class LevelRules {
   }
 
   private Node node(Condition c) {
-    List<HostEntity> statics = new ArrayList<>();
-    List<Integer> bodies = new ArrayList<>();
-    if (c.cause() == LevelTrigger.Cause.INSIDE) {
-      for (HostEntity entity : parts.statics) {
-        if (isSensor(entity, c.name())) {
-          statics.add(entity);
-        }
-      }
-      for (int i = 0; i < parts.level.bodies().size(); i++) {
-        int archetype = parts.level.bodies().get(i).archetype();
-        if (parts.archetypes.get(archetype).name().equals(c.name())) {
-          bodies.add(i);
-        }
-      }
-    }
     Field<?> field = null;
     if (c.cause() == LevelTrigger.Cause.FIELD) {
       field = field(c.where() + ".field", c.name());
@@ -164,11 +111,15 @@ final class LevelRules {
             c.where() + ".field is \"" + field + "\"; triggers compare numbers, times and flags");
       }
     }
+    boolean isPredicted =
+        c.cause() != LevelTrigger.Cause.SCORE && (field == null || isShared(field));
     List<Node> nodes = new ArrayList<>();
     for (Condition part : c.parts()) {
       nodes.add(node(part));
+      isPredicted &= nodes.get(nodes.size() - 1).isPredicted;
     }
-    return new Node(c, statics, bodies, field, nodes);
+    int sensor = c.cause() == LevelTrigger.Cause.INSIDE ? parts.inside.find(c.name()) : -1;
+    return new Node(c, sensor, field, nodes, isPredicted);
   }
 
   private List<Act> acts(List<Action> actions) {
@@ -176,22 +127,24 @@ final class LevelRules {
     for (Action a : actions) {
       acts.add(
           switch (a.verb()) {
-            case MOVE -> new Act(a, null, null, null, movedIndex(a.body()));
-            case SPAWN -> new Act(a, archetype(a), null, null, 0);
-            case SET, ADD -> new Act(a, null, writable(a), null, 0);
-            case EVENT -> new Act(a, null, null, event(a), 0);
-            case ENABLE, DISABLE -> new Act(a, null, null, null, trigger(a.name()));
-            default -> new Act(a, null, null, null, 0);
+            case MOVE -> new Act(a, null, null, null, parts.moves.find(a.body()), true);
+            case SPAWN -> new Act(a, archetype(a), null, null, 0, false);
+            case SET, ADD -> {
+              Field<?> field = writable(a);
+              yield new Act(a, null, field, null, 0, isShared(field));
+            }
+            case EVENT -> new Act(a, null, null, event(a), 0, false);
+            case ENABLE, DISABLE -> new Act(a, null, null, null, trigger(a.name()), true);
+            case REMOVE, IMPULSE, TELEPORT -> new Act(a, null, null, null, 0, true);
+            default -> new Act(a, null, null, null, 0, false);
           });
     }
     return acts;
   }
 
-  private int movedIndex(int body) {
-    if (!moved.contains(body)) {
-      moved.add(body);
-    }
-    return moved.indexOf(body);
+  /** Returns whether all clients near what has a field are told it. */
+  private static boolean isShared(Field<?> field) {
+    return field.audience() == Audience.NEAR || field.audience() == Audience.ALL;
   }
 
   private Archetype archetype(Action a) {
@@ -259,12 +212,12 @@ final class LevelRules {
     Schema schema = parts.fields.schema();
     String name = path.substring(path.indexOf('.') + 1);
     Field<?> field = schema.find(scope, name);
-    if (field != null && field.times() == 1 && !FIELDS.contains(field)) {
+    if (field != null && field.times() == 1 && !words.fields().contains(field)) {
       return field;
     }
     List<String> known = new ArrayList<>();
     for (Field<?> other : schema.fields()) {
-      if (other.scope() == scope && other.times() == 1 && !FIELDS.contains(other)) {
+      if (other.scope() == scope && other.times() == 1 && !words.fields().contains(other)) {
         known.add(other.path());
       }
     }
@@ -296,7 +249,7 @@ final class LevelRules {
   private void happen(LevelTrigger.Cause cause, HostEntity one, HostEntity other, float force) {
     for (int i = 0; i < rules.size(); i++) {
       Rule rule = rules.get(i);
-      if (rule.trigger.when().isEvent() && isEnabled(i)) {
+      if (rule.trigger.when().isEvent() && isAsked(i)) {
         moment = cause;
         first = one;
         second = other;
@@ -322,18 +275,20 @@ final class LevelRules {
     Arrays.fill(hitPairs, 0, 2 * hits, null);
     hits = 0;
     for (int i = 0; i < rules.size(); i++) {
-      int due = simulation.get(DUE, i);
+      int due = simulation.get(words.due, i);
       if (due != 0 && parts.tick >= due) {
-        simulation.set(DUE, i, 0);
-        perform(i, has(i, DUE_ELSE), (HostEntity) simulation.get(BY, i));
+        simulation.set(words.due, i, 0);
+        perform(i, has(i, DUE_ELSE), (HostEntity) simulation.get(words.by, i));
       }
-      if (!rules.get(i).trigger.when().isEvent() && isEnabled(i)) {
+      if (!rules.get(i).trigger.when().isEvent() && isAsked(i)) {
         follow(i);
       }
     }
-    for (int i = 0; i < moved.size(); i++) {
-      drive(i);
-    }
+  }
+
+  /** Returns whether the condition of a trigger is asked here and now. */
+  private boolean isAsked(int i) {
+    return (decides || rules.get(i).when.isPredicted) && isEnabled(i);
   }
 
   private void follow(int i) {
@@ -343,8 +298,8 @@ final class LevelRules {
     boolean held = has(i, HELD);
     mark(i, HELD, holds);
     float every = rule.trigger.every();
-    if (holds && (!held || (every > 0 && parts.tick >= simulation.get(AGAIN, i)))) {
-      simulation.set(AGAIN, i, every > 0 ? parts.tick + simulation.ticks(every) : 0);
+    if (holds && (!held || (every > 0 && parts.tick >= simulation.get(words.again, i)))) {
+      simulation.set(words.again, i, every > 0 ? parts.tick + simulation.ticks(every) : 0);
       start(i, false, visitor);
     } else if (held && !holds && !rule.otherwise.isEmpty()) {
       start(i, true, null);
@@ -362,8 +317,8 @@ final class LevelRules {
       return;
     }
     mark(i, DUE_ELSE, isElse);
-    simulation.set(DUE, i, parts.tick + simulation.ticks(trigger.after()));
-    simulation.set(BY, i, by);
+    simulation.set(words.due, i, parts.tick + simulation.ticks(trigger.after()));
+    simulation.set(words.by, i, by);
   }
 
   private boolean isEnabled(int i) {
@@ -371,40 +326,12 @@ final class LevelRules {
   }
 
   private boolean has(int i, int bit) {
-    return (simulation.get(STATE, i) & bit) != 0;
+    return (simulation.get(words.state, i) & bit) != 0;
   }
 
   private void mark(int i, int bit, boolean on) {
-    int state = simulation.get(STATE, i);
-    simulation.set(STATE, i, on ? state | bit : state & ~bit);
-  }
-
-  /** Moves a body on. It gets another velocity only where it has to, because clients are told. */
-  private void drive(int at) {
-    int until = simulation.get(UNTIL, at);
-    HostEntity entity = until == 0 ? null : body(moved.get(at));
-    if (entity == null) {
-      return;
-    }
-    int left = until - parts.tick;
-    float vx = 0;
-    float vy = 0;
-    if (left > 0) {
-      vx = (simulation.get(TO_X, at) - entity.x()) * parts.tickRate / left;
-      vy = (simulation.get(TO_Y, at) - entity.y()) * parts.tickRate / left;
-    } else {
-      simulation.set(UNTIL, at, 0);
-    }
-    float fastest = Math.max(Math.abs(vx), Math.abs(vy));
-    if (fastest > MAX_SPEED) {
-      vx *= MAX_SPEED / fastest;
-      vy *= MAX_SPEED / fastest;
-      simulation.set(UNTIL, at, Math.max(until, parts.tick + 2));
-    }
-    float difference = Math.abs(vx - entity.velocityX()) + Math.abs(vy - entity.velocityY());
-    if (left <= 1 || difference > SAME_VELOCITY) {
-      entity.setVelocity(vx, vy);
-    }
+    int state = simulation.get(words.state, i);
+    simulation.set(words.state, i, on ? state | bit : state & ~bit);
   }
 
   // ---- conditions
@@ -474,27 +401,17 @@ final class LevelRules {
   }
 
   private int countInside(Node node) {
-    inside = 0;
     who = node.condition.who();
-    for (int i = 0; i < node.statics.size(); i++) {
-      node.statics.get(i).body().forEachOverlap(count);
-    }
-    for (int i = 0; i < node.bodies.size(); i++) {
-      HostEntity sensor = body(node.bodies.get(i));
-      if (sensor != null && isSensor(sensor, node.condition.name())) {
-        sensor.body().forEachOverlap(count);
-      }
-    }
-    return inside;
+    parts.inside.forEach(node.sensor, offerInside);
+    int players = who == LevelTrigger.Who.BODY ? 0 : parts.inside.players(node.sensor);
+    int bodies = who == LevelTrigger.Who.PLAYER ? 0 : parts.inside.bodies(node.sensor);
+    return players + bodies;
   }
 
-  private boolean count(Body<HostEntity> body) {
-    HostEntity entity = body.user();
-    if (!entity.isLevel() && counts(who, entity)) {
-      inside++;
+  private void offerInside(HostEntity entity) {
+    if (counts(who, entity)) {
       offer(entity);
     }
-    return true;
   }
 
   private double value(Field<?> field) {
@@ -527,20 +444,18 @@ final class LevelRules {
     List<Act> acts = isElse ? rules.get(i).otherwise : rules.get(i).then;
     for (int k = 0; k < acts.size(); k++) {
       HostEntity present = by != null && by.body().isValid() ? by : null;
-      perform(acts.get(k), present);
+      if (decides || acts.get(k).isPredicted) {
+        perform(acts.get(k), present);
+      }
     }
   }
 
   private void perform(Act act, HostEntity by) {
     Action a = act.action;
-    HostEntity target = a.body() == Action.VISITOR ? by : body(a.body());
+    HostEntity target = a.body() == Action.VISITOR ? by : parts.levelBody(a.body());
     HostPlayer player = by == null ? null : by.owner();
     switch (a.verb()) {
-      case MOVE -> {
-        simulation.set(UNTIL, act.to, parts.tick + simulation.ticks(a.amount()));
-        simulation.set(TO_X, act.to, a.x());
-        simulation.set(TO_Y, act.to, a.y());
-      }
+      case MOVE -> parts.moves.start(act.to, a.x(), a.y(), a.amount());
       case SPAWN -> {
         if (parts.entities.count() < SimulationHost.MAX_ENTITIES) {
           simulation.spawn(act.archetype, a.x(), a.y(), 0, null);
@@ -571,9 +486,13 @@ final class LevelRules {
     }
   }
 
-  private static void act(Action a, HostEntity target) {
+  private void act(Action a, HostEntity target) {
     switch (a.verb()) {
-      case REMOVE -> target.despawn();
+      case REMOVE -> {
+        if (decides || !target.isOwned()) { // a client never takes a player's body away
+          target.despawn();
+        }
+      }
       case IMPULSE -> target.applyImpulse(a.x(), a.y());
       default -> target.teleport(a.x(), a.y(), target.angle());
     }
@@ -596,7 +515,7 @@ final class LevelRules {
     mark(i, SWITCHED, rules.get(i).trigger.enabled() != value);
     if (!value) {
       mark(i, HELD, false);
-      simulation.set(DUE, i, 0);
+      simulation.set(words.due, i, 0);
     }
   }
 
@@ -614,11 +533,5 @@ final class LevelRules {
     } else {
       holder.add((FloatField<?>) act.field, act.action.amount());
     }
-  }
-
-  /** Returns a body of the level, or null if it is gone. */
-  private HostEntity body(int number) {
-    HostEntity entity = parts.entities.get(number);
-    return entity == null || entity.generation() != 0 ? null : entity;
   }
 }

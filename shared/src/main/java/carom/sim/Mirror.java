@@ -158,6 +158,24 @@ public final class Mirror {
   }
 
   /**
+   * Takes the present words of the match and the present bodies as those of one tick of the server:
+   * where rules count more in a sensor than there are here, the rest is what this client doesn't
+   * have. From now on that counts, too.
+   */
+  public void anchor() {
+    parts.phases.requirePrediction("anchor");
+    parts.inside.anchor();
+  }
+
+  /** Takes bodies over that were put in place of others: who is in a sensor has not entered it. */
+  public void resume() {
+    anchor();
+    if (parts.triggers != null) {
+      parts.triggers.restore();
+    }
+  }
+
+  /**
    * Returns the number of {@linkplain HostEntity#isProvisional provisional} entities; 0 on {@link
    * Role#AUTHORITY}. They aren't below {@link SimulationHost#entityCapacity}.
    */

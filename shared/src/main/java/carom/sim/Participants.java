@@ -114,7 +114,7 @@ final class Participants {
 
   /** Tells who left sensors by going between two ticks; what happens in a tick, that tells. */
   void tellVisits() {
-    if (parts.triggers != null && isBetweenSteps()) {
+    if (parts.role == Role.AUTHORITY && isBetweenSteps()) {
       parts.triggers.tell();
     }
   }

@@ -77,7 +77,22 @@ final class SimParts {
   final Findings findings = new Findings();
   final InterferenceLog interference;
 
-  /** The visits of entities to sensors; null on PREDICTION, and until the step is made. */
+  /** True if there are rules that clients run: the game has some, or the level has triggers. */
+  final boolean hasRules;
+
+  /** Fields of the match in which these rules keep what they remember. */
+  final RuleWords ruleWords;
+
+  /** The bodies that these rules move; null until the step is made. */
+  RuleMoves moves;
+
+  /** Counts of what is in sensors that these rules ask about; null until the step is made. */
+  SensorCounts inside;
+
+  /**
+   * The visits of entities to sensors; null on PREDICTION without triggers of the level, and until
+   * the step is made.
+   */
   Triggers triggers;
 
   /** Answers about the level's sensors; null until the level is built. */
@@ -109,6 +124,8 @@ final class SimParts {
     areas =
         new AreaForces<>(
             world, level.areas(), (carrier, power) -> carrier.user().get(power), decides);
+    hasRules = game.hasRules() || !level.triggers().isEmpty();
+    ruleWords = RuleWords.of(game, level);
     Schema schema = SimulationHost.schemaOf(game, level);
     joints = new JointTable<>(world, decides);
     entities =
@@ -160,6 +177,12 @@ final class SimParts {
       return null;
     }
     return (end < 0 ? statics.get(~end) : entities.get(end)).body();
+  }
+
+  /** Returns a body of the level by its number, or null if it is gone or not predicted here. */
+  HostEntity levelBody(int number) {
+    HostEntity entity = entities.get(number);
+    return entity == null || entity.generation() != 0 ? null : entity;
   }
 
   /**

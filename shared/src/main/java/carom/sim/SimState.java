@@ -96,6 +96,11 @@ public final class SimState {
     }
   }
 
+  /** Returns a word of the match's fields. */
+  public int matchWord(int index) {
+    return fields.matchWord(index);
+  }
+
   /** Returns the tick of the state. */
   public int tick() {
     return tick;

@@ -53,6 +53,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /**
@@ -63,9 +64,9 @@ import java.util.function.Predicate;
  *
  * <p>Tick 0 is the state after set-up. {@link #step} computes the next tick in this order: paths of
  * kinematic bodies, players' {@linkplain Game#message messages}, {@link Game#beforeStep}, each
- * player's {@link Game#input} by player id, areas and {@link Game#forces} on each awake body, the
- * physics, {@link Game#entered} and {@link Game#left}, the level's triggers, {@link
- * Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
+ * player's {@link Game#input} by player id, {@link Game#rules}, areas and {@link Game#forces} on
+ * each awake body, the physics, {@link Game#entered} and {@link Game#left}, the level's triggers,
+ * {@link Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
  *
  * <p>Games see it as a {@link Simulation} or a {@link Match}, and never as this. What only one kind
  * of program calls is in parts: {@link #mirror} for a client, {@link #outbox} for what goes to
@@ -74,7 +75,7 @@ import java.util.function.Predicate;
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
  */
-public final class SimulationHost implements Match {
+public final class SimulationHost implements Match, Rules {
   /** Most players at a time; ids are 0..1,023. */
   public static final int MAX_PLAYERS = PlayerTable.MAX_PLAYERS;
 
@@ -135,28 +136,16 @@ public final class SimulationHost implements Match {
   }
 
   /**
-   * Returns the schema of a game on a level without triggers: its fields and those of its
-   * {@linkplain Game#clock clock}. What players are told is the same on every level.
+   * Returns the schema of a game on a level: its fields, those of its {@linkplain Game#clock
+   * clock}, and what rules that clients run keep of this level.
    */
-  public static Schema schemaOf(Game game) {
-    return Schema.of(fieldsOf(game));
-  }
-
-  /** Returns the schema of a game on a level: {@link #schemaOf(Game)} and what triggers keep. */
   public static Schema schemaOf(Game game, Level level) {
-    List<Field<?>> fields = fieldsOf(game);
-    if (!level.triggers().isEmpty()) {
-      fields.addAll(LevelRules.FIELDS);
-    }
-    return Schema.of(fields);
-  }
-
-  private static List<Field<?>> fieldsOf(Game game) {
     List<Field<?>> fields = new ArrayList<>(game.fields());
     if (game.clock() != null) {
       fields.addAll(MatchClock.fields());
     }
-    return fields;
+    fields.addAll(RuleWords.of(game, level).fields());
+    return Schema.of(fields);
   }
 
   /**
@@ -628,13 +617,52 @@ public final class SimulationHost implements Match {
   }
 
   @Override
+  public int countInside(String sensor) {
+    return parts.inside.players(sensor) + parts.inside.bodies(sensor);
+  }
+
+  @Override
+  public int playersInside(String sensor) {
+    return parts.inside.players(sensor);
+  }
+
+  @Override
+  public void forEachInside(String sensor, Consumer<Entity> visitor) {
+    parts.inside.forEach(sensor, visitor);
+  }
+
+  @Override
+  public void move(String body, float x, float y, float seconds) {
+    parts.moves.start(parts.moves.find(body), x, y, seconds);
+  }
+
+  /**
+   * Returns whether there are rules that clients run: {@link Game#rules}, or triggers of the level.
+   */
+  public boolean hasRules() {
+    return parts.hasRules;
+  }
+
+  /** Returns the number of bodies of the level that rules may move. */
+  public int movableCount() {
+    return parts.moves.count();
+  }
+
+  /** Returns a body that rules may move, or null if it is gone or not predicted here. */
+  public HostEntity movable(int index) {
+    return parts.moves.get(index);
+  }
+
+  @Override
   public void act(Effect effect, Entity entity) {
+    parts.phases.requireOutsideRules("act");
     effect.act(parts.world, ((HostEntity) entity).body(), HERE, 1, tickSeconds());
   }
 
   @Override
   @SuppressWarnings("unchecked") // it sees bodies alone, and nothing of their users
   public boolean hover(Hover<?> how, Entity entity) {
+    parts.phases.requireOutsideRules("hover");
     return ((Hover<HostEntity>) how)
         .apply(parts.world, ((HostEntity) entity).body(), tickSeconds());
   }

@@ -135,6 +135,9 @@ final class Spawner implements Phases.Listener {
 
   /** Returns false for what a client can't predict: that an input despawns what isn't its own. */
   private boolean mayDespawn(HostEntity entity) {
+    if (entity.isOwned() && parts.phases.now() == Phase.RULES) {
+      parts.phases.requireOutsideRules("despawn of " + entity + ", which belongs to a player,");
+    }
     HostPlayer inputOf = parts.phases.player();
     return inputOf == null
         || parts.role == Role.AUTHORITY

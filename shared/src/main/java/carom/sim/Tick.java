@@ -24,9 +24,9 @@ import java.util.function.Consumer;
  * each of them may do meanwhile.
  *
  * <pre>
- *   AUTHORITY    paths  message  beforeStep   input...  forces...  physics  entered, left  level's triggers  afterStep
- *   PREDICTION   paths  rulings of the server input...  forces...  physics  rulings
- *                                                                  └ collision, hit, broke
+ *   AUTHORITY    paths  message  beforeStep   input...  rules  forces...  physics  entered, left  level's triggers  afterStep
+ *   PREDICTION   paths  rulings of the server input...  rules  forces...  physics  level's triggers  rulings
+ *                                                                         └ collision, hit, broke
  * </pre>
  *
  * <p>It allocates nothing of its own.
@@ -47,8 +47,8 @@ final class Tick {
   private final Consumer<Body<HostEntity>> forces = this::applyForces;
   private final WaitingMessages.Reader handleMessage = this::handle;
 
-  /** The triggers of the level; null on PREDICTION, and if there are none. */
-  private LevelRules levelRules;
+  /** The triggers of the level; null if there are none. */
+  private final LevelRules levelRules;
 
   /** The phases of the match, or null if the game has none. */
   private MatchClock clock;
@@ -64,9 +64,14 @@ final class Tick {
     seconds = 1f / parts.tickRate;
     forceCheck = new ForceCheck(parts.world, parts.findings);
     overlapUse = new OverlapUse(phases, parts.findings);
-    if (parts.role == Role.AUTHORITY) {
+    parts.moves = new RuleMoves(simulation, parts);
+    parts.inside = new SensorCounts(simulation, parts);
+    levelRules = parts.level.triggers().isEmpty() ? null : new LevelRules(simulation, parts);
+    boolean decides = parts.role == Role.AUTHORITY;
+    if (decides || levelRules != null) {
       parts.triggers = new Triggers(parts.entities, parts.statics, new Visits());
-      levelRules = parts.level.triggers().isEmpty() ? null : new LevelRules(simulation, parts);
+    }
+    if (decides) {
       parts.entities.overlapReader(overlapUse::read);
     }
     parts.world.listener(new Collisions());
@@ -75,6 +80,7 @@ final class Tick {
 
   /** Begins the match's phases and the level's triggers, if any; once, after the set-up. */
   void begin() {
+    parts.inside.begin();
     if (levelRules != null) {
       levelRules.begin();
     }
@@ -108,6 +114,9 @@ final class Tick {
         takeInput(player);
       }
     }
+    if (parts.hasRules) {
+      applyRules();
+    }
     applyForces();
     if (parts.triggers != null) {
       parts.triggers.settle();
@@ -116,6 +125,19 @@ final class Tick {
     parts.world.step(seconds);
     phases.end(outer);
     ruleAfterStep();
+  }
+
+  /** Lets what moves go on, and the game's rules that clients run, too. */
+  private void applyRules() {
+    Phase outer = phases.begin(Phase.RULES);
+    parts.moves.drive();
+    parts.world.queryScope(geometry);
+    try {
+      game.rules(simulation);
+    } finally {
+      parts.world.queryScope(null);
+    }
+    phases.end(outer);
   }
 
   private void ruleBeforeStep() {
@@ -149,15 +171,38 @@ final class Tick {
   private void ruleAfterStep() {
     if (parts.role == Role.AUTHORITY) {
       Phase outer = phases.begin(Phase.AFTER_STEP);
+      count();
       parts.triggers.tell();
-      if (levelRules != null) {
-        levelRules.run();
-      }
+      runTriggers();
       game.afterStep(simulation);
       parts.triggers.tell();
       phases.end(outer);
-    } else if (parts.rulings != null) {
+      return;
+    }
+    count();
+    if (levelRules != null) {
+      parts.triggers.tell();
+      runTriggers();
+      parts.triggers.tell();
+    }
+    if (parts.rulings != null) {
       parts.rulings.afterStep();
+    }
+  }
+
+  private void count() {
+    if (parts.hasRules) {
+      Phase outer = phases.begin(Phase.TRIGGERS);
+      parts.inside.count();
+      phases.end(outer);
+    }
+  }
+
+  private void runTriggers() {
+    if (levelRules != null) {
+      Phase outer = phases.begin(Phase.TRIGGERS);
+      levelRules.run();
+      phases.end(outer);
     }
   }
 
@@ -230,11 +275,16 @@ final class Tick {
     }
 
     private void tell(Phase phase, HostEntity sensor, HostEntity visitor) {
+      if (levelRules != null) {
+        Phase outer = phases.begin(Phase.TRIGGERS);
+        levelRules.visit(phase == Phase.ENTERED, sensor, visitor);
+        phases.end(outer);
+      }
+      if (parts.role == Role.PREDICTION) {
+        return;
+      }
       Phase outer = phases.begin(phase);
       try { // no step may run, which would end it
-        if (levelRules != null) {
-          levelRules.visit(phase == Phase.ENTERED, sensor, visitor);
-        }
         if (phase == Phase.ENTERED) {
           game.entered(simulation, sensor, visitor);
         } else {

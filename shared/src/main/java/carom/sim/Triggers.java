@@ -21,8 +21,8 @@ import java.util.List;
  * one of both is despawned or becomes another archetype, and that is told once.
  *
  * <p>What is known here follows from the contacts of the world, so it is no state of its own:
- * {@link #restore} reads it anew. Between two ticks nothing waits to be told. Used on {@code
- * AUTHORITY} only. One thread; allocates only to grow.
+ * {@link #restore} reads it anew. Between two ticks nothing waits to be told. One thread; allocates
+ * only to grow.
  */
 final class Triggers {
   /** Is told of visits. It may spawn and despawn. */

@@ -118,7 +118,9 @@ final class ProofScenarioTest {
   private static Body<HostEntity> crate(SimulationHost simulation) {
     for (int id = 0; id < simulation.entityCapacity(); id++) {
       HostEntity e = simulation.entity(id);
-      if (e != null && e.owner() == null && Neighbourhood.affectsOthers(e.archetype())) {
+      if (e != null
+          && e.owner() == null
+          && Neighbourhood.affectsOthers(simulation, e.archetype())) {
         return e.body();
       }
     }

@@ -2,6 +2,7 @@ package carom.client.prediction;
 
 import carom.net.field.FieldTables;
 import carom.net.snapshot.table.TableInbox;
+import carom.sim.SimState;
 import carom.sim.SimulationHost;
 import carom.sim.field.Field;
 import carom.sim.field.Schema;
@@ -10,7 +11,8 @@ import java.util.Arrays;
 
 /**
  * The match's fields that players are told, each with the tick after which it has its value. A
- * prediction that has simulated later ticks rolls back to there, as for a mispredicted input. One
+ * prediction that has simulated later ticks rolls back to there, as for a mispredicted input. Rules
+ * that clients run predict words; each state of the server says whether they were right. One
  * prediction's; allocates nothing.
  */
 final class MatchWords {
@@ -20,6 +22,10 @@ final class MatchWords {
   private final int[] ticks;
   private int received;
   private int newestTick = -1;
+
+  /** The tick of the newest state that was received: what the server said is all up to there. */
+  private int confirmedTick = -1;
+
   private boolean stale;
 
   /** Creates words that are as declared. */
@@ -37,10 +43,12 @@ final class MatchWords {
   /**
    * Takes what the server told.
    *
+   * @param tick of the newest state
    * @return the first tick after which a word has another value than known before; {@link
    *     Integer#MAX_VALUE} if none has
    */
-  public int receive(TableInbox inbox) {
+  public int receive(TableInbox inbox, int tick) {
+    confirmedTick = tick;
     int first = Integer.MAX_VALUE;
     if (words.length == 0 || inbox.changes(FieldTables.MATCH) == received) {
       return first;
@@ -66,9 +74,26 @@ final class MatchWords {
     stale = true;
   }
 
-  /** Sets the words that are so after a tick. */
+  /**
+   * Returns whether a state has the words that the server had after its tick, as far as they are
+   * known: of a word that changed later it isn't known what it was.
+   */
+  boolean agrees(SimState state) {
+    for (int i = 0; i < words.length; i++) {
+      if (ticks[i] <= state.tick() && state.matchWord(i) != words[i]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Sets the words that are so after a tick. Where there are rules that predict them, these have
+   * the say after the newest state of the server.
+   */
   public void apply(int tick) {
-    if (!stale && tick > newestTick) {
+    boolean isPredicted = simulation.hasRules();
+    if (isPredicted ? tick > confirmedTick : !stale && tick > newestTick) {
       return;
     }
     for (int i = 0; i < words.length; i++) {
@@ -77,5 +102,8 @@ final class MatchWords {
       }
     }
     stale = tick < newestTick;
+    if (isPredicted) {
+      simulation.mirror().anchor();
+    }
   }
 }

@@ -215,7 +215,7 @@ public final class Prediction {
     confirmedTick = stateTick;
     server.set(newest);
     records.readFrom(decoder);
-    int changedTick = match.receive(decoder.tables());
+    int changedTick = match.receive(decoder.tables(), stateTick);
     if (!followOwnBody()) {
       return;
     }

@@ -92,8 +92,9 @@ final class Reconciler {
     }
     int oldest = Math.max(lastTick, timeline.tick() - Timeline.RING + 1);
     int ruled = rulings.takeFirst(agreement.equalTick());
-    if (changedTick < timeline.tick()) {
-      ruled = Math.min(ruled, Math.max(changedTick, oldest) + 1);
+    int changed = simulation.hasRules() ? timeline.firstMisruled(oldest, tick) : changedTick;
+    if (changed < timeline.tick()) {
+      ruled = Math.min(ruled, Math.max(changed, oldest) + 1);
     }
     int mispredicted = Math.min(ruled, inputs.firstMispredicted(oldest, timeline.tick()));
     int from = rewind(mispredicted, present);

@@ -105,6 +105,9 @@ final class Timeline {
     correctedTick = Math.max(correctedTick, tick);
     poses.bind();
     inputs.correct(tick);
+    if (simulation.hasRules()) {
+      simulation.mirror().resume();
+    }
     save();
   }
 
@@ -142,6 +145,22 @@ final class Timeline {
   /** Returns whether a tick is saved. */
   boolean isSaved(int wanted) {
     return wanted >= 0 && savedTick[wanted & MASK] == wanted;
+  }
+
+  /**
+   * Returns the first saved tick after which rules predicted other words of the match than the
+   * server has, or {@link Integer#MAX_VALUE} if there is none.
+   *
+   * @param after tick before the first one to look at
+   * @param upTo last tick to look at
+   */
+  int firstMisruled(int after, int upTo) {
+    for (int t = after + 1; simulation.hasRules() && t <= Math.min(upTo, tick); t++) {
+      if (isSaved(t) && !match.agrees(saved[t & MASK])) {
+        return t;
+      }
+    }
+    return Integer.MAX_VALUE;
   }
 
   /** Returns the number of provisional entities after a saved tick. */

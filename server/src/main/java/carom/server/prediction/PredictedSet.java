@@ -7,6 +7,7 @@ import carom.net.snapshot.exact.RulingDelivery;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
+import carom.sim.field.Scope;
 import carom.sim.near.Neighbourhood;
 import carom.sim.ruling.InterferenceLog;
 import carom.sim.ruling.Ruling;
@@ -58,6 +59,10 @@ public final class PredictedSet {
 
   private boolean hasOutsideCause;
   private boolean hasHiddenCause;
+
+  /** Changes of the match's fields, which rules read, at the last capture. */
+  private long matchChanges;
+
   private long updates;
   private long disagreements;
 
@@ -232,6 +237,9 @@ public final class PredictedSet {
       interference.watch(e);
     }
     state.read(simulation);
+    long ruled = simulation.hasRules() ? simulation.fieldChanges(Scope.MATCH) : 0;
+    hasOutsideCause |= ruled != matchChanges; // maybe by what the client doesn't have
+    matchChanges = ruled;
     hasOutsideCause |= state.leaks() > 0 || state.cutJoints() > 0 || chooser.isReachedFromOutside();
   }
 

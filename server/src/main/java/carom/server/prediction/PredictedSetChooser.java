@@ -29,12 +29,13 @@ import java.util.function.Predicate;
  *       joints hold together are chosen as a whole or not at all. Only what no set could hold is
  *       cut if the own body touches it, and the client holds the bodies at the cut;
  *   <li>what carries an {@linkplain carom.sim.level.Area area} that acts on one of these, or soon
- *       may.
+ *       may;
+ *   <li>what {@linkplain carom.sim.Rules#move rules may move}, as far as the player sees.
  * </ol>
  *
  * <p>An entity that was chosen before stays until it is {@value #LEAVE} times as far away. But for
- * the own body, sensors without an area are never chosen, nor are statics of the level, nor is what
- * the game hides from the player.
+ * the own body, sensors without an area are never chosen (but where there are rules), nor are
+ * statics of the level, nor is what the game hides from the player.
  *
  * <p>The room's thread; allocates only to grow.
  */
@@ -50,6 +51,12 @@ final class PredictedSetChooser {
 
   /** An entity whose area ends this far away enters, metres: bodies move while it is told. */
   private static final float CARRIER_METRES = 4;
+
+  /**
+   * Distance of the origins within which what rules may move enters, metres: it moves at once on
+   * the screen of the player who sets it off.
+   */
+  private static final float MOVABLE_METRES = 30;
 
   /** An entity leaves at this many times the distance at which it enters. */
   private static final float LEAVE = 1.4f;
@@ -141,7 +148,21 @@ final class PredictedSetChooser {
     }
     limit = most;
     addCarriers();
+    addMovable(player.entity());
     chosen.sort(simulation);
+  }
+
+  /** Adds the bodies that rules may move, without what these touch: that doesn't move them. */
+  private void addMovable(HostEntity own) {
+    for (int i = 0; i < simulation.movableCount(); i++) {
+      HostEntity e = simulation.movable(i);
+      if (e != null) {
+        float reach = MOVABLE_METRES * (marks.isMember(e.id()) ? LEAVE : 1);
+        if (length(e.x() - own.x(), e.y() - own.y()) <= reach) {
+          addIfFit(e);
+        }
+      }
+    }
   }
 
   /** Adds the entities whose areas act on a chosen one, or soon may. */
@@ -271,8 +292,8 @@ final class PredictedSetChooser {
     chosen.add(e);
   }
 
-  private static boolean affectsOthers(HostEntity e) {
-    return !e.isLevel() && Neighbourhood.affectsOthers(e.archetype());
+  private boolean affectsOthers(HostEntity e) {
+    return !e.isLevel() && Neighbourhood.affectsOthers(simulation, e.archetype());
   }
 
   /** Adds what is close to a body or soon will be, the closest first. */

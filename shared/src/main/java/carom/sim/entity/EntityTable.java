@@ -16,6 +16,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
+import carom.sim.phase.Phase;
 import carom.sim.phase.Phases;
 import carom.sim.phase.RuleWatch;
 import carom.sim.spawn.Origin;
@@ -156,6 +157,14 @@ public final class EntityTable
 
   /** Notes that the game changes an entity. */
   void changing(HostEntity entity) {
+    if (phases.now() == Phase.RULES) {
+      phases.requireOutsideRules("a change of " + entity);
+    }
+    despawning(entity);
+  }
+
+  /** Notes that the game despawns an entity. */
+  void despawning(HostEntity entity) {
     if (watch != null && phases.now().isOfRules()) {
       watch.changes(entity.ownerId());
     }

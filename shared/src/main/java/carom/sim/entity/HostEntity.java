@@ -416,7 +416,7 @@ public final class HostEntity implements Entity {
 
   @Override
   public void despawn() {
-    table.changing(this);
+    table.despawning(this);
     table.answers().despawn(this);
   }
 

@@ -36,6 +36,11 @@ public final class SavedFields {
     values.copyFrom(words[values.scope().ordinal()], at(values.scope(), id));
   }
 
+  /** Returns a word of the match that was saved. */
+  public int matchWord(int index) {
+    return words[Scope.MATCH.ordinal()][index];
+  }
+
   /**
    * Passes the declarations to or from an archive.
    *

@@ -11,10 +11,12 @@ import java.util.function.IntSupplier;
  * The fields of one simulation: their schema, how references are found, and which writes count at
  * the moment. The values themselves are with the players, the entities and the match.
  *
- * <p>A server takes every write but those of {@code Game.collision} and {@code Game.forces}. A
- * client takes the writes that it can predict: those of {@code Game.input} to that player, its body
- * and what it spawned, of fields that players are told. It drops all others, and the server's word
- * follows. One thread; a write allocates nothing.
+ * <p>A server takes every write but those of {@code Game.collision} and {@code Game.forces}, and in
+ * {@code Game.rules} those of fields that not all players near are told. A client takes the writes
+ * that it can predict: those of {@code Game.input} to that player, its body and what it spawned, of
+ * fields that players are told, and those of {@code Game.rules} and of the level's triggers, of
+ * fields that all near are told. It drops all others, and the server's word follows. One thread; a
+ * write allocates nothing.
  */
 public final class FieldStore implements Phases.Listener {
   /** Finds what references mean; the simulation knows. */
@@ -66,7 +68,7 @@ public final class FieldStore implements Phases.Listener {
     this.clock = clock;
     this.references = references;
     this.phases = phases;
-    phases.listen(this, Phase.INPUT, Phase.FORCES);
+    phases.listen(this, Phase.INPUT, Phase.RULES, Phase.FORCES);
     for (Scope scope : Scope.values()) {
       shared[scope.ordinal()] = new FieldValues(this, scope, true, schema.starts(scope));
     }
@@ -204,8 +206,10 @@ public final class FieldStore implements Phases.Listener {
   }
 
   /** Returns whether a client couldn't predict a write to these values now. */
-  boolean isRuling(FieldValues values) {
-    return !isInput() || !isOwn(values);
+  boolean isRuling(FieldValues values, int word) {
+    return isInput()
+        ? !isOwn(values)
+        : !phases.now().isPredicted() || !schema.isShared(values.scope(), word);
   }
 
   private boolean isOwn(FieldValues values) {
@@ -233,6 +237,17 @@ public final class FieldStore implements Phases.Listener {
         return true;
       case INPUT:
         return phases.decides() || (isOwn(values) && word < schema.toldWords(values.scope()));
+      case RULES:
+        if (!schema.isShared(values.scope(), word)) {
+          throw refusal(
+              values,
+              word,
+              "Game.rules, because not all players near are told; declare it .to(NEAR) or .to(ALL),"
+                  + " or write it in Game.afterStep");
+        }
+        return true;
+      case TRIGGERS:
+        return phases.decides() || schema.isShared(values.scope(), word);
       default:
         return phases.decides();
     }

@@ -81,10 +81,10 @@ public final class FieldUse {
     if (readers[scope.ordinal()][word] == null) {
       readers[scope.ordinal()][word] = reader;
       Audience audience = schema.field(scope, word).audience();
-      boolean isForces = reader == Phase.FORCES;
+      boolean needsAll = reader != Phase.INPUT;
       if (audience == Audience.NOBODY) {
-        unknown(scope, word, "no client is told", isForces ? "NEAR" : "OWNER");
-      } else if (isForces && audience != Audience.NEAR && audience != Audience.ALL) {
+        unknown(scope, word, "no client is told", needsAll ? "NEAR" : "OWNER");
+      } else if (needsAll && audience != Audience.NEAR && audience != Audience.ALL) {
         unknown(scope, word, "not all clients near are told", "NEAR");
       }
     }

@@ -125,8 +125,9 @@ public final class FieldValues {
 
   /**
    * Returns how often a game wrote another value of a field that players are told. What {@code
-   * Game.input} wrote isn't counted where the values belong to its player or the player's body. A
-   * client doesn't run what wrote the others, so it can't predict them. Not saved.
+   * Game.input} wrote isn't counted where the values belong to its player or the player's body, nor
+   * what {@code Game.rules} and triggers wrote to fields that all near are told. A client doesn't
+   * run what wrote the others, so it can't predict them. Not saved.
    */
   public long ruled() {
     return ruled;
@@ -140,7 +141,7 @@ public final class FieldValues {
               + " can't be written: level geometry has no values of its own; ask Entity.isLevel");
     }
     if (words[index] != value && store.takes(this, index)) {
-      if (store.isRuling(this)) {
+      if (store.isRuling(this, index)) {
         ruled += index < store.schema().toldWords(scope) ? 1 : 0;
         noteWrite(index);
         store.noteRule(this);

@@ -245,6 +245,24 @@ public final class Level {
     return archetypes;
   }
 
+  /** Returns whether a body of {@link #bodies} is kinematic and has no motion of its own. */
+  public boolean isMovable(int body) {
+    ArchetypeDef def = archetypes.get(bodies.get(body).archetype());
+    return def.type == BodyType.KINEMATIC && def.motion == null;
+  }
+
+  /** Returns the names of the static sensors, each once, in file order. */
+  public List<String> sensorNames() {
+    List<String> names = new ArrayList<>();
+    for (Placement p : statics) {
+      ArchetypeDef def = archetypes.get(p.archetype());
+      if (def.sensor && !names.contains(def.name)) {
+        names.add(def.name);
+      }
+    }
+    return names;
+  }
+
   /** Returns the static bodies in file order, repeats expanded; unmodifiable. */
   public List<Placement> statics() {
     return statics;

@@ -69,11 +69,11 @@ public final class Neighbourhood {
   }
 
   /**
-   * Returns whether entities of an archetype affect the motion of others: they are solid, or carry
-   * an area.
+   * Returns whether entities of an archetype affect others: they are solid, carry an area, or are
+   * sensors that {@linkplain SimulationHost#hasRules rules} may ask.
    */
-  public static boolean affectsOthers(Archetype archetype) {
-    return !archetype.sensor() || archetype.area() != null;
+  public static boolean affectsOthers(SimulationHost s, Archetype archetype) {
+    return !archetype.sensor() || archetype.area() != null || s.hasRules();
   }
 
   /** Removes all entities and contacts. */
@@ -118,7 +118,7 @@ public final class Neighbourhood {
     clear();
     for (int id = 0; id < s.entityCapacity(); id++) {
       HostEntity e = s.entity(id);
-      if (e != null && (affectsOthers(e.archetype()) || e.body().hasJoints() || isOwnBody(e))) {
+      if (e != null && (affectsOthers(s, e.archetype()) || e.body().hasJoints() || isOwnBody(e))) {
         add(e);
       }
     }

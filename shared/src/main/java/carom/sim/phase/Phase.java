@@ -23,6 +23,9 @@ public enum Phase {
   /** The input of one player is applied. */
   INPUT("input"),
 
+  /** The rules that clients run, too. */
+  RULES("rules"),
+
   /** Forces act on each awake body. */
   FORCES("forces"),
 
@@ -38,6 +41,9 @@ public enum Phase {
   /** A body has left a sensor. */
   LEFT("left"),
 
+  /** The triggers of the level run, within {@link #AFTER_STEP}; on a client by themselves. */
+  TRIGGERS("triggers"),
+
   /** The rules after the physics run; on a client, what the server said that they did. */
   AFTER_STEP("afterStep");
 
@@ -49,7 +55,12 @@ public enum Phase {
 
   /** Returns whether a change that the game makes in it is none that clients compute. */
   public boolean isOfRules() {
-    return this != SET_UP && this != BETWEEN_STEPS && this != INPUT && this != FORCES;
+    return this != SET_UP && this != BETWEEN_STEPS && this != FORCES && !isPredicted();
+  }
+
+  /** Returns whether clients make the changes to fields that the game makes in it. */
+  public boolean isPredicted() {
+    return this == INPUT || this == RULES || this == TRIGGERS;
   }
 
   /** Returns the name of the method of the game that runs in it, for advice to its developer. */

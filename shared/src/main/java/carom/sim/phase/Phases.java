@@ -162,8 +162,25 @@ public final class Phases<P> {
     require(false, what);
   }
 
+  /**
+   * Throws in {@code Game.rules}, which may change fields and what moves by itself only.
+   *
+   * @param what the call, and on what
+   */
+  public void requireOutsideRules(String what) {
+    if (now == Phase.RULES) {
+      throw new IllegalStateException(
+          what
+              + " can't be called in Game.rules, which clients run, too: they know only some"
+              + " entities, so it may write fields, move bodies of the level by Rules.move and"
+              + " despawn what belongs to nobody; do this in Game.input, Game.forces or"
+              + " Game.afterStep");
+    }
+  }
+
   private void require(boolean deciding, String what) {
     requireOutsideForces(what);
+    requireOutsideRules(what);
     if (decides != deciding) {
       throw new IllegalStateException(
           what + " is for the " + role(deciding) + " role only, this is " + role(decides));

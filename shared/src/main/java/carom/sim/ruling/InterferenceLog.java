@@ -445,7 +445,7 @@ public final class InterferenceLog implements Phases.Listener {
     String deed = deed(ruling.mask);
     String advice;
     if (entity.archetype().type() != BodyType.DYNAMIC && (ruling.mask & Ruling.ARCHETYPE) == 0) {
-      advice = "give its archetype a motion, which clients know";
+      advice = "give its archetype a motion, which clients know, or call Rules.move";
     } else if ((ruling.mask & Ruling.ARCHETYPE) != 0) {
       advice = "let Game.input call become, or call it once";
     } else if ((ruling.mask & POSE) != 0) {
