@@ -36,7 +36,7 @@ record RoomBuilder(
     String label = named ? "room " + own.name() + ": " : "";
     Room room =
         new Room(config, number, label, own, library, loads, clock, seats, directory, counters);
-    room.helpedBy(helpers);
+    room.helpedBy(helpers == null ? null : helpers.forOneWorld());
     return room;
   }
 }

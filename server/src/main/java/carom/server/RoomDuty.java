@@ -2,30 +2,28 @@ package carom.server;
 
 import carom.net.protocol.GoodbyeReason;
 import carom.server.room.Room;
-import carom.server.threads.Worker;
-import java.util.concurrent.TimeUnit;
+import carom.server.threads.Duty;
 
-/** The work of a room's thread, which begins at {@code beginNs}. */
-record RoomDuty(Room room, long beginNs) implements Worker.Duty {
-  /** Longest nap, ns. The thread also empties the inboxes between ticks. */
-  private static final long NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
-
+/** The work of a room. */
+record RoomDuty(Room room) implements Duty {
   @Override
   public void turn(long nowNs) {
-    if (nowNs - beginNs >= 0) {
-      room.doWork(nowNs);
-    }
+    room.doWork(nowNs);
   }
 
   @Override
   public long napNs(long nowNs) {
-    if (nowNs - beginNs < 0) {
-      return beginNs - nowNs;
-    }
-    if (room.isPaused()) {
-      return room.isDeserted() ? Long.MAX_VALUE : NAP_NS; // who needs the room wakes its thread
-    }
-    return Math.min(room.nextDeadlineNs() - nowNs, NAP_NS);
+    return room.isPaused() ? Long.MAX_VALUE : room.nextDeadlineNs() - nowNs;
+  }
+
+  @Override
+  public boolean hasLinks() {
+    return !room.isDeserted();
+  }
+
+  @Override
+  public int progress() {
+    return room.age();
   }
 
   @Override

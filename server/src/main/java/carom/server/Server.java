@@ -24,10 +24,10 @@ import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.ChatCommands;
+import carom.server.threads.Duty;
+import carom.server.threads.DutyPool;
 import carom.server.threads.LoaderThread;
-import carom.server.threads.ThreadStack;
 import carom.server.threads.Watchdog;
-import carom.server.threads.Worker;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
@@ -64,9 +64,9 @@ import org.slf4j.LoggerFactory;
  *   <li><b>By hand.</b> Call {@link #tick} again and again with times of your choice. Everything
  *       happens on the calling thread and nothing sleeps, so a test runs an hour of play in
  *       seconds.
- *   <li><b>By threads.</b> {@link #start} gives each room a thread that keeps the tick rate ({@code
- *       carom-room-1} and so on) and the lobby its own ({@code carom-lobby}). {@link #awaitStop}
- *       waits for the end.
+ *   <li><b>By threads.</b> {@link #start} gives the rooms threads that they share and that keep the
+ *       tick rate ({@code carom-rooms-1} and so on), and the lobby its own ({@code carom-lobby}).
+ *       {@link #awaitStop} waits for the end.
  * </ul>
  *
  * <p>{@link #close} tells the players, ends all threads and closes the transport, which the server
@@ -123,8 +123,13 @@ public final class Server implements AutoCloseable, RoomKeeper {
   private Path checkpoints;
   private int checkpointS;
   private volatile boolean gaveUp;
-  private final List<Worker> workers = new CopyOnWriteArrayList<>();
-  private final Map<Room, Worker> roomWorkers = new ConcurrentHashMap<>();
+  private final DutyPool roomThreads;
+  private final DutyPool lobbyThread;
+
+  /** The turns of lobby and rooms. */
+  private final List<DutyPool.Shift> shifts = new CopyOnWriteArrayList<>();
+
+  private final Map<Room, DutyPool.Shift> roomShifts = new ConcurrentHashMap<>();
   private final CountDownLatch stopped = new CountDownLatch(1);
   private long nextStatusNs;
   private boolean statusScheduled;
@@ -193,7 +198,10 @@ public final class Server implements AutoCloseable, RoomKeeper {
     }
     rooms.addAll(built);
     directory.open(roomsShown);
-    hanging = new HangingRooms(this::again, this::giveUp, loader);
+    int threads = config.get(ServerConfig.ROOM_THREADS);
+    roomThreads = new DutyPool("carom-rooms", threads, Thread.MAX_PRIORITY, clock, watchdog);
+    lobbyThread = new DutyPool("carom-lobby", 1, Thread.NORM_PRIORITY, clock, null);
+    hanging = new HangingRooms(this::again, this::giveUp, loader, threads);
     this.lobby = new Lobby(this.config, transport, roomsShown, directory);
     this.status = new StatusLine(roomsShown, clock.getAsLong());
   }
@@ -404,44 +412,35 @@ public final class Server implements AutoCloseable, RoomKeeper {
     loader.start(watchdog, hanging::abandon);
     disk.start();
     LobbyDuty duty = new LobbyDuty();
-    Worker worker = new Worker("carom-lobby", duty, clock, this::workerEnded);
-    lobby.onNeeded(worker::wake);
-    duty.idleNapNs = transport.onOpened(worker::wake) ? IDLE_NAP_NS : LOOKING_NAP_NS;
-    workers.add(worker);
-    worker.start(Thread.NORM_PRIORITY);
+    DutyPool.Shift shift =
+        lobbyThread.add("the lobby", duty, 0, (thread, callback, stack) -> {}, this::shiftEnded);
+    lobby.onNeeded(shift::wake);
+    duty.idleNapNs = transport.onOpened(shift::wake) ? IDLE_NAP_NS : LOOKING_NAP_NS;
+    shifts.add(shift);
     rooms.forEach(this::begin);
     watchdog.start();
   }
 
-  /** Gives a room a thread. */
+  /** Gives a room its turns. */
   private synchronized void begin(Room room) {
     if (closed) {
       return;
     }
     // The rooms' ticks are spread over a tick's time, so that they don't compete for the cores.
-    long beginNs =
-        clock.getAsLong() + (room.number() - 1) % rooms.size() * config().tickNs() / rooms.size();
-    String name = "carom-room-" + room.number();
-    Worker worker = new Worker(name, new RoomDuty(room, beginNs), clock, this::workerEnded);
-    room.onNeeded(worker::wake);
-    workers.add(worker);
-    roomWorkers.put(room, worker);
-    worker.start(Thread.MAX_PRIORITY);
-    watchdog.watch(
-        worker,
-        new Watchdog.Watched() {
-          @Override
-          public int progress() {
-            return room.age();
-          }
-
-          @Override
-          public void hangs(String callback, ThreadStack stack) {
-            workers.remove(worker);
-            roomWorkers.remove(room);
-            hanging.abandon(room, worker, callback, stack);
-          }
-        });
+    long afterNs = (room.number() - 1) % rooms.size() * config().tickNs() / rooms.size();
+    DutyPool.Shift shift =
+        roomThreads.add(
+            "room " + room.name(),
+            new RoomDuty(room),
+            afterNs,
+            (thread, callback, stack) -> {
+              shifts.remove(roomShifts.remove(room));
+              hanging.abandon(room, thread, callback, stack);
+            },
+            this::shiftEnded);
+    roomShifts.put(room, shift);
+    shifts.add(shift);
+    room.onNeeded(shift::wake);
   }
 
   /** Puts another room in the place of one, from its last checkpoint if there is one. */
@@ -594,14 +593,14 @@ public final class Server implements AutoCloseable, RoomKeeper {
       synchronized (rooms) {
         rooms.remove(room); // from now on nobody is sent there
       }
-      Worker worker = roomWorkers.remove(room);
-      if (worker == null) {
+      DutyPool.Shift shift = roomShifts.remove(room);
+      if (shift == null) {
         leaving.add(room);
       }
       String answer = room.dissolve(text);
       limitLinks(RoomConfig.places(rooms.stream().map(Room::settings).toList()));
-      if (worker != null) {
-        worker.stop(); // when the links have said goodbye
+      if (shift != null) {
+        shift.stop(); // when the links have said goodbye
       }
       return answer;
     }
@@ -642,22 +641,24 @@ public final class Server implements AutoCloseable, RoomKeeper {
 
   private void giveUp() {
     gaveUp = true;
-    workerEnded();
+    endIfFailed();
   }
 
-  /**
-   * Ends the server when all rooms or the lobby have failed. Runs on the thread of the worker that
-   * ends.
-   */
-  private void workerEnded() {
+  private void shiftEnded(DutyPool.Shift shift) {
+    shifts.remove(shift);
+    endIfFailed();
+  }
+
+  /** Ends the server when all rooms or the lobby have failed. Any thread. */
+  private void endIfFailed() {
     if (hasFailed()) {
-      workers.forEach(Worker::stop);
+      shifts.forEach(DutyPool.Shift::stop);
       stopped.countDown();
     }
   }
 
-  /** The work of the lobby's thread. */
-  private final class LobbyDuty implements Worker.Duty {
+  /** The work of the lobby. */
+  private final class LobbyDuty implements Duty {
     private long idleNapNs;
 
     @Override
@@ -668,6 +669,16 @@ public final class Server implements AutoCloseable, RoomKeeper {
     @Override
     public long napNs(long nowNs) {
       return lobby.isDeserted() ? idleNapNs : LOBBY_NAP_NS;
+    }
+
+    @Override
+    public boolean hasLinks() {
+      return false; // short naps do
+    }
+
+    @Override
+    public int progress() {
+      return 0;
     }
 
     @Override
@@ -704,8 +715,8 @@ public final class Server implements AutoCloseable, RoomKeeper {
 
   /**
    * Tells all players that the server stops and closes the transport. A server driven by threads
-   * first waits up to {@value Worker#FAREWELL_MS} ms for the messages to arrive; one driven by hand
-   * doesn't wait. Closing twice does nothing.
+   * first waits up to {@value DutyPool#FAREWELL_MS} ms for the messages to arrive; one driven by
+   * hand doesn't wait. Closing twice does nothing.
    */
   @Override
   public synchronized void close() {
@@ -716,8 +727,10 @@ public final class Server implements AutoCloseable, RoomKeeper {
     watchdog.close();
     if (started) {
       long endNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(JOIN_MS);
-      workers.forEach(Worker::stop);
-      workers.forEach(worker -> worker.join(endNs));
+      shifts.forEach(DutyPool.Shift::stop);
+      shifts.forEach(shift -> shift.join(endNs));
+      roomThreads.close();
+      lobbyThread.close();
     } else {
       long nowNs = clock.getAsLong();
       lobby.close(nowNs);

@@ -11,6 +11,7 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.transport.Link;
 import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
 import carom.server.match.HandedInMatch;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
@@ -20,6 +21,7 @@ import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.classic.spi.ThrowableProxyUtil;
 import ch.qos.logback.core.read.ListAppender;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -40,7 +42,7 @@ import org.slf4j.LoggerFactory;
 @Timeout(120)
 class HangTest {
   @TempDir Path folder;
-  private final TestGame[] games = new TestGame[8];
+  private final TestGame[] games = new TestGame[32];
   private int made;
 
   /** Makes the set-up of games that are made from now on loop. */
@@ -78,14 +80,20 @@ class HangTest {
   }
 
   private void start(boolean keeps) throws Exception {
+    start(keeps, 0);
+  }
+
+  private void start(boolean keeps, int more) throws Exception {
     KryoServerTransport sockets = new KryoServerTransport(0, 0);
-    List<RoomConfig> rooms =
-        List.of(
-            new RoomConfig("hangs", "", List.of("test"), 4, 1, Map.of()),
-            new RoomConfig("goes-on", "", List.of("test"), 4, 2, Map.of()));
+    List<RoomConfig> rooms = new ArrayList<>();
+    rooms.add(new RoomConfig("hangs", "", List.of("test"), 4, 1, Map.of()));
+    rooms.add(new RoomConfig("goes-on", "", List.of("test"), 4, 2, Map.of()));
+    for (int i = 0; i < more; i++) {
+      rooms.add(new RoomConfig("more-" + i, "", List.of("test"), 4, 3 + i, Map.of()));
+    }
     server =
         new Server(
-            KeptServer.CONFIG,
+            KeptServer.CONFIG.with(ServerConfig.ROOM_THREADS, more == 0 ? 2 : 3),
             rooms,
             new HandedInMatch(this::make, TestGame.shortLevel()),
             sockets,
@@ -147,7 +155,7 @@ class HangTest {
             Thread.getAllStackTraces().keySet().stream()
                 .anyMatch(
                     thread ->
-                        thread.getName().equals("carom-room-1")
+                        thread.getName().startsWith("carom-rooms-")
                             && thread.getPriority() == Thread.MIN_PRIORITY));
     await(
         "the link is closed",
@@ -169,6 +177,32 @@ class HangTest {
     assertFalse(server.hasFailed());
   }
 
+  /** Rooms have three threads here. Two that hang leave one, and two more come. */
+  @Test
+  void twoOfManyRoomsHangAndTheOthersKeepTheirPace() throws Exception {
+    start(false, 22);
+    List<Room> before = List.copyOf(server.rooms());
+    await("all run", () -> before.stream().allMatch(room -> room.age() > 60));
+    int[] ages = before.stream().mapToInt(Room::age).toArray();
+    long beganNs = System.nanoTime();
+    loop(games[4]);
+    loop(games[17]);
+    await("both are found", () -> server.count(Counter.CALLBACKS_ABANDONED) == 2);
+    double seconds = (System.nanoTime() - beganNs) * 1e-9;
+    for (int i = 0; i < ages.length; i++) {
+      int ticks = before.get(i).age() - ages[i];
+      boolean hangs = i == 4 || i == 17;
+      assertTrue(hangs ? ticks < 60 : ticks > 20 * seconds, i + ": " + ticks + " in " + seconds);
+    }
+    await(
+        "both begin anew",
+        () ->
+            server.rooms().get(4) != before.get(4)
+                && server.rooms().get(17) != before.get(17)
+                && server.rooms().stream().allMatch(room -> room.age() > 60));
+    assertFalse(server.hasFailed());
+  }
+
   @Test
   void withoutCheckpointsTheRoomBeginsAnew() throws Exception {
     start(false);
@@ -181,7 +215,7 @@ class HangTest {
   }
 
   @Test
-  void withTwoAbandonedThreadsTheServerEndsForItsSupervisor() throws Exception {
+  void withTwoAbandonedThreadsOfTwoTheServerEndsForItsSupervisor() throws Exception {
     start(true);
     Room hanging = server.rooms().get(0);
     loop(games[0]);

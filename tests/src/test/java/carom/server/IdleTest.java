@@ -71,11 +71,12 @@ class IdleTest {
   @Test
   void thePausedRoomsThreadNapsUntilSomebodyNeedsIt() throws Exception {
     try (Rig rig = new Rig(PAUSES, new TestGame(3))) {
-      RoomDuty duty = new RoomDuty(rig.room, 0);
+      RoomDuty duty = new RoomDuty(rig.room);
       AtomicInteger calls = new AtomicInteger();
       rig.room.onNeeded(calls::incrementAndGet);
       rig.seconds(1);
       assertEquals(Long.MAX_VALUE, duty.napNs(rig.nowNs));
+      assertFalse(duty.hasLinks(), "nothing can come");
       assertEquals(0, calls.get());
 
       rig.room.pictures().ask(new Picture.Request(false, false, false, Set.of()));
@@ -89,6 +90,7 @@ class IdleTest {
       rig.join("Ann");
       assertEquals(3, calls.get(), "a player comes");
       assertTrue(duty.napNs(rig.nowNs) < 20_000_000, "ticks are due");
+      assertTrue(duty.hasLinks(), "messages may come between them");
       rig.room.pictures().ask(new Picture.Request(false, false, false, Set.of()));
       assertEquals(3, calls.get(), "a room that ticks looks itself");
     }

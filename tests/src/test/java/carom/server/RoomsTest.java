@@ -216,10 +216,14 @@ class RoomsTest {
 
   @Test
   @Timeout(30)
-  void threadsAreNamedFailAloneAndEndTogether() throws Exception {
+  void roomsShareThreadsFailAloneAndEndTogether() throws Exception {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     List<TestGame> games = new ArrayList<>();
-    ServerConfig config = CONFIG.with(ServerConfig.MAX_PLAYERS, 2).with(ServerConfig.ROOMS, 3);
+    ServerConfig config =
+        CONFIG
+            .with(ServerConfig.MAX_PLAYERS, 2)
+            .with(ServerConfig.ROOMS, 3)
+            .with(ServerConfig.ROOM_THREADS, 2);
     Server server =
         new Server(
             config,
@@ -236,12 +240,17 @@ class RoomsTest {
       clients.add(new FakeClient(network.client().connect("", 0, 0)).hello("p" + i));
     }
     stepUntil(server, clients, () -> server.count(Counter.PLAYERS) == 6);
-    assertEquals(List.of("carom-lobby", "carom-room-1", "carom-room-2", "carom-room-3"), threads());
+    List<String> shared = new ArrayList<>();
+    for (int i = 1; i <= 2; i++) {
+      shared.add("carom-rooms-" + i);
+    }
+    assertEquals(shared, threads("carom-rooms"));
+    assertEquals(List.of("carom-lobby"), threads("carom-lobby"));
 
     games.get(0).failEvery = 1;
     stepUntil(server, clients, () -> clients.stream().anyMatch(c -> c.goodbye != null));
-    stepUntil(server, clients, () -> !threads().contains("carom-room-1"));
-    assertEquals(List.of("carom-lobby", "carom-room-2", "carom-room-3"), threads());
+    stepUntil(server, clients, () -> server.rooms().get(0).hasFailed());
+    assertEquals(shared, threads("carom-rooms"));
     assertFalse(server.hasFailed());
     assertEquals(4, server.count(Counter.PLAYERS));
 
@@ -254,7 +263,7 @@ class RoomsTest {
     long tookMs = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - beginNs);
     step(server, clients);
     assertTrue(tookMs < 2_000, "tookMs=" + tookMs);
-    assertEquals(List.of(), threads());
+    stepUntil(server, clients, () -> threads("carom-").isEmpty());
     int stopped = 0;
     for (FakeClient client : clients) {
       assertNotNull(client.goodbye);
@@ -278,11 +287,11 @@ class RoomsTest {
     Thread.sleep(4);
   }
 
-  /** The names of the server's threads, sorted. */
-  private static List<String> threads() {
+  /** The names of threads that begin so, sorted. */
+  private static List<String> threads(String begin) {
     return Thread.getAllStackTraces().keySet().stream()
         .map(Thread::getName)
-        .filter(name -> name.startsWith("carom-lobby") || name.startsWith("carom-room"))
+        .filter(name -> name.startsWith(begin))
         .sorted()
         .toList();
   }

@@ -134,14 +134,14 @@ public final class ServerConfig extends Settings<ServerConfig> {
   public static final Setting<Integer> ROOMS =
       ROWS.whole("rooms", "N", 1, MAX_ROOMS, 1)
           .text(
-              "Equal rooms that play side by side, {range}, each with a thread of its own; a"
-                  + " newcomer gets into the fullest that has a place ({default}).");
+              "Equal rooms that play side by side, {range}; a newcomer gets into the fullest that"
+                  + " has a place ({default}).");
 
   public static final Setting<Integer> THREADS =
       ROWS.whole("threads", "N", 1, WorkerThreads.MAX_COUNT, 1)
           .text(
-              "Threads that may step one world together, {range}: the room's own and helpers"
-                  + " that all rooms share; for worlds of thousands of bodies ({default}).");
+              "Threads that may step one world together, {range}: that of the room and helpers that"
+                  + " all rooms share; for worlds of thousands of bodies ({default}).");
 
   public static final Setting<Integer> MAX_PLAYERS =
       ROWS.whole("max-players", "N", 1, ProtocolLimits.MAX_PLAYERS, 64)
@@ -401,6 +401,19 @@ public final class ServerConfig extends Settings<ServerConfig> {
               "Most ticks that a room runs in one burst after a pause. A quarter of a second"
                   + " bridges a pause of the garbage collector or of a busy machine. The room drops"
                   + " and counts older ticks, so that a long pause doesn't cause a longer one.");
+
+  public static final Setting<Integer> ROOM_THREADS =
+      INNER
+          .whole(
+              "roomThreads",
+              "N",
+              2,
+              MAX_ROOMS,
+              Math.max(2, Math.min(MAX_ROOMS, Runtime.getRuntime().availableProcessors())))
+          .text(
+              "Most threads that rooms share: one for each processor, and at least two, so that a"
+                  + " game that hangs stops no other room. With as many that hang, the server"
+                  + " ends.");
 
   public static final Setting<Integer> INPUT_WINDOW_TICKS =
       INNER

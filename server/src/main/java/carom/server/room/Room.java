@@ -50,9 +50,10 @@ import java.util.function.Supplier;
  * <p>Only {@link #admit}, {@link #seatRequests}, {@link #operator}, {@link #number}, {@link #name},
  * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters}, {@link #stages},
  * {@link #pictures}, {@link #isPaused} and {@link #hasFailed} may be called from any thread; the
- * rest belongs to the thread that calls {@link #doWork}. A tick in the steady state allocates next
- * to nothing. A client can hurt only its own session, and a game only its own room: rooms share
- * nothing that changes.
+ * rest belongs to the room's thread: the one that has its turn, {@link #doWork}. That may be
+ * another one each time; turns don't overlap, and each sees what those before it wrote. A tick in
+ * the steady state allocates next to nothing. A client can hurt only its own session, and a game
+ * only its own room: rooms share nothing that changes.
  */
 public final class Room {
   /** Number of ticks that send snapshots, the last ones, when several are made good in one turn. */
@@ -111,15 +112,15 @@ public final class Room {
   /**
    * Lets other threads help with stepping the world; call before the first turn.
    *
-   * @param helpers null for none; may be shared with other rooms
+   * @param helpers null for none; for the worlds of this room alone
    */
   public void helpedBy(Workers helpers) {
     context.helpedBy(helpers);
   }
 
   /**
-   * Sets what tells the thread of a paused room that it is needed: a player comes, somebody
-   * watches, an operator asks something, or somebody wants a picture. Before the first turn.
+   * Sets what gives a paused room a turn when it is needed: a player comes, somebody watches, an
+   * operator asks something, or somebody wants a picture. Before the first turn.
    *
    * @param newWake runs on any thread and returns at once
    */

@@ -49,6 +49,12 @@ public final class Watchdog implements AutoCloseable {
     int progress();
 
     /**
+     * Hears at a look that nothing has got on since the look before, in whatever code. Mostly the
+     * work is just long. Does nothing unless overridden.
+     */
+    default void lasts() {}
+
+    /**
      * Receives a thread that hangs, and isn't watched any longer.
      *
      * @param callback the method of the game that doesn't return, for people; null for a thread
@@ -92,9 +98,9 @@ public final class Watchdog implements AutoCloseable {
     thread.setDaemon(true);
   }
 
-  /** Watches a thread of a room or the lobby from now on; any thread. */
-  public void watch(Worker worker, Watched watched) {
-    add(new Watch(worker, watched, false));
+  /** Watches a thread that runs games from now on, until it ends; any thread. */
+  void watch(WatchedThread games, Watched watched) {
+    add(new Watch(games, watched, false));
   }
 
   /** Watches a thread that builds matches from now on, and rests between them; any thread. */
@@ -141,6 +147,11 @@ public final class Watchdog implements AutoCloseable {
       return;
     }
     Thread watched = w.thread.thread();
+    if (watched.getState() == Thread.State.TERMINATED) {
+      watches.remove(w);
+      return;
+    }
+    w.watched.lasts();
     StackTraceElement[] stack = watched.getStackTrace();
     String callback = callback(stack);
     String work = w.builds ? "a match" : callback;

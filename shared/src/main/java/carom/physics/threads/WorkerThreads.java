@@ -65,8 +65,8 @@ public final class WorkerThreads implements Workers, AutoCloseable {
 
   private final LongSupplier clock;
 
-  /** Decides about sharing, one object per thread that announces steps. */
-  private final ThreadLocal<Sharing> sharings = ThreadLocal.withInitial(Sharing::new);
+  /** Those that step without {@link #forOneWorld}, one per thread. */
+  private final ThreadLocal<Caller> callers = ThreadLocal.withInitial(Caller::new);
 
   /** Decides for the holder while its step is on; null if that step isn't shared. */
   private Sharing sharing;
@@ -126,23 +126,78 @@ public final class WorkerThreads implements Workers, AutoCloseable {
 
   @Override
   public void run(int tasks, Task task) {
-    if (tasks > 1 && count > 1 && !closed) {
-      Thread caller = Thread.currentThread();
-      if (holder.get() == caller) {
-        spread(tasks, task);
-        return;
-      }
-      if (!sharings.get().isAlone() && holder.compareAndSet(null, caller)) {
-        try {
+    callers.get().run(tasks, task);
+  }
+
+  /**
+   * Returns these threads for one world, whose steps decide for themselves whether sharing pays. So
+   * they do on whichever thread each of them runs, one at a time. Otherwise the steps of one thread
+   * decide together.
+   */
+  public Workers forOneWorld() {
+    return new Caller();
+  }
+
+  /** A caller whose steps follow each other. */
+  private final class Caller implements Workers {
+    private final Sharing mine = new Sharing();
+
+    @Override
+    public int count() {
+      return count;
+    }
+
+    @Override
+    public void run(int tasks, Task task) {
+      if (tasks > 1 && count > 1 && !closed) {
+        Thread caller = Thread.currentThread();
+        if (holder.get() == caller) {
           spread(tasks, task);
-        } finally {
-          holder.set(null);
+          return;
         }
-        return;
+        if (!mine.isAlone() && holder.compareAndSet(null, caller)) {
+          try {
+            spread(tasks, task);
+          } finally {
+            holder.set(null);
+          }
+          return;
+        }
+      }
+      for (int i = 0; i < tasks; i++) {
+        task.run(i, 0);
       }
     }
-    for (int i = 0; i < tasks; i++) {
-      task.run(i, 0);
+
+    @Override
+    public void stepBegins() {
+      Thread caller = Thread.currentThread();
+      if (holder.get() != caller && !holder.compareAndSet(null, caller)) {
+        return;
+      }
+      boolean shared = mine.begins(clock.getAsLong());
+      sharing = shared ? mine : null;
+      inStep = shared;
+      if (shared) {
+        wake();
+      } else {
+        holder.set(null);
+      }
+    }
+
+    @Override
+    public void stepEnds() {
+      mine.ends(clock.getAsLong());
+      if (holder.get() == Thread.currentThread()) {
+        sharing = null;
+        inStep = false;
+        holder.set(null);
+      }
+    }
+
+    @Override
+    public void waits() {
+      waited = true;
     }
   }
 
@@ -188,29 +243,12 @@ public final class WorkerThreads implements Workers, AutoCloseable {
    */
   @Override
   public void stepBegins() {
-    Thread caller = Thread.currentThread();
-    if (holder.get() != caller && !holder.compareAndSet(null, caller)) {
-      return;
-    }
-    Sharing mine = sharings.get();
-    boolean shared = mine.begins(clock.getAsLong());
-    sharing = shared ? mine : null;
-    inStep = shared;
-    if (shared) {
-      wake();
-    } else {
-      holder.set(null);
-    }
+    callers.get().stepBegins();
   }
 
   @Override
   public void stepEnds() {
-    sharings.get().ends(clock.getAsLong());
-    if (holder.get() == Thread.currentThread()) {
-      sharing = null;
-      inStep = false;
-      holder.set(null);
-    }
+    callers.get().stepEnds();
   }
 
   private void awaitOthers() {

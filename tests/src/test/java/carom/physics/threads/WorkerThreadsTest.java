@@ -255,6 +255,42 @@ final class WorkerThreadsTest {
     }
   }
 
+  /** Each decides for itself, also when one thread steps both, or several step one. */
+  @Test
+  void worldsDecideForThemselvesWhetherSharingPays() throws InterruptedException {
+    try (WorkerThreads workers = new WorkerThreads(2, () -> 0)) {
+      Workers waits = workers.forOneWorld();
+      Workers other = workers.forOneWorld();
+      waits.stepBegins();
+      waits.run(2, (task, worker) -> waits.waits());
+      waits.stepEnds();
+      Thread me = Thread.currentThread();
+      for (int left = Sharing.TRIAL_STEPS - 1; left >= 0; left--) {
+        Thread next =
+            new Thread(
+                () -> {
+                  waits.stepBegins();
+                  waits.stepEnds();
+                });
+        other.stepBegins();
+        other.run(2, meeting(workers)); // would never end alone
+        other.stepEnds();
+        if (left % 3 == 0) {
+          next.start();
+          next.join();
+          continue;
+        }
+        waits.stepBegins();
+        if (Integer.bitCount(left) % 2 == 0) {
+          waits.run(2, meeting(workers));
+        } else {
+          waits.run(20, (task, worker) -> assertSame(me, Thread.currentThread()));
+        }
+        waits.stepEnds();
+      }
+    }
+  }
+
   /** Two tasks that end only if two threads do them. */
   private static Workers.Task meeting(WorkerThreads workers) {
     CountDownLatch both = new CountDownLatch(workers.count());

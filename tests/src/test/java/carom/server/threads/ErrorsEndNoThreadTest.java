@@ -148,7 +148,7 @@ final class ErrorsEndNoThreadTest {
     Faulty faulty = new Faulty();
     try (Watchdog watchdog = new Watchdog(ErrorsEndNoThreadTest.class)) {
       watchdog.watch(
-          new Worker("carom-watched", new Duty(null), System::nanoTime, () -> {}),
+          new Unstarted(new Thread("carom-watched")),
           new Watchdog.Watched() {
             @Override
             public int progress() {
@@ -164,34 +164,59 @@ final class ErrorsEndNoThreadTest {
     }
   }
 
-  /** A room's thread may end, but its room then ends with its links, and the server hears of it. */
-  @Test
-  void aRoomWhoseThreadEndsSaysSo() throws Exception {
-    for (Throwable error : ERRORS) {
-      Duty duty = new Duty(error);
-      CountDownLatch ended = new CountDownLatch(1);
-      Worker worker = new Worker("carom-worker-test", duty, System::nanoTime, ended::countDown);
-      worker.start(Thread.NORM_PRIORITY);
-      boolean goesOn = error instanceof RuntimeException || error instanceof StackOverflowError;
-      if (!goesOn) {
-        assertTrue(ended.await(30, TimeUnit.SECONDS), "" + error);
-        assertEquals(List.of("its thread ended by an error", "links closed"), duty.said());
-      } else {
-        assertTrue(duty.again.await(30, TimeUnit.SECONDS), "" + error);
-        worker.stop();
-        assertTrue(ended.await(30, TimeUnit.SECONDS), "" + error);
-      }
+  /** A thread that never runs. */
+  private record Unstarted(Thread thread) implements WatchedThread {
+    @Override
+    public boolean rests() {
+      return false;
     }
+
+    @Override
+    public void onAwake(Runnable newOnAwake) {}
+  }
+
+  /** An error ends one room with its links, and the server hears of it; the others go on. */
+  @Test
+  void aRoomThatAnErrorEndsSaysSoAndItsThreadRunsTheOthers() throws Exception {
+    DutyPool pool = new DutyPool("carom-test", 1, Thread.NORM_PRIORITY, System::nanoTime, null);
+    CountDownLatch turnsOfOther = new CountDownLatch(1_000);
+    pool.add(
+        "the other",
+        new TestDuty() {
+          @Override
+          public void turn(long nowNs) {
+            turnsOfOther.countDown();
+          }
+        },
+        0,
+        (thread, callback, stack) -> {},
+        shift -> {});
+    for (Throwable error : ERRORS) {
+      FaultyDuty duty = new FaultyDuty(error);
+      CountDownLatch ended = new CountDownLatch(1);
+      DutyPool.Shift shift =
+          pool.add("a room", duty, 0, (thread, callback, stack) -> {}, over -> ended.countDown());
+      boolean goesOn = error instanceof RuntimeException || error instanceof StackOverflowError;
+      if (goesOn) {
+        assertTrue(duty.again.await(30, TimeUnit.SECONDS), "" + error);
+        shift.stop();
+      }
+      assertTrue(ended.await(30, TimeUnit.SECONDS), "" + error);
+      List<String> end = List.of("links closed");
+      assertEquals(goesOn ? end : List.of("an error ended it", "links closed"), duty.said());
+    }
+    assertTrue(turnsOfOther.await(30, TimeUnit.SECONDS), "" + turnsOfOther);
+    pool.close();
   }
 
   /** Throws once, and then works. */
-  private static final class Duty implements Worker.Duty {
+  private static final class FaultyDuty extends TestDuty {
     private final AtomicBoolean thrown = new AtomicBoolean();
     private final CountDownLatch again = new CountDownLatch(1);
     private final Queue<String> said = new ConcurrentLinkedQueue<>();
     private final Throwable error;
 
-    Duty(Throwable error) {
+    FaultyDuty(Throwable error) {
       this.error = error;
     }
 
@@ -211,26 +236,8 @@ final class ErrorsEndNoThreadTest {
     }
 
     @Override
-    public long napNs(long nowNs) {
-      return 1_000_000;
-    }
-
-    @Override
-    public boolean hasFailed() {
-      return false;
-    }
-
-    @Override
     public void fail(String why) {
       said.add(why);
-    }
-
-    @Override
-    public void close(long nowNs) {}
-
-    @Override
-    public boolean isDeserted() {
-      return true;
     }
 
     @Override

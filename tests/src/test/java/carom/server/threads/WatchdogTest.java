@@ -21,15 +21,17 @@ class WatchdogTest {
   private volatile boolean ends;
   private final AtomicInteger progress = new AtomicInteger();
   private Watchdog watchdog;
-  private Worker worker;
+  private DutyPool pool;
+  private DutyPool.Shift shift;
   private final CompletableFuture<String> found = new CompletableFuture<>();
 
   @AfterEach
   void end() {
     ends = true;
     watchdog.close();
-    worker.stop();
-    worker.join(System.nanoTime() + TimeUnit.SECONDS.toNanos(5));
+    shift.stop();
+    shift.join(System.nanoTime() + TimeUnit.SECONDS.toNanos(5));
+    pool.close();
   }
 
   /** Stands for the class through which all calls of games go. */
@@ -41,43 +43,23 @@ class WatchdogTest {
     }
   }
 
-  private static final class Duty implements Worker.Duty {
-    private final Runnable turn;
-    private final long napNs;
+  private TestDuty duty(Runnable turn, long napNs) {
+    return new TestDuty() {
+      @Override
+      public void turn(long nowNs) {
+        turn.run();
+      }
 
-    Duty(Runnable turn, long napNs) {
-      this.turn = turn;
-      this.napNs = napNs;
-    }
+      @Override
+      public long napNs(long nowNs) {
+        return napNs;
+      }
 
-    @Override
-    public void turn(long nowNs) {
-      turn.run();
-    }
-
-    @Override
-    public long napNs(long nowNs) {
-      return napNs;
-    }
-
-    @Override
-    public boolean hasFailed() {
-      return false;
-    }
-
-    @Override
-    public void fail(String why) {}
-
-    @Override
-    public void close(long nowNs) {}
-
-    @Override
-    public boolean isDeserted() {
-      return true;
-    }
-
-    @Override
-    public void closeLinks() {}
+      @Override
+      public int progress() {
+        return progress.get();
+      }
+    };
   }
 
   private void watch(Runnable turn) {
@@ -85,23 +67,17 @@ class WatchdogTest {
   }
 
   private void watch(Runnable turn, long napNs) {
-    worker = new Worker("carom-watched", new Duty(turn, napNs), System::nanoTime, () -> {});
     watchdog = new Watchdog(Guard.class);
-    watchdog.watch(
-        worker,
-        new Watchdog.Watched() {
-          @Override
-          public int progress() {
-            return progress.get();
-          }
-
-          @Override
-          public void hangs(String callback, ThreadStack stack) {
-            found.complete(callback + "\n" + Arrays.toString(stack.getStackTrace()));
-          }
-        });
+    pool = new DutyPool("carom-watched", 1, Thread.NORM_PRIORITY, System::nanoTime, watchdog);
+    shift =
+        pool.add(
+            "what is watched",
+            duty(turn, napNs),
+            0,
+            (thread, callback, stack) ->
+                found.complete(callback + "\n" + Arrays.toString(stack.getStackTrace())),
+            ended -> {});
     watchdog.start();
-    worker.start(Thread.NORM_PRIORITY);
   }
 
   private String foundWithin(int ms) throws Exception {
@@ -127,7 +103,7 @@ class WatchdogTest {
   @Test
   void aCallbackThatLoopsIsFoundAndNamedWithItsStack() throws Exception {
     watch(() -> Guard.call(this::spin));
-    String text = foundWithin(8_000); // 2 s by the watchdog's own looks; this machine may be busy
+    String text = foundWithin(30_000); // 2 s by the watchdog's own looks; this machine may be busy
     assertTrue(text != null && text.startsWith("call of "), "" + text);
     assertTrue(text.contains("WatchdogTest.spin"), text);
   }
@@ -135,7 +111,7 @@ class WatchdogTest {
   @Test
   void aCallbackThatWaitsIsFound() throws Exception {
     watch(() -> Guard.call(this::sleep));
-    String text = foundWithin(8_000);
+    String text = foundWithin(30_000);
     assertTrue(text != null && text.contains("WatchdogTest.sleep"), "" + text);
   }
 
@@ -152,13 +128,18 @@ class WatchdogTest {
         },
         Long.MAX_VALUE);
     first.await();
-    while (!worker.rests()) {
+    while (!rests("carom-watched")) {
       Thread.onSpinWait();
     }
     assertNull(foundWithin(Watchdog.FOUND_MS)); // the watchdog waits as well meanwhile
-    worker.wake();
-    String text = foundWithin(8_000);
+    shift.wake();
+    String text = foundWithin(30_000);
     assertTrue(text != null && text.contains("WatchdogTest.spin"), "" + text);
+  }
+
+  private static boolean rests(String name) {
+    return Thread.getAllStackTraces().keySet().stream()
+        .anyMatch(t -> t.getName().equals(name) && t.getState() == Thread.State.WAITING);
   }
 
   @Test
