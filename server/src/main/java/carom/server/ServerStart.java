@@ -28,7 +28,9 @@ import carom.server.thin.plain.PlainFlags;
 import carom.server.thin.web.PlayFlags;
 import carom.server.thin.web.PlayPort;
 import carom.text.FileErrors;
+import com.sun.management.UnixOperatingSystemMXBean;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -43,6 +45,9 @@ import org.slf4j.Logger;
  * opened.
  */
 final class ServerStart {
+  /** Open files besides those of players: jars, logs, ports, and links that wait. */
+  private static final int SPARE_FILES = 500;
+
   private final ServerFlags flags;
   private final GameChoice choice;
   private final ServerConfig config;
@@ -83,6 +88,7 @@ final class ServerStart {
    */
   Server open() throws StartFailure {
     List<RoomConfig> rooms = choice.rooms(config);
+    compareWithOpenFiles(RoomConfig.places(rooms));
     server = openRooms(rooms, openTransport(rooms));
     SessionMemory.touch(RoomConfig.places(rooms));
     try {
@@ -94,6 +100,18 @@ final class ServerStart {
     } catch (BadFlag | StartFailure e) {
       server.close();
       throw e;
+    }
+  }
+
+  /** Tells if not all places can be taken at once, since each player's link is an open file. */
+  private void compareWithOpenFiles(int places) {
+    if (ManagementFactory.getOperatingSystemMXBean() instanceof UnixOperatingSystemMXBean system
+        && system.getMaxFileDescriptorCount() < places + SPARE_FILES) {
+      log.warn(
+          "places={} in all rooms need as many open files, this process may open {}: raise that"
+              + " (ulimit -n, LimitNOFILE), or lower --max-players or --rooms",
+          places,
+          system.getMaxFileDescriptorCount());
     }
   }
 

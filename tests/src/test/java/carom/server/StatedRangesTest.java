@@ -52,8 +52,7 @@ class StatedRangesTest {
 
   @Test
   void theLargestServerOpensItsPorts() {
-    ServerConfig largest =
-        ServerConfig.defaults().with(ServerConfig.ROOMS, 64).with(ServerConfig.MAX_PLAYERS, 64);
+    ServerConfig largest = ServerConfig.defaults().with(ServerConfig.ROOMS, ServerConfig.MAX_ROOMS);
     int places = RoomConfig.places(RoomConfig.equalRooms(largest, List.of()));
     for (int pending : new int[] {1, 1_024, 4_096}) {
       new KryoServerTransport(0, 0, limits(places).withPending(pending)).close();

@@ -20,10 +20,10 @@ import java.util.List;
  */
 public final class ServerConfig extends Settings<ServerConfig> {
   /** Largest number of rooms. */
-  public static final int MAX_ROOMS = 64;
+  public static final int MAX_ROOMS = 512;
 
-  /** Largest number of seats in all rooms together. */
-  public static final int MAX_PLACES = 4_096;
+  /** Largest number of seats in all rooms together: as many rooms as may be of the usual 64. */
+  public static final int MAX_PLACES = 64 * MAX_ROOMS;
 
   /** Longest time between checkpoints, s. */
   public static final int MAX_CHECKPOINT_S = 600;
@@ -100,7 +100,7 @@ public final class ServerConfig extends Settings<ServerConfig> {
       ROWS.texts("room", "NAME=LEVELS")
           .text(
               "A room with a name of its own, NAME=LEVEL[,LEVEL...][:PLAYERS]; give it once for"
-                  + " each room, up to 64 times. A game's name stands for its default level."
+                  + " each room, up to 512 times. A game's name stands for its default level."
                   + " Example: --room cup=arena,commons:16 --room jump=platformer.");
 
   public static final Setting<List<String>> ROOM_INFO =
@@ -145,7 +145,7 @@ public final class ServerConfig extends Settings<ServerConfig> {
 
   public static final Setting<Integer> MAX_PLAYERS =
       ROWS.whole("max-players", "N", 1, ProtocolLimits.MAX_PLAYERS, 64)
-          .text("Places in each room, {range}, at most 4096 in all rooms together ({default}).")
+          .text("Places in each room, {range}, at most 32768 in all rooms together ({default}).")
           .live();
 
   public static final Setting<Integer> SNAPSHOT_RATE =

@@ -9,6 +9,7 @@ import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
+import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.access.AddressRange;
@@ -21,6 +22,7 @@ import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.Admission;
 import carom.server.session.LevelUpload;
+import carom.server.session.PacedMessages;
 import carom.server.session.Seats;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
@@ -76,6 +78,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private final AddressGroup origin;
   private JoinRequest waiting;
   private int lists;
+  private final PacedMessages roomList = new PacedMessages();
   private String password; // that the client has shown, or null
   private long waitsUntilNs;
   private long askAgainNs;
@@ -127,15 +130,26 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   }
 
   /**
-   * Reads messages one by one. Messages behind Hello wait until it is answered, and messages behind
-   * Ready are for the room.
+   * Reads messages one by one. Messages behind Hello wait until it is answered, those behind a
+   * request for the list of rooms until that is sent, and messages behind Ready are for the room.
    */
   int poll() {
-    int work = 0;
-    while (!done && waiting == null && work < MAX_POLL && link.poll(this, 1) > 0) {
-      work++;
+    int work = sendList();
+    while (!done && waiting == null && roomList.isSent() && work < MAX_POLL) {
+      if (link.poll(this, 1) == 0) {
+        break;
+      }
+      work += 1 + sendList();
     }
     return work;
+  }
+
+  private int sendList() {
+    int sent = 0;
+    for (Broadcast part; (part = roomList.take(context.nowNs())) != null; sent++) {
+      link.send(part);
+    }
+    return sent;
   }
 
   @Override
@@ -211,7 +225,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       refuse(RefusalReason.BAD_REQUEST, "The list of rooms was requested again and again.");
       return;
     }
-    directory.list(context.nowNs()).forEach(link::send);
+    roomList.begin(directory.list(context.nowNs()));
   }
 
   /** Refuses a client of another protocol, and returns whether the client may go on. */

@@ -19,7 +19,7 @@ import java.util.function.Supplier;
  */
 public final class MatchLoader {
   /** Step of the seed from match to match: the most rooms, so that no two matches share a seed. */
-  private static final int SEED_STEP = 64;
+  private static final int SEED_STEP = ServerConfig.MAX_ROOMS;
 
   private final Supplier<ServerConfig> config;
   private final RoomConfig room;

@@ -55,12 +55,14 @@ final class RoomSwitches {
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
       if (session.takeRoomsRequest(rate / LISTS_PER_SECOND)) {
-        for (Broadcast message : directory.list(nowNs)) {
-          sessions.sendTo(session, message);
-        }
+        session.roomList().begin(directory.list(nowNs));
+      }
+      for (Broadcast part; (part = session.roomList().take(nowNs)) != null; ) {
+        sessions.sendTo(session, part);
       }
       String request = session.requestedRoom();
       if (request != null
+          && session.roomList().isSent()
           && session.state() == SessionState.PLAYING
           && session.playedTicks() >= rate) {
         move(session, request, nowNs);

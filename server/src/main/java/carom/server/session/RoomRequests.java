@@ -5,6 +5,7 @@ final class RoomRequests {
   private boolean wantsList;
   private int ticksSinceList = Short.MAX_VALUE; // long ago
   private String room;
+  private final PacedMessages list = new PacedMessages();
 
   /** Notes that a tick has passed. */
   void tick() {
@@ -23,12 +24,17 @@ final class RoomRequests {
    * @return whether there is one
    */
   boolean takeListRequest(int ticks) {
-    boolean takes = wantsList && ticksSinceList >= ticks;
+    boolean takes = wantsList && ticksSinceList >= ticks && list.isSent();
     if (takes) {
       wantsList = false;
       ticksSinceList = 0;
     }
     return takes;
+  }
+
+  /** Returns the list of rooms that is under way. */
+  PacedMessages list() {
+    return list;
   }
 
   /** Notes that the player wants to go to another room. */

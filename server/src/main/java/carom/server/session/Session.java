@@ -457,6 +457,11 @@ public final class Session implements LinkHandler {
     return roomRequests.takeListRequest(ticks);
   }
 
+  /** Returns the list of rooms that is under way to the player. */
+  public PacedMessages roomList() {
+    return roomRequests.list();
+  }
+
   /** Returns the name of the room that the player wants to go to, or null. */
   public String requestedRoom() {
     return roomRequests.room();

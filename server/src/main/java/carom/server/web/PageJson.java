@@ -22,6 +22,9 @@ import java.util.Locale;
 final class PageJson {
   private static final JsonFactory JSON = new JsonFactory();
 
+  /** Seconds of all rooms together that a viewer is first told: a few megabytes of text. */
+  private static final int MOST_ROWS = 64 * RoomHistory.ROWS;
+
   private PageJson() {}
 
   /** Writes the fields of a message. */
@@ -68,7 +71,7 @@ final class PageJson {
             g.writeStartObject();
             writeRoom(g, history.room());
             g.writeArrayFieldStart("rows");
-            for (float[] row : history.rows()) {
+            for (float[] row : history.latest(MOST_ROWS / rooms.size())) {
               writeRow(g, row);
             }
             g.writeEndArray();

@@ -138,9 +138,9 @@ final class RoomHistory {
     return room;
   }
 
-  /** Returns the rows, the oldest first. */
-  Iterable<float[]> rows() {
-    return rows;
+  /** Returns the last rows, so many at most, the oldest first. */
+  List<float[]> latest(int most) {
+    return rows.stream().skip(Math.max(0, rows.size() - most)).toList();
   }
 
   /** Returns the last row, or null before the first. */

@@ -5,14 +5,14 @@ import carom.net.protocol.ProtocolLimits;
 /**
  * Limits on what a server lets unknown clients use. It is immutable; start from {@link #DEFAULT}.
  *
- * @param maxConnections largest number of open links at once, 1..20,000; for a moment it may be
+ * @param maxConnections largest number of open links at once, 1..132,000; for a moment it may be
  *     exceeded by links that opened together. Keep the sum of this and the next well below the
  *     process's limit of open files
  * @param maxPending largest number of connections at once that have proven nothing, 1..4,096; a
  *     quarter as many again may exchange keys. One more makes the oldest give way, see {@link
  *     carom.net.admission.Entrance}. Each takes about 70 kB
  * @param maxPerAddress largest number of connections at once from one IPv4 address or one IPv6 /64
- *     network, 1..20,000; it counts as soon as half of {@code maxConnections} are open
+ *     network, 1..132,000; it counts as soon as half of {@code maxConnections} are open
  * @param handshakeMillis time limit for each of the three steps to an open link, 50..60,000 ms:
  *     registering, the exchange of keys, and answering a datagram. It holds while newcomers have to
  *     work; while most places are free, nobody pays for a slow line, and a client has eight times
@@ -43,7 +43,7 @@ public record KryoLimits(
     int unsentBytes) {
 
   /** Largest number of links: what the largest rooms hold, those that wait and those that watch. */
-  public static final int MAX_CONNECTIONS = 20_000;
+  public static final int MAX_CONNECTIONS = 132_000;
 
   /** Multiple of {@code handshakeMillis} that a client has while most places are free. */
   static final int CALM_FACTOR = 8;

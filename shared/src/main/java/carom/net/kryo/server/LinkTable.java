@@ -14,7 +14,7 @@ import java.util.function.ToIntFunction;
  * @param <T> a connection
  */
 final class LinkTable<T> {
-  private static final int PLACE_BITS = 15;
+  private static final int PLACE_BITS = 18;
   private static final int PLACE_MASK = (1 << PLACE_BITS) - 1;
 
   private final AtomicReferenceArray<T> places;
@@ -26,7 +26,7 @@ final class LinkTable<T> {
   /**
    * Creates an empty table.
    *
-   * @param size largest number of connections, 1..32,767
+   * @param size largest number of connections, 1..262,143
    * @param numberOf returns the number that a connection was added with, or 0 before
    */
   public LinkTable(int size, ToIntFunction<T> numberOf) {
