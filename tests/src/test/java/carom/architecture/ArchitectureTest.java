@@ -418,6 +418,11 @@ final class ArchitectureTest {
   }
 
   @Test
+  void databaseHasOneHome() {
+    onlyIn("carom.server.directory", "org.postgresql..", "java.sql..");
+  }
+
+  @Test
   void windowToolkitHasOneHome() {
     onlyIn(
         "carom.client.desktop..",

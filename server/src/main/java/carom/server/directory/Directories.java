@@ -8,14 +8,16 @@ import java.util.List;
 
 /** Opens the directory that an operator names. */
 public final class Directories {
-  private static final String EXAMPLE = "; for example etcd:http://a:2379,http://b:2379";
+  private static final String EXAMPLE =
+      "; for example etcd:http://a:2379,http://b:2379 or postgresql://carom@db.example.org/carom";
 
   private Directories() {}
 
   /**
    * Opens a directory. It needn't answer now: each call says if it doesn't.
    *
-   * @param address {@code etcd:URL[,URL...]}
+   * @param address {@code etcd:URL[,URL...]} or {@code
+   *     postgresql://[USER[:PASSWORD]@]HOST[:PORT]/DATABASE}
    * @param tls files for encrypted connections
    * @throws IOException if the address is none, or a file can't be used; says what to do
    */
@@ -26,6 +28,10 @@ public final class Directories {
         urls.add(etcdUrl(url));
       }
       return new EtcdDirectory(urls, tls.context());
+    }
+    if (address.startsWith("postgresql:")) {
+      tls.context(); // says which file can't be used; the driver reads them again
+      return new PostgresDirectory(PostgresAddress.parse(address, tls));
     }
     throw bad("begins with no directory that Carom knows");
   }

@@ -3,6 +3,7 @@ package carom.server.directory;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -28,7 +29,32 @@ final class DirectoriesTest {
   }
 
   @Test
+  void postgresIsNamedAsByItsOwnTools() throws Exception {
+    PostgresAddress address =
+        PostgresAddress.parse(
+            "postgresql://me:ge%3Ah%2Fe%40i%25m+@a:5433,[::1]/db?targetServerType=primary",
+            new DirectoryTls(Path.of("ca.pem"), null, null));
+    assertEquals("postgresql://a:5433,[::1]/db", address.shown());
+    assertEquals("jdbc:postgresql://a:5433,[::1]/db?targetServerType=primary", address.jdbcUrl());
+    assertEquals("me", address.properties().getProperty("user"));
+    assertEquals("ge:h/e@i%m+", address.properties().getProperty("password"));
+    assertEquals("verify-full", address.properties().getProperty("sslmode"));
+    assertNull(
+        PostgresAddress.parse("postgresql://me@a/db", DirectoryTls.NONE)
+            .properties()
+            .getProperty("password"));
+    try (Directory directory = Directories.open("postgresql://a/db", DirectoryTls.NONE)) {
+      assertInstanceOf(PostgresDirectory.class, directory);
+    }
+  }
+
+  @Test
   void whatIsWrongIsSaid() {
+    refused("postgresql:a", "needs a host and a database");
+    refused("postgresql://me:geheim@a", "needs a host and a database");
+    refused("postgresql://me:geheim@a/", "needs a host and a database");
+    refused("postgresql://me:geheim/x@a/db", "needs a host and a database");
+    refused("postgresql://me:geheim%zz@a/db", "a % in user or password");
     refused("", "no directory that Carom knows");
     refused("zookeeper:a", "no directory that Carom knows");
     refused("etcd:", "needs http://HOST:PORT");
