@@ -7,7 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.kryo.KryoClientTransport;
+import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.Protocol;
 import carom.net.transport.Link;
 import carom.suite.Needs;
 import java.io.BufferedReader;
@@ -23,7 +25,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -280,6 +284,56 @@ class ServerMainTest {
     String room = out.readLine();
     assertTrue(process.waitFor(10, TimeUnit.SECONDS));
     return room;
+  }
+
+  /** Nobody is in them, so that the process has its usual threads. */
+  @Test
+  @Timeout(240)
+  void of512RoomsOneWakesForItsPlayerAndTheOthersRest() throws Exception {
+    Process process =
+        startWithInput(
+            "--tcp-port=0", "--udp-port=0", "--rooms=512", "--idle=pause", "--log-level=warn");
+    BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
+    Matcher ready = READY.matcher(String.valueOf(out.readLine()));
+    assertTrue(ready.matches(), err());
+    int tcp = Integer.parseInt(ready.group(1));
+    int udp = Integer.parseInt(ready.group(2));
+    try (KryoClientTransport transport = new KryoClientTransport();
+        Writer in = process.outputWriter(StandardCharsets.UTF_8)) {
+      FakeClient client = new FakeClient(transport.connect("127.0.0.1", tcp, udp));
+      for (int i = 0; i < 4_000 && client.link.state() == Link.State.CONNECTING; i++) {
+        Thread.sleep(5);
+      }
+      client.link.send(
+          new ClientMessage.Hello(
+              Protocol.VERSION, Protocol.physicsDigest(), "Ann", 0, "300", "", ""));
+      for (int i = 0; i < 4_000 && (client.decoder == null || !client.decoder.hasAck()); i++) {
+        client.step(0);
+        Thread.sleep(5);
+      }
+      assertEquals("300", client.welcome.room());
+      assertTrue(client.decoder.hasAck(), "the room plays");
+      in.write("rooms\n");
+      in.flush();
+      assertTrue(out.readLine().startsWith("room "), "a heading");
+      for (int i = 1; i <= 512; i++) {
+        String room = out.readLine();
+        assertTrue(room.startsWith("@" + i + " "), room);
+        assertTrue(room.endsWith(i == 300 ? "runs" : "paused"), room);
+      }
+      Path status = Path.of("/proc", Long.toString(process.pid()), "status");
+      if (Files.exists(status)) {
+        Map<String, Integer> lines = new HashMap<>();
+        for (String line : Files.readAllLines(status)) {
+          String[] words = line.split("\\s+");
+          if (List.of("Threads:", "VmRSS:").contains(words[0])) {
+            lines.put(words[0], Integer.valueOf(words[1]));
+          }
+        }
+        System.out.println("512 rooms: " + lines);
+        assertTrue(lines.get("Threads:") < 60, "" + lines);
+      }
+    }
   }
 
   @Test

@@ -13,6 +13,9 @@ public final class SessionMemory {
   /** Bytes that a session keeps, with what it allocates while it joins. */
   private static final int BYTES_PER_PLACE = 166_000;
 
+  /** The most places that count, those of the largest room: no larger crowd comes at once. */
+  private static final int MOST_PLACES = 1_024;
+
   /** Number of players that may come at once without a noticeable pause. */
   private static final int FEW_PLACES = 64;
 
@@ -34,7 +37,7 @@ public final class SessionMemory {
     }
     var heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage();
     long free = heap.getCommitted() - heap.getUsed() - 2L * BLOCK_BYTES;
-    long wanted = Math.min((long) places * BYTES_PER_PLACE, free);
+    long wanted = Math.min((long) Math.min(places, MOST_PLACES) * BYTES_PER_PLACE, free);
     List<byte[]> blocks = new ArrayList<>();
     for (long touched = 0; touched + BLOCK_BYTES <= wanted; touched += BLOCK_BYTES) {
       blocks.add(new byte[BLOCK_BYTES]); // the JVM writes the zeros
