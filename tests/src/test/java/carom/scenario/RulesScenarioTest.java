@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
+import carom.fixtures.DrawnTriggers;
 import carom.fixtures.PlainGame;
 import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
+import carom.physics.math.SimRandom;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Match;
@@ -32,6 +34,7 @@ import carom.sim.level.LevelException;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -379,5 +382,154 @@ final class RulesScenarioTest {
   void twoOnOnePlateFarFromEachOtherAgree() throws Exception {
     playTogether(triggers(), "triggers");
     playTogether(code(), "code");
+  }
+
+  /** Comes and goes, a little above the edge of the plate. */
+  private static InputSource dither(long seed) {
+    SimRandom random = new SimRandom(seed);
+    float[] way = new float[2];
+    return (view, tick, out) -> {
+      if (random.nextInt(12) == 0) {
+        float y = view.own() == null ? 4 : view.own().y();
+        way[1] = y > 4 ? -1 : y < 2.2f ? 1 : random.nextInt(3) - 1;
+      }
+      out.move(0, way[1]);
+    };
+  }
+
+  private static void playBeside(Stepper stepper, Impairment network, String what) {
+    try (Stepper world = stepper) {
+      Play play = new Play(world);
+      SimulatedClient ann = play.join("Ann", network, InputSource.IDLE);
+      SimulatedClient bob = play.join("Bob", network, InputSource.IDLE);
+      world.body(ann).teleport(-12, 6, 0);
+      world.body(bob).teleport(-10, 4, 0);
+      play.run(2);
+      final int now = world.room().simulation().tick();
+      bob.play(dither(Stepper.SEED));
+      play.run(15);
+      bob.play(InputSource.IDLE);
+      play.run(3);
+      int end = world.room().simulation().tick();
+      assertTrue(play.of(ann).different(play.server, now) > 0, what + ": never wrong, a poor test");
+      assertEquals(0, play.of(ann).different(play.server, end - 60), what + ": Ann");
+      assertEquals(0, play.of(bob).different(play.server, end - 60), what + ": Bob");
+      assertEquals(0, world.count(Counter.DIVERGENCES_UNEXPLAINED), world.describe());
+    }
+  }
+
+  @Test
+  void whereAnInputLackedTheServersWordIsTheLast() throws Exception {
+    playBeside(triggers(), FAR, "triggers");
+    playBeside(code(), FAR, "code");
+  }
+
+  @Test
+  void lossOfDatagramsCostsAgreementForAMomentOnly() throws Exception {
+    Impairment bad = Impairment.NONE.withLatency(50, 10).withLoss(10);
+    playBeside(triggers(), bad, "triggers");
+    playBeside(code(), bad, "code");
+  }
+
+  // ---- levels that are drawn
+
+  private static final Count LAMPS = Field.count("lamps", 0, 9).of(Scope.MATCH);
+
+  /** Has what drawn triggers name. */
+  private static final class Drawn extends Yard {
+    Drawn() {
+      super("drawn");
+    }
+
+    @Override
+    public List<Field<?>> fields() {
+      return List.of(OPEN, COINS, LAMPS);
+    }
+
+    @Override
+    public void setUp(SetUp s) {
+      super.setUp(s);
+      s.event("bell", 0xffffff, 1, "");
+    }
+  }
+
+  private static final String DRAWN =
+      """
+      {"name": "drawn", "game": "drawn", "gravity": [0, 0],
+       "bounds": {"min": [-40, -12], "max": [40, 12]},
+       "statics": [
+         {"name": "plate", "sensor": true, "at": [0, 4],
+          "shape": {"type": "box", "width": 16, "height": 4}},
+         {"name": "wall", "at": [0, -3], "shape": {"type": "box", "width": 9, "height": 1}}],
+       "bodies": [
+         {"name": "ball", "at": [-9, 4], "linearDamping": 3,
+          "shape": {"type": "circle", "radius": 0.5}},
+         {"name": "door", "type": "kinematic", "at": [3, 0],
+          "shape": {"type": "box", "width": 1, "height": 2}},
+         {"name": "crate", "at": [6, 5], "linearDamping": 3, "angularDamping": 3,
+          "shape": {"type": "box", "width": 1, "height": 1}}],
+       "triggers": [TRIGGERS]}
+      """;
+
+  /** Moves about, and comes back to the middle. */
+  private static InputSource roam(long seed) {
+    SimRandom random = new SimRandom(seed);
+    float[] way = new float[2];
+    return (view, tick, out) -> {
+      if (random.nextInt(25) == 0 && view.own() != null) {
+        float x = view.own().x();
+        float y = view.own().y();
+        way[0] = Math.abs(x) > 10 ? -Math.signum(x) : random.nextInt(3) - 1;
+        way[1] = Math.abs(y - 4) > 4 ? Math.signum(4 - y) : random.nextInt(3) - 1;
+      }
+      out.move(way[0], way[1]);
+    };
+  }
+
+  /** Plays a level, and returns what is wrong at the end, when all has come to rest, or null. */
+  private static String play(List<String> triggers, long seed) throws LevelException {
+    Games.add(Drawn::new);
+    String json = DRAWN.replace("TRIGGERS", String.join(", ", triggers));
+    Level level = Level.parse("drawn.json", json.getBytes(StandardCharsets.UTF_8));
+    try (Stepper world = Stepper.of(level, ServerConfig.defaults())) {
+      Play play = new Play(world);
+      Impairment network = Impairment.NONE.withLatency(50, 5).withLoss(3);
+      SimulatedClient ann = play.join("Ann", network, roam(seed));
+      SimulatedClient bob = play.join("Bob", network, roam(seed + 1));
+      play.run(6);
+      ann.play(InputSource.IDLE);
+      bob.play(InputSource.IDLE);
+      play.run(4);
+      int end = world.room().simulation().tick();
+      int wrong = play.of(ann).different(play.server, end - 20);
+      wrong += play.of(bob).different(play.server, end - 20);
+      long unexplained = world.count(Counter.DIVERGENCES_UNEXPLAINED);
+      boolean isRight = wrong == 0 && unexplained == 0;
+      return isRight ? null : wrong + " ticks are wrong, unexplained=" + unexplained;
+    }
+  }
+
+  /** Leaves out triggers as long as something is wrong. */
+  private static String shrunk(List<String> triggers, long seed) throws LevelException {
+    for (int i = 0; i < triggers.size() && triggers.size() > 1; i++) {
+      List<String> fewer = new ArrayList<>(triggers);
+      fewer.remove(i);
+      if (play(fewer, seed) != null) {
+        return shrunk(fewer, seed);
+      }
+    }
+    return String.join(",\n", triggers);
+  }
+
+  @Test
+  void serverAndClientsAgreeOnDrawnLevels() throws Exception {
+    for (int i = 0; i < Integer.getInteger("carom.rules.levels", 8); i++) {
+      long seed = Stepper.SEED + i;
+      List<String> triggers = new DrawnTriggers(seed).each();
+      String wrong = play(triggers, seed);
+      if (wrong != null) {
+        throw new AssertionError("seed=" + seed + ": " + wrong + "\n" + shrunk(triggers, seed));
+      }
+    }
   }
 }

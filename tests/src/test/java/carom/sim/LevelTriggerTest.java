@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.DrawnTriggers;
 import carom.fixtures.PlainGame;
 import carom.physics.Material;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Circle;
-import carom.physics.math.SimRandom;
 import carom.sim.entity.Player;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
@@ -22,6 +22,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.sim.outbox.Event;
 import carom.text.Json;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -191,6 +192,32 @@ final class LevelTriggerTest {
   }
 
   @Test
+  void whatIsSaidAndWhatIsPlayedNextLeavesTheMatch() throws Exception {
+    SimulationHost s =
+        flying(
+            """
+            {"when": {"enter": "plate"}, "do": [
+              {"notice": "Somebody is in."}, {"event": "bell"}, {"event": "bell", "at": [1, 2]}]},
+            {"when": {"timer": 2}, "do": {"next": "arena"}}
+            """);
+    run(s, 60);
+    List<String> notices = new ArrayList<>();
+    s.outbox().drainNotices(notices::add);
+    assertEquals(List.of("Somebody is in."), notices);
+    List<String> events = new ArrayList<>();
+    s.outbox().drainEvents(e -> events.add(e.kind().name() + " of " + e.first() + " at " + e.x()));
+    int ball = Event.key(0, 0);
+    assertEquals(2, events.size(), events.toString());
+    assertTrue(events.get(0).startsWith("bell of " + ball + " at "), events.get(0));
+    assertTrue(events.get(1).endsWith(" at 1.0"), events.get(1));
+    assertNull(s.outbox().takeNextMatch());
+    run(s, 61);
+    assertEquals("arena", s.outbox().takeNextMatch().level());
+    s.outbox().drainNotices(notices::add);
+    assertEquals(1, notices.size(), "said once");
+  }
+
+  @Test
   void theVisitorsPlayerIsScoredAndHurt() throws Exception {
     SimulationHost s =
         start(
@@ -299,84 +326,11 @@ final class LevelTriggerTest {
     assertTrue(e.getMessage().startsWith("t.json:"), e.getMessage());
   }
 
-  /** Draws triggers that the reader takes. */
-  private static final class Draw {
-    private final SimRandom random;
-
-    Draw(long seed) {
-      random = new SimRandom(seed);
-    }
-
-    int below(int n) {
-      return random.nextInt(n);
-    }
-
-    String of(String... words) {
-      return words[below(words.length)];
-    }
-
-    String condition(int depth) {
-      int kind = below(depth > 2 ? 7 : 9);
-      return switch (kind) {
-        case 0 -> "{\"enter\": \"plate\", \"who\": \"" + of("any", "player", "body") + "\"}";
-        case 1 -> "{\"leave\": \"plate\"}";
-        case 2 -> "{\"inside\": \"plate\", \"least\": " + (1 + below(2)) + "}";
-        case 3 ->
-            "{\"hit\": \"" + of("wall", "ball", "door") + "\", \"impulse\": " + below(4) + "}";
-        case 4 -> "{\"timer\": " + below(3) + ".5}";
-        case 5 -> "{\"field\": \"match.lamps\", \"least\": " + below(4) + "}";
-        case 6 -> "{\"score\": " + below(9) + "}";
-        default ->
-            "{\""
-                + of("all", "any")
-                + "\": ["
-                + condition(depth + 1)
-                + ", "
-                + condition(depth + 1)
-                + "]}";
-      };
-    }
-
-    String action() {
-      return switch (below(10)) {
-        case 0 -> "{\"move\": \"door\", \"to\": [" + below(9) + ", " + below(5) + "]}";
-        case 1 -> "{\"spawn\": \"" + of("crate", "disc") + "\", \"at\": [" + below(9) + ", 4]}";
-        case 2 -> "{\"remove\": \"" + of("crate", "ball") + "\"}";
-        case 3 -> "{\"impulse\": [-2, 1], \"on\": \"ball\"}";
-        case 4 -> "{\"teleport\": [-4, " + below(2) + "], \"on\": \"ball\"}";
-        case 5 -> "{\"set\": \"match.open\", \"to\": " + of("true", "false") + "}";
-        case 6 -> "{\"notice\": \"a line\"}";
-        case 7 -> "{\"" + of("enable", "disable") + "\": \"t" + below(4) + "\"}";
-        case 8 -> "{\"event\": \"bell\", \"at\": [0, 0]}";
-        default -> "{\"add\": \"match.lamps\", \"by\": " + (below(5) - 2) + "}";
-      };
-    }
-
-    String triggers() {
-      List<String> all = new ArrayList<>();
-      for (int i = 0; i < 4; i++) {
-        all.add(
-            "{\"name\": \"t"
-                + i
-                + "\", \"when\": "
-                + condition(0)
-                + ", \"do\": ["
-                + action()
-                + ", "
-                + action()
-                + "]"
-                + of("", ", \"after\": 0.3", ", \"once\": true", ", \"enabled\": false")
-                + "}");
-      }
-      return String.join(", ", all);
-    }
-  }
-
   @Test
   void aSavedMatchGoesOnAlike() throws Exception {
     int fired = 0;
     for (int seed = 0; seed < 120; seed++) {
-      Draw draw = new Draw(seed);
+      DrawnTriggers draw = new DrawnTriggers(seed);
       String triggers = draw.triggers();
       SimulationHost s = flying(triggers);
       s.join("Ann").entity().setVelocity(3, -3);
@@ -402,7 +356,7 @@ final class LevelTriggerTest {
   void theSchemaTakesWhatTheReaderTakes() throws Exception {
     SchemaChecker schema = SchemaChecker.levels();
     for (int seed = 0; seed < 200; seed++) {
-      String json = String.format(Locale.ROOT, LEVEL, new Draw(seed).triggers());
+      String json = String.format(Locale.ROOT, LEVEL, new DrawnTriggers(seed).triggers());
       assertEquals("", schema.check(Json.parse(json.getBytes(StandardCharsets.UTF_8))), json);
     }
   }
@@ -411,7 +365,7 @@ final class LevelTriggerTest {
   void aDamagedFileIsRefusedWithItsPlace() {
     int refused = 0;
     for (int seed = 0; seed < 3000; seed++) {
-      Draw draw = new Draw(seed);
+      DrawnTriggers draw = new DrawnTriggers(seed);
       StringBuilder json = new StringBuilder(draw.triggers());
       for (int i = 0; i <= draw.below(3); i++) {
         int at = draw.below(json.length());

@@ -15,6 +15,7 @@ import carom.physics.geometry.Circle;
 import carom.server.CaromMain;
 import carom.sim.Game;
 import carom.sim.Match;
+import carom.sim.Rules;
 import carom.sim.SetUp;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
@@ -118,6 +119,26 @@ class GameTestTest {
     @Override
     float speed(Simulation s, Player p, Input in) {
       return 5 + p.get(LUCK);
+    }
+  }
+
+  /** Writes in its rules what only the server knows. */
+  public static final class RulesWriteSecret extends Good {
+    @Override
+    public void rules(Rules r) {
+      for (Entity e : r.entities()) {
+        e.owner().add(LUCK, 1);
+      }
+    }
+  }
+
+  /** Reads in its rules what only the server knows. */
+  public static final class RulesReadSecret extends Good {
+    @Override
+    public void rules(Rules r) {
+      for (Entity e : r.entities()) {
+        e.owner().add(NITRO, e.owner().get(LUCK) > 3 ? 0.1f : -0.1f);
+      }
     }
   }
 
@@ -253,6 +274,12 @@ class GameTestTest {
   @Test
   void aFieldThatOnlyTheServerKnowsIsNamed() throws Exception {
     assertFinds("player.luck", ReadsSecret::new);
+  }
+
+  @Test
+  void whatRulesMustNotDoIsNamed() throws Exception {
+    assertFinds("player.luck can't be written in Game.rules", RulesWriteSecret::new);
+    assertFinds("rules reads player.luck", RulesReadSecret::new);
   }
 
   @Test
