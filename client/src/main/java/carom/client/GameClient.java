@@ -298,6 +298,9 @@ public final class GameClient implements AutoCloseable {
     watched.reset();
     colourIsDue = colour != PlayerColour.OF_THE_GAME;
     messages.begin(welcome, simulation.messageKinds());
+    if (game != null) {
+      stats.ticksLost(game.ticksLost(welcome));
+    }
     game =
         new JoinedGame(
             config,

@@ -69,6 +69,8 @@ final class JoinedGame {
   private final int tickRate;
   private final int playerId;
   private final int incarnation;
+  private final String room;
+  private final int match;
   private long firstSnapshotNs;
   private long lastAdvanceNs;
 
@@ -101,6 +103,8 @@ final class JoinedGame {
     stats.viewsNarrow(false);
     playerId = welcome.playerId();
     incarnation = welcome.incarnation();
+    room = welcome.room();
+    match = welcome.match();
     this.source = source;
     tickRate = welcome.tickRate();
     fields = new RemoteFields(simulation.schema(), () -> view.view().tick());
@@ -361,6 +365,18 @@ final class JoinedGame {
   /** Returns which run of the server the stay belongs to. */
   int incarnation() {
     return incarnation;
+  }
+
+  /**
+   * Returns how many ticks that this client has seen never happened, because the room goes on from
+   * an earlier state.
+   *
+   * @param next of the link after this one
+   */
+  int ticksLost(ServerMessage.Welcome next) {
+    boolean another =
+        next.room().equals(room) && next.match() == match && next.incarnation() != incarnation;
+    return another ? Math.max(0, decoder.newestTick() - next.courseTick()) : 0;
   }
 
   /** Returns what has arrived, exactly as the server sent it. Read-only. */

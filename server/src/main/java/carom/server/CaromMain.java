@@ -4,6 +4,7 @@ import carom.options.BadFlag;
 import carom.options.LabCommand;
 import carom.options.Subcommand;
 import carom.options.VectorApi;
+import carom.server.fleet.FleetCommand;
 import java.io.PrintWriter;
 import java.util.ServiceLoader;
 import picocli.CommandLine;
@@ -18,7 +19,7 @@ import picocli.CommandLine.Spec;
     name = "carom",
     mixinStandardHelpOptions = true,
     versionProvider = ServerMain.Version.class,
-    subcommands = {ReplayCommand.class, HealthCommand.class},
+    subcommands = {ReplayCommand.class, HealthCommand.class, FleetCommand.class},
     description = "Tools of the Carom game server.")
 public final class CaromMain implements Runnable {
   @Spec private CommandSpec spec;

@@ -7,9 +7,11 @@ import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counters;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
+import carom.server.session.Ownership;
 import carom.server.session.Seats;
 import carom.server.threads.LoaderThread;
 import java.security.SecureRandom;
+import java.util.function.Function;
 import java.util.function.LongSupplier;
 
 /** Builds the rooms of a server from what they share and what is their own. Any thread. */
@@ -19,6 +21,7 @@ record RoomBuilder(
     LoaderThread loads,
     LongSupplier clock,
     RoomDirectory directory,
+    Function<RoomConfig, Ownership> ownerships,
     WorkerThreads helpers,
     SecureRandom random) {
 
@@ -35,7 +38,18 @@ record RoomBuilder(
     boolean named = config.get().get(ServerConfig.ROOMS) > 1 || !own.name().equals("1");
     String label = named ? "room " + own.name() + ": " : "";
     Room room =
-        new Room(config, number, label, own, library, loads, clock, seats, directory, counters);
+        new Room(
+            config,
+            number,
+            label,
+            own,
+            library,
+            loads,
+            clock,
+            seats,
+            directory,
+            counters,
+            ownerships.apply(own));
     room.helpedBy(helpers == null ? null : helpers.forOneWorld());
     return room;
   }

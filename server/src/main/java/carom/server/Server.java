@@ -12,6 +12,7 @@ import carom.server.checkpoint.SlotDisk;
 import carom.server.command.RoomKeeper;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.fleet.RoomHost;
 import carom.server.lobby.Lobby;
 import carom.server.match.HandedInMatch;
 import carom.server.match.MatchLibrary;
@@ -21,9 +22,11 @@ import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
+import carom.server.room.FleetDoor;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.ChatCommands;
+import carom.server.session.Ownership;
 import carom.server.threads.Duty;
 import carom.server.threads.DutyPool;
 import carom.server.threads.LoaderThread;
@@ -47,6 +50,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
@@ -72,7 +76,7 @@ import org.slf4j.LoggerFactory;
  * <p>{@link #close} tells the players, ends all threads and closes the transport, which the server
  * owns.
  */
-public final class Server implements AutoCloseable, RoomKeeper {
+public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
   private static final Logger LOG = LoggerFactory.getLogger(Server.class);
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
@@ -136,6 +140,10 @@ public final class Server implements AutoCloseable, RoomKeeper {
   private String troublesLogged;
   private long troublesLoggedNs;
   private volatile boolean lobbyFailed;
+
+  /** True for a server that goes on without rooms: in a fleet, others' rooms may come to it. */
+  private volatile boolean mayBeEmpty;
+
   private volatile boolean started;
   private boolean closed;
 
@@ -180,6 +188,22 @@ public final class Server implements AutoCloseable, RoomKeeper {
       MatchLibrary library,
       ServerTransport transport,
       LongSupplier clock) {
+    this(config, roomConfigs, library, transport, clock, room -> Ownership.alone());
+  }
+
+  /**
+   * Builds the first match of each room, as above, for a server that may be one of a fleet.
+   *
+   * @param ownerships returns whether the server owns a room that is about to be built, and throws
+   *     an IllegalArgumentException if the room belongs to another one
+   */
+  public Server(
+      ServerConfig config,
+      List<RoomConfig> roomConfigs,
+      MatchLibrary library,
+      ServerTransport transport,
+      LongSupplier clock,
+      Function<RoomConfig, Ownership> ownerships) {
     RoomConfig.places(roomConfigs);
     this.config = new LiveConfig(config);
     this.transport = transport;
@@ -191,7 +215,14 @@ public final class Server implements AutoCloseable, RoomKeeper {
     directory = new RoomDirectory();
     builder =
         new RoomBuilder(
-            this.config, library, loader, clock, directory, helpers, new SecureRandom());
+            this.config,
+            library,
+            loader,
+            clock,
+            directory,
+            ownerships,
+            helpers,
+            new SecureRandom());
     List<Room> built = new ArrayList<>();
     for (RoomConfig own : roomConfigs) {
       built.add(builder.build(own, ++numbers, new Counters()));
@@ -327,6 +358,12 @@ public final class Server implements AutoCloseable, RoomKeeper {
    */
   public void redirectVisitors(ServerMessage.Redirect to) {
     lobby.redirect(to);
+  }
+
+  /** Sets what shows the rooms of the other servers of a fleet; before the first turn. */
+  public void fleet(FleetDoor door) {
+    mayBeEmpty = true;
+    directory.fleet(door);
   }
 
   /** Sets what runs commands in the chat; without it a line with a slash is ordinary chat. */
@@ -486,10 +523,12 @@ public final class Server implements AutoCloseable, RoomKeeper {
   /** A room that an operator adds, while its first match is built. */
   private final class AddedRoom implements LoaderThread.Load {
     private final RoomConfig own;
+    private final int nextNumber;
     private final CompletableFuture<Room> outcome = new CompletableFuture<>();
 
-    AddedRoom(RoomConfig own) {
+    AddedRoom(RoomConfig own, int nextNumber) {
       this.own = own;
+      this.nextNumber = nextNumber;
     }
 
     @Override
@@ -500,7 +539,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
     @Override
     public void run() {
       try {
-        outcome.complete(builder.build(own, numbers + 1, new Counters()));
+        outcome.complete(builder.build(own, nextNumber, new Counters()));
       } catch (RuntimeException | Error e) { // such as too little memory for the level
         cancelled(e.getMessage() == null ? e.toString() : e.getMessage());
       }
@@ -541,9 +580,9 @@ public final class Server implements AutoCloseable, RoomKeeper {
             "this server records to one file, which has one room; give --record a folder");
       }
       RoomConfig seeded = own.withSeed(config().get(ServerConfig.SEED) + numbers);
-      int places = RoomConfig.places(settingsWith(null, seeded));
+      RoomConfig.places(settingsWith(null, seeded));
       own.levels().forEach(this::requireLevel);
-      AddedRoom added = new AddedRoom(seeded);
+      AddedRoom added = new AddedRoom(seeded, ++numbers);
       loader.execute(added);
       Room room = added.await();
       try {
@@ -557,15 +596,86 @@ public final class Server implements AutoCloseable, RoomKeeper {
         throw new IllegalArgumentException(
             "the room's files can't be written: " + FileErrors.reason(e), e);
       }
-      numbers++;
-      limitLinks(places);
-      synchronized (rooms) {
-        rooms.add(room);
-      }
-      if (started) {
-        begin(room);
-      }
+      addRoom(room);
       return room;
+    }
+  }
+
+  @Override
+  public Room takeOver(RoomConfig own, Path slots) {
+    synchronized (roomCommands) {
+      RoomConfig.places(settingsWith(null, own));
+    }
+    own.levels().forEach(this::requireLevel);
+    // Not on the loader's thread: rooms that come at once are built side by side.
+    Room room = builder.build(own, nextNumber(), new Counters());
+    try {
+      if (slots != null) {
+        room.resume(slots);
+      }
+      if (checkpoints != null) {
+        room.checkpointAnew(disk, checkpoints.resolve(room.name()), checkpointS);
+      }
+      if (recorder != null) {
+        recorder.begin(room);
+      }
+    } catch (IOException e) {
+      room.close(GoodbyeReason.SERVER_ERROR, "", clock.getAsLong());
+      throw new IllegalArgumentException(
+          "the room's files can't be used: " + FileErrors.reason(e), e);
+    }
+    synchronized (roomCommands) {
+      addRoom(room);
+    }
+    return room;
+  }
+
+  private int nextNumber() {
+    synchronized (roomCommands) {
+      return ++numbers;
+    }
+  }
+
+  private void addRoom(Room room) {
+    synchronized (rooms) {
+      rooms.add(room);
+    }
+    limitLinks(RoomConfig.places(rooms.stream().map(Room::settings).toList()));
+    if (started) {
+      begin(room);
+    }
+  }
+
+  @Override
+  public boolean hasThreads() {
+    return started;
+  }
+
+  @Override
+  public void forget(Room room) {
+    synchronized (roomCommands) {
+      synchronized (rooms) {
+        rooms.remove(room);
+      }
+      DutyPool.Shift shift = roomShifts.remove(room);
+      if (shift != null) {
+        shift.stop();
+      }
+      room.closeHandedOver();
+    }
+  }
+
+  @Override
+  public void drop(Room room, String why) {
+    synchronized (roomCommands) {
+      synchronized (rooms) {
+        rooms.remove(room);
+      }
+      room.abandon(why);
+      DutyPool.Shift shift = roomShifts.remove(room);
+      if (shift != null) {
+        shift.stop();
+      }
     }
   }
 
@@ -760,7 +870,11 @@ public final class Server implements AutoCloseable, RoomKeeper {
    * have failed, or too many threads hang in games.
    */
   public boolean hasFailed() {
-    return lobbyFailed || gaveUp || rooms.stream().allMatch(Room::hasFailed);
+    return lobbyFailed || gaveUp || (rooms.stream().allMatch(Room::hasFailed) && !mayStayEmpty());
+  }
+
+  private boolean mayStayEmpty() {
+    return mayBeEmpty && rooms.isEmpty();
   }
 
   /** Returns the port for reliable messages, as the transport opened it. */
@@ -789,6 +903,7 @@ public final class Server implements AutoCloseable, RoomKeeper {
    * threads drive the server, use only what the documentation of {@link Room} allows from any
    * thread.
    */
+  @Override
   public List<Room> rooms() {
     return roomsShown;
   }

@@ -10,6 +10,7 @@ import carom.server.access.AddressRange;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
 import carom.server.config.ServerConfig;
+import carom.server.fleet.FleetFlags;
 import carom.server.lobby.Lobby;
 import carom.server.query.ProtocolFlags;
 import carom.server.recording.RotationLimit;
@@ -82,7 +83,8 @@ final class ServerFlags {
             WebFlags.problem(config),
             PlayFlags.problem(config),
             ProtocolFlags.problem(config),
-            PlainFlags.problem(config, bindAddresses()));
+            PlainFlags.problem(config, bindAddresses()),
+            FleetFlags.problem(config));
     if (problem != null) {
       throw bad(problem);
     }

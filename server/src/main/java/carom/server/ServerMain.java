@@ -11,7 +11,9 @@ import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
 import carom.server.access.Logins;
 import carom.server.command.Caller;
+import carom.server.command.CommandException;
 import carom.server.command.CommandRegistry;
+import carom.server.command.CommandWords;
 import carom.server.command.RedirectCommands;
 import carom.server.command.ReloadCommand;
 import carom.server.command.RoomChangeCommands;
@@ -23,6 +25,7 @@ import carom.server.config.EffectiveSettings;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.config.SettingsLayers;
+import carom.server.fleet.FleetService;
 import carom.server.metrics.Counter;
 import carom.server.query.ProtocolFlags;
 import carom.server.query.StatusFacts;
@@ -94,6 +97,9 @@ public final class ServerMain implements Callable<Integer> {
   private static final String LOG_CONFIG = "carom-server-logback.xml";
   private static final int FAILED = 1;
 
+  /** Longest time that a server which stops waits for its rooms to move away, ms. */
+  private static final int DRAIN_MS = 5_000;
+
   @Spec private CommandSpec spec;
 
   @Option(
@@ -117,6 +123,7 @@ public final class ServerMain implements Callable<Integer> {
   private KernelWarmupThread kernels;
   private PlayPort play; // or null
   private PlainDoor plain; // or null
+  private FleetService fleet; // or null
 
   /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -233,6 +240,7 @@ public final class ServerMain implements Callable<Integer> {
       Server server = start.open();
       play = start.play();
       plain = start.plain();
+      fleet = start.fleet();
       server.admit(access);
       return server;
     } finally {
@@ -316,7 +324,13 @@ public final class ServerMain implements Callable<Integer> {
               if (answers != null) {
                 answers.stopping();
               }
+              if (fleet != null && !fleet.drain(DRAIN_MS)) {
+                log.warn("fleet: some rooms couldn't move to other servers");
+              }
               server.close();
+              if (fleet != null) {
+                fleet.close();
+              }
               server.status().forEach(line -> log.info("stopped: {}", line));
               logging.stop(); // writes the lines that are still queued
               if (answers != null) {
@@ -337,7 +351,10 @@ public final class ServerMain implements Callable<Integer> {
     FutureTask<WebServer> ports = new FutureTask<>(() -> openPorts(server, commands));
     new Thread(ports, "carom-ports").start();
     server.start();
-    while (server.count(Counter.TICKS) == 0 && !server.hasFailed()) {
+    if (fleet != null) {
+      fleet.serve(server);
+    }
+    while (server.count(Counter.TICKS) == 0 && !server.hasFailed() && !server.rooms().isEmpty()) {
       Thread.sleep(1); // the first tick of a large level takes as long as many later ones
     }
     web.set(opened(ports, server));
@@ -387,8 +404,25 @@ public final class ServerMain implements Callable<Integer> {
     Supplier<EffectiveSettings> present =
         ReloadCommand.add(commands, flags.settings(), settings, live, access::reload);
     ServerCommands.add(commands, server::status, present, recordings(), ServerMain::replay);
+    if (fleet != null) {
+      commands.add(
+          new carom.server.command.Command(
+              "fleet",
+              "[status | rooms | move ROOM [SERVER] | drain]",
+              "Shows the fleet, or moves this server's rooms to others.",
+              ServerMain.this::runFleet,
+              place -> place == 0 ? List.of("status", "rooms", "move", "drain") : List.of()));
+    }
     RoomChangeCommands.add(commands, server, server.rooms(), flags.dataFolder());
     return commands;
+  }
+
+  private String runFleet(CommandWords words) throws CommandException {
+    try {
+      return fleet.member().run(words.all());
+    } catch (IllegalArgumentException e) {
+      throw new CommandException(e.getMessage());
+    }
   }
 
   /** Waits for the ports. A server that lacks one isn't ready, and is closed. */

@@ -5,6 +5,8 @@ import carom.net.kryo.server.KryoLimits;
 import carom.net.kryo.server.KryoServerTransport;
 import carom.net.kryo.server.ProxyRule;
 import carom.net.kryo.server.ServerIdentity;
+import carom.net.seal.Encryption;
+import carom.net.seal.ServerKey;
 import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.PortUnavailableException;
@@ -18,10 +20,13 @@ import carom.server.access.LoginThrottle;
 import carom.server.access.Secret;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.fleet.FleetFlags;
+import carom.server.fleet.FleetService;
 import carom.server.lobby.Lobby;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.recording.RotationLimit;
+import carom.server.session.Ownership;
 import carom.server.session.SessionMemory;
 import carom.server.thin.plain.PlainDoor;
 import carom.server.thin.plain.PlainFlags;
@@ -31,6 +36,7 @@ import carom.text.FileErrors;
 import com.sun.management.UnixOperatingSystemMXBean;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.net.InetAddress;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -57,6 +63,7 @@ final class ServerStart {
   private volatile Server server;
   private PlayPort play; // or null
   private PlainDoor plain; // or null
+  private FleetService fleet; // or null
 
   ServerStart(
       ServerFlags flags, GameChoice choice, ServerConfig config, AccessLists access, Logger log) {
@@ -89,7 +96,14 @@ final class ServerStart {
   Server open() throws StartFailure {
     List<RoomConfig> rooms = choice.rooms(config);
     compareWithOpenFiles(RoomConfig.places(rooms));
-    server = openRooms(rooms, openTransport(rooms));
+    ServerTransport transport = openTransport(rooms);
+    if (FleetFlags.isFleet(config)) {
+      rooms = joinFleet(rooms, transport);
+    }
+    server = openRooms(rooms, transport);
+    if (fleet != null) {
+      server.fleet(fleet.member());
+    }
     SessionMemory.touch(RoomConfig.places(rooms));
     try {
       demandPassword();
@@ -113,6 +127,37 @@ final class ServerStart {
           places,
           system.getMaxFileDescriptorCount());
     }
+  }
+
+  /** Joins the fleet and returns the rooms that this server owns there. */
+  private List<RoomConfig> joinFleet(List<RoomConfig> rooms, ServerTransport transport)
+      throws StartFailure {
+    List<InetAddress> bind = flags.bindAddresses();
+    boolean numbered = flags.get(ServerConfig.ROOM).isEmpty();
+    try {
+      fleet =
+          FleetService.join(
+              config,
+              ServerKey.load(flags.get(ServerConfig.FLEET_KEY)),
+              bind.isEmpty() ? null : bind.get(0),
+              transport.tcpPort(),
+              flags.dataFolder().followed());
+      return fleet.claim(rooms, numbered);
+    } catch (IOException e) {
+      transport.close();
+      if (fleet != null) {
+        fleet.close();
+      }
+      throw new StartFailure("--fleet: " + e.getMessage(), e);
+    } catch (IllegalArgumentException e) {
+      transport.close();
+      throw flags.bad("--fleet: " + e.getMessage());
+    }
+  }
+
+  /** Returns the server's part in its fleet, or null if it has none. */
+  FleetService fleet() {
+    return fleet;
   }
 
   private ServerTransport openTransport(List<RoomConfig> rooms) throws StartFailure {
@@ -190,7 +235,11 @@ final class ServerStart {
   /** Returns the key in the data folder and whether links are encrypted, and logs both. */
   private ServerIdentity identity() throws StartFailure {
     try {
-      ServerIdentity identity = flags.dataFolder().identity(flags.get(ServerConfig.ENCRYPTION));
+      Encryption encryption = flags.get(ServerConfig.ENCRYPTION);
+      ServerIdentity identity =
+          FleetFlags.isFleet(config)
+              ? new ServerIdentity(encryption, ServerKey.load(flags.get(ServerConfig.FLEET_KEY)))
+              : flags.dataFolder().identity(encryption);
       String fingerprint = identity.fingerprint();
       Secret.warnIfShared(flags.dataFolder().serverKey());
       access.demandTokens(
@@ -206,7 +255,13 @@ final class ServerStart {
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {
     try {
       MatchLibrary library = MatchLibrary.heard(choice.library(), roomsBegun::incrementAndGet);
-      return new Server(config, rooms, library, transport, System::nanoTime);
+      return new Server(
+          config,
+          rooms,
+          library,
+          transport,
+          System::nanoTime,
+          fleet == null ? room -> Ownership.alone() : fleet.member()::ownershipOf);
     } catch (IllegalArgumentException e) {
       transport.close();
       throw flags.bad("--level: " + e.getMessage());

@@ -345,6 +345,7 @@ final class HostileServerTest {
         60,
         name,
         1,
+        0,
         5,
         0,
         0,

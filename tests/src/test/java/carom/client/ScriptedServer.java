@@ -95,6 +95,7 @@ final class ScriptedServer {
               60,
               "1",
               1,
+              0,
               EPOCH,
               simulation.tick(),
               simulation.tick(),

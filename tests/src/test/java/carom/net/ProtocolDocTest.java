@@ -208,6 +208,7 @@ class ProtocolDocTest {
                 60,
                 "cup",
                 1,
+                2,
                 0x55667788,
                 990,
                 1000,
@@ -241,6 +242,10 @@ class ProtocolDocTest {
                         "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
     golden.put(
         "redirect", codec.encode(new ServerMessage.Redirect("b.example.org:54555", "", "cup", "")));
+    String b = "b.example.org:54555";
+    golden.put(
+        "fleet", codec.encode(new ServerMessage.Fleet(List.of("a.example.org:54555", b), b)));
+    golden.put("move", codec.encode(new ServerMessage.Move(b, "", "cup", "ticket.x")));
     golden.put("pace", codec.encode(new ServerMessage.Pace(75, false)));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put(

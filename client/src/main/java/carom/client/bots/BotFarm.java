@@ -72,6 +72,14 @@ public final class BotFarm implements AutoCloseable {
     double lateInputs;
     long leavesNs;
 
+    /** Snapshots of the present client when it was looked at last, and when there were more. */
+    long snapshots;
+
+    long snapshotNs;
+    long longestGapNs;
+    int redirects;
+    int ticksLost;
+
     final SimRandom random;
 
     BotPlayer(int number, long seed) {
@@ -142,6 +150,9 @@ public final class BotFarm implements AutoCloseable {
   /** Gives a bot a new client, and keeps the figures of the old one. */
   private void replaceClient(BotPlayer p, long nowNs) {
     p.before.add(p.client.stats(), nowNs);
+    p.redirects += p.client.stats().redirects();
+    p.ticksLost += p.client.stats().ticksLost();
+    p.snapshots = 0;
     p.client.close();
     p.client = newClient(p);
     p.readyInMatch = -1;
@@ -204,6 +215,7 @@ public final class BotFarm implements AutoCloseable {
       p.readyInMatch = p.client.view().matchNumber();
     }
     countInputs(p, playing, nowNs);
+    measureGap(p, nowNs);
     p.playing = playing;
     p.entered |= playing;
     p.joined |= playing;
@@ -244,6 +256,18 @@ public final class BotFarm implements AutoCloseable {
       p.lateInputs += Math.max(0, ticks - 1);
     }
     p.updatedNs = nowNs;
+  }
+
+  /** Measures how long a bot that has joined is without a snapshot. */
+  private static void measureGap(BotPlayer p, long nowNs) {
+    long snapshots = p.client.stats().snapshots();
+    if (p.entered && !isOver(p) && p.snapshots > 0) {
+      p.longestGapNs = Math.max(p.longestGapNs, nowNs - p.snapshotNs);
+    }
+    if (snapshots > p.snapshots) {
+      p.snapshots = snapshots;
+      p.snapshotNs = nowNs;
+    }
   }
 
   /** Returns how many bots there are. */
@@ -378,7 +402,13 @@ public final class BotFarm implements AutoCloseable {
     int errors = 0;
     double inputs = 0;
     double late = 0;
+    long longestGapNs = 0;
+    int redirects = 0;
+    int ticksLost = 0;
     for (BotPlayer p : players) {
+      longestGapNs = Math.max(longestGapNs, p.longestGapNs);
+      redirects += p.redirects + p.client.stats().redirects();
+      ticksLost += p.ticksLost + p.client.stats().ticksLost();
       disconnects += p.disconnects;
       errors += p.errors;
       inputs += p.inputs;
@@ -416,7 +446,10 @@ public final class BotFarm implements AutoCloseable {
         kbitUp / divisor,
         awake == 0 ? 0 : 100.0 * right / awake,
         corrections / divisor,
-        inputs == 0 ? 0 : 100 * late / inputs);
+        inputs == 0 ? 0 : 100 * late / inputs,
+        longestGapNs / 1e6,
+        redirects,
+        ticksLost);
   }
 
   /** Makes all bots leave. */

@@ -23,6 +23,10 @@ import java.util.Locale;
  * @param correctionsPerMinute how often a bot's own body had to be corrected
  * @param lateInputPercent share of the inputs of playing bots that were sampled later than their
  *     tick, because the bots' own process was too slow to look after each of them in each tick
+ * @param longestGapMs longest time without a snapshot of any bot that had joined and wanted to
+ *     play, milliseconds
+ * @param redirects how often servers have sent bots to other servers
+ * @param ticksLost ticks that bots have seen and that never happened, because a server was lost
  */
 record BotReport(
     int joined,
@@ -38,7 +42,10 @@ record BotReport(
     double kbitPerSecondUp,
     double exactPercent,
     double correctionsPerMinute,
-    double lateInputPercent) {
+    double lateInputPercent,
+    double longestGapMs,
+    int redirects,
+    int ticksLost) {
   /** Returns one line of JSON with the keys in the order above. */
   public String toJson() {
     return String.format(
@@ -47,7 +54,8 @@ record BotReport(
             + "\"gapP99Ms\":%.2f,\"rttP50Ms\":%.2f,\"kbitPerSecond\":%.2f,\"playing\":%d,"
             + "\"rejected\":%d,\"retries\":%d,\"kbitPerSecondUp\":%.2f,"
             + "\"exactPercent\":%.2f,\"correctionsPerMinute\":%.2f,"
-            + "\"lateInputPercent\":%.2f}",
+            + "\"lateInputPercent\":%.2f,\"longestGapMs\":%.2f,\"redirects\":%d,"
+            + "\"ticksLost\":%d}",
         joined,
         disconnects,
         errors,
@@ -61,6 +69,9 @@ record BotReport(
         kbitPerSecondUp,
         exactPercent,
         correctionsPerMinute,
-        lateInputPercent);
+        lateInputPercent,
+        longestGapMs,
+        redirects,
+        ticksLost);
   }
 }

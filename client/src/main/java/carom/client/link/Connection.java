@@ -4,6 +4,7 @@ import carom.client.stats.NetStatsRecorder;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ProtocolLimits;
+import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
@@ -48,6 +49,10 @@ public final class Connection implements LinkHandler {
   private final String playerName;
   private final String game;
   private String token;
+
+  /** Stands in for the token at the server to which the present one has moved the client. */
+  private String ticket = "";
+
   private final String password;
   private final boolean reconnects;
   private final ClientTransport transport;
@@ -56,6 +61,7 @@ public final class Connection implements LinkHandler {
   private final LinkTraffic traffic;
   private final ReconnectTimer comeback = new ReconnectTimer();
   private final Redirects redirects = new Redirects();
+  private final FleetRoute fleet;
   private final LevelDownload download = new LevelDownload();
 
   private Stage stage = Stage.IDLE;
@@ -111,11 +117,15 @@ public final class Connection implements LinkHandler {
     this.listener = listener;
     this.stats = stats;
     this.traffic = new LinkTraffic(stats);
+    this.fleet = new FleetRoute(transport);
   }
 
   /** Takes in what has arrived and does what is due. */
   public void update(long nowNs) {
     this.nowNs = nowNs;
+    if (stage != Stage.ENDED && welcome != null && fleet.poll(nowNs, secret, welcome.room())) {
+      followRoom();
+    }
     switch (stage) {
       case IDLE -> open();
       case WAITING -> {
@@ -166,9 +176,10 @@ public final class Connection implements LinkHandler {
                   Protocol.physicsDigest(),
                   playerName,
                   secret,
-                  room,
+                  room.isEmpty() && welcome != null && fleet.count() > 0 ? welcome.room() : room,
                   game,
-                  token));
+                  ticket.isEmpty() ? token : ticket));
+          ticket = "";
         } else if (link.state() == Link.State.CLOSED) {
           poll(); // delivers the reason
         } else if (waited > CONNECT_TIMEOUT_NS) {
@@ -217,6 +228,10 @@ public final class Connection implements LinkHandler {
       goodbye(goodbye);
     } else if (received instanceof ServerMessage.Redirect redirect) {
       redirected(redirect);
+    } else if (received instanceof ServerMessage.Move move) {
+      moved(move);
+    } else if (received instanceof ServerMessage.Fleet servers) {
+      fleet.told(servers, address);
     } else if (received instanceof ServerMessage.Roster roster) {
       listener.roster(roster);
     } else if (received instanceof ServerMessage.RoomList rooms) {
@@ -273,6 +288,11 @@ public final class Connection implements LinkHandler {
       fail("The server's welcome makes no sense: " + w);
       return;
     }
+    if (fleet.isStale(w)) {
+      failPassing("The server at " + address + " owns the room no longer.");
+      return;
+    }
+    fleet.note(w);
     if (welcome != null && !comeback.isRunning() && !welcome.room().equals(w.room())) {
       room = w.room(); // the player has chosen it
     }
@@ -331,7 +351,9 @@ public final class Connection implements LinkHandler {
 
   private void refused(ServerMessage.Refused refused) {
     retryUseful = refused.reason().retryUseful();
-    if (comeback.isComingBack() && retryUseful) {
+    if (refused.reason() == RefusalReason.FLEET_UNSETTLED) {
+      failPassing(refused.playerText());
+    } else if (comeback.isComingBack() && retryUseful) {
       message = refused.playerText();
       fail(message);
     } else {
@@ -358,6 +380,7 @@ public final class Connection implements LinkHandler {
       end(e.getMessage());
       return;
     }
+    stats.redirected();
     boolean wasPlaying = stage == Stage.PLAYING;
     dropLink("sent to " + to);
     stop();
@@ -375,6 +398,52 @@ public final class Connection implements LinkHandler {
       comeback.start(nowNs, true);
     }
     open();
+  }
+
+  /** Goes to another server of the same fleet, with the session. */
+  private void moved(ServerMessage.Move move) {
+    ServerAddress to;
+    try {
+      boolean sameKey =
+          !move.fingerprint().isEmpty() && move.fingerprint().equals(link.serverFingerprint());
+      to = redirects.followMove(move.server(), sameKey, address, nowNs);
+    } catch (IllegalArgumentException e) {
+      end(e.getMessage());
+      return;
+    }
+    stats.redirected();
+    boolean wasPlaying = stage == Stage.PLAYING;
+    dropLink("moved to " + to);
+    stop();
+    fleet.leaveStandby();
+    address = to;
+    room = move.room();
+    ticket = move.ticket();
+    transport.expect(to.toString(), move.fingerprint());
+    if (reconnects && wasPlaying) {
+      message = "Moving to " + to + ".";
+      comeback.start(nowNs, true);
+    }
+    open();
+  }
+
+  /** Goes on where the server that has followed the room welcomes the client. */
+  private void followRoom() {
+    boolean wasPlaying = stage == Stage.PLAYING;
+    dropLink("another server goes on with the room");
+    stop();
+    address = fleet.standbyAddress();
+    link = fleet.takeLink();
+    ServerMessage.Welcome first = fleet.takeWelcome();
+    fleet.leaveStandby();
+    traffic.begin();
+    if (wasPlaying) {
+      message = "The room goes on at " + address + ".";
+      comeback.start(nowNs, true);
+    }
+    enter(Stage.JOINING);
+    askedNs = nowNs;
+    message(link, first);
   }
 
   /** Drops the link. The connection ends, or tries to come back if it was playing. */
@@ -413,11 +482,14 @@ public final class Connection implements LinkHandler {
       latest = "";
     }
     stage = Stage.WAITING;
-    comeback.scheduleAttempt(nowNs);
+    ticket = "";
+    address = fleet.after(address);
+    comeback.scheduleAttempt(nowNs, fleet.count(), fleet.hasStandby());
   }
 
   private void end(String why) {
     dropLink(why);
+    fleet.leaveStandby();
     stop();
     message = why;
     stage = Stage.ENDED;

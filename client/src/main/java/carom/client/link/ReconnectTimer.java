@@ -7,6 +7,7 @@ package carom.client.link;
 final class ReconnectTimer {
   private static final long MS = 1_000_000L;
   private static final long FIRST_WAIT_NS = 250 * MS;
+  private static final long STANDBY_WAIT_NS = 1_000 * MS;
   private static final long LONGEST_WAIT_NS = 4_000 * MS;
   private static final long GIVE_UP_NS = 90_000 * MS;
 
@@ -50,8 +51,18 @@ final class ReconnectTimer {
     return running && wasIn;
   }
 
-  /** Sets the time of the next attempt, and doubles the wait for the one after it. */
-  void scheduleAttempt(long nowNs) {
+  /**
+   * Sets the time of the next attempt, and doubles the wait for the one after it. In a fleet, each
+   * server is tried at once, before any is tried again.
+   *
+   * @param servers the number of servers that are tried in turn, 0 outside a fleet
+   * @param standby whether one of them speaks by itself if it can; it is given a moment
+   */
+  void scheduleAttempt(long nowNs, int servers, boolean standby) {
+    if (attempts < servers) {
+      nextAttemptNs = nowNs + (standby && attempts == 0 ? STANDBY_WAIT_NS : 0);
+      return;
+    }
     nextAttemptNs = nowNs + waitNs;
     waitNs = Math.min(LONGEST_WAIT_NS, waitNs * 2);
   }

@@ -13,6 +13,9 @@ public final class Redirects {
   /** Most redirects that a client follows within {@link #PERIOD_NS}. */
   static final int MOST = 3;
 
+  /** Most moves within a fleet that a client follows within {@link #PERIOD_NS}. */
+  static final int MOST_MOVES = 30;
+
   static final long PERIOD_NS = 60_000_000_000L;
 
   /** Addresses of this machine, of its network, and of no single machine, as people write them. */
@@ -23,6 +26,7 @@ public final class Redirects {
               + "::.*|f[cdf][\\da-f]{2}:.*|fe[89ab][\\da-f]:.*");
 
   private final ArrayDeque<Long> followedNs = new ArrayDeque<>();
+  private final ArrayDeque<Long> movedNs = new ArrayDeque<>();
 
   /** Creates an object that has followed none. */
   public Redirects() {}
@@ -53,15 +57,38 @@ public final class Redirects {
               + to
               + ", which is in your own network. Enter that address yourself if you mean it.");
     }
-    while (!followedNs.isEmpty() && nowNs - followedNs.peek() > PERIOD_NS) {
-      followedNs.remove();
-    }
-    if (followedNs.size() == MOST) {
-      throw new IllegalArgumentException(
-          "Servers sent you on " + (MOST + 1) + " times within a minute, last to " + to + ".");
-    }
-    followedNs.add(nowNs);
+    count(followedNs, MOST, to, nowNs);
     return to;
+  }
+
+  /**
+   * Returns where a move within a fleet leads, if the client should follow. A server with the key
+   * of the one that sent the move is the same to the client, wherever it is.
+   *
+   * @param server address of the other server
+   * @param sameKey whether that server must show the key that this one has proven
+   * @param from the server that sent it
+   * @param nowNs monotonic time
+   * @throws IllegalArgumentException in words for the player, when it should not
+   */
+  public ServerAddress followMove(String server, boolean sameKey, ServerAddress from, long nowNs) {
+    if (!sameKey) {
+      return follow(new ServerMessage.Redirect(server, "", "", ""), from, nowNs);
+    }
+    ServerAddress to = ServerAddress.parse(server);
+    count(movedNs, MOST_MOVES, to, nowNs);
+    return to;
+  }
+
+  private static void count(ArrayDeque<Long> pastNs, int most, ServerAddress to, long nowNs) {
+    while (!pastNs.isEmpty() && nowNs - pastNs.peek() > PERIOD_NS) {
+      pastNs.remove();
+    }
+    if (pastNs.size() == most) {
+      throw new IllegalArgumentException(
+          "Servers sent you on " + (most + 1) + " times within a minute, last to " + to + ".");
+    }
+    pastNs.add(nowNs);
   }
 
   /** Returns whether a host is written as one of this machine or network. */

@@ -109,6 +109,16 @@ public final class NetStats {
     return traffic.reconnects;
   }
 
+  /** Returns how often a server has sent the client to another one. */
+  public int redirects() {
+    return traffic.redirects;
+  }
+
+  /** Returns how many ticks that the client has seen never happened, as a server was lost. */
+  public int ticksLost() {
+    return traffic.ticksLost;
+  }
+
   /** Returns whether datagrams go over TCP now, because UDP is blocked. */
   public boolean isOverTcp() {
     return traffic.overTcp;

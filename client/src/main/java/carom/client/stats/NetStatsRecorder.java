@@ -44,6 +44,16 @@ public final class NetStatsRecorder {
     traffic.reconnects++;
   }
 
+  /** Notes that the server has sent the client to another one. */
+  public void redirected() {
+    traffic.redirects++;
+  }
+
+  /** Notes that ticks which the client has seen never happened, as a server was lost. */
+  public void ticksLost(int ticks) {
+    traffic.ticksLost += ticks;
+  }
+
   /** Notes whether datagrams go over TCP now, because UDP is blocked. */
   public void overTcp(boolean now) {
     traffic.overTcp = now;

@@ -28,6 +28,8 @@ final class TrafficRecorder {
   long playingBytesOut;
   int malformed;
   int reconnects;
+  int redirects;
+  int ticksLost;
   boolean overTcp;
 
   private long rateSinceNs;

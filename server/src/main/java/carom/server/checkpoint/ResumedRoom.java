@@ -12,8 +12,10 @@ import java.util.List;
  * @param rotation index of its level in the room's rotation
  * @param pending the match that was wanted but not loaded, or null
  * @param sessions in their grace period, without links
+ * @param lostTicks ticks of the log that didn't come out as they were logged, at least
  */
-public record ResumedRoom(Match match, int rotation, NextMatch pending, List<Session> sessions) {
+public record ResumedRoom(
+    Match match, int rotation, NextMatch pending, List<Session> sessions, int lostTicks) {
   /** Copies the list. */
   public ResumedRoom {
     sessions = List.copyOf(sessions);

@@ -77,15 +77,15 @@ public final class RoomCheckpoints {
 
   private final KeptRoom room;
   private final SlotDisk disk;
-  private final SlotFolder folder;
+  private final SlotStore store;
   private final int intervalTicks;
   private RoomCourse course;
   private long roomSeed;
   private int lastSlot;
   private long healthyNs;
 
-  /** The last slot that the disk has. The disk's thread only. */
-  private int safeSlot;
+  /** The last slot that the disk has. The disk's thread changes it. */
+  private volatile int safeSlot;
 
   /** Null if the match isn't kept. */
   private Recorder recorder;
@@ -119,22 +119,40 @@ public final class RoomCheckpoints {
    * @param seconds time between checkpoints, s
    */
   public RoomCheckpoints(KeptRoom room, SlotDisk disk, Path path, int seconds) {
+    this(room, disk, new SlotFolder(path), seconds);
+  }
+
+  /**
+   * Creates checkpoints at the server that follows the room.
+   *
+   * @param disk writes
+   * @param link takes what it writes there
+   * @param seconds time between checkpoints, s
+   */
+  public RoomCheckpoints(KeptRoom room, SlotDisk disk, SlotLink link, int seconds) {
+    this(room, disk, new RemoteSlots(link), seconds);
+  }
+
+  private RoomCheckpoints(KeptRoom room, SlotDisk disk, SlotStore store, int seconds) {
     this.room = room;
     this.disk = disk;
-    folder = new SlotFolder(path);
+    this.store = store;
     intervalTicks = seconds * room.config().get(ServerConfig.TICK_RATE);
     seats = new SlotSeats(room.seats(), room.bySeat());
   }
 
   /**
-   * Returns the room as an earlier run has left it. Slots that can't be used are named in the log,
-   * and the one before is used.
+   * Returns the room as an earlier run has left it in the folder. Slots that can't be used are
+   * named in the log, and the one before is used.
    *
    * @param loader builds the match
    * @return null if there is no slot that can be used
    * @throws IOException if the folder can't be used
    */
   public ResumedRoom resume(MatchLoader loader, long nowNs) throws IOException {
+    if (!(store instanceof SlotFolder folder)) {
+      throw new IllegalStateException("slots of a follower are resumed there");
+    }
     folder.create();
     List<Integer> slots = folder.slots();
     lastSlot = slots.isEmpty() ? 0 : slots.get(0);
@@ -221,6 +239,23 @@ public final class RoomCheckpoints {
     closeSlot();
   }
 
+  /** Deletes what an earlier room of this name has left, before {@link #begin}. */
+  public void forgetAll() throws IOException {
+    if (store instanceof SlotFolder folder) {
+      folder.create();
+    }
+    for (int old : store.slots()) {
+      lastSlot = Math.max(lastSlot, old);
+      store.delete(old);
+    }
+    store.forgetFailures();
+  }
+
+  /** Returns whether a whole checkpoint is certain to stay; from any thread. */
+  public boolean isSafe() {
+    return safeSlot > 0 && isKept();
+  }
+
   /** Returns whether what happens in the room is on the disk in a moment; from any thread. */
   public boolean isKept() {
     SlotFile present = slot;
@@ -288,11 +323,12 @@ public final class RoomCheckpoints {
       if (!failing) {
         failing = true;
         LOG.error(
-            "{}checkpoint {}: {}; another one is tried each second, and the log says when the disk"
-                + " takes it",
+            "{}checkpoint {}: {}; another one is tried each second, and the log says when {} takes"
+                + " it",
             room.label(),
             slot.number(),
-            failure);
+            failure,
+            store.title());
       }
       dueTick = course.match().simulation().tick() + room.config().get(ServerConfig.TICK_RATE);
     }
@@ -300,7 +336,7 @@ public final class RoomCheckpoints {
 
   private void beginSlot() {
     SimulationHost s = course.match().simulation();
-    SlotFile next = new SlotFile(disk, folder, ++lastSlot);
+    SlotFile next = new SlotFile(disk, store, ++lastSlot);
     BlockSink sink = (type, bytes, length) -> take(next, type, bytes, length);
     dueTick = s.tick() + intervalTicks;
     countedFailure = false;
@@ -349,7 +385,8 @@ public final class RoomCheckpoints {
           safeSlot = number;
           if (failing) {
             failing = false;
-            LOG.info("{}checkpoint {}: the disk takes checkpoints again", room.label(), number);
+            LOG.info(
+                "{}checkpoint {}: {} takes checkpoints again", room.label(), number, store.title());
           }
         });
     room.counters().add(Counter.CHECKPOINTS, 1);
@@ -365,9 +402,9 @@ public final class RoomCheckpoints {
   /** Deletes all slots below one but the last that the disk had. On the disk's thread. */
   private void deleteBelow(int number) {
     try {
-      for (int old : folder.slots()) {
+      for (int old : store.slots()) {
         if (old < number && (old != safeSlot || number == Integer.MAX_VALUE)) {
-          folder.delete(old);
+          store.delete(old);
         }
       }
     } catch (IOException e) {
@@ -378,7 +415,7 @@ public final class RoomCheckpoints {
   /** Deletes one slot. On the disk's thread. */
   private void delete(int number) {
     try {
-      folder.delete(number);
+      store.delete(number);
     } catch (IOException e) {
       LOG.warn("{}checkpoint {} can't be deleted: {}", room.label(), number, e.toString());
     }
@@ -386,7 +423,7 @@ public final class RoomCheckpoints {
 
   private void forgetFailures() {
     try {
-      folder.forgetFailures();
+      store.forgetFailures();
     } catch (IOException e) {
       LOG.warn("{}old failures can't be forgotten: {}", room.label(), e.toString());
     }
@@ -394,7 +431,7 @@ public final class RoomCheckpoints {
 
   private void addFailure() {
     try {
-      folder.addFailure();
+      store.addFailure();
     } catch (IOException e) {
       LOG.warn("{}the failure can't be noted: {}", room.label(), e.toString());
     }

@@ -74,6 +74,7 @@ final class RoomResume {
     saved = readSeats();
     saved.requireFits(SavedRoom.config(room.room(), room.config().get(ServerConfig.TICK_RATE)));
     int proven = play(Integer.MAX_VALUE);
+    int lost = trouble == null ? 0 : Math.max(1, match.simulation().tick() - proven);
     if (trouble != null) {
       LOG.warn(
           "{}checkpoint {}: {}; the room goes on from tick {}",
@@ -103,7 +104,7 @@ final class RoomResume {
         inputs,
         sessions.size(),
         String.format(Locale.ROOT, "%016x", provenHash));
-    return new ResumedRoom(match, saved.rotation(), pending, sessions);
+    return new ResumedRoom(match, saved.rotation(), pending, sessions, lost);
   }
 
   private SavedRoom readSeats() throws IOException {

@@ -5,6 +5,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.slf4j.Logger;
@@ -24,6 +25,7 @@ public final class SlotDisk implements AutoCloseable {
   private final ExecutorService syncs = thread("carom-checkpoints-sync");
 
   private final int mostStateBytes;
+  private final int blocksPerSecond;
   private final Executor byHand;
   private volatile boolean hasThreads;
 
@@ -38,7 +40,7 @@ public final class SlotDisk implements AutoCloseable {
    * @param mostStateBytes largest state of a room that is kept, bytes
    */
   public SlotDisk(int mostStateBytes) {
-    this(mostStateBytes, Runnable::run);
+    this(mostStateBytes, Recorder.Intervals.LOG.blocksPerSecond(), Runnable::run);
   }
 
   /**
@@ -47,12 +49,22 @@ public final class SlotDisk implements AutoCloseable {
    * @param byHand runs each step of writing before {@link #start}, at once and in order
    */
   public SlotDisk(Executor byHand) {
-    this(Recorder.MOST_STATE_BYTES, byHand);
+    this(Recorder.MOST_STATE_BYTES, Recorder.Intervals.LOG.blocksPerSecond(), byHand);
   }
 
-  private SlotDisk(int mostStateBytes, Executor byHand) {
+  private SlotDisk(int mostStateBytes, int blocksPerSecond, Executor byHand) {
     this.mostStateBytes = mostStateBytes;
+    this.blocksPerSecond = blocksPerSecond;
     this.byHand = byHand;
+  }
+
+  /**
+   * Returns a disk for journals that go to other servers, which write each tick by itself.
+   *
+   * @param tickRateHz ticks per second
+   */
+  public static SlotDisk ofFollowers(int tickRateHz) {
+    return new SlotDisk(Recorder.MOST_STATE_BYTES, tickRateHz, Runnable::run);
   }
 
   /** Lets threads write from now on. They begin with the first task. */
@@ -64,7 +76,7 @@ public final class SlotDisk implements AutoCloseable {
   Recorder.Intervals pace() {
     Recorder.Intervals log = Recorder.Intervals.LOG;
     return new Recorder.Intervals(
-        log.blocksPerSecond(), log.keyframeSeconds(), log.stateSeconds(), mostStateBytes);
+        blocksPerSecond, log.keyframeSeconds(), log.stateSeconds(), mostStateBytes);
   }
 
   private static ExecutorService thread(String name) {
@@ -91,7 +103,11 @@ public final class SlotDisk implements AutoCloseable {
 
   private void run(Runnable task, ExecutorService thread) {
     if (hasThreads) {
-      thread.execute(task);
+      try {
+        thread.execute(task);
+      } catch (RejectedExecutionException e) {
+        LOG.debug("a journal goes on whose disk is closed, until its room gets another");
+      }
     } else {
       byHand.execute(task);
     }

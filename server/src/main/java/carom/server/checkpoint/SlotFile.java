@@ -6,7 +6,7 @@ import carom.replay.BlockWriter;
 import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.channels.Channels;
-import java.nio.channels.FileChannel;
+import java.nio.channels.WritableByteChannel;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicLong;
 
@@ -28,14 +28,14 @@ final class SlotFile implements BlockSink {
   }
 
   private final SlotDisk disk;
-  private final SlotFolder folder;
+  private final SlotStore folder;
   private final int number;
   private final AtomicLong queued = new AtomicLong();
 
   /** Null until the first block is written. */
   private BlockWriter writer;
 
-  private FileChannel channel;
+  private WritableByteChannel channel;
   private volatile String failure;
 
   /** True once the disk has failed, so that the rest of the queue is of no use. */
@@ -47,7 +47,7 @@ final class SlotFile implements BlockSink {
   private volatile boolean safe;
   private volatile long written;
 
-  SlotFile(SlotDisk disk, SlotFolder folder, int number) {
+  SlotFile(SlotDisk disk, SlotStore folder, int number) {
     this.disk = disk;
     this.folder = folder;
     this.number = number;
@@ -63,7 +63,7 @@ final class SlotFile implements BlockSink {
       return false;
     }
     if (queued.get() + length > MAX_QUEUED) {
-      failure = "the disk is too slow: bytes=" + queued.get() + " wait for it";
+      failure = folder.title() + " is too slow: bytes=" + queued.get() + " wait for it";
       return false;
     }
     byte[] copy = Arrays.copyOf(bytes, length);
@@ -110,10 +110,7 @@ final class SlotFile implements BlockSink {
                 () ->
                     attempt(
                         () -> {
-                          if (channel != null && channel.isOpen()) {
-                            channel.force(true);
-                          }
-                          folder.forceSeats(number);
+                          folder.force(number, channel);
                           safe = true;
                           then.run();
                         })));

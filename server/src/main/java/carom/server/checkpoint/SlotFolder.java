@@ -3,6 +3,7 @@ package carom.server.checkpoint;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.channels.WritableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -24,8 +25,13 @@ import java.util.stream.Stream;
  *
  * @param path the folder
  */
-record SlotFolder(Path path) {
+record SlotFolder(Path path) implements SlotStore {
   private static final Pattern SLOT = Pattern.compile("([0-9]{1,9})\\.(log|seats|latest|new)");
+
+  @Override
+  public String title() {
+    return "the disk";
+  }
 
   /** Creates the folder if it isn't there. */
   void create() throws IOException {
@@ -44,8 +50,8 @@ record SlotFolder(Path path) {
     return path.resolve(slot + ".latest");
   }
 
-  /** Returns the numbers of the slots, the newest first. */
-  List<Integer> slots() throws IOException {
+  @Override
+  public List<Integer> slots() throws IOException {
     if (!Files.isDirectory(path)) {
       return List.of();
     }
@@ -60,21 +66,21 @@ record SlotFolder(Path path) {
     }
   }
 
-  /** Creates the log of a slot. */
-  FileChannel newLog(int slot) throws IOException {
+  @Override
+  public FileChannel newLog(int slot) throws IOException {
     return FileChannel.open(
         log(slot),
         Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
         onlyOwner("rw-------"));
   }
 
-  /** Writes who plays at the checkpoint of a slot. */
-  void writeSeats(int slot, byte[] bytes) throws IOException {
+  @Override
+  public void writeSeats(int slot, byte[] bytes) throws IOException {
     write(slot, bytes, seats(slot));
   }
 
-  /** Writes who plays in a slot now, in the place of who did before. */
-  void writeLatest(int slot, byte[] bytes) throws IOException {
+  @Override
+  public void writeLatest(int slot, byte[] bytes) throws IOException {
     write(slot, bytes, latest(slot));
   }
 
@@ -92,8 +98,11 @@ record SlotFolder(Path path) {
     Files.move(fresh, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
   }
 
-  /** Waits until the seats of a slot, and the names of the files, are on the disk. */
-  void forceSeats(int slot) throws IOException {
+  @Override
+  public void force(int slot, WritableByteChannel log) throws IOException {
+    if (log instanceof FileChannel file && file.isOpen()) {
+      file.force(true);
+    }
     try (FileChannel file = FileChannel.open(seats(slot), StandardOpenOption.WRITE)) {
       file.force(true);
     }
@@ -104,8 +113,8 @@ record SlotFolder(Path path) {
     }
   }
 
-  /** Deletes a slot. */
-  void delete(int slot) throws IOException {
+  @Override
+  public void delete(int slot) throws IOException {
     Files.deleteIfExists(seats(slot)); // first, so that no seats are without their log
     Files.deleteIfExists(latest(slot));
     Files.deleteIfExists(log(slot));
@@ -124,13 +133,13 @@ record SlotFolder(Path path) {
     return Files.exists(failed()) ? (int) Files.size(failed()) : 0;
   }
 
-  /** Notes that the room has failed. */
-  void addFailure() throws IOException {
+  @Override
+  public void addFailure() throws IOException {
     Files.write(failed(), new byte[] {'x'}, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
   }
 
-  /** Forgets failures, because the room has played for long enough. */
-  void forgetFailures() throws IOException {
+  @Override
+  public void forgetFailures() throws IOException {
     Files.deleteIfExists(failed());
   }
 

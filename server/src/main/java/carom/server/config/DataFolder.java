@@ -71,6 +71,11 @@ public record DataFolder(Path root) {
     return root.resolve("checkpoints");
   }
 
+  /** Returns the folder of the journals of rooms that this server follows in its fleet. */
+  public Path followed() {
+    return root.resolve("followed");
+  }
+
   /** Returns the file of a saved match. */
   public Path saved(String name) {
     return root.resolve("saves").resolve(name + SAVED);

@@ -63,6 +63,11 @@ public record RoomConfig(
     return new RoomConfig(name, game, levels, places, seed, entries);
   }
 
+  /** Returns these settings with another name. */
+  public RoomConfig withName(String value) {
+    return new RoomConfig(value, game, levels, places, seed, metadata);
+  }
+
   /** Returns these settings with another seed. */
   public RoomConfig withSeed(long value) {
     return new RoomConfig(name, game, levels, places, value, metadata);

@@ -258,6 +258,48 @@ public final class ServerConfig extends Settings<ServerConfig> {
               "Let clients come to --plain-port from outside private networks, too; anybody who"
                   + " sees their packets can read and change them.");
 
+  public static final Setting<String> FLEET =
+      ROWS.text("fleet", "DIRECTORY", "none")
+          .text(
+              "Be one of a fleet of servers, which share their rooms by a directory:"
+                  + " etcd:URL[,URL...] or postgresql:URL; see docs/server/FLEET.md ({default}).");
+
+  public static final Setting<Path> FLEET_KEY =
+      ROWS.path("fleet-key", "FILE", null)
+          .text(
+              "The fleet's key, the same on every server of it, by which players know the fleet;"
+                  + " made if it isn't there (none).");
+
+  public static final Setting<Path> DIRECTORY_CA =
+      ROWS.path("directory-ca", "FILE", null)
+          .text(
+              "Certificates of the authorities that the directory's own must come from: PEM (those"
+                  + " of the JDK).");
+
+  public static final Setting<Path> DIRECTORY_CERT =
+      ROWS.path("directory-cert", "FILE", null)
+          .text("Certificate that the server shows the directory: PEM (none).");
+
+  public static final Setting<Path> DIRECTORY_KEY =
+      ROWS.path("directory-key", "FILE", null)
+          .text("That certificate's private key: PEM, PKCS #8 without a password (none).");
+
+  public static final Setting<String> ADVERTISE =
+      ROWS.text("advertise", "HOST[:TCP[:UDP]]", null)
+          .text(
+              "Address by which players and the other servers of the fleet reach this one; without"
+                  + " ports, those of the server (none).");
+
+  public static final Setting<Integer> FLEET_PORT =
+      ROWS.port("fleet-port", 54556)
+          .text("Port for the other servers of the fleet, {range}, 0 = any free one ({default}).");
+
+  public static final Setting<OnPartition> ON_PARTITION =
+      ROWS.choice("on-partition", "stop|keep", OnPartition.STOP)
+          .text(
+              "What rooms do while the fleet's directory doesn't answer: stand still when the"
+                  + " server's lease is over, or go on ({default}).");
+
   public static final Setting<Integer> STATUS_INTERVAL =
       ROWS.whole("status-interval", "S", 0, 86400, 60)
           .text("Seconds between status lines in the log, 0 = none ({default}).");
@@ -440,6 +482,14 @@ public final class ServerConfig extends Settings<ServerConfig> {
     PAUSE,
     /** A room without people runs on. */
     RUN
+  }
+
+  /** The values of {@code --on-partition}. */
+  public enum OnPartition {
+    /** Rooms stand still while the server can't know that it owns them. */
+    STOP,
+    /** Rooms go on. */
+    KEEP
   }
 
   /** The values of {@code --log-level}, from nothing to everything. */

@@ -12,7 +12,9 @@ import carom.server.room.RoomDirectory;
 import carom.server.session.PartingLinks;
 import carom.server.threads.TickLoad;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
@@ -45,6 +47,7 @@ final class LobbyContext {
   private final Spectators spectators;
   private volatile EntryRule entryRule = EntryRule.OPEN;
   private volatile GamePassword password;
+  private final Map<Long, Visitor> standbys = new HashMap<>();
   private long nowNs;
 
   LobbyContext(Supplier<ServerConfig> config, List<Room> rooms, RoomDirectory directory) {
@@ -128,6 +131,15 @@ final class LobbyContext {
   /** Returns the password that newcomers must know, or null for none. */
   GamePassword password() {
     return password;
+  }
+
+  /** Notes that a session's client stands by over a link, and ends the one before. */
+  void standsBy(long secret, Visitor visitor) {
+    standbys.values().removeIf(Visitor::isDone);
+    Visitor before = standbys.put(secret, visitor);
+    if (before != null) {
+      before.replaced();
+    }
   }
 
   /** Tells a client why it may not come in, and closes its link when that has arrived. */

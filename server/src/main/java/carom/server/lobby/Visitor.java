@@ -18,6 +18,7 @@ import carom.server.access.GamePassword;
 import carom.server.access.JoinTokens;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchInfo;
+import carom.server.room.FleetDoor;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.Admission;
@@ -27,6 +28,7 @@ import carom.server.session.Seats;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Locale;
+import java.util.concurrent.Future;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -59,12 +61,20 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    */
   private static final int MIN_LOADING = 8;
 
+  private static final String NO_DIRECTORY = "The fleet's directory doesn't answer.";
+
   /** Number of times that a visitor may ask for the list of rooms. */
   private static final int MAX_LISTS = 8;
 
   /** The request of a player to join, and its account by a join token. */
   private record JoinRequest(
-      String name, String account, String room, String game, long resumeSecret) {}
+      String name, String account, String room, String game, long resumeSecret, boolean anywhere) {
+
+    /** Returns the same request for any room. */
+    JoinRequest forAnyRoom() {
+      return new JoinRequest(name, account, "", game, resumeSecret, true);
+    }
+  }
 
   private final LobbyContext context;
   private final ServerConfig config;
@@ -92,6 +102,17 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private LevelUpload upload;
   private boolean done;
 
+  /** Who a ticket belongs to, as soon as the fleet's directory has answered; or null. */
+  private Future<FleetDoor.Guest> redeeming;
+
+  private ClientMessage.Hello ticketHolder; // while that is asked
+
+  /** The way to another server of the fleet, as soon as there is a ticket; or null. */
+  private Future<ServerMessage.Move> moving;
+
+  /** The room that the client waits for, which this server follows; or null. */
+  private ClientMessage.Standby standby;
+
   Visitor(LobbyContext context, Link link) {
     this.context = context;
     this.config = context.config();
@@ -113,7 +134,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    */
   @Override
   public Entrance.Proof proof() {
-    if (done || state == SessionState.LOADING) {
+    if (done || state == SessionState.LOADING || standby != null) {
       return Entrance.Proof.IN;
     }
     return waiting == null ? Entrance.Proof.UNPROVEN : Entrance.Proof.PROVEN;
@@ -135,7 +156,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    */
   int poll() {
     int work = sendList();
-    while (!done && waiting == null && roomList.isSent() && work < MAX_POLL) {
+    while (!done && waiting == null && redeeming == null && roomList.isSent() && work < MAX_POLL) {
       if (link.poll(this, 1) == 0) {
         break;
       }
@@ -156,6 +177,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   public void message(Link from, Object message) {
     if (state == SessionState.CONNECTED && message instanceof ClientMessage.Hello hello) {
       hello(hello);
+    } else if (state == SessionState.CONNECTED
+        && message instanceof ClientMessage.Standby request) {
+      standBy(request);
     } else if (state == SessionState.CONNECTED && message instanceof ClientMessage.Watch watch) {
       watch(watch);
     } else if (state == SessionState.CONNECTED
@@ -290,14 +314,27 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
       return;
     }
+    if (standby != null) {
+      refuse(RefusalReason.BAD_REQUEST, "Hello came while the client stands by.");
+      return;
+    }
+    if (hello.token().startsWith(FleetDoor.TICKET)) {
+      redeeming = directory.fleet().redeem(hello.token());
+      ticketHolder = hello;
+      waitsUntilNs = context.nowNs() + ENTRANCE_WAIT_MS * NS_PER_MS;
+      return;
+    }
     // A player with a session has shown the password.
     if (chooser.expecting(hello.resumeSecret()) == null && !requirePassword()) {
       return;
     }
     JoinRequest request = requestOf(hello);
-    if (request == null) {
-      return;
+    if (request != null) {
+      begin(request);
     }
+  }
+
+  private void begin(JoinRequest request) {
     String problem = PlayerName.problem(request.name());
     if (problem != null) {
       refuse(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
@@ -311,6 +348,57 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     tryToEnter();
   }
 
+  /** Waits for the room of a session, which this server follows. */
+  private void standBy(ClientMessage.Standby request) {
+    if (!requireThisBuild(request.protocolVersion(), request.physicsDigest())) {
+      return;
+    }
+    if (!directory.fleet().follows(request.room(), request.secret())) {
+      refuse(RefusalReason.ROOM_UNKNOWN, "This server doesn't follow that session.");
+      return;
+    }
+    context.standsBy(request.secret(), this);
+    standby = request;
+  }
+
+  /** Ends a visitor that stands by, because the client does so over another link. */
+  void replaced() {
+    end("stands by over another link");
+  }
+
+  /** Goes on with a visitor whose ticket has been looked up. */
+  private void redeemed(FleetDoor.Guest guest) {
+    ClientMessage.Hello hello = ticketHolder;
+    redeeming = null;
+    ticketHolder = null;
+    if (guest == null) {
+      refuse(RefusalReason.FLEET_UNSETTLED, "The ticket is used or too old.");
+      return;
+    }
+    begin(
+        new JoinRequest(
+            guest.name(),
+            guest.account(),
+            guest.room(),
+            guest.game(),
+            hello.resumeSecret(),
+            guest.anywhere()));
+  }
+
+  /** Welcomes a visitor whose room this server owns by now. */
+  private void lookForRoom() {
+    if (chooser.expecting(standby.secret()) != null) {
+      waiting = new JoinRequest("", "", standby.room(), "", standby.secret(), false);
+      waitsUntilNs = context.nowNs() + ENTRANCE_WAIT_MS * NS_PER_MS;
+      standby = null;
+    } else if (!directory.fleet().follows(standby.room(), standby.secret())
+        && !directory.fleet().mayComeBack(standby.room())
+        && directory.find(standby.room()) == null) {
+      standby = null;
+      refuse(RefusalReason.ROOM_UNKNOWN, "This server follows that session no longer.");
+    }
+  }
+
   /**
    * Returns what the player wants and may want by its join token, or refuses and returns null. A
    * player who comes back proves by the session's secret that the token was good, and keeps the
@@ -322,7 +410,13 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     Room expecting = chooser.expecting(hello.resumeSecret());
     if (joinTokens == null || expecting != null) {
       String account = expecting == null ? "" : expecting.seats().accountOf(hello.resumeSecret());
-      return new JoinRequest(name, account, hello.room(), hello.game(), hello.resumeSecret());
+      return new JoinRequest(
+          name,
+          account,
+          hello.room(),
+          hello.game(),
+          hello.resumeSecret(),
+          hello.room().isEmpty() || hello.resumeSecret() != 0);
     }
     try {
       JoinTokens.Token token =
@@ -332,7 +426,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
           token.account(),
           token.room().isEmpty() ? hello.room() : token.room(),
           hello.game(),
-          0);
+          0,
+          token.room().isEmpty() && hello.room().isEmpty());
     } catch (JoinTokens.BadTokenException e) {
       refuse(RefusalReason.TOKEN_INVALID, e.getMessage());
       return null;
@@ -345,6 +440,16 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    * up the seat of a player who lost the connection.
    */
   void tryToEnter() {
+    if (done) {
+      return;
+    }
+    if (standby != null) {
+      lookForRoom();
+    } else if (redeeming != null && redeeming.isDone()) {
+      redeemed(FleetDoor.outcome(redeeming));
+    } else if (redeeming != null && context.nowNs() - waitsUntilNs >= 0) {
+      refuse(RefusalReason.FLEET_UNSETTLED, NO_DIRECTORY);
+    }
     if (done || waiting == null) {
       return;
     }
@@ -352,10 +457,20 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       end("left while waiting");
       return;
     }
+    if (moving != null) {
+      goThere();
+      return;
+    }
     Room expecting = chooser.expecting(waiting.resumeSecret());
     Room requested = waiting.room().isEmpty() ? null : directory.find(waiting.room());
+    boolean late = context.nowNs() - waitsUntilNs >= 0;
+    if (expecting == null && isOwnedElsewhere(requested)) {
+      return;
+    }
     if (expecting == null && requested == null && !waiting.room().isEmpty()) {
-      refuse(RefusalReason.ROOM_UNKNOWN, directory.describe());
+      if (late || !directory.fleet().mayComeBack(waiting.room())) {
+        refuse(RefusalReason.ROOM_UNKNOWN, directory.describe());
+      }
       return;
     }
     String overload = expecting == null ? chooser.overload(requested) : null;
@@ -372,11 +487,12 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     } else if (allowed) {
       full = !takeSeat(requested) && chooser.seatsLeft(requested) == 0 && !askForSeat(requested);
     }
-    boolean late = context.nowNs() - waitsUntilNs >= 0;
     if (seat != null) {
       context.rate().count(origin.host(), context.nowNs());
       waiting = null;
       welcome();
+    } else if (full && requested != null && waiting.anywhere() && !isAlone()) {
+      waiting = waiting.forAnyRoom(); // the room has filled up while the client came here
     } else if (full || (allowed && chooser.seatsLeft(requested) == 0 && late)) {
       refuseFull(requested);
     } else if (late && used != null) {
@@ -384,6 +500,70 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     } else if (late) {
       refuse(RefusalReason.TOO_MANY_CONNECTIONS, "");
     }
+  }
+
+  /**
+   * Asks for a ticket if the player's place is at another server of the fleet: that of the room, or
+   * that of the fullest room.
+   *
+   * @param requested the room here that the player asks for, or null
+   */
+  private boolean isOwnedElsewhere(Room requested) {
+    if (requested != null || !link.isMovable()) {
+      return false;
+    }
+    FleetDoor fleet = directory.fleet();
+    FleetDoor.Place there =
+        waiting.room().isEmpty()
+            ? better(fleet.fullest(waiting.game()))
+            : fleet.find(waiting.room());
+    if (there == null) {
+      return false;
+    }
+    moving =
+        fleet.move(
+            there,
+            new FleetDoor.Guest(
+                waiting.name(),
+                waiting.account(),
+                there.room(),
+                waiting.game(),
+                waiting.anywhere()));
+    return true;
+  }
+
+  /** Returns a place elsewhere if it is better than each one here, by the rules for rooms here. */
+  private FleetDoor.Place better(FleetDoor.Place there) {
+    Room here = chooser.fullestWithSeat(waiting.game());
+    if (there == null || here == null) {
+      return there;
+    }
+    boolean fits = there.game().equals(waiting.game());
+    boolean fitsHere = here.match().game().equals(waiting.game());
+    boolean fuller = there.taken() > here.seats().takenCount();
+    return (fits == fitsHere ? fuller : fits) ? there : null;
+  }
+
+  /** Sends the client to the server for which it has a ticket by now. */
+  private void goThere() {
+    if (moving.isDone()) {
+      ServerMessage.Move move = FleetDoor.outcome(moving);
+      if (move == null) {
+        moving = null;
+        refuse(RefusalReason.FLEET_UNSETTLED, NO_DIRECTORY);
+        return;
+      }
+      done = true;
+      LOG.info("visitor {} goes to room {} at {}", link.remote(), move.room(), move.server());
+      link.send(move);
+      context.closeLater(link, "moved to " + move.server());
+    } else if (context.nowNs() - waitsUntilNs >= 0) {
+      refuse(RefusalReason.FLEET_UNSETTLED, NO_DIRECTORY);
+    }
+  }
+
+  private boolean isAlone() {
+    return directory.fleet() == FleetDoor.NONE;
   }
 
   /** Returns why the account may have no further seat, or null if it may. */
@@ -449,6 +629,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
             FIRST_EPOCH,
             config.get(ServerConfig.TICK_RATE),
             room.tick(),
+            room.ownership().claim(),
             room.seats().incarnation(),
             seat.courseTick());
     link.send(welcome);
@@ -470,7 +651,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   /** Refuses the visitor when its phase has taken too long. */
   void checkDeadline() {
-    if (!done && waiting == null && context.nowNs() - deadlineNs >= 0) {
+    if (!done
+        && waiting == null
+        && redeeming == null
+        && standby == null
+        && context.nowNs() - deadlineNs >= 0) {
       refuse(
           RefusalReason.TOO_SLOW,
           state == SessionState.CONNECTED
@@ -512,6 +697,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       // After Welcome a client expects a Goodbye, not a Refused. The player sees the same.
       link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""));
       context.closeLater(link, "server stops");
+    } else if (standby != null) {
+      link.close("server stops");
     } else {
       context.sendRefusal(link, RefusalReason.SHUTTING_DOWN, "");
     }

@@ -32,6 +32,7 @@ public record MatchInfo(
    * @param playerId the player's seat
    * @param epoch counts the link's Welcomes, modulo 8
    * @param tick the room's present tick
+   * @param claim number by which the server owns the room, 0 without a fleet
    * @param incarnation stands for this run of the room
    * @param courseTick last tick that the room's present course shares with the one that the player
    *     has heard of
@@ -42,6 +43,7 @@ public record MatchInfo(
       int epoch,
       int tickRateHz,
       int tick,
+      long claim,
       int incarnation,
       int courseTick) {
     return new Welcome(
@@ -51,6 +53,7 @@ public record MatchInfo(
         tickRateHz,
         room,
         number,
+        claim,
         incarnation,
         Math.min(courseTick, tick),
         tick,

@@ -3,6 +3,7 @@ package carom.server.match;
 import carom.physics.threads.Workers;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counters;
+import carom.server.session.Ownership;
 import carom.server.session.Seats;
 import carom.sim.SimulationHost;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -17,6 +18,7 @@ public final class RoomContext {
   private final String label;
   private final Counters counters;
   private final Seats seats;
+  private final Ownership ownership;
   private Workers workers;
   private volatile Match match;
   private final AtomicInteger age = new AtomicInteger();
@@ -26,13 +28,20 @@ public final class RoomContext {
    *
    * @param config returns the present settings of the server
    * @param label begins each log line: the room's name, or empty if there is only one room
+   * @param ownership whether the server owns the room
    */
   public RoomContext(
-      Supplier<ServerConfig> config, String label, Counters counters, Seats seats, Match match) {
+      Supplier<ServerConfig> config,
+      String label,
+      Counters counters,
+      Seats seats,
+      Ownership ownership,
+      Match match) {
     this.config = config;
     this.label = label;
     this.counters = counters;
     this.seats = seats;
+    this.ownership = ownership;
     this.match = match;
   }
 
@@ -54,6 +63,11 @@ public final class RoomContext {
   /** Returns the seats, shared with the lobby; from any thread. */
   public Seats seats() {
     return seats;
+  }
+
+  /** Returns whether the server owns the room; from any thread. */
+  public Ownership ownership() {
+    return ownership;
   }
 
   /** Returns the present match; from any thread. */

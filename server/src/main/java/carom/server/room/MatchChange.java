@@ -64,13 +64,12 @@ final class MatchChange implements RoomCourse {
   /** The match that is being loaded, or that an earlier run of the room was loading; or null. */
   private NextMatch pending;
 
+  private final RoomJournals journals;
+  private volatile int lostTicks;
   private int inRotation;
 
   /** {@link #inRotation} of the present match. */
   private int presentInRotation;
-
-  /** Null if the room isn't kept. */
-  private RoomCheckpoints checkpoints;
 
   private NextMatch failed;
   private long failedNs;
@@ -164,8 +163,10 @@ final class MatchChange implements RoomCourse {
       RoomConfig settings,
       RoomSessions sessions,
       RoomRecording recording,
+      RoomJournals journals,
       RosterNews roster,
       Announcer announcer) {
+    this.journals = journals;
     this.announcer = announcer;
     this.room = room;
     this.loader = loader;
@@ -200,9 +201,25 @@ final class MatchChange implements RoomCourse {
    * @throws IOException if the checkpoints can't be kept
    */
   void keep(RoomCheckpoints newCheckpoints, long nowNs) throws IOException {
-    checkpoints = newCheckpoints;
-    ResumedRoom resumed = checkpoints.resume(loader, nowNs);
+    resume(newCheckpoints, nowNs);
+    beginJournal(newCheckpoints, nowNs);
+  }
+
+  /** Returns how many ticks of its journal the room couldn't compute again; from any thread. */
+  int lostTicks() {
+    return lostTicks;
+  }
+
+  /** Begins a journal with the present state. */
+  void beginJournal(RoomCheckpoints journal, long nowNs) {
+    journal.begin(this, loader.firstSeed(), nowNs);
+  }
+
+  /** Goes on where an earlier run of the room has left off, if there is one. */
+  void resume(RoomCheckpoints from, long nowNs) throws IOException {
+    ResumedRoom resumed = from.resume(loader, nowNs);
     if (resumed != null) {
+      lostTicks = resumed.lostTicks();
       room.play(resumed.match());
       resumed.sessions().forEach(sessions::add);
       sessions.updateGauges();
@@ -210,7 +227,6 @@ final class MatchChange implements RoomCourse {
       presentInRotation = inRotation;
       pending = resumed.pending();
     }
-    checkpoints.begin(this, loader.firstSeed(), nowNs);
   }
 
   @Override
@@ -329,9 +345,7 @@ final class MatchChange implements RoomCourse {
         (wanted.keepsTeams() || wanted.keepsScores()) && !simulation.game().keepsMore();
     boolean begun = simulation.tick() > 0;
     recording.endMatch();
-    if (checkpoints != null) {
-      checkpoints.endMatch("NEXT MATCH");
-    }
+    journals.endMatch("NEXT MATCH");
     room.play(next);
     presentInRotation = inRotation;
     if (!brings && !begun) {
@@ -352,9 +366,7 @@ final class MatchChange implements RoomCourse {
       recording.beginMatch();
     }
     next.capture().capture();
-    if (checkpoints != null) {
-      checkpoints.beginMatch(nowNs);
-    }
+    journals.beginMatch(nowNs);
     for (int i = 0; i < sessions.count(); i++) {
       if (sessions.get(i).state() != SessionState.GRACE) {
         tell(sessions.get(i));
@@ -401,6 +413,7 @@ final class MatchChange implements RoomCourse {
             epoch,
             rate,
             room.simulation().tick(),
+            room.ownership().claim(),
             room.seats().incarnation(),
             session.seat().courseTick()));
   }

@@ -9,6 +9,7 @@ import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
 import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.checkpoint.SlotDisk;
+import carom.server.checkpoint.SlotLink;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchInfo;
@@ -20,6 +21,7 @@ import carom.server.metrics.TurnStage;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.server.session.Admission;
+import carom.server.session.Ownership;
 import carom.server.session.SeatRequests;
 import carom.server.session.Seats;
 import carom.server.session.Session;
@@ -29,6 +31,7 @@ import carom.sim.entity.HostEntity;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
@@ -67,6 +70,7 @@ public final class Room {
   private final RoomEnd end;
   private final RoomTick ticks;
   private final OperatorCommands operator;
+  private final AtomicReference<Runnable> next = new AtomicReference<>();
   private volatile boolean paused;
   private volatile Runnable wake = () -> {};
 
@@ -83,6 +87,7 @@ public final class Room {
    * @param seats this room's seats, shared with the lobby
    * @param directory the server's rooms
    * @param counters those of a room whose place this one takes, or new ones
+   * @param ownership whether the server owns the room; the room stands still while it doesn't
    * @throws IllegalArgumentException when the first match can't be played; the message says why
    */
   public Room(
@@ -95,12 +100,14 @@ public final class Room {
       LongSupplier clock,
       Seats seats,
       RoomDirectory directory,
-      Counters counters) {
+      Counters counters,
+      Ownership ownership) {
     this.number = number;
     this.settings = settings;
     parts =
         new RoomParts(
-            config, label, settings, library, loads, clock, seats, directory, counters, this);
+            config, label, settings, library, loads, clock, seats, directory, counters, ownership,
+            this);
     context = parts.context;
     end = new RoomEnd(parts);
     ticks = new RoomTick(parts, end);
@@ -183,18 +190,107 @@ public final class Room {
    * @throws IOException if the folder can't be used
    */
   public void checkpoint(SlotDisk disk, Path folder, int seconds) throws IOException {
-    RoomCheckpoints.KeptRoom kept =
-        new RoomCheckpoints.KeptRoom(
-            context.config(),
-            this::settings,
-            number,
-            context.label(),
-            counters(),
-            seats(),
-            parts.sessions.bySeat());
-    parts.checkpoints = new RoomCheckpoints(kept, disk, folder, seconds);
-    parts.changes.keep(parts.checkpoints, parts.clock.getAsLong());
+    RoomCheckpoints checkpoints = journal(folder, disk, seconds);
+    parts.journals.own(checkpoints);
+    parts.changes.keep(checkpoints, parts.clock.getAsLong());
     ticks.show();
+  }
+
+  /**
+   * Goes on where a room of this name was, as its owner's journal has it, with its players in their
+   * grace period. Before the first {@link #doWork}.
+   *
+   * @param folder the journal's, which isn't written
+   * @throws IOException if the folder can't be used
+   */
+  public void resume(Path folder) throws IOException {
+    parts.changes.resume(journal(folder, new SlotDisk(), 1), parts.clock.getAsLong());
+    ticks.show();
+  }
+
+  /**
+   * Keeps the room on the disk from now on, in its present state, whatever an earlier room of this
+   * name has left there. Before the first {@link #doWork}.
+   *
+   * @param disk as above
+   * @param folder as above
+   * @param seconds as above
+   * @throws IOException if the folder can't be used
+   */
+  public void checkpointAnew(SlotDisk disk, Path folder, int seconds) throws IOException {
+    RoomCheckpoints checkpoints = journal(folder, disk, seconds);
+    checkpoints.forgetAll();
+    parts.journals.own(checkpoints);
+    parts.changes.beginJournal(checkpoints, parts.clock.getAsLong());
+  }
+
+  /** Returns whether another server could go on with the room now; from any thread. */
+  public boolean isFollowed() {
+    RoomCheckpoints follower = parts.journals.follower();
+    return follower != null && follower.isSafe();
+  }
+
+  /**
+   * Returns how many ticks of its journal the room couldn't compute again when it went on from one;
+   * from any thread.
+   */
+  public int lostTicks() {
+    return parts.changes.lostTicks();
+  }
+
+  private RoomCheckpoints journal(Path folder, SlotDisk disk, int seconds) {
+    return new RoomCheckpoints(kept(), disk, folder, seconds);
+  }
+
+  private RoomCheckpoints.KeptRoom kept() {
+    return new RoomCheckpoints.KeptRoom(
+        context.config(),
+        this::settings,
+        number,
+        context.label(),
+        counters(),
+        seats(),
+        parts.sessions.bySeat());
+  }
+
+  /**
+   * Sends the room's journal to another server from its next turn on, which can go on with the
+   * room; or ends that. Any thread.
+   *
+   * @param disk sends; stays the caller's to close, after this room
+   * @param link takes the journal there; null for none
+   * @param seconds time between whole states, s
+   */
+  public void followedBy(SlotDisk disk, SlotLink link, int seconds) {
+    next.set(
+        () -> {
+          RoomCheckpoints before = parts.journals.follower();
+          if (before != null) {
+            before.endMatch("ANOTHER FOLLOWER");
+          }
+          RoomCheckpoints follower =
+              link == null ? null : new RoomCheckpoints(kept(), disk, link, seconds);
+          parts.journals.follower(follower);
+          if (follower != null) {
+            parts.changes.beginJournal(follower, parts.clock.getAsLong());
+          }
+        });
+    wake.run();
+  }
+
+  /**
+   * Ends the room in its next turn without a word to its players, because another server goes on
+   * with it; its journals get the last tick. Any thread.
+   *
+   * @param ended told when that has happened, on the room's thread
+   */
+  public void handOver(Runnable ended) {
+    next.set(
+        () -> {
+          end.handOver(parts.clock.getAsLong());
+          ended.run();
+        });
+    wake.run();
   }
 
   /**
@@ -209,8 +305,7 @@ public final class Room {
 
   /** Returns whether players who come are on the disk in a moment; from any thread. */
   boolean isKept() {
-    RoomCheckpoints checkpoints = parts.checkpoints;
-    return checkpoints != null && checkpoints.isKept();
+    return parts.journals.isKept();
   }
 
   /**
@@ -220,12 +315,13 @@ public final class Room {
    *     the caller's
    */
   public boolean admit(Admission admission) {
-    if (end.isClosed() || !parts.arrivals.offer(admission)) {
+    Admission guarded = admission.over(context.ownership().guard(admission.link()));
+    if (end.isClosed() || !parts.arrivals.offer(guarded)) {
       return false;
     }
     wake.run();
     // A room that closes in between has either told this player goodbye, or never will.
-    return !end.isClosed() || !parts.arrivals.withdraw(admission);
+    return !end.isClosed() || !parts.arrivals.withdraw(guarded);
   }
 
   /**
@@ -237,14 +333,23 @@ public final class Room {
    */
   public int doWork(long nowNs) {
     operator.serve();
+    Runnable asked = next.getAndSet(null);
+    if (asked != null && !end.isClosed()) {
+      asked.run();
+    }
     if (end.isClosed()) {
       return parts.partings.doWork(nowNs);
+    }
+    if (!context.ownership().holds()) {
+      paused = true;
+      parts.pace.due(true, ticks.tick(), nowNs);
+      return 0;
     }
     int work = pollAll(nowNs) + parts.partings.doWork(nowNs);
     seats().expire(nowNs);
     paused = isIdle();
-    if (paused && parts.checkpoints != null) {
-      parts.checkpoints.rests(nowNs);
+    if (paused) {
+      parts.journals.rests(nowNs);
     }
     int due = parts.pace.due(paused, ticks.tick(), nowNs);
     for (int left = due; left > 0 && !end.isClosed(); left--) {
@@ -354,6 +459,11 @@ public final class Room {
         });
   }
 
+  /** Closes the links of a room that was handed over; from any thread. */
+  public void closeHandedOver() {
+    end.closeHandedOver();
+  }
+
   /** Returns whether the room has ended; from any thread. */
   public boolean isClosed() {
     return end.isClosed();
@@ -407,7 +517,7 @@ public final class Room {
   }
 
   /** Returns what a list of rooms says about this one; from any thread. */
-  ServerMessage.RoomEntry entry() {
+  public ServerMessage.RoomEntry entry() {
     MatchInfo match = match();
     return new ServerMessage.RoomEntry(
         name(),
@@ -443,6 +553,16 @@ public final class Room {
    */
   public boolean isPaused() {
     return paused;
+  }
+
+  /** Returns whether the server owns the room; from any thread. */
+  public Ownership ownership() {
+    return context.ownership();
+  }
+
+  /** Makes the room's thread look again whether it owns the room; from any thread. */
+  public void ownershipChanged() {
+    wake.run();
   }
 
   /** Returns the seats, shared with the lobby. */

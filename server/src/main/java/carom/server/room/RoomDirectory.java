@@ -19,6 +19,7 @@ public final class RoomDirectory {
 
   private volatile List<Room> rooms = List.of();
   private volatile ChatCommands chatCommands = ChatCommands.NONE;
+  private volatile FleetDoor fleet = FleetDoor.NONE;
   private List<Broadcast> list = List.of();
   private long listedNs;
 
@@ -32,6 +33,16 @@ public final class RoomDirectory {
    */
   public void open(List<Room> all) {
     rooms = all;
+  }
+
+  /** Sets what shows the rooms of other servers. */
+  public void fleet(FleetDoor door) {
+    fleet = door;
+  }
+
+  /** Returns what shows the rooms of other servers. */
+  public FleetDoor fleet() {
+    return fleet;
   }
 
   /** Sets who takes commands that players write into the chat of any room. */
@@ -81,12 +92,7 @@ public final class RoomDirectory {
   }
 
   private List<Broadcast> build() {
-    List<ServerMessage.RoomEntry> entries = new ArrayList<>();
-    for (Room room : rooms) {
-      if (!room.hasFailed()) {
-        entries.add(room.entry());
-      }
-    }
+    List<ServerMessage.RoomEntry> entries = entries();
     List<Broadcast> messages = new ArrayList<>();
     int from = 0;
     do {
@@ -99,14 +105,26 @@ public final class RoomDirectory {
     return List.copyOf(messages);
   }
 
+  /** Returns what lists say about all open rooms, those of this server first. */
+  private List<ServerMessage.RoomEntry> entries() {
+    List<ServerMessage.RoomEntry> entries = new ArrayList<>();
+    for (Room room : rooms) {
+      if (!room.hasFailed()) {
+        entries.add(room.entry());
+      }
+    }
+    entries.addAll(fleet.roomsElsewhere());
+    return entries;
+  }
+
   /** Returns names and places of the rooms in a sentence, for a player who can't enter one. */
   public String describe() {
     StringBuilder text = new StringBuilder("Rooms: ");
     int described = 0;
-    for (Room room : rooms) {
-      if (!room.hasFailed() && described++ < MAX_DESCRIBED) {
+    for (ServerMessage.RoomEntry room : entries()) {
+      if (described++ < MAX_DESCRIBED) {
         text.append(described == 1 ? "" : ", ").append(room.name()).append(' ');
-        text.append(room.seats().takenCount()).append('/').append(room.seats().count());
+        text.append(room.players()).append('/').append(room.places());
       }
     }
     int more = described - MAX_DESCRIBED;

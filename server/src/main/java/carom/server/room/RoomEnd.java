@@ -1,7 +1,6 @@
 package carom.server.room;
 
 import carom.net.protocol.GoodbyeReason;
-import carom.server.checkpoint.RoomCheckpoints;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -41,11 +40,28 @@ final class RoomEnd {
     }
     closed = true;
     parts.recording.end(reason.name());
-    if (parts.checkpoints != null) {
-      parts.checkpoints.end(!failed, nowNs);
-    }
+    parts.journals.end(!failed, nowNs);
     parts.departures.endAll(reason, text, nowNs);
     parts.arrivals.refuseAll(reason, text, nowNs);
+  }
+
+  /**
+   * Ends the room because another server goes on with it. Its links stay open and say nothing: the
+   * clients hear from that server.
+   */
+  void handOver(long nowNs) {
+    if (closed) {
+      return;
+    }
+    closed = true;
+    parts.recording.end("HANDED OVER");
+    parts.journals.handOver(nowNs);
+  }
+
+  /** Closes the links of a room that was handed over; from any thread. */
+  void closeHandedOver() {
+    parts.arrivals.closeLinks("another server has the room");
+    parts.sessions.closeLinks("another server has the room");
   }
 
   /**
@@ -55,10 +71,7 @@ final class RoomEnd {
    */
   void abandon(String why) {
     closed = true;
-    RoomCheckpoints checkpoints = parts.checkpoints;
-    if (checkpoints != null) {
-      checkpoints.abandon(why);
-    }
+    parts.journals.abandon(why);
     parts.arrivals.closeLinks(why);
     parts.sessions.closeLinks(why);
   }

@@ -1,7 +1,6 @@
 package carom.server.room;
 
 import carom.net.protocol.ProtocolLimits;
-import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.Match;
@@ -9,6 +8,7 @@ import carom.server.match.MatchLibrary;
 import carom.server.match.MatchLoader;
 import carom.server.match.RoomContext;
 import carom.server.metrics.Counters;
+import carom.server.session.Ownership;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import carom.server.threads.LoadWarnings;
@@ -48,7 +48,7 @@ final class RoomParts {
   final MessageDelivery messages;
 
   /** Null if the room isn't kept. */
-  volatile RoomCheckpoints checkpoints;
+  final RoomJournals journals = new RoomJournals();
 
   /**
    * Builds the level and sets up the game of the first match; the parameters are those of {@link
@@ -68,12 +68,13 @@ final class RoomParts {
       Seats seats,
       RoomDirectory directory,
       Counters counters,
+      Ownership ownership,
       Room self) {
     this.clock = clock;
     ServerConfig config = settingsNow.get();
     stages = new StageTimes(clock);
     MatchLoader loader = new MatchLoader(settingsNow, settings, library, label, counters);
-    context = new RoomContext(settingsNow, label, counters, seats, firstMatch(loader));
+    context = new RoomContext(settingsNow, label, counters, seats, ownership, firstMatch(loader));
     recording = new RoomRecording(context);
     sessions = new RoomSessions(ProtocolLimits.MAX_PLAYERS, label, counters);
     announcer = new Announcer(sessions, config.get(ServerConfig.TICK_RATE));
@@ -81,7 +82,8 @@ final class RoomParts {
         new RosterNews(ProtocolLimits.MAX_PLAYERS, config.get(ServerConfig.ROSTER_INTERVAL_MS));
     departures = new Departures(context, sessions, roster, announcer, partings);
     changes =
-        new MatchChange(context, loader, loads, settings, sessions, recording, roster, announcer);
+        new MatchChange(
+            context, loader, loads, settings, sessions, recording, journals, roster, announcer);
     arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
     switches = new RoomSwitches(context, self, directory, sessions, departures);
     LoadWarnings warnings = new LoadWarnings(label, counters, config.get(ServerConfig.TICK_RATE));

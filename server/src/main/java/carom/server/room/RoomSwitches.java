@@ -10,7 +10,9 @@ import carom.server.match.RoomContext;
 import carom.server.session.Admission;
 import carom.server.session.Seats;
 import carom.server.session.Session;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.concurrent.Future;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -35,6 +37,10 @@ final class RoomSwitches {
   private final RoomSessions sessions;
   private final Departures departures;
 
+  /** Tickets to other servers that were asked for. */
+  private final IdentityHashMap<Session, Future<ServerMessage.Move>> tickets =
+      new IdentityHashMap<>();
+
   /** Creates an object without players to move. */
   RoomSwitches(
       RoomContext room,
@@ -52,6 +58,9 @@ final class RoomSwitches {
   /** Answers the sessions that ask for the list of rooms, and moves those that want to go. */
   void serve(long nowNs) {
     int rate = room.config().get(ServerConfig.TICK_RATE);
+    if (!tickets.isEmpty()) {
+      tickets.keySet().removeIf(session -> session.state() == SessionState.CLOSED);
+    }
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
       if (session.takeRoomsRequest(rate / LISTS_PER_SECOND)) {
@@ -60,6 +69,7 @@ final class RoomSwitches {
       for (Broadcast part; (part = session.roomList().take(nowNs)) != null; ) {
         sessions.sendTo(session, part);
       }
+      session.tellFleet(room.ownership().servers());
       String request = session.requestedRoom();
       if (request != null
           && session.roomList().isSent()
@@ -91,6 +101,9 @@ final class RoomSwitches {
 
   private void move(Session session, String name, long nowNs) {
     Room to = directory.find(name);
+    if (to == null && moveAway(session, name, nowNs)) {
+      return;
+    }
     if (to == null) {
       stay(session, "There is no such room. " + directory.describe());
       return;
@@ -119,6 +132,41 @@ final class RoomSwitches {
       departures.part(link, "room takes nobody", nowNs);
       to.seats().unclaim(seat);
     }
+  }
+
+  /**
+   * Sends a player to the server of the fleet that owns a room, as soon as there is a ticket.
+   *
+   * @return false if no other server owns it
+   */
+  private boolean moveAway(Session session, String name, long nowNs) {
+    Future<ServerMessage.Move> ticket = tickets.get(session);
+    if (ticket == null) {
+      FleetDoor.Place there = session.isMovable() ? directory.fleet().find(name) : null;
+      if (there == null) {
+        return false;
+      }
+      FleetDoor.Guest guest =
+          new FleetDoor.Guest(
+              session.seat().wantedName(), session.seat().account(), name, "", false);
+      tickets.put(session, directory.fleet().move(there, guest));
+      return true;
+    }
+    if (ticket.isDone()) {
+      tickets.remove(session);
+      ServerMessage.Move move = FleetDoor.outcome(ticket);
+      if (move == null) {
+        stay(session, "The fleet's directory doesn't answer. Try again in a moment.");
+      } else {
+        session.send(move);
+        departures.remove(
+            session,
+            "goes to room " + name + " at " + move.server(),
+            " went to room " + name,
+            nowNs);
+      }
+    }
+    return true;
   }
 
   /**

@@ -137,9 +137,7 @@ final class RoomTick {
     parts.recording.tickEnds();
     if (stepped) {
       parts.changes.tickEnds(nowNs);
-      if (parts.checkpoints != null) {
-        parts.checkpoints.tickEnds(nowNs);
-      }
+      parts.journals.tickEnds(nowNs);
     }
     show();
     stages.end(TurnStage.REST);

@@ -14,4 +14,9 @@ import carom.net.transport.Link;
 public record Admission(Seats.Seat seat, Link link, int epoch, int match) {
   /** Stands for the match of a player who has loaded none of the room's. */
   public static final int NO_MATCH = 0;
+
+  /** Returns the same player over another link. */
+  public Admission over(Link other) {
+    return new Admission(seat, other, epoch, match);
+  }
 }

@@ -70,6 +70,7 @@ public final class Session implements LinkHandler {
   private long graceEndNs;
   private int playedTicks;
   private boolean knowsRoster;
+  private ServerMessage.Fleet toldFleet;
 
   /**
    * Creates a session without a link, in {@link SessionState#LOADING}; {@link #attach} and {@link
@@ -104,7 +105,7 @@ public final class Session implements LinkHandler {
    */
   public void attach(Link newLink, int lastEpoch) {
     link = newLink;
-    thin = newLink instanceof ThinLink thinLink ? thinLink : null;
+    thin = Ownership.unguarded(newLink) instanceof ThinLink thinLink ? thinLink : null;
     epoch = lastEpoch;
     departure.begin();
   }
@@ -124,6 +125,7 @@ public final class Session implements LinkHandler {
     silentTicks = 0;
     toldPace = ServerMessage.Pace.FULL;
     knowsRoster = false;
+    toldFleet = null;
     seat.follows();
   }
 
@@ -373,6 +375,24 @@ public final class Session implements LinkHandler {
       send(new ServerMessage.Goodbye(reason, text));
     } catch (RuntimeException e) {
       LOG.debug("no goodbye for {}", this, e);
+    }
+  }
+
+  /** Returns whether the client can be moved to another server of the fleet. */
+  public boolean isMovable() {
+    return link != null && link.isMovable();
+  }
+
+  /**
+   * Tells the client the other servers of the fleet, if they have changed.
+   *
+   * @param fleet null for none
+   */
+  @SuppressWarnings("ReferenceEquality") // another message is made when something has changed
+  public void tellFleet(ServerMessage.Fleet fleet) {
+    if (fleet != toldFleet && state == SessionState.PLAYING) {
+      toldFleet = fleet;
+      send(fleet);
     }
   }
 

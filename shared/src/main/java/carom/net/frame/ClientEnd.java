@@ -78,6 +78,7 @@ public abstract class ClientEnd extends FramedLink {
   private volatile boolean disconnected;
   private volatile boolean udpRefused;
   private volatile boolean mayPass;
+  private volatile String fingerprint = ""; // proven
 
   /**
    * Creates a link in {@code CONNECTING}. The subclass opens the sockets.
@@ -214,6 +215,11 @@ public abstract class ClientEnd extends FramedLink {
     return host + ":" + tcpPort;
   }
 
+  @Override
+  public String serverFingerprint() {
+    return fingerprint;
+  }
+
   /** Records that a datagram has left. Any thread may call it. */
   protected final void datagramLeft() {
     lastDatagramOut = System.nanoTime();
@@ -334,7 +340,8 @@ public abstract class ClientEnd extends FramedLink {
     }
     offer = null;
     if (trust.encryption() == Encryption.ON) {
-      trust.servers().remember(remote(), ServerKey.fingerprint(serverKey));
+      fingerprint = ServerKey.fingerprint(serverKey);
+      trust.servers().remember(remote(), fingerprint);
     }
     stepSince = System.nanoTime();
     transmit(new Frame.Payload().set(Frame.KEY_CONFIRM, Frame.NO_FIELDS, 0, 0));

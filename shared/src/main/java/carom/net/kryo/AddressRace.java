@@ -266,6 +266,12 @@ final class AddressRace implements Link {
   }
 
   @Override
+  public String serverFingerprint() {
+    ClientLink won = winner;
+    return won == null ? "" : won.serverFingerprint();
+  }
+
+  @Override
   public boolean mayPass() {
     return mayPass;
   }

@@ -7,10 +7,12 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
+import carom.net.protocol.ServerMessage.Fleet;
 import carom.net.protocol.ServerMessage.GameMessage;
 import carom.net.protocol.ServerMessage.Goodbye;
 import carom.net.protocol.ServerMessage.Heard;
 import carom.net.protocol.ServerMessage.LevelChunk;
+import carom.net.protocol.ServerMessage.Move;
 import carom.net.protocol.ServerMessage.Notice;
 import carom.net.protocol.ServerMessage.Pace;
 import carom.net.protocol.ServerMessage.PoolChunk;
@@ -79,6 +81,8 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(PoolChunk.class, new PoolChunkSerializer(), id++);
     kryo.register(Pace.class, new PaceSerializer(), id++);
     kryo.register(Redirect.class, new RedirectSerializer(), id++);
+    kryo.register(Fleet.class, new FleetSerializer(), id++);
+    kryo.register(Move.class, new MoveSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -182,6 +186,7 @@ public final class KryoMessageCodec implements MessageCodec {
               ProtocolLimits.MAX_TICK_RATE));
       writeText(out, "room", m.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES);
       writeInt(out, "match", m.match(), 1, Integer.MAX_VALUE);
+      out.writeLong(m.claim());
       out.writeInt(m.incarnation());
       out.writeInt(m.courseTick());
       out.writeInt(m.tick());
@@ -213,6 +218,7 @@ public final class KryoMessageCodec implements MessageCodec {
               ProtocolLimits.MAX_TICK_RATE),
           readText(in, "room", ProtocolLimits.MAX_ROOM_NAME_BYTES),
           readInt(in, "match", 1, Integer.MAX_VALUE),
+          in.readLong(),
           in.readInt(),
           in.readInt(),
           in.readInt(),

@@ -226,6 +226,24 @@ public sealed interface ClientMessage {
    */
   record Heard(int number) implements ClientMessage {}
 
+  /**
+   * Waits at a server that follows the client's room, instead of {@link Hello}. Nothing happens
+   * until that server owns the room; then {@link ServerMessage.Welcome} comes.
+   *
+   * @param protocolVersion {@link Protocol#VERSION} of the client
+   * @param physicsDigest {@link Protocol#physicsDigest()} of the client
+   * @param secret of the session
+   * @param room name of the room
+   */
+  record Standby(int protocolVersion, long physicsDigest, long secret, String room)
+      implements ClientMessage {
+    /** Leaves the secret out, which is the player's. */
+    @Override
+    public String toString() {
+      return "Standby[room=" + room + "]";
+    }
+  }
+
   /** Says that the player leaves. The server keeps no place for a player who left. */
   record Leave() implements ClientMessage {}
 }

@@ -34,6 +34,7 @@ public final class ClientMessageCodec {
   private static final byte CHANGE_ROOM = 13;
   private static final byte POOL_REQUEST = 14;
   private static final byte PASSWORD = 15;
+  private static final byte STANDBY = 16;
   private static final int HELLO_FIXED_BYTES = 4 + 8 + 8;
 
   private ClientMessageCodec() {}
@@ -113,6 +114,10 @@ public final class ClientMessageCodec {
       }
       buffer.put(CHANGE_ROOM);
       putText("ChangeRoom.room", change.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES, buffer);
+    } else if (message instanceof ClientMessage.Standby standby) {
+      buffer.put(STANDBY).putInt(standby.protocolVersion()).putLong(standby.physicsDigest());
+      buffer.putLong(standby.secret());
+      putText("Standby.room", standby.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.Ready ready) {
       buffer.put(READY).put((byte) DatagramMark.checkedEpoch(ready.epoch()));
       buffer.putLong(ready.declarationsDigest()).putLong(ready.gameDigest());
@@ -225,6 +230,7 @@ public final class ClientMessageCodec {
       case LIST_ROOMS -> decodeListRooms(buffer);
       case CHANGE_ROOM -> decodeChangeRoom(buffer);
       case PASSWORD -> decodePassword(buffer);
+      case STANDBY -> decodeStandby(buffer);
       default -> null;
     };
   }
@@ -418,6 +424,19 @@ public final class ClientMessageCodec {
     return text == null || text.isEmpty() || buffer.hasRemaining()
         ? null
         : new ClientMessage.Password(text);
+  }
+
+  private static ClientMessage decodeStandby(ByteBuffer buffer) {
+    if (buffer.remaining() < HELLO_FIXED_BYTES) {
+      return null;
+    }
+    int version = buffer.getInt();
+    long digest = buffer.getLong();
+    long secret = buffer.getLong();
+    String room = text(buffer, ProtocolLimits.MAX_ROOM_NAME_BYTES);
+    return room == null || room.isEmpty() || buffer.hasRemaining()
+        ? null
+        : new ClientMessage.Standby(version, digest, secret, room);
   }
 
   private static ClientMessage decodeHello(ByteBuffer buffer) {

@@ -53,6 +53,9 @@ public final class ProtocolLimits {
   /** Longest fingerprint of a server's key in bytes. */
   public static final int MAX_FINGERPRINT_BYTES = 43;
 
+  /** Most servers of a fleet that a client is told. */
+  public static final int MAX_FLEET_SERVERS = 16;
+
   /** Longest level name in UTF-8 bytes. */
   public static final int MAX_LEVEL_NAME_BYTES = 128;
 

@@ -40,7 +40,9 @@ public enum RefusalReason {
   /** The server is too busy for more players. */
   OVERLOADED("This server is too busy for more players.", true),
   /** The operator demands a password, and the client showed none or a wrong one. */
-  PASSWORD_WRONG("This server asks for a password.", false);
+  PASSWORD_WRONG("This server asks for a password.", false),
+  /** The servers of a fleet don't know at this moment who has the client's place. */
+  FLEET_UNSETTLED("The servers are changing places. Try again in a moment.", true);
 
   private final String playerText;
   private final boolean retryUseful;

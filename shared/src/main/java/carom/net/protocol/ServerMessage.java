@@ -23,6 +23,8 @@ public sealed interface ServerMessage {
    *     ProtocolLimits#MAX_TICK_RATE}
    * @param room name of the room; another than before if the player has changed the room
    * @param match counts the room's matches from 1 on; ticks begin at 0 in each
+   * @param claim number by which the server owns the room within its fleet; a later owner has a
+   *     higher one, and a client must not follow one with a lower. 0 without a fleet
    * @param incarnation stands for this run of the room; another than before if the room was resumed
    *     from a checkpoint, or is another server's
    * @param courseTick last tick that the match's present course shares with the one that this
@@ -51,6 +53,7 @@ public sealed interface ServerMessage {
       int tickRate,
       String room,
       int match,
+      long claim,
       int incarnation,
       int courseTick,
       int tick,
@@ -413,6 +416,40 @@ public sealed interface ServerMessage {
     @Override
     public String toString() {
       return "Redirect[server=" + server + ", room=" + room + "]";
+    }
+  }
+
+  /**
+   * Sends the client to another server of the same fleet, which owns the room. The session goes
+   * along: the client says Hello there with its secret and the ticket.
+   *
+   * @param server as in {@link Redirect}
+   * @param fingerprint of the fleet's key, which this server has shown, too
+   * @param room name of the room there
+   * @param ticket stands in for the join token there, once and for ten seconds
+   */
+  record Move(String server, String fingerprint, String room, String ticket)
+      implements ServerMessage {
+    /** Leaves the ticket out, which lets its bearer in. */
+    @Override
+    public String toString() {
+      return "Move[server=" + server + ", room=" + room + "]";
+    }
+  }
+
+  /**
+   * Tells the other servers of the fleet, where a client goes that has lost this one. Each message
+   * replaces the one before.
+   *
+   * @param servers addresses {@code host:port}, at most {@link ProtocolLimits#MAX_FLEET_SERVERS}
+   * @param standby the one of them that follows the client's room and goes on with it if this
+   *     server dies; the client keeps a link to it, see {@link ClientMessage.Standby}. Empty for
+   *     none
+   */
+  record Fleet(List<String> servers, String standby) implements ServerMessage {
+    /** Copies the list. */
+    public Fleet {
+      servers = List.copyOf(servers);
     }
   }
 }

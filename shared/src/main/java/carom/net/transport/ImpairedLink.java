@@ -159,6 +159,11 @@ public final class ImpairedLink implements Link {
   }
 
   @Override
+  public String serverFingerprint() {
+    return link.serverFingerprint();
+  }
+
+  @Override
   public boolean mayPass() {
     return link.mayPass();
   }

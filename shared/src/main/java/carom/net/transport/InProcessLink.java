@@ -29,6 +29,7 @@ final class InProcessLink implements Link {
 
   private final MessageCodec codec;
   private final String remote;
+  private final String fingerprint;
   private final LinkCounters counters = new LinkCounters();
   private final ArrayDeque<Parcel> inbox = new ArrayDeque<>();
   private final ArrayDeque<Parcel> spareDatagrams = new ArrayDeque<>();
@@ -40,7 +41,8 @@ final class InProcessLink implements Link {
   private volatile String closeReason = "";
   private boolean closeReported;
 
-  InProcessLink(MessageCodec codec, String remote, Object lock) {
+  InProcessLink(MessageCodec codec, String remote, Object lock, String fingerprint) {
+    this.fingerprint = fingerprint;
     this.lock = lock;
     this.codec = codec;
     this.remote = remote;
@@ -55,6 +57,11 @@ final class InProcessLink implements Link {
   @Override
   public State state() {
     return state;
+  }
+
+  @Override
+  public String serverFingerprint() {
+    return fingerprint;
   }
 
   @Override

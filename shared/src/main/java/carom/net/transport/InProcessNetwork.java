@@ -18,6 +18,7 @@ public final class InProcessNetwork {
   public static final int MAX_WAITING_LINKS = 1_024;
 
   private final MessageCodec codec;
+  private final String fingerprint;
   private final Object lock = new Object();
   private final ArrayDeque<InProcessLink> waiting = new ArrayDeque<>();
   private final List<InProcessLink> links = new ArrayList<>();
@@ -68,7 +69,17 @@ public final class InProcessNetwork {
 
   /** Creates a network whose messages are encoded by {@code codec}. */
   public InProcessNetwork(MessageCodec codec) {
+    this(codec, "");
+  }
+
+  /**
+   * Creates a network as above.
+   *
+   * @param fingerprint of the key that clients take the server to have proven, empty for none
+   */
+  public InProcessNetwork(MessageCodec codec, String fingerprint) {
     this.codec = codec;
+    this.fingerprint = fingerprint;
   }
 
   /** Returns the server side, the same object at each call. Its ports are 0. */
@@ -95,8 +106,8 @@ public final class InProcessNetwork {
       links.removeIf(link -> link.state() == Link.State.CLOSED);
       int number = ++connections;
       Object pair = new Object();
-      InProcessLink serverEnd = new InProcessLink(codec, address + ":" + number, pair);
-      InProcessLink clientEnd = new InProcessLink(codec, "in-process server", pair);
+      InProcessLink serverEnd = new InProcessLink(codec, address + ":" + number, pair, "");
+      InProcessLink clientEnd = new InProcessLink(codec, "in-process server", pair, fingerprint);
       InProcessLink.join(serverEnd, clientEnd);
       if (serverClosed) {
         clientEnd.close("the server is not running");

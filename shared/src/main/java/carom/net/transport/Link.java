@@ -92,6 +92,22 @@ public interface Link {
     return false;
   }
 
+  /**
+   * Returns whether the client at the other end follows {@link
+   * carom.net.protocol.ServerMessage.Move} to another server of the fleet.
+   */
+  default boolean isMovable() {
+    return true;
+  }
+
+  /**
+   * Returns the fingerprint of the key that the server at the other end has proven, or an empty
+   * string at a server's end, without encryption, and before the link is open.
+   */
+  default String serverFingerprint() {
+    return "";
+  }
+
   /** Returns the peer's address and port, or its name, for logs. */
   String remote();
 

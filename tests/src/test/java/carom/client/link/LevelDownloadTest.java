@@ -45,6 +45,7 @@ class LevelDownloadTest {
         0,
         0,
         0,
+        0,
         "arena",
         level.name(),
         level.contentHash(),

@@ -51,6 +51,7 @@ final class KryoMessageCodecTest {
             240,
             "cup",
             9,
+            Long.MAX_VALUE,
             -5,
             70,
             77,
@@ -76,6 +77,12 @@ final class KryoMessageCodecTest {
             "cup",
             "t".repeat(ProtocolLimits.MAX_TOKEN_BYTES)),
         new ServerMessage.Redirect("b.example.org:1", "", "", ""),
+        new ServerMessage.Fleet(List.of(), ""),
+        new ServerMessage.Fleet(
+            Collections.nCopies(
+                ProtocolLimits.MAX_FLEET_SERVERS, "x".repeat(ProtocolLimits.MAX_ADDRESS_BYTES)),
+            "b.example.org:1"),
+        new ServerMessage.Move("b.example.org:1", "f", "cup", "ticket.t"),
         new ServerMessage.Watching(65_535),
         new ServerMessage.RecordingChunk(Long.MAX_VALUE, chunk),
         new ServerMessage.RecordingChunk(0, new byte[0]),
@@ -87,6 +94,7 @@ final class KryoMessageCodecTest {
         new ClientMessage.Hello(1, -5, "Ünal", 99),
         new ClientMessage.LevelRequest(7, 1_000),
         new ClientMessage.Ready(7, 5, -6),
+        new ClientMessage.Standby(1, -5, 99, "cup"),
         new ClientMessage.Leave(),
         new ClientMessage.Look(1.5f, -2, 0, 1e30f, ClientMessage.Look.NOBODY));
   }
@@ -143,6 +151,7 @@ final class KryoMessageCodecTest {
             + "f0" // tickRate
             + "03637570" // room
             + "09" // match
+            + "ffffffffffffff7f" // claim
             + "fbffffff46000000" // incarnation, course tick
             + "4d000000" // tick
             + "0000000000000080" // seed
@@ -216,6 +225,7 @@ final class KryoMessageCodecTest {
                 0,
                 0,
                 0,
+                0,
                 "g",
                 "l",
                 0,
@@ -226,9 +236,9 @@ final class KryoMessageCodecTest {
                 false,
                 List.of()),
             new ServerMessage.Welcome(
-                1, 8, 1, 60, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, 0, false, List.of()),
+                1, 8, 1, 60, "r", 1, 0, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, 0, false, List.of()),
             new ServerMessage.Welcome(
-                1, 1, 1, 0, "r", 1, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, 0, false, List.of()),
+                1, 1, 1, 0, "r", 1, 0, 0, 0, 0, 0, "g", "l", 0, 0, 0, 0, 0, false, List.of()),
             new ServerMessage.Welcome(
                 1,
                 1,
@@ -236,6 +246,7 @@ final class KryoMessageCodecTest {
                 60,
                 "r",
                 1,
+                0,
                 0,
                 0,
                 0,

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** An etcd of one member, on free ports and in a folder of its own. */
-final class EtcdProgram implements AutoCloseable {
+public final class EtcdProgram implements AutoCloseable {
   private final Path program;
   private final Path folder;
   private final List<String> options;
@@ -27,7 +27,7 @@ final class EtcdProgram implements AutoCloseable {
    * @param scheme of the client URL: http or https
    * @param options more of the command line
    */
-  EtcdProgram(Path folder, String scheme, String... options) throws Exception {
+  public EtcdProgram(Path folder, String scheme, String... options) throws Exception {
     Optional<Path> found = Programs.find("etcd");
     assumeTrue(found.isPresent(), "etcd isn't installed: apt-get install etcd-server");
     program = found.get();
@@ -41,7 +41,7 @@ final class EtcdProgram implements AutoCloseable {
   }
 
   /** Starts it, again with what it had stored. */
-  void start() throws Exception {
+  public void start() throws Exception {
     String client = scheme + "://127.0.0.1:" + clientPort;
     String peer = "http://127.0.0.1:" + peerPort;
     List<String> command =
@@ -65,7 +65,7 @@ final class EtcdProgram implements AutoCloseable {
   }
 
   /** Waits until it answers. */
-  void await(Directory directory) throws Exception {
+  public void await(Directory directory) throws Exception {
     for (int i = 0; ; i++) {
       try {
         directory.get("started");
@@ -85,12 +85,12 @@ final class EtcdProgram implements AutoCloseable {
     return clientPort;
   }
 
-  URI url() {
+  public URI url() {
     return URI.create(scheme + "://127.0.0.1:" + clientPort);
   }
 
   /** Ends it. */
-  void stop() {
+  public void stop() {
     Programs.end(process);
   }
 

@@ -1,0 +1,113 @@
+package carom.server.checkpoint;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * The journal of a room that another server owns, in a folder of this one: what its {@link
+ * SlotLink} sends. The room can go on from the folder as from its own checkpoints. Nothing waits
+ * for the disk, as the owner's death is what the mirror is for, not this machine's.
+ *
+ * <p>One thread, but for {@link #knows}.
+ */
+public final class SlotMirror implements AutoCloseable {
+  private final SlotFolder folder;
+  private final Map<Integer, FileChannel> logs = new HashMap<>();
+  private final Set<Long> secrets = ConcurrentHashMap.newKeySet();
+
+  /**
+   * Creates a mirror that has nothing, whatever the folder had before.
+   *
+   * @param path folder of this room's mirror alone
+   * @throws IOException if the folder can't be used
+   */
+  public SlotMirror(Path path) throws IOException {
+    folder = new SlotFolder(path);
+    folder.create();
+    for (int slot : folder.slots()) {
+      folder.delete(slot);
+    }
+    folder.forgetFailures();
+  }
+
+  /** Returns the folder. */
+  public Path path() {
+    return folder.path();
+  }
+
+  /**
+   * Does one step of the owner's.
+   *
+   * @param slot 1..999,999,999
+   * @throws IOException if it can't be done; the mirror is of no use then
+   */
+  public void apply(SlotLink.Step step, int slot, byte[] bytes) throws IOException {
+    if (slot < 1 || slot > 999_999_999) {
+      throw new SlotException("slot=" + slot + " of a journal is outside 1..999999999");
+    }
+    switch (step) {
+      case LOG -> append(slot, bytes);
+      case SEATS -> {
+        folder.writeSeats(slot, bytes);
+        note(bytes);
+      }
+      case LATEST -> {
+        folder.writeLatest(slot, bytes);
+        note(bytes);
+      }
+      case DELETE -> {
+        FileChannel log = logs.remove(slot);
+        if (log != null) {
+          log.close();
+        }
+        folder.delete(slot);
+      }
+    }
+  }
+
+  private void append(int slot, byte[] bytes) throws IOException {
+    FileChannel log = logs.get(slot);
+    if (log == null) {
+      log = folder.newLog(slot);
+      logs.put(slot, log);
+    }
+    for (ByteBuffer rest = ByteBuffer.wrap(bytes); rest.hasRemaining(); ) {
+      log.write(rest);
+    }
+  }
+
+  private void note(byte[] seats) throws IOException {
+    List<SavedSeat> all = SavedRoom.parse(seats).seats();
+    Set<Long> present = new HashSet<>();
+    all.forEach(seat -> present.add(seat.secret()));
+    secrets.addAll(present);
+    secrets.retainAll(present);
+  }
+
+  /** Returns whether a session with this secret plays in the room. Any thread. */
+  public boolean knows(long secret) {
+    return secrets.contains(secret);
+  }
+
+  /** Returns whether the room could go on from here: a checkpoint and its seats are whole. */
+  public boolean isUsable() {
+    return !secrets.isEmpty() || !logs.isEmpty();
+  }
+
+  /** Closes the files; the room can go on from the folder. */
+  @Override
+  public void close() throws IOException {
+    for (FileChannel log : logs.values()) {
+      log.close();
+    }
+    logs.clear();
+  }
+}

@@ -1,0 +1,138 @@
+package carom.server.fleet;
+
+import carom.server.config.RoomConfig;
+import carom.server.directory.Directory;
+import carom.server.directory.DirectoryException;
+import carom.server.session.Ownership;
+import java.util.Collection;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The rooms that this server owns, by its claims in the directory. Any thread. */
+final class Claims {
+  private static final Logger LOG = LoggerFactory.getLogger(Claims.class);
+
+  /** The claim of a room. Its fields are the fleet's thread's, unless they say otherwise. */
+  static final class Claim {
+    private final RoomConfig settings;
+    private final Ownership ownership;
+    private volatile long number;
+
+    /** The record that the directory was told last. */
+    String told;
+
+    /** When it is told next; 0 before the room is built. */
+    long nextNs;
+
+    /** Lease of the server that follows the room, 0 for none. */
+    long follower;
+
+    /** Lease of the server to which the room moves, 0 for none; any thread. */
+    volatile long movesTo;
+
+    /** True once the room has ended here, because another server goes on with it. */
+    volatile boolean handedOver;
+
+    private Claim(RoomConfig settings, Ownership ownership, String told) {
+      this.settings = settings;
+      this.ownership = ownership;
+      this.told = told;
+    }
+
+    String room() {
+      return settings.name();
+    }
+
+    String key() {
+      return RoomRecord.key(settings.name());
+    }
+
+    RoomConfig settings() {
+      return settings;
+    }
+
+    Ownership ownership() {
+      return ownership;
+    }
+
+    long number() {
+      return number;
+    }
+  }
+
+  private final Directory directory;
+  private final Lease lease;
+  private final Map<String, Claim> claims = new ConcurrentHashMap<>();
+
+  Claims(Directory directory, Lease lease) {
+    this.directory = directory;
+    this.lease = lease;
+  }
+
+  /** Returns the claim of a room, or null. */
+  Claim of(String room) {
+    return claims.get(room);
+  }
+
+  /** Returns all claims; live. */
+  Collection<Claim> all() {
+    return claims.values();
+  }
+
+  /**
+   * Claims a room.
+   *
+   * @return null if another server owns it
+   */
+  Claim make(RoomConfig room) throws DirectoryException {
+    String value = RoomRecord.claimed(lease.number(), room).toJson();
+    long number = directory.create(RoomRecord.key(room.name()), value, lease.number());
+    if (number == 0) {
+      return null;
+    }
+    Claim claim = new Claim(room, Ownership.under(lease), value);
+    claims.put(room.name(), claim);
+    own(claim, number);
+    return claim;
+  }
+
+  /**
+   * Claims a room again, after the lease of its claim has ended.
+   *
+   * @return false if another server owns it
+   */
+  boolean renew(Claim claim) throws DirectoryException {
+    String value = RoomRecord.claimed(lease.number(), claim.settings).toJson();
+    long number = directory.create(claim.key(), value, lease.number());
+    if (number == 0) {
+      return false;
+    }
+    claim.told = value;
+    claim.nextNs = Math.min(claim.nextNs, 1);
+    own(claim, number);
+    return true;
+  }
+
+  private static void own(Claim claim, long number) {
+    claim.number = number;
+    claim.ownership.claim(number);
+    LOG.info("owns room={} claim={}", claim.room(), number);
+  }
+
+  /** Forgets a claim that is another server's by now. */
+  void lose(Claim claim) {
+    LOG.warn("lost room={} claim={}", claim.room(), claim.number);
+    claim.ownership.claim(0);
+    claims.remove(claim.room());
+  }
+
+  /** Gives a room up, so that another server may claim it. */
+  void release(Claim claim) throws DirectoryException {
+    claim.ownership.claim(0);
+    claims.remove(claim.room());
+    directory.delete(claim.key(), claim.number);
+    LOG.info("released room={} claim={}", claim.room(), claim.number);
+  }
+}

@@ -1,0 +1,573 @@
+package carom.server.fleet;
+
+import carom.net.protocol.ProtocolLimits;
+import carom.net.protocol.ServerMessage;
+import carom.server.config.RoomConfig;
+import carom.server.directory.Directory;
+import carom.server.directory.DirectoryException;
+import carom.server.metrics.Counter;
+import carom.server.room.FleetDoor;
+import carom.server.room.Room;
+import carom.server.session.Ownership;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
+import java.util.concurrent.Future;
+import java.util.concurrent.FutureTask;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A server's part in its fleet: it holds the server's lease and the claims of its rooms, tells the
+ * directory about them, takes over rooms that have lost their owner, and shows the lobby the rooms
+ * of the others.
+ *
+ * <p>{@link #turn} does what is due, on one thread, and never waits for a room. {@link FleetDoor}'s
+ * methods are for any thread.
+ */
+public final class FleetMember implements FleetDoor, AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(FleetMember.class);
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long RENEW_NS = 400 * NS_PER_MS;
+  private static final long PUBLISH_NS = 250 * NS_PER_MS;
+
+  /** Most rooms with equal settings that a fleet can number. */
+  private static final int MAX_NUMBERED = 100_000;
+
+  /** Loads are told in steps of so many percent, so that entries rest while rooms do. */
+  private static final int LOAD_STEP = 10;
+
+  private final Directory directory;
+  private final FleetSettings settings;
+  private final LongSupplier clock;
+  private final Executor asks;
+  private final Lease lease;
+  private final Claims claims;
+  private final FleetView view;
+  private final Tickets tickets;
+  private final Following following;
+  private final Set<Long> dead = ConcurrentHashMap.newKeySet();
+  private final Runnable changed;
+
+  /** Places that were promised since a room's owner told how many are taken. */
+  private final Map<String, Promise> promised = new ConcurrentHashMap<>();
+
+  private record Promise(int taken, int count) {}
+
+  private Peers peers;
+  private volatile String peerAddress = "";
+  private Followers followers;
+  private Takeovers takeovers;
+  private RoomHost host;
+  private volatile boolean draining;
+  private long renewNs;
+  private long serverNumber;
+  private String serverTold = "";
+  private long serverNextNs;
+  private boolean away;
+  private volatile boolean closed;
+
+  /**
+   * Creates a member that hasn't joined.
+   *
+   * @param directory stays the caller's to close, after this
+   * @param clock monotonic nanoseconds
+   * @param asks runs what waits for the directory or a room; may run it at once
+   * @param changed told when {@link #turn} should come soon; any thread, returns at once
+   */
+  public FleetMember(
+      Directory directory,
+      FleetSettings settings,
+      LongSupplier clock,
+      Executor asks,
+      Runnable changed) {
+    this.directory = directory;
+    this.settings = settings;
+    this.clock = clock;
+    this.asks = asks;
+    this.changed = changed;
+    lease = new Lease(clock, settings.keepsRooms());
+    claims = new Claims(directory, lease);
+    view = new FleetView(directory, clock, changed);
+    tickets = new Tickets(directory);
+    following = new Following(settings.followed());
+  }
+
+  /** Returns what hears other servers. */
+  Peers.Inbox inbox() {
+    return new Peers.Inbox() {
+      @Override
+      public void take(long server, PeerFrame frame) throws IOException {
+        following.take(server, frame);
+        if (frame.kind() == PeerFrame.Kind.HAND_OVER) {
+          changed.run();
+        }
+      }
+
+      @Override
+      public PeerFrame command(PeerFrame line) {
+        String answer;
+        boolean done;
+        try {
+          answer = run(List.of(new String(line.bytes(), StandardCharsets.UTF_8).split(" ")));
+          done = true;
+        } catch (IllegalArgumentException e) {
+          answer = e.getMessage();
+          done = false;
+        }
+        byte[] text = answer.getBytes(StandardCharsets.UTF_8);
+        return PeerFrame.of(PeerFrame.Kind.ANSWER, done ? 0 : 1, "", text);
+      }
+
+      @Override
+      public void lost(long server) {
+        following.lost(server);
+        changed.run();
+      }
+
+      @Override
+      public void dead(long server) {
+        dead.add(server);
+        changed.run();
+      }
+    };
+  }
+
+  /**
+   * Sets how this server reaches the others; before {@link #join}.
+   *
+   * @param address where they reach this one, {@code host:port}
+   */
+  void reachesBy(Peers newPeers, String address) {
+    peers = newPeers;
+    peerAddress = address;
+  }
+
+  /** Returns this server's number in the fleet, 0 while it has none. */
+  public long number() {
+    return lease.number();
+  }
+
+  /**
+   * Joins the fleet, with the lease under which this server claims its rooms.
+   *
+   * @throws DirectoryException if the directory doesn't answer
+   */
+  public void join() throws DirectoryException {
+    long askedNs = clock.getAsLong();
+    lease.renewed(directory.lease(Lease.TTL_MS), askedNs);
+    renewNs = askedNs + RENEW_NS;
+    serverNumber = 0;
+    tellServer(askedNs);
+  }
+
+  /**
+   * Claims rooms before they are built. Rooms with names of their own that others have claimed are
+   * left out. Numbered ones get the first numbers that are free in the fleet.
+   *
+   * @param wanted the server's own rooms
+   * @param numbered whether they are equal, so that their names are numbers
+   * @return the settings of the rooms that this server owns now
+   * @throws DirectoryException if the directory doesn't answer
+   */
+  public List<RoomConfig> claim(List<RoomConfig> wanted, boolean numbered)
+      throws DirectoryException {
+    List<RoomConfig> owned = new ArrayList<>();
+    int number = 0;
+    for (RoomConfig room : wanted) {
+      if (!numbered) {
+        if (claims.make(room) != null) {
+          owned.add(room);
+        } else {
+          LOG.info("fleet: room={} has another owner", room.name());
+        }
+        continue;
+      }
+      RoomConfig next;
+      do {
+        if (++number > MAX_NUMBERED) {
+          throw new DirectoryException(
+              "rooms=" + MAX_NUMBERED + " is all that a fleet numbers", null);
+        }
+        next = room.withName(String.valueOf(number)).withSeed(wanted.get(0).seed() + number - 1);
+      } while (view.rooms().containsKey(next.name()) || claims.make(next) == null);
+      owned.add(next);
+    }
+    return owned;
+  }
+
+  /**
+   * Returns the ownership of a room that is about to be built, which this server claims if it
+   * hasn't yet.
+   *
+   * @throws IllegalArgumentException if the room belongs to another server
+   */
+  public Ownership ownershipOf(RoomConfig room) {
+    try {
+      Claims.Claim claim = claims.of(room.name());
+      claim = claim == null ? claims.make(room) : claim;
+      if (claim != null) {
+        return claim.ownership();
+      }
+    } catch (DirectoryException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+    throw new IllegalArgumentException(
+        "room=" + room.name() + " belongs to another server of the fleet");
+  }
+
+  /** Sets whose rooms these are; before the first {@link #turn}. */
+  public void serves(RoomHost newHost) {
+    host = newHost;
+    followers = new Followers(claims, view, peers, host, lease, asks);
+    takeovers = new Takeovers(claims, view, following, host, lease, clock, asks, changed);
+  }
+
+  /** Does what is due. One thread. */
+  public void turn(long nowNs) {
+    if (closed) {
+      return;
+    }
+    try {
+      if (nowNs - renewNs >= 0) {
+        renew();
+      }
+      if (lease.number() != 0) {
+        bury();
+        tellServer(nowNs);
+        followers.turn(nowNs, draining);
+        takeovers.turn(nowNs, draining);
+        tellRooms(nowNs);
+      }
+      if (away) {
+        away = false;
+        LOG.info("fleet: the directory answers again");
+      }
+    } catch (DirectoryException e) {
+      if (!away) {
+        away = true;
+        LOG.error("fleet: {}; {}", e.getMessage(), settings.onPartition());
+      }
+      renewNs = clock.getAsLong(); // again in the next turn
+    }
+    tellClients();
+  }
+
+  private void renew() throws DirectoryException {
+    long askedNs = clock.getAsLong();
+    boolean held = lease.getAsBoolean();
+    if (lease.number() != 0 && directory.renew(lease.number())) {
+      lease.renewed(lease.number(), askedNs);
+      renewNs = askedNs + RENEW_NS;
+      if (!held) {
+        host.rooms().forEach(Room::ownershipChanged); // they stand still, and sleep
+      }
+      return;
+    }
+    if (lease.number() != 0) {
+      LOG.error("fleet: the lease is over; rooms stand still until they are claimed again");
+      lease.ended();
+      peers.reached().forEach(peers::forget);
+    }
+    join();
+    for (Claims.Claim claim : claims.all()) {
+      claim.follower = 0;
+      if (!claims.renew(claim)) {
+        lose(claim);
+      }
+    }
+    host.rooms().forEach(Room::ownershipChanged);
+  }
+
+  private void lose(Claims.Claim claim) {
+    claims.lose(claim);
+    Room room = host.room(claim.room());
+    if (room != null) {
+      host.drop(room, "another server owns room " + claim.room());
+    }
+  }
+
+  /** Ends the leases of servers whose processes are dead, so that nobody waits for them. */
+  private void bury() throws DirectoryException {
+    for (long server : Set.copyOf(dead)) {
+      if (view.servers().containsKey(server)) {
+        LOG.warn("fleet: server {} is dead", view.servers().get(server).name());
+        directory.revoke(server);
+      }
+      dead.remove(server);
+    }
+  }
+
+  private void tellServer(long nowNs) throws DirectoryException {
+    if (nowNs - serverNextNs < 0 && serverNumber != 0) {
+      return;
+    }
+    serverNextNs = nowNs + 4 * PUBLISH_NS;
+    ServerRecord record =
+        new ServerRecord(
+            lease.number(),
+            settings.name(),
+            settings.address(),
+            peerAddress,
+            load(host == null ? List.of() : host.rooms()),
+            draining);
+    String value = record.toJson();
+    if (serverNumber == 0) {
+      serverNumber = directory.create(record.key(), value, lease.number());
+      serverTold = value;
+    } else if (!value.equals(serverTold)) {
+      directory.update(record.key(), value, serverNumber);
+      serverTold = value;
+    }
+  }
+
+  private static int load(List<Room> rooms) {
+    int load = 0;
+    for (Room room : rooms) {
+      load = Math.max(load, (int) room.counters().get(Counter.LOAD_PERCENT));
+    }
+    return load / LOAD_STEP * LOAD_STEP;
+  }
+
+  /** Tells the directory what has changed in the rooms, and releases those that are gone. */
+  private void tellRooms(long nowNs) throws DirectoryException {
+    for (Claims.Claim claim : claims.all()) {
+      if (nowNs - claim.nextNs < 0 || claim.handedOver) {
+        continue;
+      }
+      Room room = host.room(claim.room());
+      if (room == null || room.hasFailed()) {
+        if (claim.nextNs != 0) { // it was there, and is gone
+          claims.release(claim);
+        }
+        continue;
+      }
+      claim.nextNs = nowNs + PUBLISH_NS;
+      RoomRecord record =
+          new RoomRecord(
+              lease.number(),
+              room.isFollowed() ? claim.follower : 0,
+              load(List.of(room)),
+              room.settings(),
+              room.entry());
+      String value = record.toJson();
+      if (!value.equals(claim.told)) {
+        if (directory.update(claim.key(), value, claim.number())) {
+          claim.told = value;
+        } else {
+          lose(claim);
+        }
+      }
+    }
+  }
+
+  /** Tells the clients where to go if this server is lost. */
+  private void tellClients() {
+    List<String> addresses = new ArrayList<>();
+    for (ServerRecord server : view.servers().values()) {
+      if (server.lease() != lease.number()
+          && !server.draining()
+          && addresses.size() < ProtocolLimits.MAX_FLEET_SERVERS) {
+        addresses.add(server.address());
+      }
+    }
+    for (Claims.Claim claim : claims.all()) {
+      Room room = host.room(claim.room());
+      ServerRecord follower = view.servers().get(claim.follower);
+      String standby =
+          follower != null && room != null && room.isFollowed() ? follower.address() : "";
+      ServerMessage.Fleet message = new ServerMessage.Fleet(addresses, standby);
+      if (!message.equals(claim.ownership().servers())) {
+        claim.ownership().servers(message);
+      }
+    }
+  }
+
+  /**
+   * Does what an operator says: {@code status}, {@code rooms}, {@code move ROOM [SERVER]}, {@code
+   * drain}. Any thread.
+   *
+   * @return the answer, perhaps of several lines
+   * @throws IllegalArgumentException if it can't be done; the message says why
+   */
+  public String run(List<String> words) {
+    String verb = words.isEmpty() ? "status" : words.get(0);
+    FleetCommands.Snapshot snapshot = new FleetCommands.Snapshot(view);
+    switch (verb) {
+      case "status":
+        return snapshot.status();
+      case "rooms":
+        return snapshot.roomList();
+      case "move":
+        if (words.size() < 2) {
+          throw new IllegalArgumentException("name the room: move ROOM [SERVER]");
+        }
+        return move(words.get(1), words.size() > 2 ? words.get(2) : "");
+      case "drain":
+        drain();
+        return "drains: its rooms move to the other servers";
+      default:
+        throw new IllegalArgumentException(
+            "\"" + verb + "\" is none of status, rooms, move ROOM [SERVER], drain");
+    }
+  }
+
+  private String move(String room, String server) {
+    Claims.Claim claim = claims.of(room);
+    if (claim == null) {
+      throw new IllegalArgumentException("room=" + room + " isn't this server's");
+    }
+    String to = followers.move(claim, server);
+    changed.run();
+    return "room=" + room + " moves to " + to;
+  }
+
+  /** Takes no more rooms and players, and begins to move all rooms away. */
+  public void drain() {
+    draining = true;
+    serverNextNs = clock.getAsLong();
+    changed.run();
+  }
+
+  /** Returns whether this server owns no room any longer. */
+  public boolean isDrained() {
+    return claims.all().isEmpty();
+  }
+
+  @Override
+  public Place find(String room) {
+    FleetView.OwnedRoom there = view.rooms().get(room);
+    return there == null || there.record().server() == lease.number()
+        ? null
+        : place(there.record());
+  }
+
+  private Place place(RoomRecord record) {
+    return new Place(
+        record.server(), record.settings().name(), record.entry().game(), taken(record));
+  }
+
+  /** Returns the seats that are taken, with those that were promised since the owner told. */
+  private int taken(RoomRecord record) {
+    int told = record.entry().players();
+    Promise promise = promised.get(record.settings().name());
+    return promise != null && promise.taken == told ? told + promise.count : told;
+  }
+
+  @Override
+  public Place fullest(String game) {
+    Place best = null;
+    for (FleetView.OwnedRoom owned : view.rooms().values()) {
+      RoomRecord record = owned.record();
+      ServerRecord server = view.servers().get(record.server());
+      if (record.server() == lease.number()
+          || server == null
+          || server.draining()
+          || record.entry().places() <= taken(record)
+          || (settings.maxLoadPercent() > 0 && record.load() > settings.maxLoadPercent())) {
+        continue;
+      }
+      Place place = place(record);
+      boolean fits = place.game().equals(game);
+      boolean bestFits = best != null && best.game().equals(game);
+      if (best == null || (fits == bestFits ? place.taken() > best.taken() : fits)) {
+        best = place;
+      }
+    }
+    return best;
+  }
+
+  @Override
+  public boolean mayComeBack(String room) {
+    return view.orphans().containsKey(room);
+  }
+
+  @Override
+  public boolean follows(String room, long secret) {
+    return following.knows(room, secret);
+  }
+
+  @Override
+  public Future<ServerMessage.Move> move(Place to, Guest guest) {
+    FleetView.OwnedRoom there = view.rooms().get(to.room());
+    if (there != null) {
+      int told = there.record().entry().players();
+      promised.merge(
+          to.room(),
+          new Promise(told, 1),
+          (old, one) -> old.taken == told ? new Promise(told, old.count + 1) : one);
+    }
+    return ask(
+        () -> {
+          ServerRecord server = view.servers().get(to.server());
+          return server == null
+              ? null
+              : new ServerMessage.Move(
+                  server.address(),
+                  settings.fingerprint(),
+                  to.room(),
+                  tickets.make(to.server(), guest));
+        });
+  }
+
+  @Override
+  public Future<Guest> redeem(String ticket) {
+    return ask(() -> tickets.redeem(lease.number(), ticket));
+  }
+
+  /** Asks the directory for something. */
+  private interface Question<T> {
+    T answer() throws DirectoryException;
+  }
+
+  private <T> Future<T> ask(Question<T> question) {
+    FutureTask<T> task =
+        new FutureTask<>(
+            () -> {
+              try {
+                return question.answer();
+              } catch (DirectoryException e) {
+                LOG.warn("fleet: {}", e.getMessage());
+                return null;
+              }
+            });
+    asks.execute(task);
+    return task;
+  }
+
+  @Override
+  public List<ServerMessage.RoomEntry> roomsElsewhere() {
+    List<ServerMessage.RoomEntry> entries = new ArrayList<>();
+    for (FleetView.OwnedRoom owned : view.rooms().values()) {
+      if (owned.record().server() != lease.number()) {
+        entries.add(owned.record().entry());
+      }
+    }
+    return entries;
+  }
+
+  /** Leaves the fleet: the lease ends, and with it the claims. */
+  @Override
+  public void close() {
+    closed = true;
+    long number = lease.number();
+    lease.ended();
+    try {
+      if (number != 0) {
+        directory.revoke(number);
+      }
+    } catch (DirectoryException e) {
+      LOG.warn("fleet: the lease ends by itself: {}", e.getMessage());
+    }
+    peers.close();
+    if (followers != null) {
+      followers.close();
+    }
+  }
+}

@@ -1,0 +1,189 @@
+package carom.server.fleet;
+
+import carom.net.seal.ExchangeKey;
+import carom.net.seal.ServerKey;
+import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
+import carom.server.directory.Directories;
+import carom.server.directory.Directory;
+import carom.server.directory.DirectoryTls;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Runs a server's {@link FleetMember}: its directory, its port for other servers, its threads. */
+public final class FleetService implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(FleetService.class);
+  private static final long NAP_MS = 25;
+  private static final int ASKS = 8;
+
+  private final Directory directory;
+  private final FleetMember member;
+  private final TcpPeers peers;
+  private final ExecutorService asks;
+  private final Object bell = new Object();
+  private boolean rung; // guarded by bell
+  private volatile boolean closed;
+  private Thread thread;
+
+  private FleetService(
+      Directory directory, FleetSettings settings, ExchangeKey key, InetAddress bind, int port)
+      throws IOException {
+    this.directory = directory;
+    AtomicInteger number = new AtomicInteger();
+    asks =
+        Executors.newFixedThreadPool(
+            ASKS,
+            task -> {
+              Thread made = new Thread(task, "carom-fleet-asks-" + number.incrementAndGet());
+              made.setDaemon(true);
+              return made;
+            });
+    member = new FleetMember(directory, settings, System::nanoTime, asks, this::ring);
+    peers = new TcpPeers(bind, port, key, member::number, member.inbox());
+    String address = settings.address();
+    String host = address.substring(0, address.lastIndexOf(':'));
+    member.reachesBy(peers, host + ":" + peers.port());
+  }
+
+  /**
+   * Joins a fleet.
+   *
+   * @param config with {@code --fleet} and what belongs to it
+   * @param key the fleet's
+   * @param bind address of this machine for the port of the fleet, or null for all
+   * @param tcpPort the server's port for players
+   * @param followed folder for the journals of rooms that this server follows
+   * @throws IOException if the directory or the port can't be used; the message says why
+   */
+  public static FleetService join(
+      ServerConfig config, ExchangeKey key, InetAddress bind, int tcpPort, Path followed)
+      throws IOException {
+    String advertise = config.get(ServerConfig.ADVERTISE);
+    String address = FleetFlags.address(advertise, tcpPort);
+    FleetSettings settings =
+        new FleetSettings(
+            address,
+            address,
+            ServerKey.fingerprint(key.publicKey()),
+            config.get(ServerConfig.ON_PARTITION) == ServerConfig.OnPartition.KEEP,
+            (int) Math.round(100 * config.get(ServerConfig.MAX_LOAD)),
+            followed);
+    Directory directory =
+        Directories.open(
+            config.get(ServerConfig.FLEET),
+            new DirectoryTls(
+                config.get(ServerConfig.DIRECTORY_CA),
+                config.get(ServerConfig.DIRECTORY_CERT),
+                config.get(ServerConfig.DIRECTORY_KEY)));
+    FleetService service = null;
+    try {
+      service =
+          new FleetService(directory, settings, key, bind, config.get(ServerConfig.FLEET_PORT));
+      service.member.join();
+      LOG.info(
+          "fleet: this server is {} in {}; other servers reach it at port {}",
+          address,
+          config.get(ServerConfig.FLEET).replaceAll("//[^/@]*@", "//"),
+          service.peers.port());
+      return service;
+    } catch (IOException | RuntimeException e) {
+      if (service != null) {
+        service.close();
+      } else {
+        directory.close();
+      }
+      throw e;
+    }
+  }
+
+  /** Returns this server's part in the fleet. */
+  public FleetMember member() {
+    return member;
+  }
+
+  /**
+   * Claims the server's own rooms, see {@link FleetMember#claim}.
+   *
+   * @throws IOException if the directory doesn't answer
+   */
+  public List<RoomConfig> claim(List<RoomConfig> rooms, boolean numbered) throws IOException {
+    return member.claim(rooms, numbered);
+  }
+
+  private void ring() {
+    synchronized (bell) {
+      rung = true;
+      bell.notifyAll();
+    }
+  }
+
+  /** Serves the rooms of a server from now on, on a thread of its own. */
+  public void serve(RoomHost host) {
+    member.serves(host);
+    thread = new Thread(this::run, "carom-fleet");
+    thread.setDaemon(true);
+    thread.setPriority(Thread.MAX_PRIORITY); // a lease that isn't renewed stops every room
+    thread.start();
+  }
+
+  private void run() {
+    while (!closed) {
+      try {
+        member.turn(System.nanoTime());
+      } catch (RuntimeException e) {
+        LOG.error("the fleet's thread survived an error", e);
+      }
+      synchronized (bell) {
+        try {
+          if (!rung) {
+            bell.wait(NAP_MS);
+          }
+        } catch (InterruptedException e) {
+          return;
+        }
+        rung = false;
+      }
+    }
+  }
+
+  /**
+   * Moves all rooms to other servers, and waits until they are gone.
+   *
+   * @param mostMs longest time to wait, ms
+   * @return whether they are
+   */
+  public boolean drain(int mostMs) {
+    if (thread == null) {
+      return true;
+    }
+    member.drain();
+    long endNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(mostMs);
+    while (!member.isDrained() && System.nanoTime() - endNs < 0 && !closed) {
+      try {
+        Thread.sleep(5);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        return false;
+      }
+    }
+    return member.isDrained();
+  }
+
+  /** Leaves the fleet. */
+  @Override
+  public void close() {
+    closed = true;
+    ring();
+    member.close();
+    asks.shutdownNow();
+    directory.close();
+  }
+}

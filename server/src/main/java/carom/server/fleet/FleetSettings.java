@@ -1,0 +1,29 @@
+package carom.server.fleet;
+
+import java.nio.file.Path;
+
+/**
+ * The part of a server's settings that its fleet needs.
+ *
+ * @param name name of the server, for people
+ * @param address host and TCP port at which players reach this server
+ * @param fingerprint of the fleet's key
+ * @param keepsRooms whether rooms go on while the directory is away
+ * @param maxLoadPercent load above which a room takes no newcomers, 0 for none
+ * @param followed folder for the journals of rooms that this server follows
+ */
+public record FleetSettings(
+    String name,
+    String address,
+    String fingerprint,
+    boolean keepsRooms,
+    int maxLoadPercent,
+    Path followed) {
+
+  /** Returns what becomes of the rooms while the directory is away, for the log. */
+  String onPartition() {
+    return keepsRooms
+        ? "rooms go on without it (--on-partition keep)"
+        : "rooms stand still when the lease is over (--on-partition stop)";
+  }
+}

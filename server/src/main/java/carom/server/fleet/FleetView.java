@@ -1,0 +1,133 @@
+package carom.server.fleet;
+
+import carom.server.directory.Directory;
+import carom.server.directory.DirectoryEntry;
+import carom.server.directory.DirectoryWatcher;
+import java.io.IOException;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The fleet as its directory has told it: servers, rooms, and rooms that have lost their owner.
+ * What it says may be some milliseconds old. Any thread.
+ */
+final class FleetView {
+  private static final Logger LOG = LoggerFactory.getLogger(FleetView.class);
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** Time for which a room without an owner is remembered, ms. */
+  private static final long ORPHAN_MS = 10_000;
+
+  /**
+   * A room whose claim is gone.
+   *
+   * @param record what its last owner told
+   * @param claim the number of the last claim
+   * @param sinceNs when it was heard
+   */
+  record Orphan(RoomRecord record, long claim, long sinceNs) {}
+
+  /**
+   * A room that a server owns.
+   *
+   * @param record what the owner told last
+   * @param claim number of its claim
+   */
+  record OwnedRoom(RoomRecord record, long claim) {}
+
+  private final LongSupplier clock;
+  private final Runnable changed;
+  private final Map<Long, ServerRecord> servers = new ConcurrentSkipListMap<>();
+  private final Map<String, OwnedRoom> rooms = new ConcurrentSkipListMap<>();
+  private final Map<String, Orphan> orphans = new ConcurrentHashMap<>();
+
+  /**
+   * Creates a view that begins to listen.
+   *
+   * @param changed told after each change, on the directory's thread; returns at once
+   */
+  FleetView(Directory directory, LongSupplier clock, Runnable changed) {
+    this.clock = clock;
+    this.changed = changed;
+    directory.watch(ServerRecord.PREFIX, new ServerWatcher());
+    directory.watch(RoomRecord.PREFIX, new RoomWatcher());
+  }
+
+  /** Returns the servers by lease. */
+  Map<Long, ServerRecord> servers() {
+    return servers;
+  }
+
+  /** Returns the rooms by name. */
+  Map<String, OwnedRoom> rooms() {
+    return rooms;
+  }
+
+  /** Returns the rooms that have lost their owner lately, by name. */
+  Map<String, Orphan> orphans() {
+    long nowNs = clock.getAsLong();
+    orphans.values().removeIf(orphan -> nowNs - orphan.sinceNs > ORPHAN_MS * NS_PER_MS);
+    return orphans;
+  }
+
+  private final class ServerWatcher implements DirectoryWatcher {
+    @Override
+    public void present(DirectoryEntry entry) {
+      try {
+        long lease = Long.parseLong(entry.key().substring(ServerRecord.PREFIX.length()));
+        servers.put(lease, ServerRecord.parse(lease, entry.value()));
+        changed.run();
+      } catch (IOException | NumberFormatException e) {
+        LOG.warn("fleet: the entry {} can't be read: {}", entry.key(), e.getMessage());
+      }
+    }
+
+    @Override
+    public void gone(DirectoryEntry last) {
+      try {
+        servers.remove(Long.parseLong(last.key().substring(ServerRecord.PREFIX.length())));
+      } catch (NumberFormatException e) {
+        return; // it was never taken for a server
+      }
+      changed.run();
+    }
+
+    @Override
+    public void complete() {
+      changed.run();
+    }
+  }
+
+  private final class RoomWatcher implements DirectoryWatcher {
+    @Override
+    public void present(DirectoryEntry entry) {
+      String room = entry.key().substring(RoomRecord.PREFIX.length());
+      try {
+        rooms.put(room, new OwnedRoom(RoomRecord.parse(entry.value()), entry.number()));
+        orphans.remove(room);
+        changed.run();
+      } catch (IOException e) {
+        LOG.warn("fleet: the entry {} can't be read: {}", entry.key(), e.getMessage());
+      }
+    }
+
+    @Override
+    public void gone(DirectoryEntry last) {
+      String room = last.key().substring(RoomRecord.PREFIX.length());
+      OwnedRoom before = rooms.remove(room);
+      if (before != null) {
+        orphans.put(room, new Orphan(before.record(), before.claim(), clock.getAsLong()));
+        changed.run();
+      }
+    }
+
+    @Override
+    public void complete() {
+      changed.run();
+    }
+  }
+}

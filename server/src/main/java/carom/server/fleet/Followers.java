@@ -1,0 +1,218 @@
+package carom.server.fleet;
+
+import carom.server.checkpoint.SlotDisk;
+import carom.server.directory.DirectoryException;
+import carom.server.room.Room;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Gives each room of this server a follower, another server that has the room's journal, and moves
+ * rooms: a room that moves gets the other server as its follower, ends here with its last tick, and
+ * goes on there. The fleet's thread, but for {@link #move}.
+ */
+final class Followers implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Followers.class);
+
+  /** Time between whole states of a journal, s. */
+  private static final int STATE_S = 1;
+
+  private final Claims claims;
+  private final FleetView view;
+  private final Peers peers;
+  private final RoomHost host;
+  private final Lease lease;
+  private final Executor asks;
+  private final Map<Long, SlotDisk> disks = new ConcurrentHashMap<>();
+
+  Followers(Claims claims, FleetView view, Peers peers, RoomHost host, Lease lease, Executor asks) {
+    this.claims = claims;
+    this.view = view;
+    this.peers = peers;
+    this.host = host;
+    this.lease = lease;
+    this.asks = asks;
+  }
+
+  /** Does what is due. */
+  void turn(long nowNs, boolean draining) {
+    for (ServerRecord server : view.servers().values()) {
+      if (server.lease() != lease.number()) {
+        peers.reach(server);
+      }
+    }
+    for (long server : peers.reached()) {
+      if (!view.servers().containsKey(server)) {
+        peers.forget(server);
+        SlotDisk disk = disks.remove(server);
+        if (disk != null) {
+          asks.execute(disk::close);
+        }
+      }
+    }
+    for (Claims.Claim claim : claims.all()) {
+      Room room = host.room(claim.room());
+      if (room == null || claim.handedOver) {
+        continue;
+      }
+      if (draining && claim.movesTo == 0) {
+        ServerRecord best = best(claim);
+        claim.movesTo = best == null ? 0 : best.lease();
+      }
+      if (claim.movesTo != 0 && !view.servers().containsKey(claim.movesTo)) {
+        claim.movesTo = 0; // that server is gone
+      }
+      if (claim.movesTo != 0 && claim.follower == claim.movesTo && room.isFollowed()) {
+        handOver(claim, room);
+        continue;
+      }
+      ServerRecord present = view.servers().get(claim.follower);
+      boolean stays =
+          present != null
+              && peers.isReached(present.lease())
+              && (claim.movesTo == 0 ? !present.draining() : claim.follower == claim.movesTo);
+      if (!stays) {
+        follow(claim, room, claim.movesTo == 0 ? best(claim) : view.servers().get(claim.movesTo));
+      }
+    }
+  }
+
+  /** Lets a server follow a room, or nobody. */
+  private void follow(Claims.Claim claim, Room room, ServerRecord server) {
+    if (server == null || !peers.isReached(server.lease())) {
+      if (claim.follower != 0) {
+        claim.follower = 0;
+        room.followedBy(null, null, STATE_S);
+      }
+      return;
+    }
+    if (claim.follower != 0 && peers.isReached(claim.follower)) {
+      tell(claim.follower, PeerFrame.of(PeerFrame.Kind.END, 0, claim.room(), new byte[0]));
+    }
+    byte[] record = claim.told.getBytes(StandardCharsets.UTF_8);
+    PeerFrame ask = PeerFrame.of(PeerFrame.Kind.FOLLOW, claim.number(), claim.room(), record);
+    if (tell(server.lease(), ask)) {
+      claim.follower = server.lease();
+      SlotDisk disk =
+          disks.computeIfAbsent(server.lease(), number -> disk(room.tickRateHz(), server));
+      room.followedBy(disk, peers.journal(server, claim.room()), STATE_S);
+    }
+  }
+
+  private SlotDisk disk(int tickRateHz, ServerRecord server) {
+    SlotDisk disk = SlotDisk.ofFollowers(tickRateHz);
+    if (host.hasThreads()) {
+      disk.start();
+    }
+    LOG.debug("fleet: journals go to {}", server.name());
+    return disk;
+  }
+
+  private boolean tell(long server, PeerFrame frame) {
+    try {
+      peers.send(server, frame);
+      return true;
+    } catch (IOException e) {
+      LOG.debug("fleet: {}", e.getMessage());
+      return false;
+    }
+  }
+
+  /**
+   * Returns the server that follows a room best: the present one, or that with the fewest rooms.
+   */
+  private ServerRecord best(Claims.Claim claim) {
+    Map<Long, Integer> rooms = new HashMap<>();
+    for (FleetView.OwnedRoom room : view.rooms().values()) {
+      rooms.merge(room.record().server(), 1, Integer::sum);
+      if (room.record().server() != lease.number()) {
+        rooms.merge(room.record().follower(), 1, Integer::sum);
+      }
+    }
+    claims.all().forEach(own -> rooms.merge(own.follower, 1, Integer::sum));
+    ServerRecord best = null;
+    for (ServerRecord server : view.servers().values()) {
+      if (server.lease() == lease.number()
+          || server.draining()
+          || !peers.isReached(server.lease())) {
+        continue;
+      }
+      if (server.lease() == claim.follower) {
+        return server;
+      }
+      if (best == null
+          || rooms.getOrDefault(server.lease(), 0) < rooms.getOrDefault(best.lease(), 0)) {
+        best = server;
+      }
+    }
+    return best;
+  }
+
+  /**
+   * Begins to move a room. Any thread.
+   *
+   * @param server name of the other server; empty for the best
+   * @return name of that server
+   * @throws IllegalArgumentException if the room must stay; the message says why
+   */
+  String move(Claims.Claim claim, String server) {
+    ServerRecord to = null;
+    if (server.isEmpty()) {
+      to = best(claim);
+    } else {
+      for (ServerRecord other : view.servers().values()) {
+        to = other.name().equals(server) && other.lease() != lease.number() ? other : to;
+      }
+    }
+    if (to == null) {
+      throw new IllegalArgumentException(
+          server.isEmpty()
+              ? "no other server of the fleet can take room=" + claim.room()
+              : "server=" + server + " isn't another one of the fleet");
+    }
+    claim.movesTo = to.lease();
+    return to.name();
+  }
+
+  private void handOver(Claims.Claim claim, Room room) {
+    claim.handedOver = true;
+    long to = claim.movesTo;
+    room.handOver(() -> asks.execute(() -> giveAway(claim, room, to)));
+  }
+
+  /** Gives a room that has ended here to its follower, who has all of it by then. */
+  private void giveAway(Claims.Claim claim, Room room, long to) {
+    try {
+      SlotDisk disk = disks.get(to);
+      if (disk == null || !disk.flush()) {
+        throw new IOException("the end of its journal can't be sent");
+      }
+      peers.await(to);
+      claim.ownership().claim(0);
+      peers.send(
+          to, PeerFrame.of(PeerFrame.Kind.HAND_OVER, claim.number(), claim.room(), new byte[0]));
+    } catch (IOException e) {
+      LOG.error(
+          "room={} is given up, and another server begins it: {}", claim.room(), e.toString());
+    }
+    try {
+      claims.release(claim);
+      LOG.info("moved room={} tick={}", claim.room(), room.tick());
+    } catch (DirectoryException e) {
+      LOG.error("room={} is released when the lease ends: {}", claim.room(), e.getMessage());
+    }
+    host.forget(room);
+  }
+
+  @Override
+  public void close() {
+    disks.values().forEach(SlotDisk::close);
+    disks.clear();
+  }
+}

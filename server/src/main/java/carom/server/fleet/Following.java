@@ -1,0 +1,162 @@
+package carom.server.fleet;
+
+import carom.server.checkpoint.SlotLink;
+import carom.server.checkpoint.SlotMirror;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The rooms that this server follows: their journals come from their owners, so that this server
+ * can go on with them. Any thread, but one at a time for each owner.
+ */
+final class Following {
+  private static final Logger LOG = LoggerFactory.getLogger(Following.class);
+  private static final SlotLink.Step[] STEPS = SlotLink.Step.values();
+
+  /** A room that is followed. */
+  static final class Followed {
+    private final long owner;
+    private final long claim;
+    private final RoomRecord record;
+    private final SlotMirror mirror;
+    private volatile boolean broken;
+    private volatile boolean handedOver;
+
+    Followed(long owner, long claim, RoomRecord record, SlotMirror mirror) {
+      this.owner = owner;
+      this.claim = claim;
+      this.record = record;
+      this.mirror = mirror;
+    }
+
+    /** Returns the lease of the room's owner. */
+    long owner() {
+      return owner;
+    }
+
+    /** Returns the owner's claim. */
+    long claim() {
+      return claim;
+    }
+
+    /** Returns what the owner told about the room. */
+    RoomRecord record() {
+      return record;
+    }
+
+    /** Returns the folder from which the room can go on. */
+    Path folder() {
+      return mirror.path();
+    }
+
+    /** Returns whether the owner has given the room up for this server. */
+    boolean isHandedOver() {
+      return handedOver;
+    }
+  }
+
+  private final Path folder;
+  private final Map<String, Followed> rooms = new ConcurrentHashMap<>();
+  private final Set<Long> heard = ConcurrentHashMap.newKeySet();
+
+  /**
+   * Creates an object that follows no room.
+   *
+   * @param folder gets a folder for each room
+   */
+  Following(Path folder) {
+    this.folder = folder;
+  }
+
+  /** Returns the followed rooms by name; live. */
+  Map<String, Followed> rooms() {
+    return rooms;
+  }
+
+  /** Returns whether a session of a followed room has this secret. */
+  boolean knows(String room, long secret) {
+    Followed followed = rooms.get(room);
+    return followed != null && followed.mirror.knows(secret);
+  }
+
+  /** Returns a followed room from which this server can go on, or null. */
+  Followed usable(String room) {
+    Followed followed = rooms.get(room);
+    return followed != null && !followed.broken && followed.mirror.isUsable() ? followed : null;
+  }
+
+  /** Returns whether an owner's link is still open, so that more of its journals may come. */
+  boolean hears(long owner) {
+    return heard.contains(owner);
+  }
+
+  /** Learns that an owner's link has ended. */
+  void lost(long owner) {
+    heard.remove(owner);
+  }
+
+  /** Takes a frame of a room's owner. */
+  void take(long owner, PeerFrame frame) throws IOException {
+    heard.add(owner);
+    switch (frame.kind()) {
+      case FOLLOW -> {
+        RoomRecord record = RoomRecord.parse(new String(frame.bytes(), StandardCharsets.UTF_8));
+        end(frame.room());
+        SlotMirror mirror = new SlotMirror(folder.resolve(frame.room()));
+        rooms.put(frame.room(), new Followed(owner, frame.number(), record, mirror));
+        LOG.info("follows room={} claim={}", frame.room(), frame.number());
+      }
+      case STEP -> step(owner, frame);
+      case END -> end(frame.room(), owner);
+      case HAND_OVER -> {
+        Followed followed = rooms.get(frame.room());
+        if (followed != null && followed.owner == owner) {
+          followed.mirror.close();
+          followed.handedOver = true;
+        }
+      }
+      default -> throw new IOException("kind=" + frame.kind() + " comes from no owner");
+    }
+  }
+
+  private void step(long owner, PeerFrame frame) {
+    Followed followed = rooms.get(frame.room());
+    if (followed == null || followed.owner != owner || followed.broken) {
+      return;
+    }
+    try {
+      if (frame.step() >= STEPS.length) {
+        throw new IOException("step=" + frame.step() + " is unknown");
+      }
+      followed.mirror.apply(STEPS[frame.step()], frame.slot(), frame.bytes());
+    } catch (IOException e) {
+      followed.broken = true;
+      LOG.error("room={} can't be followed: {}", frame.room(), e.getMessage());
+    }
+  }
+
+  private void end(String room, long owner) {
+    Followed followed = rooms.get(room);
+    if (followed != null && followed.owner == owner) {
+      end(room);
+    }
+  }
+
+  /** Ends to follow a room. */
+  void end(String room) {
+    Followed followed = rooms.remove(room);
+    if (followed != null) {
+      try {
+        followed.mirror.close();
+      } catch (IOException e) {
+        LOG.warn("room={} was followed in files that can't be closed: {}", room, e.getMessage());
+      }
+    }
+  }
+}

@@ -1,0 +1,87 @@
+package carom.server.fleet;
+
+import carom.server.checkpoint.SlotLink;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.Set;
+
+/** The links of a server to the others of its fleet. */
+interface Peers extends AutoCloseable {
+
+  /** Hears what comes from other servers. Any thread, but one for each server. */
+  interface Inbox {
+    /** Takes a frame of another server. */
+    void take(long server, PeerFrame frame) throws IOException;
+
+    /** Does what an operator says, and returns what came of it. */
+    PeerFrame command(PeerFrame line);
+
+    /** Learns that the link from another server is lost, whatever became of that server. */
+    void lost(long server);
+
+    /** Learns that the process of another server is dead. */
+    void dead(long server);
+  }
+
+  /** Opens a link to a server, unless there is one. Returns at once. */
+  void reach(ServerRecord server);
+
+  /** Closes the link to a server that is gone. Returns at once. */
+  void forget(long server);
+
+  /** Returns the servers to which there are links, or are about to be. */
+  Set<Long> reached();
+
+  /** Returns whether a server can be told something. */
+  boolean isReached(long server);
+
+  /**
+   * Tells a server something. It may wait while that server is slow.
+   *
+   * @throws IOException if there is no link
+   */
+  void send(long server, PeerFrame frame) throws IOException;
+
+  /**
+   * Waits until a server has done all that it was told.
+   *
+   * @throws IOException if the link is lost, or it takes too long
+   */
+  void await(long server) throws IOException;
+
+  @Override
+  void close();
+
+  /** Returns the way of a room's journal to a server. */
+  default SlotLink journal(ServerRecord server, String room) {
+    return new SlotLink() {
+      @Override
+      public String title() {
+        return server.name();
+      }
+
+      @Override
+      public void send(Step step, int slot, byte[] bytes, int offset, int length)
+          throws IOException {
+        int most = step == Step.LOG ? MOST_BYTES : length; // only a log may come in pieces
+        int from = offset;
+        do {
+          int to = Math.min(offset + length, from + most);
+          byte[] part = Arrays.copyOfRange(bytes, from, to);
+          Peers.this.send(
+              server.lease(),
+              new PeerFrame(PeerFrame.Kind.STEP, 0, room, step.ordinal(), slot, part));
+          from = to;
+        } while (from < offset + length);
+      }
+
+      @Override
+      public void await() throws IOException {
+        Peers.this.await(server.lease());
+      }
+    };
+  }
+
+  /** Most bytes of a log in one frame. */
+  int MOST_BYTES = 1 << 17;
+}

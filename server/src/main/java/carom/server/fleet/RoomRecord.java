@@ -1,0 +1,117 @@
+package carom.server.fleet;
+
+import carom.net.protocol.ServerMessage;
+import carom.server.config.RoomConfig;
+import carom.text.Json;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The record of a room in the directory, by its owner. The claim and the listing are one record, so
+ * that neither can be there without the other.
+ *
+ * @param server lease of the owner
+ * @param follower lease of the server that has the room's state, 0 for none
+ * @param load the part of their time that its ticks take, percent
+ * @param settings the room's settings, with which another server can go on with it
+ * @param entry what lists of rooms show
+ */
+record RoomRecord(
+    long server, long follower, int load, RoomConfig settings, ServerMessage.RoomEntry entry) {
+  /** Begins the keys of rooms in the directory. */
+  static final String PREFIX = "rooms/";
+
+  static String key(String room) {
+    return PREFIX + room;
+  }
+
+  /** Returns the record of a room that is claimed and not built yet. */
+  static RoomRecord claimed(long server, RoomConfig settings) {
+    return new RoomRecord(
+        server,
+        0,
+        0,
+        settings,
+        new ServerMessage.RoomEntry(
+            settings.name(), settings.game(), "", "", 0, 0, 0, settings.metadata()));
+  }
+
+  String toJson() {
+    return FleetJson.write(
+        json -> {
+          json.writeNumberField("server", server);
+          json.writeNumberField("follower", follower);
+          json.writeNumberField("load", load);
+          json.writeStringField("room", settings.name());
+          json.writeStringField("game", settings.game());
+          json.writeArrayFieldStart("levels");
+          for (String level : settings.levels()) {
+            json.writeString(level);
+          }
+          json.writeEndArray();
+          json.writeNumberField("places", settings.places());
+          json.writeStringField("seed", String.valueOf(settings.seed()));
+          json.writeObjectFieldStart("info");
+          for (Map.Entry<String, String> info : settings.metadata().entrySet()) {
+            json.writeStringField(info.getKey(), info.getValue());
+          }
+          json.writeEndObject();
+          json.writeStringField("plays", entry.game());
+          json.writeStringField("level", entry.level());
+          json.writeStringField("phase", entry.phase());
+          json.writeNumberField("players", entry.players());
+          json.writeNumberField("free", Math.max(0, entry.places() - entry.players()));
+          json.writeNumberField("spectators", entry.spectators());
+        });
+  }
+
+  /**
+   * Reads a record.
+   *
+   * @throws IOException if it is none; the message says why
+   */
+  static RoomRecord parse(String value) throws IOException {
+    Json json = FleetJson.read(value);
+    List<String> levels = new ArrayList<>();
+    for (Json level :
+        json.fields.containsKey("levels") ? json.fields.get("levels").items : List.<Json>of()) {
+      levels.add(level.text);
+    }
+    Map<String, String> info = new LinkedHashMap<>();
+    Json infos = json.fields.get("info");
+    if (infos != null) {
+      infos.fields.forEach((key, text) -> info.put(key, text.text));
+    }
+    RoomConfig settings;
+    try {
+      settings =
+          new RoomConfig(
+              FleetJson.text(json, "room"),
+              FleetJson.text(json, "game"),
+              levels,
+              FleetJson.whole(json, "places"),
+              Long.parseLong(FleetJson.text(json, "seed")),
+              info);
+    } catch (IllegalArgumentException e) {
+      throw new IOException("no room's record: " + e.getMessage(), e);
+    }
+    int players = FleetJson.whole(json, "players");
+    return new RoomRecord(
+        FleetJson.number(json, "server"),
+        FleetJson.number(json, "follower"),
+        FleetJson.whole(json, "load"),
+        settings,
+        new ServerMessage.RoomEntry(
+            settings.name(),
+            FleetJson.text(json, "plays"),
+            FleetJson.text(json, "level"),
+            FleetJson.text(json, "phase"),
+            players,
+            players + FleetJson.whole(json, "free"),
+            FleetJson.whole(json, "spectators"),
+            info));
+  }
+}

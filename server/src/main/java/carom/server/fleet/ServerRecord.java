@@ -1,0 +1,64 @@
+package carom.server.fleet;
+
+import carom.text.Json;
+import java.io.IOException;
+
+/**
+ * The record of a server in the directory, by itself.
+ *
+ * @param lease its lease, which is its number in the fleet: another one after each start
+ * @param name name of the server, for people
+ * @param address host and TCP port for players, as {@code ServerAddress} reads it
+ * @param peer host and port for the other servers of the fleet
+ * @param load the largest part of their time that its rooms' ticks take, percent
+ * @param draining whether it takes no rooms and no newcomers, because it is about to stop
+ */
+record ServerRecord(
+    long lease, String name, String address, String peer, int load, boolean draining) {
+  /** Begins the keys of servers in the directory. */
+  static final String PREFIX = "servers/";
+
+  /** Returns the host of {@link #peer}. */
+  String peerHost() {
+    String host = peer.substring(0, Math.max(0, peer.lastIndexOf(':')));
+    return host.startsWith("[") ? host.substring(1, host.length() - 1) : host;
+  }
+
+  /** Returns the port of {@link #peer}, 0 if it has none. */
+  int peerPort() {
+    return peer.matches(".+:\\d{1,5}")
+        ? Integer.parseInt(peer.substring(peer.lastIndexOf(':') + 1))
+        : 0;
+  }
+
+  String key() {
+    return PREFIX + lease;
+  }
+
+  String toJson() {
+    return FleetJson.write(
+        json -> {
+          json.writeStringField("name", name);
+          json.writeStringField("address", address);
+          json.writeStringField("peer", peer);
+          json.writeNumberField("load", load);
+          json.writeBooleanField("draining", draining);
+        });
+  }
+
+  /**
+   * Reads a record.
+   *
+   * @throws IOException if it is none; the message says why
+   */
+  static ServerRecord parse(long lease, String value) throws IOException {
+    Json json = FleetJson.read(value);
+    return new ServerRecord(
+        lease,
+        FleetJson.text(json, "name"),
+        FleetJson.text(json, "address"),
+        FleetJson.text(json, "peer"),
+        FleetJson.whole(json, "load"),
+        FleetJson.flag(json, "draining"));
+  }
+}

@@ -1,0 +1,153 @@
+package carom.server.fleet;
+
+import carom.server.directory.DirectoryException;
+import carom.server.room.Room;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Goes on with rooms that have lost their owner, and with those that another server hands over. The
+ * follower comes first, then the server with the fewest rooms. The fleet's thread.
+ */
+final class Takeovers {
+  private static final Logger LOG = LoggerFactory.getLogger(Takeovers.class);
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** Time that a better candidate has to take over a room before the next one tries, ns. */
+  private static final long RANK_NS = 300 * NS_PER_MS;
+
+  /** Time that the rest of a dead owner's journal has to come out of the socket, ns. */
+  private static final long REST_NS = 100 * NS_PER_MS;
+
+  private final Claims claims;
+  private final FleetView view;
+  private final Following following;
+  private final RoomHost host;
+  private final Lease lease;
+  private final LongSupplier clock;
+  private final Executor asks;
+  private final Runnable changed;
+  private final Set<String> underWay = ConcurrentHashMap.newKeySet();
+
+  Takeovers(
+      Claims claims,
+      FleetView view,
+      Following following,
+      RoomHost host,
+      Lease lease,
+      LongSupplier clock,
+      Executor asks,
+      Runnable changed) {
+    this.claims = claims;
+    this.view = view;
+    this.following = following;
+    this.host = host;
+    this.lease = lease;
+    this.clock = clock;
+    this.asks = asks;
+    this.changed = changed;
+  }
+
+  /** Does what is due. */
+  void turn(long nowNs, boolean draining) {
+    for (Map.Entry<String, Following.Followed> one : following.rooms().entrySet()) {
+      FleetView.OwnedRoom owned = view.rooms().get(one.getKey());
+      boolean isFree = owned == null || owned.claim() == one.getValue().claim();
+      if (one.getValue().isHandedOver() && isFree) {
+        begin(one.getKey(), one.getValue().record());
+      } else if (owned != null
+          && owned.claim() > one.getValue().claim()
+          && !underWay.contains(one.getKey())) {
+        following.end(one.getKey()); // another server has gone on with it
+      }
+    }
+    if (draining) {
+      return;
+    }
+    for (Map.Entry<String, FleetView.Orphan> one : view.orphans().entrySet()) {
+      FleetView.Orphan orphan = one.getValue();
+      boolean ownerIsGone = !view.servers().containsKey(orphan.record().server());
+      boolean restIsHere =
+          !following.hears(orphan.record().server()) || nowNs - orphan.sinceNs() >= REST_NS;
+      if (ownerIsGone && restIsHere && nowNs - orphan.sinceNs() >= rank(orphan) * RANK_NS) {
+        begin(one.getKey(), orphan.record());
+      }
+    }
+  }
+
+  private void begin(String room, RoomRecord record) {
+    if (claims.of(room) == null && underWay.add(room)) {
+      asks.execute(
+          () -> {
+            try {
+              goOn(room, record);
+            } catch (DirectoryException e) {
+              LOG.warn("fleet: room={} can't be claimed: {}", room, e.getMessage());
+            } finally {
+              underWay.remove(room);
+              changed.run();
+            }
+          });
+    }
+  }
+
+  private void goOn(String name, RoomRecord record) throws DirectoryException {
+    Following.Followed followed = following.usable(name); // before anybody hears of the claim
+    Claims.Claim claim = claims.make(record.settings());
+    if (claim == null) {
+      return; // another server was faster, or the owner hasn't released it yet
+    }
+    long beginNs = clock.getAsLong();
+    try {
+      Room room = host.takeOver(record.settings(), followed == null ? null : followed.folder());
+      LOG.info(
+          "took over room={} claim={} tick={} lost={}{}",
+          name,
+          claim.number(),
+          room.tick(),
+          followed == null ? "all" : room.lostTicks(),
+          followed == null ? ": nobody has followed it" : "");
+      LOG.debug(
+          "room {} was built and computed in {} ms",
+          name,
+          (clock.getAsLong() - beginNs) / NS_PER_MS);
+    } catch (IllegalArgumentException e) {
+      LOG.error("room={} can't go on here: {}", name, e.getMessage());
+      claims.release(claim);
+    } finally { // not before: clients that stand by wait for the room as long as it is followed
+      following.end(name);
+      view.orphans().remove(name);
+    }
+  }
+
+  /** Returns this server's place among those that may take a room over, the best first. */
+  private int rank(FleetView.Orphan orphan) {
+    List<ServerRecord> able = new ArrayList<>();
+    Map<Long, Integer> owned = new HashMap<>();
+    view.rooms().values().forEach(room -> owned.merge(room.record().server(), 1, Integer::sum));
+    for (ServerRecord server : view.servers().values()) {
+      if (!server.draining()) {
+        able.add(server);
+      }
+    }
+    able.sort(
+        Comparator.comparing((ServerRecord s) -> s.lease() != orphan.record().follower())
+            .thenComparing(s -> owned.getOrDefault(s.lease(), 0))
+            .thenComparing(ServerRecord::lease));
+    for (int i = 0; i < able.size(); i++) {
+      if (able.get(i).lease() == lease.number()) {
+        return i;
+      }
+    }
+    return able.size();
+  }
+}

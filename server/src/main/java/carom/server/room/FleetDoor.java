@@ -1,0 +1,117 @@
+package carom.server.room;
+
+import carom.net.protocol.ServerMessage;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
+
+/**
+ * Shows lobby and rooms the rest of the fleet: which rooms other servers own, and how players get
+ * there and come from there. Every method returns at once. Any thread.
+ */
+public interface FleetDoor {
+
+  /** The door of a server without a fleet, behind which there is nothing. */
+  FleetDoor NONE =
+      new FleetDoor() {
+        @Override
+        public Place find(String room) {
+          return null;
+        }
+
+        @Override
+        public Place fullest(String game) {
+          return null;
+        }
+
+        @Override
+        public boolean mayComeBack(String room) {
+          return false;
+        }
+
+        @Override
+        public boolean follows(String room, long secret) {
+          return false;
+        }
+
+        @Override
+        public Future<ServerMessage.Move> move(Place to, Guest guest) {
+          throw new IllegalStateException("there is no fleet");
+        }
+
+        @Override
+        public Future<Guest> redeem(String ticket) {
+          throw new IllegalStateException("there is no fleet");
+        }
+
+        @Override
+        public List<ServerMessage.RoomEntry> roomsElsewhere() {
+          return List.of();
+        }
+      };
+
+  /**
+   * A room that another server owns.
+   *
+   * @param server that server's number in the directory
+   * @param room name of the room
+   * @param game name of the game that it plays
+   * @param taken seats that are taken, as its server told last
+   */
+  record Place(long server, String room, String game, int taken) {}
+
+  /**
+   * A player on the way from one server to another.
+   *
+   * @param name the player's name
+   * @param account the player's account by a join token, or empty
+   * @param room name of the room
+   * @param game name of the game that the player asked for, or empty
+   * @param anywhere whether the player didn't ask for this room, so that another one will do
+   */
+  record Guest(String name, String account, String room, String game, boolean anywhere) {}
+
+  /** Begins every ticket, so that it can't be taken for a join token. */
+  String TICKET = "ticket.";
+
+  /** Returns what came of a question that is answered; null if the directory didn't answer. */
+  static <T> T outcome(Future<T> answered) {
+    try {
+      return answered.get();
+    } catch (ExecutionException | InterruptedException e) {
+      return null;
+    }
+  }
+
+  /** Returns where a room is that another server owns, or null. */
+  Place find(String room);
+
+  /**
+   * Returns the fullest room elsewhere that has a free seat, of a game if there is one, and that
+   * isn't too busy; or null.
+   *
+   * @param game name of the game; empty for any
+   */
+  Place fullest(String game);
+
+  /**
+   * Returns whether a room that nobody owns now has had an owner a moment ago, so that another
+   * server may be about to go on with it.
+   */
+  boolean mayComeBack(String room);
+
+  /** Returns whether this server follows a room in which a session has this secret. */
+  boolean follows(String room, long secret);
+
+  /**
+   * Makes a ticket for a player and returns what to send to its client; null if the directory
+   * doesn't answer.
+   */
+  Future<ServerMessage.Move> move(Place to, Guest guest);
+
+  /** Takes a ticket of this server, once, and returns who has it; null if it isn't good. */
+  Future<Guest> redeem(String ticket);
+
+  /** Returns what lists of rooms say about the rooms of other servers. */
+  List<ServerMessage.RoomEntry> roomsElsewhere();
+}

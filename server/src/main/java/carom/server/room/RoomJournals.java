@@ -1,0 +1,98 @@
+package carom.server.room;
+
+import carom.server.checkpoint.RoomCheckpoints;
+
+/**
+ * The journals of a room, from which it can go on elsewhere: its checkpoints on the disk, and those
+ * at the server that follows it. Either may be missing. The room's thread, but for {@link #isKept}
+ * and {@link #abandon}.
+ */
+final class RoomJournals {
+  private volatile RoomCheckpoints own;
+  private volatile RoomCheckpoints follower;
+
+  /** Sets the checkpoints on the disk. */
+  void own(RoomCheckpoints checkpoints) {
+    own = checkpoints;
+  }
+
+  /** Sets the checkpoints at the server that follows the room, null for none. */
+  void follower(RoomCheckpoints checkpoints) {
+    follower = checkpoints;
+  }
+
+  /** Returns the checkpoints at the server that follows the room, or null. */
+  RoomCheckpoints follower() {
+    return follower;
+  }
+
+  /** Returns whether players who come are kept in a moment; from any thread. */
+  boolean isKept() {
+    RoomCheckpoints kept = own == null ? follower : own;
+    return kept != null && kept.isKept();
+  }
+
+  void tickEnds(long nowNs) {
+    if (own != null) {
+      own.tickEnds(nowNs);
+    }
+    if (follower != null) {
+      follower.tickEnds(nowNs);
+    }
+  }
+
+  void rests(long nowNs) {
+    if (own != null) {
+      own.rests(nowNs);
+    }
+    if (follower != null) {
+      follower.rests(nowNs);
+    }
+  }
+
+  void endMatch(String why) {
+    if (own != null) {
+      own.endMatch(why);
+    }
+    if (follower != null) {
+      follower.endMatch(why);
+    }
+  }
+
+  void beginMatch(long nowNs) {
+    if (own != null) {
+      own.beginMatch(nowNs);
+    }
+    if (follower != null) {
+      follower.beginMatch(nowNs);
+    }
+  }
+
+  void end(boolean good, long nowNs) {
+    if (own != null) {
+      own.end(good, nowNs);
+    }
+    if (follower != null) {
+      follower.end(good, nowNs);
+    }
+  }
+
+  /** Ends all journals with the last tick, because the follower goes on with the room. */
+  void handOver(long nowNs) {
+    if (own != null) {
+      own.end(true, nowNs);
+    }
+    if (follower != null) {
+      follower.endMatch("HANDED OVER");
+    }
+  }
+
+  void abandon(String why) {
+    if (own != null) {
+      own.abandon(why);
+    }
+    if (follower != null) {
+      follower.abandon(why);
+    }
+  }
+}

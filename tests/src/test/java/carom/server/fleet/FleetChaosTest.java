@@ -1,0 +1,82 @@
+package carom.server.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.GameClient;
+import carom.client.link.ConnectionPhase;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: whatever happens to servers and directory, a room has at most one owner, and in the end all
+ * play. Method: crashes, freezes and partitions drawn at random, in virtual time; a seed
+ * reproduces. {@code -Dcarom.fleet.seed=N} draws another one.
+ */
+class FleetChaosTest {
+  private static final double SLICE_S = FleetRig.SLICE_NS / 1e9;
+  private static final List<String> ROOMS = List.of("1", "2", "3", "4", "5", "6");
+
+  @TempDir private Path folder;
+
+  @Test
+  void aRoomHasAtMostOneOwnerAndEverybodyPlaysInTheEnd() throws Exception {
+    long seed = Long.getLong("carom.fleet.seed", System.nanoTime());
+    System.out.println("fleet of seed " + seed + " (-Dcarom.fleet.seed=" + seed + ")");
+    Random random = new Random(seed);
+    try (FleetRig rig = new FleetRig(folder, 4)) {
+      for (String name : List.of("a", "b", "c")) {
+        rig.node(name, 2);
+      }
+      rig.run(1);
+      for (int i = 0; i < 9; i++) {
+        rig.client("bot" + i, List.of("a", "b", "c").get(i % 3));
+      }
+      rig.run(3);
+      int restarts = 0;
+      for (int i = 0; i < 6; i++) {
+        List<FleetRig.Node> all = List.copyOf(rig.nodes.values());
+        FleetRig.Node node = all.get(random.nextInt(all.size()));
+        switch (random.nextInt(4)) {
+          case 0 -> node.frozen = true;
+          case 1 -> node.door.away(true);
+          case 2 -> {
+            node.kill();
+            run(rig, random.nextDouble());
+            rig.node(node.name, restarts++ % 2); // another process at the same address
+          }
+          default -> node.member.drain();
+        }
+        run(rig, 0.2 + 4 * random.nextDouble());
+        node.frozen = false;
+        node.door.away(false);
+        if (node.member.isDrained() && !node.dead) {
+          node.server.close();
+          node.member.close();
+          rig.node(node.name, 0);
+        }
+        run(rig, 2 * random.nextDouble());
+      }
+      run(rig, 15);
+      Set<String> seats = new HashSet<>();
+      for (GameClient client : rig.clients) {
+        assertEquals(ConnectionPhase.PLAYING, client.view().phase(), client.view().message());
+        assertTrue(seats.add(client.view().room() + "#" + client.view().playerId()), "own seats");
+      }
+    }
+  }
+
+  private static void run(FleetRig rig, double seconds) {
+    for (double t = 0; t < seconds; t += SLICE_S) {
+      rig.run(SLICE_S);
+      for (String room : ROOMS) {
+        assertTrue(rig.owners(room).size() <= 1, () -> "room " + room + " has two owners");
+      }
+    }
+  }
+}

@@ -1,0 +1,44 @@
+package carom.server.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+
+import carom.server.config.ServerConfig;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+/** Goal: what an operator says about the fleet fits together, or is refused by name. */
+class FleetFlagsTest {
+  private static final ServerConfig FLEET =
+      ServerConfig.defaults()
+          .with(ServerConfig.FLEET, "etcd:http://a:2379")
+          .with(ServerConfig.FLEET_KEY, Path.of("fleet.key"))
+          .with(ServerConfig.ADVERTISE, "a.example.org");
+
+  @Test
+  void aFleetNeedsAKeyAndAnAddress() {
+    assertNull(FleetFlags.problem(ServerConfig.defaults()));
+    assertNull(FleetFlags.problem(FLEET));
+    assertEquals(
+        "--fleet needs --fleet-key FILE, the same key on every server of the fleet",
+        FleetFlags.problem(FLEET.with(ServerConfig.FLEET_KEY, null)));
+    assertEquals(
+        "--fleet needs --advertise HOST, by which players and other servers reach this server",
+        FleetFlags.problem(FLEET.with(ServerConfig.ADVERTISE, null)));
+    assertEquals(
+        "--fleet-key needs --fleet",
+        FleetFlags.problem(FLEET.with(ServerConfig.FLEET, FleetFlags.NONE)));
+    assertEquals(
+        "--advertise=a b must be HOST, HOST:TCP or HOST:TCP:UDP, such as a.example.org:54555",
+        FleetFlags.problem(FLEET.with(ServerConfig.ADVERTISE, "a b")));
+  }
+
+  @Test
+  void anAddressGetsThePortsThatItLacks() {
+    assertEquals("a.example.org:54555", FleetFlags.address("a.example.org", 54555));
+    assertEquals("a.example.org:1", FleetFlags.address("a.example.org:1", 54555));
+    assertEquals("a.example.org:1/2", FleetFlags.address("a.example.org:1:2", 54555));
+    assertEquals("[2001:db8::1]:7", FleetFlags.address("[2001:db8::1]:7", 54555));
+    assertEquals("[2001:db8::1]:54555", FleetFlags.address("[2001:db8::1]", 54555));
+  }
+}

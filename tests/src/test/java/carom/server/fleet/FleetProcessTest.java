@@ -1,0 +1,219 @@
+package carom.server.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.ClientConfig;
+import carom.client.GameClient;
+import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
+import carom.net.kryo.KryoClientTransport;
+import carom.net.transport.ClientTransport;
+import carom.server.CaromMain;
+import carom.server.ServerMain;
+import carom.server.directory.EtcdProgram;
+import carom.suite.Needs;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: three server processes and an etcd are one service, which survives {@code kill -9}, moves
+ * rooms and lets servers go. Method: the programs as an operator starts them, clients over sockets
+ * that all join at one server.
+ */
+@Needs("processes")
+class FleetProcessTest {
+  private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+)");
+  private static final int PLAYERS = 5;
+
+  @TempDir Path folder;
+  private EtcdProgram etcd;
+  private final Map<String, Process> servers = new LinkedHashMap<>();
+  private final Map<String, Integer> ports = new HashMap<>();
+  private final List<GameClient> clients = new ArrayList<>();
+  private ClientTransport transport;
+
+  @AfterEach
+  void end() {
+    clients.forEach(GameClient::close);
+    if (transport != null) {
+      transport.close();
+    }
+    servers.values().forEach(Process::destroyForcibly);
+    if (etcd != null) {
+      etcd.close();
+    }
+  }
+
+  private String fleet() {
+    return "etcd:" + etcd.url();
+  }
+
+  private Path log(String name) {
+    return folder.resolve(name + ".log");
+  }
+
+  private void start(String name) throws Exception {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
+    command.add(System.getProperty("java.class.path"));
+    command.add(ServerMain.class.getName());
+    command.addAll(List.of("--fleet", fleet(), "--fleet-key", key().toString()));
+    command.addAll(List.of("--advertise", "127.0.0.1", "--fleet-port", "0"));
+    command.addAll(List.of("--tcp-port", "0", "--udp-port", "0", "--bind", "127.0.0.1"));
+    command.addAll(List.of("--max-players", "2", "--data", folder.resolve(name).toString()));
+    command.addAll(List.of("--no-web", "--no-query", "--log-keep", "0", "--max-load", "0"));
+    Process server = new ProcessBuilder(command).redirectError(log(name).toFile()).start();
+    servers.put(name, server);
+    server.getOutputStream().close();
+    BufferedReader out =
+        new BufferedReader(new InputStreamReader(server.getInputStream(), StandardCharsets.UTF_8));
+    for (String line = out.readLine(); ; line = out.readLine()) {
+      assertNotNull(line, () -> read(name));
+      Matcher ready = READY.matcher(line);
+      if (ready.matches()) {
+        ports.put(name, Integer.parseInt(ready.group(1)));
+        return;
+      }
+    }
+  }
+
+  private Path key() {
+    return folder.resolve("fleet.key");
+  }
+
+  private String read(String name) {
+    try {
+      return Files.readString(log(name));
+    } catch (IOException e) {
+      return e.toString();
+    }
+  }
+
+  private String logs() {
+    StringBuilder all = new StringBuilder();
+    servers
+        .keySet()
+        .forEach(name -> all.append("--- ").append(name).append('\n').append(read(name)));
+    return all.toString();
+  }
+
+  private void updateUntil(String what, BooleanSupplier done) throws Exception {
+    long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+    while (!done.getAsBoolean()) {
+      assertTrue(
+          System.nanoTime() < endNs,
+          () -> what + " isn't so after 60 s: " + places() + "\n" + logs());
+      clients.forEach(client -> client.update(System.nanoTime()));
+      Thread.sleep(2);
+    }
+  }
+
+  private boolean allPlay() {
+    return clients.stream().allMatch(c -> c.view().phase() == ConnectionPhase.PLAYING);
+  }
+
+  /** Returns where each player is: room and seat. */
+  private List<String> places() {
+    return clients.stream().map(c -> c.view().room() + "#" + c.view().playerId()).toList();
+  }
+
+  /** Returns the name of the server that owns a room, by the address that the fleet says. */
+  private String owner(String room) {
+    for (String line : carom("rooms").split("\n")) {
+      String[] words = line.trim().split("\\s+");
+      for (Map.Entry<String, Integer> server : ports.entrySet()) {
+        boolean isOwner =
+            words[words.length - 1].contains("yet")
+                ? words[words.length - 3].endsWith(":" + server.getValue())
+                : words[words.length - 2].endsWith(":" + server.getValue());
+        if (words[0].equals(room) && isOwner) {
+          return server.getKey();
+        }
+      }
+    }
+    return "nobody";
+  }
+
+  private String carom(String... words) {
+    StringWriter text = new StringWriter();
+    PrintWriter out = new PrintWriter(text);
+    List<String> args = new ArrayList<>(List.of("fleet", "--fleet", fleet()));
+    args.addAll(List.of("--fleet-key", key().toString()));
+    args.addAll(List.of(words));
+    int code = CaromMain.run(out, out, args.toArray(new String[0]));
+    assertEquals(0, code, text.toString());
+    return text.toString();
+  }
+
+  /** Waits until each room that is played in has a follower, to which each client has a link. */
+  private void awaitFollowers() throws Exception {
+    updateUntil("followed", () -> !carom("rooms").contains("none yet"));
+    long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(2);
+    updateUntil("stands by", () -> System.nanoTime() >= endNs);
+  }
+
+  @Test
+  void threeServersAreOneThatSurvivesTheLossOfEach() throws Exception {
+    etcd = new EtcdProgram(folder, "http");
+    start("a");
+    start("b");
+    start("c");
+    transport = new KryoClientTransport();
+    for (int i = 0; i < PLAYERS; i++) {
+      ClientConfig config = ClientConfig.of("p" + i).withServer("127.0.0.1", ports.get("a"), 0);
+      clients.add(new GameClient(config, transport, new Bot(i, true)));
+      updateUntil("plays", this::allPlay);
+    }
+    List<String> places = places();
+    assertEquals(3, places.stream().map(place -> place.split("#")[0]).distinct().count());
+    awaitFollowers();
+
+    String killed = owner("2");
+    servers.get(killed).destroyForcibly(); // kill -9
+    updateUntil("killed", () -> !servers.get(killed).isAlive());
+    Pattern tookOver = Pattern.compile("took over room=2 claim=\\d+ tick=[1-9]\\d* lost=0");
+    updateUntil("taken over", () -> tookOver.matcher(logs()).find());
+    updateUntil("all play on", this::allPlay);
+    assertNotEquals(killed, owner("2"));
+    assertEquals(places, places(), "each is back in the own body");
+    awaitFollowers();
+    String from = owner("2");
+    int redirects = clients.stream().mapToInt(c -> c.stats().reconnects()).sum();
+    assertTrue(carom("move", "2").contains("room=2 moves to"));
+    updateUntil("moved", () -> !owner("2").equals(from) && !owner("2").equals("nobody"));
+    updateUntil("all play after a move", this::allPlay);
+    assertEquals(places, places());
+    assertEquals(0, clients.stream().mapToInt(c -> c.stats().ticksLost()).sum());
+    assertTrue(clients.stream().mapToInt(c -> c.stats().reconnects()).sum() >= redirects);
+
+    awaitFollowers();
+    String stopped = owner("2");
+    servers.get(stopped).destroy(); // SIGTERM
+    updateUntil("stopped", () -> !servers.get(stopped).isAlive());
+    updateUntil("all play on", () -> allPlay() && !owner("2").equals("nobody"));
+    assertNotEquals(stopped, owner("2"));
+    assertEquals(places, places());
+  }
+}

@@ -1,0 +1,144 @@
+package carom.server.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.GameClient;
+import carom.client.link.ConnectionPhase;
+import carom.server.room.Room;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: three servers are one service. Method: a fleet in virtual time, with a directory that can
+ * be cut off, servers that die and freeze, and real clients that all join at one server.
+ */
+class FleetScenarioTest {
+  @TempDir private Path folder;
+
+  private static void requireAllPlay(FleetRig rig) {
+    for (GameClient client : rig.clients) {
+      assertEquals(ConnectionPhase.PLAYING, client.view().phase(), () -> client.view().message());
+    }
+  }
+
+  /** Returns each client's seat, by its name. */
+  private static Map<String, String> seats(FleetRig rig) {
+    Map<String, String> seats = new HashMap<>();
+    for (int i = 0; i < rig.clients.size(); i++) {
+      GameClient client = rig.clients.get(i);
+      seats.put("bot" + i, client.view().room() + "#" + client.view().playerId());
+    }
+    return seats;
+  }
+
+  private FleetRig threeServers() throws Exception {
+    FleetRig rig = new FleetRig(folder, 4);
+    for (String name : List.of("a", "b", "c")) {
+      rig.node(name, 2);
+    }
+    rig.run(1);
+    for (int i = 0; i < 18; i++) {
+      rig.client("bot" + i, "a");
+      rig.run(0.1);
+    }
+    rig.run(3);
+    return rig;
+  }
+
+  @Test
+  void playersWhoJoinAtOneServerPlayWhereThereIsAPlace() throws Exception {
+    try (FleetRig rig = threeServers()) {
+      requireAllPlay(rig);
+      Set<String> rooms = new HashSet<>();
+      rig.clients.forEach(client -> rooms.add(client.view().room()));
+      assertEquals(5, rooms.size(), () -> "18 players in rooms of 4 are in " + rooms);
+      assertEquals(18, Set.copyOf(seats(rig).values()).size(), "nobody shares a seat");
+      for (String room : List.of("1", "2", "3", "4", "5", "6")) {
+        assertEquals(1, rig.owners(room).size(), "room " + room);
+      }
+    }
+  }
+
+  @Test
+  void aRoomGoesOnBitForBitWhenItsServerIsKilled() throws Exception {
+    try (FleetRig rig = threeServers()) {
+      Map<String, String> seats = seats(rig);
+      FleetRig.Node dying = rig.nodes.get("b");
+      Map<String, Long> hashes = new HashMap<>();
+      Map<String, Integer> ticks = new HashMap<>();
+      for (Room room : dying.server.rooms()) {
+        hashes.put(room.name(), room.simulation().stateHash());
+        ticks.put(room.name(), room.tick());
+      }
+      assertEquals(2, hashes.size());
+      dying.kill();
+      Set<String> seen = new HashSet<>();
+      for (int i = 0; i < 40; i++) {
+        rig.nodes.values().stream()
+            .filter(node -> !node.dead)
+            .forEach(node -> node.member.turn(rig.now()));
+        for (String room : hashes.keySet()) {
+          for (FleetRig.Node node : rig.owners(room)) {
+            if (seen.add(room)) {
+              assertEquals(ticks.get(room), node.server.room(room).tick());
+              assertEquals(hashes.get(room), node.server.room(room).simulation().stateHash(), room);
+            }
+          }
+        }
+        rig.run(0.005);
+      }
+      assertEquals(hashes.keySet(), seen);
+      rig.run(1);
+      requireAllPlay(rig);
+      assertEquals(seats, seats(rig), "everybody is back in the own body");
+    }
+  }
+
+  @Test
+  void aServerThatStopsLosesNothing() throws Exception {
+    try (FleetRig rig = threeServers()) {
+      Map<String, String> seats = seats(rig);
+      FleetRig.Node leaving = rig.nodes.get("a");
+      leaving.member.drain();
+      rig.run(1);
+      assertTrue(leaving.member.isDrained());
+      requireAllPlay(rig);
+      assertEquals(seats, seats(rig));
+      assertTrue(leaving.server.rooms().isEmpty());
+    }
+  }
+
+  @Test
+  void aFrozenServerOwnsNothingWhenItThaws() throws Exception {
+    try (FleetRig rig = threeServers()) {
+      FleetRig.Node frozen = rig.nodes.get("c");
+      List<Room> rooms = List.copyOf(frozen.server.rooms());
+      assertNotEquals(0, rooms.size());
+      frozen.frozen = true;
+      rig.run(5);
+      for (Room room : rooms) {
+        assertTrue(!room.ownership().holds(), "its lease is over by its own clock");
+        assertEquals(1, rig.owners(room.name()).size());
+      }
+      frozen.frozen = false;
+      for (int i = 0; i < 400; i++) {
+        rig.run(0.005);
+        for (Room room : rooms) {
+          assertEquals(1, rig.owners(room.name()).size());
+        }
+      }
+      rig.run(8);
+      requireAllPlay(rig);
+      assertNotNull(rig.nodes.get("c").server);
+    }
+  }
+}
