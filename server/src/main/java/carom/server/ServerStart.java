@@ -95,7 +95,6 @@ final class ServerStart {
    */
   Server open() throws StartFailure {
     List<RoomConfig> rooms = choice.rooms(config);
-    compareWithOpenFiles(RoomConfig.places(rooms));
     ServerTransport transport = openTransport(rooms);
     if (FleetFlags.isFleet(config)) {
       rooms = joinFleet(rooms, transport);
@@ -104,6 +103,7 @@ final class ServerStart {
     if (fleet != null) {
       server.fleet(fleet.member());
     }
+    compareWithOpenFiles(RoomConfig.places(rooms));
     SessionMemory.touch(RoomConfig.places(rooms));
     try {
       demandPassword();

@@ -146,14 +146,14 @@ final class RoomChangeTest {
         assertFalse(answer.ok(), each.getKey());
         assertTrue(answer.text().contains(each.getValue()), each.getKey() + ": " + answer.text());
       }
-      for (int i = 3; i <= 4; i++) {
+      for (int i = 3; i <= 32; i++) {
         assertTrue(run(rig, registry, "room add r" + i + "=" + level + ":1000").ok());
       }
       CommandRegistry.Answer answer = run(rig, registry, "room set @r3 players 1024");
       assertTrue(answer.ok(), answer.text());
-      answer = run(rig, registry, "room add r5=" + level + ":73");
-      assertTrue(answer.text().contains("limit=4096"), answer.text());
-      assertEquals(4, rig.server.rooms().size());
+      answer = run(rig, registry, "room add r33=" + level + ":745");
+      assertTrue(answer.text().contains("limit=32768"), answer.text());
+      assertEquals(32, rig.server.rooms().size());
       assertEquals(1000, room(rig, "1").seats().count());
     }
     try (Rig rig = rig(1, 1)) {
@@ -164,15 +164,15 @@ final class RoomChangeTest {
   }
 
   @Test
-  void thereAreSixtyFourRoomsAtMost() {
-    try (Rig rig = rig(64, 1)) {
+  void thereAreSoManyRoomsAtMost() {
+    try (Rig rig = rig(ServerConfig.MAX_ROOMS, 1)) {
       String level = rig.room.settings().levels().get(0);
       CommandRegistry registry = registry(rig.server);
       String full = run(rig, registry, "room add x=" + level).text();
-      assertEquals("nothing has changed: rooms=64 is the limit; remove one before", full);
+      assertEquals("nothing has changed: rooms=512 is the limit; remove one before", full);
       assertTrue(run(rig, registry, "room remove @7").ok());
       assertTrue(run(rig, registry, "room add x=" + level).ok());
-      assertEquals(65, room(rig, "x").number(), "no number is used twice");
+      assertEquals(513, room(rig, "x").number(), "no number is used twice");
     }
   }
 

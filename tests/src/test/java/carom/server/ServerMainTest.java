@@ -133,8 +133,8 @@ class ServerMainTest {
     assertTrue(fails(2, "--scene", "piramid").contains("did you mean \"pyramid\""), err());
     assertTrue(fails(2, "--scene", "car", "--game", "arena").contains("exclude"), err());
     assertTrue(fails(2, "--scene", "car", "--tick-rate", "30").contains("runs at 60 Hz"), err());
-    assertTrue(fails(2, "--rooms", "65").contains("rooms=65 is outside 1..64"), err());
-    assertTrue(fails(2, "--rooms", "64", "--max-players", "256").contains("at most 4096"), err());
+    assertTrue(fails(2, "--rooms", "513").contains("rooms=513 is outside 1..512"), err());
+    assertTrue(fails(2, "--rooms", "512", "--max-players", "256").contains("at most 32768"), err());
     assertTrue(fails(2, "--max-load", "1000").contains("--max-load=1000 is outside 0..3"), err());
     assertTrue(fails(2, "--budget", "90Mbit").contains("--budget=90Mbit is outside 16..80000 k"));
     assertTrue(fails(2, "--grace", "11 min").contains("--grace=11 min is outside 0..600 s"), err());

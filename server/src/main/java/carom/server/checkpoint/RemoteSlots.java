@@ -100,6 +100,11 @@ final class RemoteSlots implements SlotStore {
   }
 
   @Override
+  public void writeClaim(long claim) {
+    // Nothing: the follower knows it.
+  }
+
+  @Override
   public void addFailure() {
     // Nothing: a follower that goes on with a room counts its failures from then on.
   }

@@ -11,6 +11,7 @@ import carom.server.match.MatchInfo;
 import carom.server.match.MatchLoader;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.session.Ownership;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.SimState;
@@ -58,6 +59,7 @@ public final class RoomCheckpoints {
    * @param label begins each log line
    * @param counters of the room
    * @param seats of the room
+   * @param ownership whether the server owns the room
    * @param bySeat the live array of the sessions by seat, null where a seat is empty
    */
   @SuppressWarnings("ArrayRecordComponent") // Never compared.
@@ -68,6 +70,7 @@ public final class RoomCheckpoints {
       String label,
       Counters counters,
       Seats seats,
+      Ownership ownership,
       Session[] bySeat) {
 
     RoomConfig room() {
@@ -93,6 +96,7 @@ public final class RoomCheckpoints {
   private RecordingHeader header;
   private volatile SlotFile slot;
   private volatile boolean abandoned;
+  private long keptClaim;
   private int slotTick;
   private long slotHash;
   private SavedEvents events;
@@ -156,7 +160,8 @@ public final class RoomCheckpoints {
     folder.create();
     List<Integer> slots = folder.slots();
     lastSlot = slots.isEmpty() ? 0 : slots.get(0);
-    boolean mayResume = folder.failures() < MAX_FAILURES;
+    boolean isLatest = room.ownership().isLatest(folder.claim());
+    boolean mayResume = isLatest && folder.failures() < MAX_FAILURES;
     for (int number : mayResume ? slots : List.<Integer>of()) {
       RoomResume resume = new RoomResume(folder, number, room, loader, nowNs);
       try {
@@ -170,7 +175,9 @@ public final class RoomCheckpoints {
         refuse(resume, number, e.toString());
       }
     }
-    if (!mayResume) {
+    if (!isLatest && !slots.isEmpty()) {
+      LOG.warn("{}another server has owned the room since its checkpoints", room.label());
+    } else if (!mayResume) {
       LOG.error(
           "{}the room has failed {} times in a row soon after its checkpoints",
           room.label(),
@@ -339,6 +346,11 @@ public final class RoomCheckpoints {
     SlotFile next = new SlotFile(disk, store, ++lastSlot);
     BlockSink sink = (type, bytes, length) -> take(next, type, bytes, length);
     dueTick = s.tick() + intervalTicks;
+    long claim = room.ownership().claim();
+    if (claim != keptClaim) {
+      keptClaim = claim;
+      disk.write(() -> noteClaim(claim));
+    }
     countedFailure = false;
     try {
       if (recorder == null) {
@@ -390,6 +402,14 @@ public final class RoomCheckpoints {
           }
         });
     room.counters().add(Counter.CHECKPOINTS, 1);
+  }
+
+  private void noteClaim(long claim) {
+    try {
+      store.writeClaim(claim);
+    } catch (IOException e) {
+      LOG.warn("{}the claim of the checkpoints can't be noted: {}", room.label(), e.toString());
+    }
   }
 
   private void closeSlot() {

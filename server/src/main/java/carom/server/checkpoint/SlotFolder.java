@@ -5,6 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.WritableByteChannel;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -131,6 +132,24 @@ record SlotFolder(Path path) implements SlotStore {
   /** Returns how often in a row the room has failed soon after it was resumed. */
   int failures() throws IOException {
     return Files.exists(failed()) ? (int) Files.size(failed()) : 0;
+  }
+
+  @Override
+  public void writeClaim(long claim) throws IOException {
+    Files.writeString(claimFile(), String.valueOf(claim));
+  }
+
+  /** Returns the claim under which the slots were written, 0 for none. */
+  long claim() throws IOException {
+    try {
+      return Long.parseLong(Files.readString(claimFile()).strip());
+    } catch (NoSuchFileException | NumberFormatException e) {
+      return 0;
+    }
+  }
+
+  private Path claimFile() {
+    return path.resolve("claim");
   }
 
   @Override

@@ -27,15 +27,17 @@ public final class SlotMirror implements AutoCloseable {
    * Creates a mirror that has nothing, whatever the folder had before.
    *
    * @param path folder of this room's mirror alone
+   * @param claim the owner's
    * @throws IOException if the folder can't be used
    */
-  public SlotMirror(Path path) throws IOException {
+  public SlotMirror(Path path, long claim) throws IOException {
     folder = new SlotFolder(path);
     folder.create();
     for (int slot : folder.slots()) {
       folder.delete(slot);
     }
     folder.forgetFailures();
+    folder.writeClaim(claim);
   }
 
   /** Returns the folder. */
@@ -100,6 +102,14 @@ public final class SlotMirror implements AutoCloseable {
   /** Returns whether the room could go on from here: a checkpoint and its seats are whole. */
   public boolean isUsable() {
     return !secrets.isEmpty() || !logs.isEmpty();
+  }
+
+  /** Closes and deletes the files, which have the secrets of sessions. */
+  public void delete() throws IOException {
+    close();
+    for (int slot : folder.slots()) {
+      folder.delete(slot);
+    }
   }
 
   /** Closes the files; the room can go on from the folder. */

@@ -31,6 +31,9 @@ interface SlotStore {
   /** Deletes a slot. */
   void delete(int slot) throws IOException;
 
+  /** Notes the claim under which the slots are written. */
+  void writeClaim(long claim) throws IOException;
+
   /** Notes that the room has failed. */
   void addFailure() throws IOException;
 

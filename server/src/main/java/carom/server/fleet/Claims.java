@@ -2,6 +2,7 @@ package carom.server.fleet;
 
 import carom.server.config.RoomConfig;
 import carom.server.directory.Directory;
+import carom.server.directory.DirectoryEntry;
 import carom.server.directory.DirectoryException;
 import carom.server.session.Ownership;
 import java.util.Collection;
@@ -12,6 +13,9 @@ import org.slf4j.LoggerFactory;
 
 /** The rooms that this server owns, by its claims in the directory. Any thread. */
 final class Claims {
+  /** Begins the keys of the last claim of each room, which outlive owners. */
+  private static final String LAST = "last/";
+
   private static final Logger LOG = LoggerFactory.getLogger(Claims.class);
 
   /** The claim of a room. Its fields are the fleet's thread's, unless they say otherwise. */
@@ -92,7 +96,7 @@ final class Claims {
     if (number == 0) {
       return null;
     }
-    Claim claim = new Claim(room, Ownership.under(lease), value);
+    Claim claim = new Claim(room, Ownership.under(lease, succeed(room.name(), number)), value);
     claims.put(room.name(), claim);
     own(claim, number);
     return claim;
@@ -109,10 +113,23 @@ final class Claims {
     if (number == 0) {
       return false;
     }
+    succeed(claim.room(), number);
     claim.told = value;
     claim.nextNs = Math.min(claim.nextNs, 1);
     own(claim, number);
     return true;
+  }
+
+  /** Notes the last claim of a room for ever, and returns the one before; 0 for none. */
+  private long succeed(String room, long number) throws DirectoryException {
+    String key = LAST + room;
+    DirectoryEntry last = directory.get(key);
+    if (last == null) {
+      directory.create(key, String.valueOf(number), 0);
+      return 0;
+    }
+    directory.update(key, String.valueOf(number), last.number());
+    return Long.parseLong(last.value());
   }
 
   private static void own(Claim claim, long number) {

@@ -108,7 +108,7 @@ final class Following {
       case FOLLOW -> {
         RoomRecord record = RoomRecord.parse(new String(frame.bytes(), StandardCharsets.UTF_8));
         end(frame.room());
-        SlotMirror mirror = new SlotMirror(folder.resolve(frame.room()));
+        SlotMirror mirror = new SlotMirror(folder.resolve(frame.room()), frame.number());
         rooms.put(frame.room(), new Followed(owner, frame.number(), record, mirror));
         LOG.info("follows room={} claim={}", frame.room(), frame.number());
       }
@@ -153,9 +153,9 @@ final class Following {
     Followed followed = rooms.remove(room);
     if (followed != null) {
       try {
-        followed.mirror.close();
+        followed.mirror.delete();
       } catch (IOException e) {
-        LOG.warn("room={} was followed in files that can't be closed: {}", room, e.getMessage());
+        LOG.warn("room={} was followed in files that can't be deleted: {}", room, e.getMessage());
       }
     }
   }

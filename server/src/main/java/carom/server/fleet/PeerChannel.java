@@ -56,6 +56,7 @@ final class PeerChannel implements AutoCloseable {
   private PeerChannel(Socket socket) throws IOException {
     this.socket = socket;
     socket.setTcpNoDelay(true);
+    socket.setKeepAlive(true); // so that a machine that is gone leaves no thread behind
     socket.setSoTimeout(TIMEOUT_MS);
     in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), 1 << 16));
     out = socket.getOutputStream();

@@ -250,6 +250,7 @@ public final class Room {
         context.label(),
         counters(),
         seats(),
+        ownership(),
         parts.sessions.bySeat());
   }
 

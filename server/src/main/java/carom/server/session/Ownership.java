@@ -16,25 +16,28 @@ import java.util.function.BooleanSupplier;
  */
 public final class Ownership {
   private final BooleanSupplier lease; // null without a fleet
+  private final long before;
   private volatile long claim;
   private volatile ServerMessage.Fleet servers; // null without a fleet
 
-  private Ownership(BooleanSupplier lease) {
+  private Ownership(BooleanSupplier lease, long before) {
     this.lease = lease;
+    this.before = before;
   }
 
   /** Returns the ownership of a room whose server has no fleet. */
   public static Ownership alone() {
-    return new Ownership(null);
+    return new Ownership(null, 0);
   }
 
   /**
    * Returns the ownership of a room that has no claim yet.
    *
    * @param lease whether the server's lease holds now; asked before each datagram, any thread
+   * @param before number of the last claim of the room before that of this server, 0 for none
    */
-  public static Ownership under(BooleanSupplier lease) {
-    return new Ownership(lease);
+  public static Ownership under(BooleanSupplier lease, long before) {
+    return new Ownership(lease, before);
   }
 
   /** Returns whether the room may tick and send now. */
@@ -45,6 +48,14 @@ public final class Ownership {
   /** Returns the number of the claim; 0 for none and without a fleet. */
   public long claim() {
     return claim;
+  }
+
+  /**
+   * Returns whether what this server has kept of the room under a claim is the room's latest state:
+   * nobody has owned it since.
+   */
+  public boolean isLatest(long keptUnder) {
+    return lease == null || keptUnder == before;
   }
 
   /** Sets the number of the claim, 0 for none. */

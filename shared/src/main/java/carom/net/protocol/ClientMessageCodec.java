@@ -115,6 +115,9 @@ public final class ClientMessageCodec {
       buffer.put(CHANGE_ROOM);
       putText("ChangeRoom.room", change.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.Standby standby) {
+      if (standby.room().isEmpty()) {
+        throw new IllegalArgumentException("Standby.room is empty; it must name a room");
+      }
       buffer.put(STANDBY).putInt(standby.protocolVersion()).putLong(standby.physicsDigest());
       buffer.putLong(standby.secret());
       putText("Standby.room", standby.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES, buffer);

@@ -24,6 +24,6 @@ class KryoLimitsTest {
     Exception e =
         assertThrows(
             IllegalArgumentException.class, () -> KryoLimits.DEFAULT.withConnections(0, 1));
-    assertEquals("maxConnections=0 must be from 1 to 20000", e.getMessage());
+    assertEquals("maxConnections=0 must be from 1 to 132000", e.getMessage());
   }
 }
