@@ -313,14 +313,22 @@ class ServerMainTest {
       }
       assertEquals("300", client.welcome.room());
       assertTrue(client.decoder.hasAck(), "the room plays");
-      in.write("rooms\n");
-      in.flush();
-      assertTrue(out.readLine().startsWith("room "), "a heading");
-      for (int i = 1; i <= 512; i++) {
-        String room = out.readLine();
-        assertTrue(room.startsWith("@" + i + " "), room);
-        assertTrue(room.endsWith(i == 300 ? "runs" : "paused"), room);
+      int running = 0;
+      for (int attempt = 0; attempt < 100 && running != 1; attempt++) {
+        Thread.sleep(attempt == 0 ? 0 : 200); // on a busy machine the first turns of all take a while
+        in.write("rooms\n");
+        in.flush();
+        assertTrue(out.readLine().startsWith("room "), "a heading");
+        running = 0;
+        for (int i = 1; i <= 512; i++) {
+          String room = out.readLine();
+          assertTrue(room.startsWith("@" + i + " "), room);
+          assertTrue(room.endsWith("runs") || (room.endsWith("paused") && i != 300), room);
+          running += room.endsWith("runs") ? 1 : 0;
+        }
+        client.step(0);
       }
+      assertEquals(1, running, "only the room that is played in runs");
       Path status = Path.of("/proc", Long.toString(process.pid()), "status");
       if (Files.exists(status)) {
         Map<String, Integer> lines = new HashMap<>();
