@@ -41,7 +41,12 @@ public final class EtcdDirectory implements Directory {
    * @param tls what https uses; null for the JDK's own certificates
    */
   public EtcdDirectory(List<URI> urls, SSLContext tls) {
-    gateway = new EtcdGateway(urls, tls);
+    this(urls, tls, DEADLINE_MS);
+  }
+
+  /** Creates a directory with another deadline, for tests on a busy machine. */
+  EtcdDirectory(List<URI> urls, SSLContext tls, int deadlineMs) {
+    gateway = new EtcdGateway(urls, tls, deadlineMs);
   }
 
   @Override
@@ -96,7 +101,7 @@ public final class EtcdDirectory implements Directory {
   public boolean update(String key, String value, long number) throws DirectoryException {
     EntryLimits.checkKey(key);
     EntryLimits.checkValue(value);
-    long deadlineNs = EtcdGateway.deadlineNs();
+    long deadlineNs = gateway.deadlineNs();
     EtcdJson range = gateway.call("/v3/kv/range", "{" + key(key) + "}", deadlineNs).json();
     EtcdJson before = first(range);
     if (!isNumber(before, number)) {
@@ -157,7 +162,7 @@ public final class EtcdDirectory implements Directory {
 
   /** Reads all entries of a prefix, page by page at one revision. */
   Range range(String prefix) throws DirectoryException {
-    long deadlineNs = EtcdGateway.deadlineNs();
+    long deadlineNs = gateway.deadlineNs();
     List<DirectoryEntry> entries = new ArrayList<>();
     String from = ROOT + prefix;
     long revision = 0;
@@ -202,7 +207,7 @@ public final class EtcdDirectory implements Directory {
   }
 
   private Reply call(String path, String body) throws DirectoryException {
-    return gateway.call(path, body, EtcdGateway.deadlineNs());
+    return gateway.call(path, body, gateway.deadlineNs());
   }
 
   /** Does something to a key if a comparison holds, and else returns what is there. */

@@ -32,6 +32,7 @@ final class EtcdGateway {
   private static final List<Integer> FAILURES = List.of(1, 2, 4, 8, 10, 13, 14, 15);
 
   private final List<URI> urls;
+  private final int deadlineMs;
   private final HttpClient client;
   private volatile int current;
 
@@ -57,9 +58,11 @@ final class EtcdGateway {
    *
    * @param urls one at least, {@code http} or {@code https}, without a path
    * @param tls what https uses; null: the JDK's own
+   * @param deadlineMs longest time of a call
    */
-  EtcdGateway(List<URI> urls, SSLContext tls) {
+  EtcdGateway(List<URI> urls, SSLContext tls, int deadlineMs) {
     this.urls = List.copyOf(urls);
+    this.deadlineMs = deadlineMs;
     ThreadPoolExecutor threads =
         new ThreadPoolExecutor(
             0,
@@ -86,8 +89,8 @@ final class EtcdGateway {
   }
 
   /** Returns the time at which a call that begins now must have its answer. */
-  static long deadlineNs() {
-    return System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(Directory.DEADLINE_MS);
+  long deadlineNs() {
+    return System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(deadlineMs);
   }
 
   /**

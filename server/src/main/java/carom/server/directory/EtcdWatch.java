@@ -136,6 +136,9 @@ final class EtcdWatch implements Runnable {
       return;
     }
     for (EtcdJson event : told.get("events").items()) {
+      if (isClosed) {
+        return;
+      }
       EtcdJson kv = event.get("kv");
       if (event.get("type").text().equals("DELETE")) {
         watch.gone(EtcdDirectory.key(kv));

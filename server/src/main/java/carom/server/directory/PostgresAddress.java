@@ -13,8 +13,9 @@ import java.util.regex.Pattern;
  * @param shown the address without user, password and options, for messages
  * @param jdbcUrl URL of the JDBC driver
  * @param properties what the driver is told besides
+ * @param deadlineMs longest time of a call
  */
-record PostgresAddress(String shown, String jdbcUrl, Properties properties) {
+record PostgresAddress(String shown, String jdbcUrl, Properties properties, int deadlineMs) {
   private static final String SCHEME = "postgresql://";
   private static final String HOST = "([\\w.-]+|\\[[\\p{XDigit}:.]+])(:\\d{1,5})?";
   private static final Pattern HOSTS = Pattern.compile(HOST + "(," + HOST + ")*");
@@ -26,7 +27,8 @@ record PostgresAddress(String shown, String jdbcUrl, Properties properties) {
    *
    * @throws IOException if it is none; doesn't repeat it, because of the password
    */
-  static PostgresAddress parse(String address, DirectoryTls tls) throws IOException {
+  static PostgresAddress parse(String address, DirectoryTls tls, int deadlineMs)
+      throws IOException {
     String rest = address.startsWith(SCHEME) ? address.substring(SCHEME.length()) : "";
     int slash = rest.indexOf('/');
     int at = rest.lastIndexOf('@', Math.max(slash, 0));
@@ -48,15 +50,16 @@ record PostgresAddress(String shown, String jdbcUrl, Properties properties) {
         properties.setProperty("password", decoded(rest.substring(colon + 1, at)));
       }
     }
+    String seconds = "" + (deadlineMs + 999) / 1_000;
     properties.setProperty("ApplicationName", "carom");
-    properties.setProperty("connectTimeout", "1");
-    properties.setProperty("socketTimeout", "1");
+    properties.setProperty("connectTimeout", seconds);
+    properties.setProperty("socketTimeout", seconds);
     properties.setProperty("tcpKeepAlive", "true");
     properties.setProperty("gssEncMode", "disable");
     properties.setProperty(
         "options",
         "-c statement_timeout="
-            + Directory.DEADLINE_MS
+            + deadlineMs
             + " -c default_transaction_isolation=read\\ committed");
     if (tls.ca() != null) {
       properties.setProperty("sslmode", "verify-full");
@@ -67,7 +70,10 @@ record PostgresAddress(String shown, String jdbcUrl, Properties properties) {
       properties.setProperty("sslkey", tls.key().toString());
     }
     return new PostgresAddress(
-        SCHEME + hosts + "/" + database, "jdbc:" + SCHEME + rest.substring(at + 1), properties);
+        SCHEME + hosts + "/" + database,
+        "jdbc:" + SCHEME + rest.substring(at + 1),
+        properties,
+        deadlineMs);
   }
 
   private static String decoded(String text) throws IOException {

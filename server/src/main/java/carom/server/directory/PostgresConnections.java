@@ -58,10 +58,10 @@ final class PostgresConnections {
 
   /** Does something within the time of a call. */
   <T> T call(Work<T> work) throws DirectoryException {
-    long deadlineNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(Directory.DEADLINE_MS);
+    long deadlineNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(address.deadlineMs());
     boolean hasPlace = false;
     try {
-      hasPlace = places.tryAcquire(Directory.DEADLINE_MS, TimeUnit.MILLISECONDS);
+      hasPlace = places.tryAcquire(address.deadlineMs(), TimeUnit.MILLISECONDS);
       if (!hasPlace) {
         throw new DirectoryException(
             "directory=" + address.shown() + " has more calls than it answers", null);
@@ -183,7 +183,7 @@ final class PostgresConnections {
             case "28P01", "28000" -> "; check user and password (PGPASSFILE) and pg_hba.conf";
             case "3D000" -> "; create it: createdb";
             case "42501" -> "; the user needs CREATE on the database, or the tables of FLEET.md";
-            case "57014" -> "; it takes more than " + Directory.DEADLINE_MS + " ms";
+            case "57014" -> "; it takes more than " + address.deadlineMs() + " ms";
             default -> "";
           };
     }

@@ -2,7 +2,6 @@ package carom.server.directory;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.suite.Needs;
 import java.nio.file.Files;
@@ -66,10 +65,7 @@ final class EtcdTlsTest {
 
   private static void refused(String address, DirectoryTls tls) throws Exception {
     try (Directory directory = Directories.open(address, tls)) {
-      DirectoryException e = assertThrows(DirectoryException.class, () -> directory.get("a"));
-      assertTrue(
-          e.getMessage().contains("TLS") || e.getMessage().contains("broke"), e.getMessage());
-      System.out.println(e.getMessage());
+      assertThrows(DirectoryException.class, () -> directory.get("a"));
     }
   }
 }
