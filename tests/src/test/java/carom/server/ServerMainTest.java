@@ -315,7 +315,8 @@ class ServerMainTest {
       assertTrue(client.decoder.hasAck(), "the room plays");
       int running = 0;
       for (int attempt = 0; attempt < 100 && running != 1; attempt++) {
-        Thread.sleep(attempt == 0 ? 0 : 200); // on a busy machine the first turns of all take a while
+        Thread.sleep(
+            attempt == 0 ? 0 : 200); // on a busy machine the first turns of all take a while
         in.write("rooms\n");
         in.flush();
         assertTrue(out.readLine().startsWith("room "), "a heading");
