@@ -643,6 +643,11 @@ public final class SimulationHost implements Match, Rules {
     return parts.hasRules;
   }
 
+  /** Returns whether a field is one in which rules keep what the game's own fields don't hold. */
+  public boolean isOfRules(Field<?> field) {
+    return parts.ruleWords.fields().contains(field);
+  }
+
   /** Returns the number of bodies of the level that rules may move. */
   public int movableCount() {
     return parts.moves.count();

@@ -484,6 +484,18 @@ class LobbyTest {
   }
 
   @Test
+  void aTicketOfAFleetMeansNothingToAServerThatIsInNone() {
+    FakeClient client = rig.connect();
+    client.link.send(
+        new ClientMessage.Hello(
+            Protocol.VERSION, Protocol.physicsDigest(), "Ann", 0, "", "", "ticket.x"));
+    rig.steps(2);
+    assertNull(client.refused);
+    assertNotNull(client.welcome, "it is a join token that nobody demands");
+    assertTrue(rig.join("Ben").ready);
+  }
+
+  @Test
   void aServerThatStopsWithARedirectSendsThoseWhoLoad() {
     ServerMessage.Redirect to = new ServerMessage.Redirect("b.example.org:1", "", "", "");
     FakeClient loading = rig.connect().hello("Ann");

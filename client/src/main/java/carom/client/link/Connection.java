@@ -384,6 +384,7 @@ public final class Connection implements LinkHandler {
     boolean wasPlaying = stage == Stage.PLAYING;
     dropLink("sent to " + to);
     stop();
+    fleet.forget();
     message = "The server at " + address + " sends you to " + to + ".";
     address = to;
     token = redirect.token();

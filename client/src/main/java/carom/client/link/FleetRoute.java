@@ -139,6 +139,13 @@ final class FleetRoute implements LinkHandler {
     return standbyAddress;
   }
 
+  /** Forgets the fleet, because a server outside of it has the client now. */
+  void forget() {
+    leaveStandby();
+    servers.clear();
+    claims.clear();
+  }
+
   /** Forgets the follower, because the client is at another server. */
   void leaveStandby() {
     dropStandby();

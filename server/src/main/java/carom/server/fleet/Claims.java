@@ -5,6 +5,7 @@ import carom.server.directory.Directory;
 import carom.server.directory.DirectoryEntry;
 import carom.server.directory.DirectoryException;
 import carom.server.session.Ownership;
+import java.io.IOException;
 import java.util.Collection;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -143,6 +144,19 @@ final class Claims {
     LOG.warn("lost room={} claim={}", claim.room(), claim.number);
     claim.ownership.claim(0);
     claims.remove(claim.room());
+  }
+
+  /** Gives a room up for its follower; if that one is gone, any other server may go on with it. */
+  void leave(Claim claim) throws DirectoryException {
+    try {
+      RoomRecord last = RoomRecord.parse(claim.told).leaving(claim.follower);
+      directory.update(claim.key(), last.toJson(), claim.number);
+    } catch (DirectoryException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new IllegalStateException("a record of our own can't be read", e);
+    }
+    release(claim);
   }
 
   /** Gives a room up, so that another server may claim it. */

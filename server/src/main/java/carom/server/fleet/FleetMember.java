@@ -12,6 +12,7 @@ import carom.server.session.Ownership;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -37,6 +38,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private static final long RENEW_NS = 400 * NS_PER_MS;
   private static final long PUBLISH_NS = 250 * NS_PER_MS;
 
+  /** Time for which a claim may be this server's before it knows, ns: longer than any call. */
+  private static final long STRAY_NS = 5_000 * NS_PER_MS;
+
   /** Most rooms with equal settings that a fleet can number. */
   private static final int MAX_NUMBERED = 100_000;
 
@@ -60,6 +64,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
 
   private record Promise(int taken, int count) {}
 
+  /** When rooms were first seen that are claimed by this server and aren't here. */
+  private final Map<String, Long> strays = new HashMap<>();
+
   private Peers peers;
   private volatile String peerAddress = "";
   private Followers followers;
@@ -70,6 +77,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private long serverNumber;
   private String serverTold = "";
   private long serverNextNs;
+  private long clientsNextNs;
   private boolean away;
   private volatile boolean closed;
 
@@ -241,9 +249,13 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       if (lease.number() != 0) {
         bury();
         tellServer(nowNs);
-        followers.turn(nowNs, draining);
+        Map<String, Room> rooms = new HashMap<>();
+        host.rooms().forEach(room -> rooms.put(room.name(), room));
+        followers.turn(rooms, draining);
         takeovers.turn(nowNs, draining);
-        tellRooms(nowNs);
+        tellRooms(rooms, nowNs);
+        forgetStrays(nowNs);
+        tellClients(rooms, nowNs);
       }
       if (away) {
         away = false;
@@ -256,7 +268,6 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       }
       renewNs = clock.getAsLong(); // again in the next turn
     }
-    tellClients();
   }
 
   private void renew() throws DirectoryException {
@@ -336,12 +347,15 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   /** Tells the directory what has changed in the rooms, and releases those that are gone. */
-  private void tellRooms(long nowNs) throws DirectoryException {
+  private void tellRooms(Map<String, Room> rooms, long nowNs) throws DirectoryException {
     for (Claims.Claim claim : claims.all()) {
+      if (clock.getAsLong() - renewNs >= 0) {
+        return; // where the directory is slow, the lease comes first
+      }
       if (nowNs - claim.nextNs < 0 || claim.handedOver) {
         continue;
       }
-      Room room = host.room(claim.room());
+      Room room = rooms.get(claim.room());
       if (room == null || room.hasFailed()) {
         if (claim.nextNs != 0) { // it was there, and is gone
           claims.release(claim);
@@ -353,6 +367,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
           new RoomRecord(
               lease.number(),
               room.isFollowed() ? claim.follower : 0,
+              false,
               load(List.of(room)),
               room.settings(),
               room.entry());
@@ -367,18 +382,42 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     }
   }
 
+  /**
+   * Gives up what this server has by mistake: rooms whose claim was lost while they were built, and
+   * claims of which it never heard that they were made, because the directory's answer was lost.
+   */
+  private void forgetStrays(long nowNs) throws DirectoryException {
+    for (Room room : host.rooms()) {
+      if (claims.of(room.name()) == null && !room.isClosed()) {
+        host.drop(room, "this server doesn't own room " + room.name());
+      }
+    }
+    for (Map.Entry<String, FleetView.OwnedRoom> one : view.rooms().entrySet()) {
+      FleetView.OwnedRoom owned = one.getValue();
+      if (owned.record().server() != lease.number() || claims.of(one.getKey()) != null) {
+        strays.remove(one.getKey());
+      } else if (nowNs - strays.computeIfAbsent(one.getKey(), room -> nowNs) > STRAY_NS) {
+        LOG.warn("fleet: room={} was claimed by this server and isn't here", one.getKey());
+        directory.delete(RoomRecord.key(one.getKey()), owned.claim());
+        strays.remove(one.getKey());
+      }
+    }
+  }
+
   /** Tells the clients where to go if this server is lost. */
-  private void tellClients() {
+  private void tellClients(Map<String, Room> rooms, long nowNs) {
+    if (nowNs - clientsNextNs < 0) {
+      return;
+    }
+    clientsNextNs = nowNs + PUBLISH_NS;
     List<String> addresses = new ArrayList<>();
     for (ServerRecord server : view.servers().values()) {
-      if (server.lease() != lease.number()
-          && !server.draining()
-          && addresses.size() < ProtocolLimits.MAX_FLEET_SERVERS) {
+      if (takesRooms(server) && addresses.size() < ProtocolLimits.MAX_FLEET_SERVERS) {
         addresses.add(server.address());
       }
     }
     for (Claims.Claim claim : claims.all()) {
-      Room room = host.room(claim.room());
+      Room room = rooms.get(claim.room());
       ServerRecord follower = view.servers().get(claim.follower);
       String standby =
           follower != null && room != null && room.isFollowed() ? follower.address() : "";
@@ -435,9 +474,13 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     changed.run();
   }
 
-  /** Returns whether this server owns no room any longer. */
+  /** Returns whether no room of this server moves any longer: all are gone, or none can go. */
   public boolean isDrained() {
-    return claims.all().isEmpty();
+    return claims.all().isEmpty() || view.servers().values().stream().noneMatch(this::takesRooms);
+  }
+
+  private boolean takesRooms(ServerRecord server) {
+    return server.lease() != lease.number() && !server.draining();
   }
 
   @Override

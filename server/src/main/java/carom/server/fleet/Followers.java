@@ -40,8 +40,12 @@ final class Followers implements AutoCloseable {
     this.asks = asks;
   }
 
-  /** Does what is due. */
-  void turn(long nowNs, boolean draining) {
+  /**
+   * Does what is due.
+   *
+   * @param rooms of this server, by name
+   */
+  void turn(Map<String, Room> rooms, boolean draining) {
     for (ServerRecord server : view.servers().values()) {
       if (server.lease() != lease.number()) {
         peers.reach(server);
@@ -57,7 +61,7 @@ final class Followers implements AutoCloseable {
       }
     }
     for (Claims.Claim claim : claims.all()) {
-      Room room = host.room(claim.room());
+      Room room = rooms.get(claim.room());
       if (room == null || claim.handedOver) {
         continue;
       }
@@ -202,7 +206,7 @@ final class Followers implements AutoCloseable {
           "room={} is given up, and another server begins it: {}", claim.room(), e.toString());
     }
     try {
-      claims.release(claim);
+      claims.leave(claim);
       LOG.info("moved room={} tick={}", claim.room(), room.tick());
     } catch (DirectoryException e) {
       LOG.error("room={} is released when the lease ends: {}", claim.room(), e.getMessage());

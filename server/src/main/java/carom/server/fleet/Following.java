@@ -35,11 +35,6 @@ final class Following {
       this.mirror = mirror;
     }
 
-    /** Returns the lease of the room's owner. */
-    long owner() {
-      return owner;
-    }
-
     /** Returns the owner's claim. */
     long claim() {
       return claim;
@@ -107,6 +102,9 @@ final class Following {
     switch (frame.kind()) {
       case FOLLOW -> {
         RoomRecord record = RoomRecord.parse(new String(frame.bytes(), StandardCharsets.UTF_8));
+        if (!record.settings().name().equals(frame.room())) { // its name is one of a folder
+          throw new IOException("room=" + frame.room() + " has the record of another room");
+        }
         end(frame.room());
         SlotMirror mirror = new SlotMirror(folder.resolve(frame.room()), frame.number());
         rooms.put(frame.room(), new Followed(owner, frame.number(), record, mirror));

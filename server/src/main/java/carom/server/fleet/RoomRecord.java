@@ -15,12 +15,18 @@ import java.util.Map;
  *
  * @param server lease of the owner
  * @param follower lease of the server that has the room's state, 0 for none
+ * @param leaving whether the owner gives the room up for its follower
  * @param load the part of their time that its ticks take, percent
  * @param settings the room's settings, with which another server can go on with it
  * @param entry what lists of rooms show
  */
 record RoomRecord(
-    long server, long follower, int load, RoomConfig settings, ServerMessage.RoomEntry entry) {
+    long server,
+    long follower,
+    boolean leaving,
+    int load,
+    RoomConfig settings,
+    ServerMessage.RoomEntry entry) {
   /** Begins the keys of rooms in the directory. */
   static final String PREFIX = "rooms/";
 
@@ -28,11 +34,17 @@ record RoomRecord(
     return PREFIX + room;
   }
 
+  /** Returns this record as that of a room that its owner gives up for a follower. */
+  RoomRecord leaving(long forServer) {
+    return new RoomRecord(server, forServer, true, load, settings, entry);
+  }
+
   /** Returns the record of a room that is claimed and not built yet. */
   static RoomRecord claimed(long server, RoomConfig settings) {
     return new RoomRecord(
         server,
         0,
+        false,
         0,
         settings,
         new ServerMessage.RoomEntry(
@@ -44,6 +56,7 @@ record RoomRecord(
         json -> {
           json.writeNumberField("server", server);
           json.writeNumberField("follower", follower);
+          json.writeBooleanField("leaving", leaving);
           json.writeNumberField("load", load);
           json.writeStringField("room", settings.name());
           json.writeStringField("game", settings.game());
@@ -102,6 +115,7 @@ record RoomRecord(
     return new RoomRecord(
         FleetJson.number(json, "server"),
         FleetJson.number(json, "follower"),
+        FleetJson.flag(json, "leaving"),
         FleetJson.whole(json, "load"),
         settings,
         new ServerMessage.RoomEntry(

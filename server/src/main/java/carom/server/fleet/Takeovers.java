@@ -25,6 +25,11 @@ final class Takeovers {
   /** Time that a better candidate has to take over a room before the next one tries, ns. */
   private static final long RANK_NS = 300 * NS_PER_MS;
 
+  /**
+   * Time that a follower has which is alive, ns: another server would have to begin the room anew.
+   */
+  private static final long FOLLOWER_NS = 5_000 * NS_PER_MS;
+
   /** Time that the rest of a dead owner's journal has to come out of the socket, ns. */
   private static final long REST_NS = 100 * NS_PER_MS;
 
@@ -75,10 +80,11 @@ final class Takeovers {
     }
     for (Map.Entry<String, FleetView.Orphan> one : view.orphans().entrySet()) {
       FleetView.Orphan orphan = one.getValue();
-      boolean ownerIsGone = !view.servers().containsKey(orphan.record().server());
+      boolean ownerIsGone =
+          orphan.record().leaving() || !view.servers().containsKey(orphan.record().server());
       boolean restIsHere =
           !following.hears(orphan.record().server()) || nowNs - orphan.sinceNs() >= REST_NS;
-      if (ownerIsGone && restIsHere && nowNs - orphan.sinceNs() >= rank(orphan) * RANK_NS) {
+      if (ownerIsGone && restIsHere && nowNs - orphan.sinceNs() >= patienceNs(orphan)) {
         begin(one.getKey(), orphan.record());
       }
     }
@@ -127,6 +133,13 @@ final class Takeovers {
       following.end(name);
       view.orphans().remove(name);
     }
+  }
+
+  /** Returns how long this server lets others go on with a room, ns. */
+  private long patienceNs(FleetView.Orphan orphan) {
+    long follower = orphan.record().follower();
+    boolean waits = follower != lease.number() && view.servers().containsKey(follower);
+    return rank(orphan) * RANK_NS + (waits ? FOLLOWER_NS : 0);
   }
 
   /** Returns this server's place among those that may take a room over, the best first. */

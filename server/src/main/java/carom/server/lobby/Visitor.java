@@ -249,7 +249,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       refuse(RefusalReason.BAD_REQUEST, "The list of rooms was requested again and again.");
       return;
     }
-    roomList.begin(directory.list(context.nowNs()));
+    roomList.begin(directory.list(link.isMovable(), context.nowNs()));
   }
 
   /** Refuses a client of another protocol, and returns whether the client may go on. */
@@ -318,7 +318,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       refuse(RefusalReason.BAD_REQUEST, "Hello came while the client stands by.");
       return;
     }
-    if (hello.token().startsWith(FleetDoor.TICKET)) {
+    if (!isAlone() && hello.token().startsWith(FleetDoor.TICKET)) {
       redeeming = directory.fleet().redeem(hello.token());
       ticketHolder = hello;
       waitsUntilNs = context.nowNs() + ENTRANCE_WAIT_MS * NS_PER_MS;
@@ -469,7 +469,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     }
     if (expecting == null && requested == null && !waiting.room().isEmpty()) {
       if (late || !directory.fleet().mayComeBack(waiting.room())) {
-        refuse(RefusalReason.ROOM_UNKNOWN, directory.describe());
+        refuse(RefusalReason.ROOM_UNKNOWN, directory.describe(link.isMovable()));
       }
       return;
     }
@@ -578,7 +578,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
         (count == 1 ? "The only place is taken." : "All %d places are taken.").formatted(count);
     refuse(
         requested == null ? RefusalReason.SERVER_FULL : RefusalReason.ROOM_FULL,
-        requested == null ? text : text + " " + directory.describe());
+        requested == null ? text : text + " " + directory.describe(link.isMovable()));
   }
 
   /**

@@ -49,6 +49,10 @@ final class ThinFields {
   private final List<Known> players = new ArrayList<>();
   private final List<Known> entities = new ArrayList<>();
   private final Known match;
+
+  /** By word of the match: whether it is for clients that predict alone. */
+  private final boolean[] isOfRules;
+
   private final List<FieldValue> changes = new ArrayList<>();
 
   ThinFields(SimulationHost simulation, HostPlayer player, IntPredicate sees) {
@@ -57,6 +61,10 @@ final class ThinFields {
     this.player = player;
     this.sees = sees;
     match = new Known(schema.toldWords(Scope.MATCH));
+    isOfRules = new boolean[schema.toldWords(Scope.MATCH)];
+    for (int word = 0; word < isOfRules.length; word++) {
+      isOfRules[word] = simulation.isOfRules(schema.field(Scope.MATCH, word));
+    }
   }
 
   /** Returns what changed since the last call, or null for nothing. */
@@ -141,7 +149,9 @@ final class ThinFields {
     known.stamp = values.stamp();
     known.audience = audience;
     for (int word = 0; word < known.words.length; word++) {
-      boolean may = mayKnow(schema.field(scope, word).audience(), audience);
+      boolean may =
+          mayKnow(schema.field(scope, word).audience(), audience)
+              && !(scope == Scope.MATCH && isOfRules[word]);
       if (may && (!known.told[word] || known.words[word] != values.word(word))) {
         known.told[word] = true;
         known.words[word] = values.word(word);

@@ -163,7 +163,7 @@ final class ThinSender {
     snapshots++;
     lastTick = snapshot.tick;
     lastInput = snapshot.input;
-    int bytes = link.show(snapshot);
+    int bytes = link.maySend() ? link.show(snapshot) : 0;
     bucket -= (long) bytes * tickRateHz;
     bytesSent += bytes;
     counters.add(Counter.DATAGRAMS_OUT, 1);

@@ -269,8 +269,9 @@ public final class Room {
           if (before != null) {
             before.endMatch("ANOTHER FOLLOWER");
           }
+          boolean begins = link != null && !end.isClosed();
           RoomCheckpoints follower =
-              link == null ? null : new RoomCheckpoints(kept(), disk, link, seconds);
+              begins ? new RoomCheckpoints(kept(), disk, link, seconds) : null;
           parts.journals.follower(follower);
           if (follower != null) {
             parts.changes.beginJournal(follower, parts.clock.getAsLong());
@@ -283,7 +284,7 @@ public final class Room {
    * Ends the room in its next turn without a word to its players, because another server goes on
    * with it; its journals get the last tick. Any thread.
    *
-   * @param ended told when that has happened, on the room's thread
+   * @param ended told when the room has ended, for this reason or another, on the room's thread
    */
   public void handOver(Runnable ended) {
     next.set(
@@ -335,7 +336,7 @@ public final class Room {
   public int doWork(long nowNs) {
     operator.serve();
     Runnable asked = next.getAndSet(null);
-    if (asked != null && !end.isClosed()) {
+    if (asked != null) {
       asked.run();
     }
     if (end.isClosed()) {

@@ -21,6 +21,7 @@ public final class RoomDirectory {
   private volatile ChatCommands chatCommands = ChatCommands.NONE;
   private volatile FleetDoor fleet = FleetDoor.NONE;
   private List<Broadcast> list = List.of();
+  private List<Broadcast> listHere = List.of();
   private long listedNs;
 
   /** Creates a directory without rooms. */
@@ -82,17 +83,22 @@ public final class RoomDirectory {
     return best;
   }
 
-  /** Returns the messages that list all open rooms. */
-  public synchronized List<Broadcast> list(long nowNs) {
+  /**
+   * Returns the messages that list all open rooms.
+   *
+   * @param everywhere whether also those of other servers, to which the client can be moved
+   */
+  public synchronized List<Broadcast> list(boolean everywhere, long nowNs) {
     if (list.isEmpty() || nowNs - listedNs > LIST_AGE_NS) {
-      list = build();
+      list = build(true);
+      listHere = fleet == FleetDoor.NONE ? list : build(false);
       listedNs = nowNs;
     }
-    return list;
+    return everywhere ? list : listHere;
   }
 
-  private List<Broadcast> build() {
-    List<ServerMessage.RoomEntry> entries = entries();
+  private List<Broadcast> build(boolean everywhere) {
+    List<ServerMessage.RoomEntry> entries = entries(everywhere);
     List<Broadcast> messages = new ArrayList<>();
     int from = 0;
     do {
@@ -106,22 +112,28 @@ public final class RoomDirectory {
   }
 
   /** Returns what lists say about all open rooms, those of this server first. */
-  private List<ServerMessage.RoomEntry> entries() {
+  private List<ServerMessage.RoomEntry> entries(boolean everywhere) {
     List<ServerMessage.RoomEntry> entries = new ArrayList<>();
     for (Room room : rooms) {
       if (!room.hasFailed()) {
         entries.add(room.entry());
       }
     }
-    entries.addAll(fleet.roomsElsewhere());
+    if (everywhere) {
+      entries.addAll(fleet.roomsElsewhere());
+    }
     return entries;
   }
 
-  /** Returns names and places of the rooms in a sentence, for a player who can't enter one. */
-  public String describe() {
+  /**
+   * Returns names and places of the rooms in a sentence, for a player who can't enter one.
+   *
+   * @param everywhere as for {@link #list}
+   */
+  public String describe(boolean everywhere) {
     StringBuilder text = new StringBuilder("Rooms: ");
     int described = 0;
-    for (ServerMessage.RoomEntry room : entries()) {
+    for (ServerMessage.RoomEntry room : entries(everywhere)) {
       if (described++ < MAX_DESCRIBED) {
         text.append(described == 1 ? "" : ", ").append(room.name()).append(' ');
         text.append(room.players()).append('/').append(room.places());

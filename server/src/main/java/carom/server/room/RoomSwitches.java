@@ -64,7 +64,7 @@ final class RoomSwitches {
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
       if (session.takeRoomsRequest(rate / LISTS_PER_SECOND)) {
-        session.roomList().begin(directory.list(nowNs));
+        session.roomList().begin(directory.list(session.isMovable(), nowNs));
       }
       for (Broadcast part; (part = session.roomList().take(nowNs)) != null; ) {
         sessions.sendTo(session, part);
@@ -105,7 +105,7 @@ final class RoomSwitches {
       return;
     }
     if (to == null) {
-      stay(session, "There is no such room. " + directory.describe());
+      stay(session, "There is no such room. " + directory.describe(session.isMovable()));
       return;
     }
     if (to == self) {
@@ -114,7 +114,7 @@ final class RoomSwitches {
     }
     Seats.Seat seat = to.seats().takeFor(session.seat(), room.seats());
     if (seat == null) {
-      stay(session, "Room " + name + " is full. " + directory.describe());
+      stay(session, "Room " + name + " is full. " + directory.describe(session.isMovable()));
       return;
     }
     long untilNs = nowNs + room.config().graceMs() * NS_PER_MS;

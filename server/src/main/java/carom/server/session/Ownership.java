@@ -2,8 +2,6 @@ package carom.server.session;
 
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
-import carom.net.transport.LinkCounters;
-import carom.net.transport.LinkHandler;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -75,114 +73,6 @@ public final class Ownership {
 
   /** Returns a link that sends for the room only while it is owned. */
   public Link guard(Link link) {
-    return lease == null ? unguarded(link) : new Guarded(unguarded(link));
-  }
-
-  /** Returns the link behind one that {@link #guard} has returned, or the link itself. */
-  public static Link unguarded(Link link) {
-    return link instanceof Guarded guarded ? guarded.link : link;
-  }
-
-  /** A link of a room in a fleet. */
-  private final class Guarded implements Link {
-    private final Link link;
-
-    // used by the owner's thread
-    private LinkHandler served;
-    private LinkHandler renamed;
-
-    Guarded(Link link) {
-      this.link = link;
-    }
-
-    @Override
-    public State state() {
-      return link.state();
-    }
-
-    @Override
-    public boolean send(Object message) {
-      return holds() && link.send(message);
-    }
-
-    @Override
-    public boolean sendDatagram(byte[] bytes, int offset, int length) {
-      return holds() && link.sendDatagram(bytes, offset, length);
-    }
-
-    @Override
-    @SuppressWarnings("ReferenceEquality") // the same handler, not an equal one
-    public int poll(LinkHandler handler, int max) {
-      if (served != handler) {
-        served = handler;
-        renamed = as(handler);
-      }
-      return link.poll(renamed, max);
-    }
-
-    /** Returns a handler that hears of this link instead of the one behind it. */
-    private LinkHandler as(LinkHandler handler) {
-      return new LinkHandler() {
-        @Override
-        public void message(Link from, Object message) {
-          handler.message(Guarded.this, message);
-        }
-
-        @Override
-        public void datagram(Link from, byte[] bytes, int length) {
-          handler.datagram(Guarded.this, bytes, length);
-        }
-
-        @Override
-        public void closed(Link from, String reason) {
-          handler.closed(Guarded.this, reason);
-        }
-      };
-    }
-
-    @Override
-    public long waitedNs() {
-      return link.waitedNs();
-    }
-
-    @Override
-    public void close(String reason) {
-      link.close(reason);
-    }
-
-    @Override
-    public boolean isOverTcp() {
-      return link.isOverTcp();
-    }
-
-    @Override
-    public boolean mayPass() {
-      return link.mayPass();
-    }
-
-    @Override
-    public boolean isPlainText() {
-      return link.isPlainText();
-    }
-
-    @Override
-    public boolean isMovable() {
-      return link.isMovable();
-    }
-
-    @Override
-    public String remote() {
-      return link.remote();
-    }
-
-    @Override
-    public String closeReason() {
-      return link.closeReason();
-    }
-
-    @Override
-    public LinkCounters counters() {
-      return link.counters();
-    }
+    return lease == null ? link : link.sendingWhile(this::holds);
   }
 }

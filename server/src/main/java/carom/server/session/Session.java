@@ -105,7 +105,7 @@ public final class Session implements LinkHandler {
    */
   public void attach(Link newLink, int lastEpoch) {
     link = newLink;
-    thin = Ownership.unguarded(newLink) instanceof ThinLink thinLink ? thinLink : null;
+    thin = newLink instanceof ThinLink thinLink ? thinLink : null;
     epoch = lastEpoch;
     departure.begin();
   }

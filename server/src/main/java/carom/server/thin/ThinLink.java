@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.BooleanSupplier;
 
 /**
  * The server's end of a connection to a thin client: one that is told what there is and sends
@@ -70,6 +71,7 @@ public abstract class ThinLink implements Link {
   private volatile State state = State.OPEN;
   private volatile int rate = DEFAULT_RATE;
   private volatile int roundTripMs;
+  private volatile BooleanSupplier maySend = () -> true;
 
   // The polling thread only.
   private MessageKinds kinds;
@@ -289,7 +291,7 @@ public abstract class ThinLink implements Link {
 
   /** Tells the client something; the room's thread. */
   public final boolean news(ThinServerMessage message) {
-    return tell(message);
+    return maySend() && tell(message);
   }
 
   // A link, as lobby and room see it.
@@ -300,8 +302,25 @@ public abstract class ThinLink implements Link {
   }
 
   @Override
+  public final Link sendingWhile(BooleanSupplier condition) {
+    maySend = condition;
+    return this;
+  }
+
+  /** Returns false: the address of this door at another server isn't known. */
+  @Override
+  public final boolean isMovable() {
+    return false;
+  }
+
+  /** Returns whether the link may send for its room now, see {@link #sendingWhile}. Any thread. */
+  public final boolean maySend() {
+    return maySend.getAsBoolean();
+  }
+
+  @Override
   public final boolean send(Object message) {
-    if (state != State.OPEN) {
+    if (state != State.OPEN || !maySend()) {
       return false;
     }
     counters.messagesOut.incrementAndGet();
@@ -348,7 +367,7 @@ public abstract class ThinLink implements Link {
 
   @Override
   public final boolean sendDatagram(byte[] bytes, int offset, int length) {
-    if (state != State.OPEN || !takesSnapshot()) {
+    if (state != State.OPEN || !maySend() || !takesSnapshot()) {
       return false;
     }
     if (unreliable.isOne(bytes, length) && unreliable.decode(bytes, length)) {

@@ -214,7 +214,7 @@ final class AddressRace implements Link {
     if (won != null) {
       if (served != handler) {
         served = handler;
-        renamed = as(handler);
+        renamed = handler.as(this);
       }
       return won.poll(renamed, max);
     }
@@ -223,26 +223,6 @@ final class AddressRace implements Link {
       handler.closed(this, failure);
     }
     return 0;
-  }
-
-  /** Returns a handler that hears of this link instead of the one that won. */
-  private LinkHandler as(LinkHandler handler) {
-    return new LinkHandler() {
-      @Override
-      public void message(Link link, Object message) {
-        handler.message(AddressRace.this, message);
-      }
-
-      @Override
-      public void datagram(Link link, byte[] bytes, int length) {
-        handler.datagram(AddressRace.this, bytes, length);
-      }
-
-      @Override
-      public void closed(Link link, String reason) {
-        handler.closed(AddressRace.this, reason);
-      }
-    };
   }
 
   @Override

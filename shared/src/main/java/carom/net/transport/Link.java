@@ -1,5 +1,7 @@
 package carom.net.transport;
 
+import java.util.function.BooleanSupplier;
+
 /**
  * One end of a connection: a reliable, ordered stream of messages and a stream of datagrams that
  * may be lost, duplicated or reordered. Nothing that the peer does makes these methods throw.
@@ -90,6 +92,16 @@ public interface Link {
    */
   default boolean isPlainText() {
     return false;
+  }
+
+  /**
+   * Returns a link that sends only while a condition holds, and drops everything else: this link
+   * from then on, or one in front of it. It takes the place of an earlier one.
+   *
+   * @param condition asked before each message and datagram, by any thread that sends
+   */
+  default Link sendingWhile(BooleanSupplier condition) {
+    return new GuardedLink(this, condition);
   }
 
   /**

@@ -19,6 +19,24 @@ final class RedirectsTest {
     return redirects.follow(new ServerMessage.Redirect(to, "", "", ""), from, nowNs);
   }
 
+  @Test
+  void aMoveWithinAFleetMayLeadAnywhereAndOneToAnotherKeyIsARedirect() {
+    ServerAddress near = redirects.followMove("10.0.0.7:1", true, PUBLIC, 0);
+    assertEquals("10.0.0.7", near.host());
+    assertThrows(
+        IllegalArgumentException.class, () -> redirects.followMove("10.0.0.7:1", false, PUBLIC, 0));
+    for (int i = 1; i < Redirects.MOST_MOVES; i++) {
+      redirects.followMove("b.example.org:1", true, PUBLIC, i);
+    }
+    String text =
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> redirects.followMove("b.example.org:1", true, PUBLIC, 99))
+            .getMessage();
+    assertTrue(text.contains("31 times within a minute"), text);
+    redirects.followMove("b.example.org:1", true, PUBLIC, Redirects.PERIOD_NS + 50);
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {

@@ -56,6 +56,9 @@ final class FleetRig implements AutoCloseable {
     boolean dead;
     boolean frozen;
 
+    /** Whether the word is lost by which it hands a room over. */
+    boolean mumbles;
+
     Node(String name, int rooms) throws IOException {
       this.name = name;
       FleetSettings settings =
@@ -150,6 +153,9 @@ final class FleetRig implements AutoCloseable {
 
     @Override
     public void send(long server, PeerFrame frame) throws IOException {
+      if (self.mumbles && frame.kind() == PeerFrame.Kind.HAND_OVER) {
+        throw new IOException("the link is lost");
+      }
       node(server).member.inbox().take(self.member.number(), PeerFrame.parse(frame.toBytes()));
     }
 

@@ -9,11 +9,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.fixtures.FieldGame;
 import carom.fixtures.PlainGame;
 import carom.net.codec.Quantizer;
+import carom.net.protocol.ServerMessage;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.server.Server;
+import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.match.HandedInMatch;
+import carom.server.room.FleetDoor;
+import carom.server.session.Ownership;
 import carom.sim.Game;
 import carom.sim.Match;
 import carom.sim.SetUp;
@@ -35,6 +40,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -294,6 +302,108 @@ final class ThinSessionTest {
     steps(80);
     assertTrue(ann.players.get(bob.match.player()).spectator());
     assertEquals(0xff5d5d, ann.players.get(bob.match.player()).rgb());
+  }
+
+  /** A fleet that has a fuller room elsewhere, to which no thin client can go. */
+  private static final class FullerElsewhere implements FleetDoor {
+    @Override
+    public Place find(String room) {
+      return new Place(2, room, "thinballs", 40);
+    }
+
+    @Override
+    public Place fullest(String game) {
+      return find("9");
+    }
+
+    @Override
+    public boolean mayComeBack(String room) {
+      return false;
+    }
+
+    @Override
+    public boolean follows(String room, long secret) {
+      return false;
+    }
+
+    @Override
+    public Future<ServerMessage.Move> move(Place to, Guest guest) {
+      throw new AssertionError("a thin client can't follow " + to);
+    }
+
+    @Override
+    public Future<Guest> redeem(String ticket) {
+      return CompletableFuture.completedFuture(null);
+    }
+
+    @Override
+    public List<ServerMessage.RoomEntry> roomsElsewhere() {
+      return List.of(new ServerMessage.RoomEntry("9", "thinballs", "l", "", 40, 64, 0, Map.of()));
+    }
+  }
+
+  @Test
+  void inAFleetAThinClientPlaysWhileItsRoomIsOwned() throws Exception {
+    AtomicBoolean lease = new AtomicBoolean(true);
+    Ownership owned = Ownership.under(lease::get, 0);
+    owned.claim(7);
+    Balls game = new Balls(5, 10_000);
+    Level level = Balls.level();
+    ServerConfig config = ServerConfig.defaults().with(ServerConfig.STATUS_INTERVAL, 0);
+    server =
+        new Server(
+            config,
+            RoomConfig.equalRooms(config, List.of(level.name())),
+            new HandedInMatch(() -> game, level),
+            door,
+            () -> nowNs,
+            room -> owned);
+    server.fleet(new FullerElsewhere());
+    ThinDoor.Client ann = join("Ann");
+    steps(60);
+    int played = ann.snapshots;
+    assertTrue(played > 20, () -> "snapshots=" + ann.snapshots);
+    ann.say(new ThinClientMessage.ListRooms());
+    steps(40);
+    List<String> rooms =
+        ann.heard.stream()
+            .filter(ThinServerMessage.Rooms.class::isInstance)
+            .flatMap(message -> ((ThinServerMessage.Rooms) message).rooms().stream())
+            .map(ThinServerMessage.Room::name)
+            .toList();
+    assertEquals(List.of("1"), rooms, "none to which it can't go");
+    int jumps = game.jumps.size();
+    ann.press(Input.JUMP);
+    steps(3);
+    assertTrue(game.jumps.size() > jumps, "it plays, and doesn't only watch");
+    lease.set(false);
+    int shown = ann.snapshots;
+    int heard = ann.heard.size();
+    steps(60);
+    assertEquals(shown, ann.snapshots);
+    assertEquals(heard, ann.heard.size(), "perhaps the room goes on elsewhere");
+    lease.set(true);
+    steps(60);
+    assertTrue(ann.snapshots > shown + 20);
+  }
+
+  @Test
+  void theMemoryOfRulesIsForClientsThatPredict() throws Exception {
+    Balls game = new Balls(5, 0);
+    Level level =
+        Level.parse(
+            "thinballs.json",
+            new String(Balls.level().source(), StandardCharsets.UTF_8)
+                .replaceFirst(
+                    "\\{",
+                    "{\"triggers\": [{\"when\": {\"timer\": 0.1}, \"every\": 0.2,"
+                        + " \"do\": {\"notice\": \"again\"}}],")
+                .getBytes(StandardCharsets.UTF_8));
+    serve(game, level);
+    ThinDoor.Client ann = join("Ann");
+    steps(60);
+    assertTrue(game.simulation.hasRules());
+    assertEquals(Map.of(), ann.fields);
   }
 
   @Test
