@@ -13,49 +13,77 @@ import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.MessageCodec;
+import carom.server.checkpoint.SlotDisk;
+import carom.server.checkpoint.SlotLink;
+import carom.server.checkpoint.SlotMirror;
 import carom.server.config.ServerConfig;
+import carom.server.room.Room;
 import carom.sim.Game;
 import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
 import carom.sim.level.Level;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.function.Supplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Warms up a server before it opens. It plays the game for a moment in virtual time, with a few
  * clients inside this process, so that the JVM has loaded and compiled what a tick and a join need.
  * Without it, the first player of a fresh server on a busy machine waits up to several hundred
- * milliseconds.
+ * milliseconds. A server of a fleet also follows its own room and goes on with it a few times, so
+ * that players needn't wait for that when another server dies.
  *
  * <p>It covers the whole server but vector kernels, which take seconds: {@link
  * carom.server.KernelWarmupThread} warms those up while the rooms run.
  */
 final class GameWarmup {
   private static final int CLIENTS = 4;
+  private static final int MIN_TICKS = 120;
   private static final int MAX_TICKS = 600;
   private static final long MAX_NS = 400_000_000L;
+
+  /** Ticks and time in a fleet, where a server must be fast at once when another one dies. */
+  private static final int MAX_FLEET_TICKS = 6_000;
+
+  private static final long MAX_FLEET_NS = 3_000_000_000L;
+
+  /** Rooms that are taken over: after about so many, one takes no longer than the one before. */
+  private static final int TAKEOVERS = 12;
+
+  private static final Logger LOG = LoggerFactory.getLogger(GameWarmup.class);
 
   private long virtualNs;
 
   private GameWarmup() {}
 
   /**
-   * Plays until enough ticks or 0.4 s have passed. Writes log lines, which the caller may mute.
+   * Plays until enough ticks or 0.4 s have passed, 3 s in a fleet. Writes log lines, which the
+   * caller may mute.
    *
    * @param games gives an instance, which is thrown away afterwards
+   * @param followed folder for the journal of a room, or null if the server is alone
    */
-  static void play(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
+  static void play(
+      ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec, Path followed) {
     new GameWarmup()
         .run(
             config.with(ServerConfig.ROOMS, 1).with(ServerConfig.STATUS_INTERVAL, 0),
             games,
             level,
-            codec);
+            codec,
+            followed);
   }
 
-  private void run(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
+  private void run(
+      ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec, Path followed) {
     long beginNs = System.nanoTime();
+    int mostTicks = followed == null ? MAX_TICKS : MAX_FLEET_TICKS;
+    long mostNs = followed == null ? MAX_NS : MAX_FLEET_NS;
     Schema schema = SimulationHost.schemaOf(games.get(), level);
     InProcessNetwork network = new InProcessNetwork(codec);
     try (Server server = new Server(config, games, level, network.server(), () -> virtualNs)) {
@@ -63,7 +91,10 @@ final class GameWarmup {
       for (int i = 0; i < extras.length; i++) {
         extras[i] = new Extra(network.client().connect("", 0, 0), i, level, schema);
       }
-      for (int i = 0; i < MAX_TICKS && System.nanoTime() - beginNs < MAX_NS; i++) {
+      SlotMirror mirror = followed == null ? null : follow(server.rooms().get(0), followed);
+      for (int i = 0;
+          i < MIN_TICKS || (i < mostTicks && System.nanoTime() - beginNs < mostNs);
+          i++) {
         virtualNs += config.tickNs() + 1;
         for (Extra extra : extras) {
           extra.turn(server.rooms().get(0).tick());
@@ -77,6 +108,57 @@ final class GameWarmup {
         virtualNs += config.tickNs() + 1;
         server.tick(virtualNs);
       }
+      if (mirror != null) {
+        takeOver(server, mirror);
+      }
+    }
+  }
+
+  private static SlotMirror follow(Room room, Path folder) {
+    try {
+      SlotMirror mirror = new SlotMirror(folder, 1);
+      SlotLink link = new MirrorLink(mirror);
+      room.followedBy(SlotDisk.ofFollowers(room.tickRateHz()), link, 1, false);
+      return mirror;
+    } catch (IOException e) {
+      LOG.debug("no room is followed for practice: {}", e.toString());
+      return null; // the first real one says why
+    }
+  }
+
+  private static void takeOver(Server server, SlotMirror mirror) {
+    Room room = server.rooms().get(0);
+    try {
+      for (int i = 0; i < TAKEOVERS; i++) {
+        server.forget(room);
+        room = server.takeOver(room.settings(), mirror.path());
+      }
+      mirror.delete();
+    } catch (IOException | IllegalArgumentException e) {
+      LOG.debug("no room is taken over for practice: {}", e.toString());
+    }
+  }
+
+  /** Carries a journal to a mirror in this process. */
+  private record MirrorLink(SlotMirror mirror) implements SlotLink {
+    @Override
+    public String title() {
+      return "practice";
+    }
+
+    @Override
+    public void send(Step step, int slot, byte[] bytes, int offset, int length) throws IOException {
+      mirror.apply(step, slot, Arrays.copyOfRange(bytes, offset, offset + length));
+    }
+
+    @Override
+    public void whenThere(Runnable then) {
+      then.run();
+    }
+
+    @Override
+    public void await() {
+      // All that was sent is there.
     }
   }
 

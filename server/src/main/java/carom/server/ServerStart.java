@@ -81,7 +81,10 @@ final class ServerStart {
    */
   void warmUp() {
     try {
-      GameWarmup.play(config, choice::newGame, choice.warmUpLevel(), new KryoMessageCodec());
+      Path followed =
+          FleetFlags.isFleet(config) ? flags.dataFolder().followed().resolve(".warm-up") : null;
+      GameWarmup.play(
+          config, choice::newGame, choice.warmUpLevel(), new KryoMessageCodec(), followed);
     } catch (IllegalArgumentException e) {
       throw flags.bad("--level: " + e.getMessage());
     }

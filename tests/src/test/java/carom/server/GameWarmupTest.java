@@ -3,9 +3,17 @@ package carom.server;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.game.arena.ArenaGame;
 import carom.net.kryo.KryoMessageCodec;
 import carom.server.config.ServerConfig;
+import carom.sim.level.Level;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class GameWarmupTest {
   @Test
@@ -15,9 +23,28 @@ class GameWarmupTest {
         ServerConfig.defaults().with(ServerConfig.ROOMS, 3),
         () -> game,
         TestGame.shortLevel(),
-        new KryoMessageCodec());
+        new KryoMessageCodec(),
+        null);
     assertEquals(4, game.joins);
     assertEquals(4, game.leaves);
     assertTrue(game.inputs > 20, "inputs=" + game.inputs);
+  }
+
+  @Test
+  void aServerOfAFleetTakesARoomOverAndLeavesNoFiles(@TempDir Path folder) throws Exception {
+    AtomicInteger games = new AtomicInteger();
+    GameWarmup.play(
+        ServerConfig.defaults(),
+        () -> {
+          games.incrementAndGet();
+          return new ArenaGame();
+        },
+        Level.builtIn("arena"),
+        new KryoMessageCodec(),
+        folder);
+    assertTrue(games.get() > 5, () -> "one of each room taken over, games=" + games);
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(List.of("claim"), files.map(f -> f.getFileName().toString()).toList());
+    }
   }
 }

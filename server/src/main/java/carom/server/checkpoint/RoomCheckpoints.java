@@ -115,6 +115,17 @@ public final class RoomCheckpoints {
 
   private boolean toldTooLarge;
 
+  /** Says when the follower has each block; null if the room doesn't wait for that. */
+  private SlotLink confirms;
+
+  private Runnable confirmed = () -> {};
+
+  /** Number of blocks that were handed to the disk. */
+  private long handed;
+
+  /** Number of those that the follower has. */
+  private volatile long there;
+
   /**
    * Creates checkpoints that have nothing yet.
    *
@@ -135,6 +146,18 @@ public final class RoomCheckpoints {
    */
   public RoomCheckpoints(KeptRoom room, SlotDisk disk, SlotLink link, int seconds) {
     this(room, disk, new RemoteSlots(link), seconds);
+  }
+
+  /**
+   * Creates checkpoints as above, of which the room knows what the follower has.
+   *
+   * @param newConfirmed runs each time when {@link #isThere} may have changed, on any thread
+   */
+  public RoomCheckpoints(
+      KeptRoom room, SlotDisk disk, SlotLink link, int seconds, Runnable newConfirmed) {
+    this(room, disk, link, seconds);
+    confirms = link;
+    confirmed = newConfirmed;
   }
 
   private RoomCheckpoints(KeptRoom room, SlotDisk disk, SlotStore store, int seconds) {
@@ -263,6 +286,22 @@ public final class RoomCheckpoints {
     return safeSlot > 0 && isKept();
   }
 
+  /**
+   * Returns whether the room could go on at the follower with the present tick, or has no follower
+   * that could go on with it at all.
+   */
+  public boolean isThere() {
+    return confirms == null || there == handed || !isSafe();
+  }
+
+  /** Gives the present slot up, because the room can't wait for the follower any longer. */
+  public void waitNoLonger() {
+    SlotFile present = slot;
+    if (present != null) {
+      present.cut(store.title() + " is too slow; the room goes on without it");
+    }
+  }
+
   /** Returns whether what happens in the room is on the disk in a moment; from any thread. */
   public boolean isKept() {
     SlotFile present = slot;
@@ -312,7 +351,17 @@ public final class RoomCheckpoints {
     if (changed) {
       settle(to);
     }
+    if (confirms != null) {
+      long number = ++handed;
+      to.then(() -> confirms.whenThere(() -> confirm(number)));
+    }
     return taken;
+  }
+
+  /** Learns that the follower has the blocks up to one; one thread at a time. */
+  private void confirm(long number) {
+    there = number;
+    confirmed.run();
   }
 
   /** Frees the seats that players have left in other rooms, once the disk has their arrival. */

@@ -92,7 +92,7 @@ public final class SlotDisk implements AutoCloseable {
   }
 
   /** Writes after all that was asked for before. */
-  void write(Runnable task) {
+  public void write(Runnable task) {
     run(task, writes);
   }
 

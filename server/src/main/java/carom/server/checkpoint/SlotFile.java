@@ -23,7 +23,7 @@ final class SlotFile implements BlockSink {
 
   /** Does something that a disk may refuse. */
   @FunctionalInterface
-  private interface Task {
+  interface Task {
     void run() throws IOException;
   }
 
@@ -94,8 +94,8 @@ final class SlotFile implements BlockSink {
   }
 
   /** Does something on the disk's thread after all that was handed in is written; or never. */
-  void then(Runnable task) {
-    disk.write(() -> attempt(task::run));
+  void then(Task task) {
+    disk.write(() -> attempt(task));
   }
 
   /**

@@ -29,6 +29,14 @@ public interface SlotLink {
   void send(Step step, int slot, byte[] bytes, int offset, int length) throws IOException;
 
   /**
+   * Asks the other server to say when it has all that was sent. Returns at once.
+   *
+   * @param then runs when it says so, on any thread; never if the link is lost before
+   * @throws IOException as above
+   */
+  void whenThere(Runnable then) throws IOException;
+
+  /**
    * Waits until the other server has all that was sent.
    *
    * @throws IOException as above

@@ -300,6 +300,12 @@ public final class ServerConfig extends Settings<ServerConfig> {
               "What rooms do while the fleet's directory doesn't answer: stand still when the"
                   + " server's lease is over, or go on ({default}).");
 
+  public static final Setting<Durability> DURABILITY =
+      ROWS.choice("durability", "none|async|sync", Durability.ASYNC)
+          .text(
+              "What outlives a server of the fleet: nothing, its rooms but perhaps the last"
+                  + " moment, or all that players were told ({default}).");
+
   public static final Setting<Integer> STATUS_INTERVAL =
       ROWS.whole("status-interval", "S", 0, 86400, 60)
           .text("Seconds between status lines in the log, 0 = none ({default}).");
@@ -490,6 +496,16 @@ public final class ServerConfig extends Settings<ServerConfig> {
     STOP,
     /** Rooms go on. */
     KEEP
+  }
+
+  /** The values of {@code --durability}. */
+  public enum Durability {
+    /** Rooms have no followers; they begin anew. */
+    NONE,
+    /** The follower gets the journal as fast as it can. */
+    ASYNC,
+    /** Players are told of a tick when the follower has it. */
+    SYNC
   }
 
   /** The values of {@code --log-level}, from nothing to everything. */

@@ -34,6 +34,15 @@ final class Claims {
     /** Lease of the server that follows the room, 0 for none. */
     long follower;
 
+    /** When the follower could go on with the room last, ns. */
+    long followedNs;
+
+    /** Lease of the last follower that was too slow, 0 for none. */
+    long slow;
+
+    /** True if the follower wasn't even asked to follow; any thread. */
+    volatile boolean unasked;
+
     /** Lease of the server to which the room moves, 0 for none; any thread. */
     volatile long movesTo;
 

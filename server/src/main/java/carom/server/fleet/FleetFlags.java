@@ -23,6 +23,9 @@ public final class FleetFlags {
     boolean fleet = isFleet(config);
     String advertise = config.get(ServerConfig.ADVERTISE);
     if (!fleet) {
+      if (config.get(ServerConfig.DURABILITY) != ServerConfig.Durability.ASYNC) {
+        return "--durability needs --fleet";
+      }
       return config.get(ServerConfig.FLEET_KEY) != null
           ? "--fleet-key needs --fleet"
           : advertise != null ? "--advertise needs --fleet" : null;

@@ -56,6 +56,10 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private final FleetView view;
   private final Tickets tickets;
   private final Following following;
+
+  /** Rooms with which this server is about to go on. */
+  private final Set<String> returning = ConcurrentHashMap.newKeySet();
+
   private final Set<Long> dead = ConcurrentHashMap.newKeySet();
   private final Runnable changed;
 
@@ -233,8 +237,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Sets whose rooms these are; before the first {@link #turn}. */
   public void serves(RoomHost newHost) {
     host = newHost;
-    followers = new Followers(claims, view, peers, host, lease, asks);
-    takeovers = new Takeovers(claims, view, following, host, lease, clock, asks, changed);
+    followers = new Followers(claims, view, peers, host, lease, settings.durability(), asks);
+    takeovers =
+        new Takeovers(claims, view, following, host, lease, clock, asks, returning, changed);
   }
 
   /** Does what is due. One thread. */
@@ -251,7 +256,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         tellServer(nowNs);
         Map<String, Room> rooms = new HashMap<>();
         host.rooms().forEach(room -> rooms.put(room.name(), room));
-        followers.turn(rooms, draining);
+        followers.turn(rooms, draining, nowNs);
         takeovers.turn(nowNs, draining);
         tellRooms(rooms, nowNs);
         forgetStrays(nowNs);
@@ -528,7 +533,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
 
   @Override
   public boolean mayComeBack(String room) {
-    return view.orphans().containsKey(room);
+    return view.orphans().containsKey(room) || returning.contains(room);
   }
 
   @Override

@@ -75,6 +75,7 @@ public final class FleetService implements AutoCloseable {
             ServerKey.fingerprint(key.publicKey()),
             config.get(ServerConfig.ON_PARTITION) == ServerConfig.OnPartition.KEEP,
             (int) Math.round(100 * config.get(ServerConfig.MAX_LOAD)),
+            config.get(ServerConfig.DURABILITY),
             followed);
     Directory directory =
         Directories.open(

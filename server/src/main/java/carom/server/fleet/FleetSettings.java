@@ -1,5 +1,6 @@
 package carom.server.fleet;
 
+import carom.server.config.ServerConfig.Durability;
 import java.nio.file.Path;
 
 /**
@@ -10,6 +11,7 @@ import java.nio.file.Path;
  * @param fingerprint of the fleet's key
  * @param keepsRooms whether rooms go on while the directory is away
  * @param maxLoadPercent load above which a room takes no newcomers, 0 for none
+ * @param durability what outlives this server
  * @param followed folder for the journals of rooms that this server follows
  */
 public record FleetSettings(
@@ -18,6 +20,7 @@ public record FleetSettings(
     String fingerprint,
     boolean keepsRooms,
     int maxLoadPercent,
+    Durability durability,
     Path followed) {
 
   /** Returns what becomes of the rooms while the directory is away, for the log. */

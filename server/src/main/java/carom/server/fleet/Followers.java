@@ -1,6 +1,7 @@
 package carom.server.fleet;
 
 import carom.server.checkpoint.SlotDisk;
+import carom.server.config.ServerConfig.Durability;
 import carom.server.directory.DirectoryException;
 import carom.server.room.Room;
 import java.io.IOException;
@@ -23,20 +24,32 @@ final class Followers implements AutoCloseable {
   /** Time between whole states of a journal, s. */
   private static final int STATE_S = 1;
 
+  /** Time after which a follower that can't go on with a room is too slow for it, ns. */
+  private static final long SLOW_NS = 3_000_000_000L;
+
   private final Claims claims;
   private final FleetView view;
   private final Peers peers;
   private final RoomHost host;
   private final Lease lease;
+  private final Durability durability;
   private final Executor asks;
   private final Map<Long, SlotDisk> disks = new ConcurrentHashMap<>();
 
-  Followers(Claims claims, FleetView view, Peers peers, RoomHost host, Lease lease, Executor asks) {
+  Followers(
+      Claims claims,
+      FleetView view,
+      Peers peers,
+      RoomHost host,
+      Lease lease,
+      Durability durability,
+      Executor asks) {
     this.claims = claims;
     this.view = view;
     this.peers = peers;
     this.host = host;
     this.lease = lease;
+    this.durability = durability;
     this.asks = asks;
   }
 
@@ -45,7 +58,7 @@ final class Followers implements AutoCloseable {
    *
    * @param rooms of this server, by name
    */
-  void turn(Map<String, Room> rooms, boolean draining) {
+  void turn(Map<String, Room> rooms, boolean draining, long nowNs) {
     for (ServerRecord server : view.servers().values()) {
       if (server.lease() != lease.number()) {
         peers.reach(server);
@@ -76,14 +89,40 @@ final class Followers implements AutoCloseable {
         handOver(claim, room);
         continue;
       }
-      ServerRecord present = view.servers().get(claim.follower);
-      boolean stays =
-          present != null
-              && peers.isReached(present.lease())
-              && (claim.movesTo == 0 ? !present.draining() : claim.follower == claim.movesTo);
-      if (!stays) {
-        follow(claim, room, claim.movesTo == 0 ? best(claim) : view.servers().get(claim.movesTo));
+      findFollower(claim, room, nowNs);
+    }
+  }
+
+  private void findFollower(Claims.Claim claim, Room room, long nowNs) {
+    ServerRecord present = view.servers().get(claim.follower);
+    boolean reached = present != null && peers.isReached(present.lease()) && !claim.unasked;
+    if (claim.movesTo != 0) {
+      if (!reached || claim.follower != claim.movesTo) {
+        follow(claim, room, view.servers().get(claim.movesTo));
       }
+      return;
+    }
+    if (durability == Durability.NONE) {
+      follow(claim, room, null);
+      return;
+    }
+    if (claim.follower == 0 || room.isFollowed()) {
+      claim.followedNs = nowNs;
+    }
+    if (reached && nowNs - claim.followedNs > SLOW_NS) {
+      claim.followedNs = nowNs;
+      claim.slow = claim.follower;
+      ServerRecord other = best(claim);
+      if (other != null && other.lease() != claim.follower) {
+        LOG.warn(
+            "room={} is followed by {} instead of {}, which can't keep up",
+            claim.room(),
+            other.name(),
+            present.name());
+        follow(claim, room, other);
+      }
+    } else if (!reached || present.draining()) {
+      follow(claim, room, best(claim));
     }
   }
 
@@ -91,21 +130,31 @@ final class Followers implements AutoCloseable {
   private void follow(Claims.Claim claim, Room room, ServerRecord server) {
     if (server == null || !peers.isReached(server.lease())) {
       if (claim.follower != 0) {
+        end(claim);
         claim.follower = 0;
-        room.followedBy(null, null, STATE_S);
+        room.followedBy(null, null, STATE_S, false);
       }
       return;
     }
-    if (claim.follower != 0 && peers.isReached(claim.follower)) {
-      tell(claim.follower, PeerFrame.of(PeerFrame.Kind.END, 0, claim.room(), new byte[0]));
-    }
+    end(claim);
+    claim.follower = server.lease();
+    claim.unasked = false;
     byte[] record = claim.told.getBytes(StandardCharsets.UTF_8);
     PeerFrame ask = PeerFrame.of(PeerFrame.Kind.FOLLOW, claim.number(), claim.room(), record);
-    if (tell(server.lease(), ask)) {
-      claim.follower = server.lease();
-      SlotDisk disk =
-          disks.computeIfAbsent(server.lease(), number -> disk(room.tickRateHz(), server));
-      room.followedBy(disk, peers.journal(server, claim.room()), STATE_S);
+    SlotDisk disk =
+        disks.computeIfAbsent(server.lease(), number -> disk(room.tickRateHz(), server));
+    disk.write(() -> claim.unasked = !tell(server.lease(), ask));
+    room.followedBy(
+        disk, peers.journal(server, claim.room()), STATE_S, durability == Durability.SYNC);
+  }
+
+  /** Ends that the present follower follows a room. */
+  private void end(Claims.Claim claim) {
+    long former = claim.follower;
+    SlotDisk disk = disks.get(former);
+    if (disk != null && peers.isReached(former)) {
+      PeerFrame end = PeerFrame.of(PeerFrame.Kind.END, 0, claim.room(), new byte[0]);
+      disk.write(() -> tell(former, end));
     }
   }
 
@@ -118,6 +167,7 @@ final class Followers implements AutoCloseable {
     return disk;
   }
 
+  /** Tells a server something. It may wait while that server is slow: not on the fleet's thread. */
   private boolean tell(long server, PeerFrame frame) {
     try {
       peers.send(server, frame);
@@ -129,7 +179,8 @@ final class Followers implements AutoCloseable {
   }
 
   /**
-   * Returns the server that follows a room best: the present one, or that with the fewest rooms.
+   * Returns the server that follows a room best: the present one, or that with the fewest rooms;
+   * one that was too slow for it only if there is no other.
    */
   private ServerRecord best(Claims.Claim claim) {
     Map<Long, Integer> rooms = new HashMap<>();
@@ -147,11 +198,13 @@ final class Followers implements AutoCloseable {
           || !peers.isReached(server.lease())) {
         continue;
       }
-      if (server.lease() == claim.follower) {
+      if (server.lease() == claim.follower && claim.follower != claim.slow) {
         return server;
       }
-      if (best == null
-          || rooms.getOrDefault(server.lease(), 0) < rooms.getOrDefault(best.lease(), 0)) {
+      boolean fewer =
+          best == null
+              || rooms.getOrDefault(server.lease(), 0) < rooms.getOrDefault(best.lease(), 0);
+      if (best == null || best.lease() == claim.slow || (fewer && server.lease() != claim.slow)) {
         best = server;
       }
     }

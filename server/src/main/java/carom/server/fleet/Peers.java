@@ -43,6 +43,15 @@ interface Peers extends AutoCloseable {
   void send(long server, PeerFrame frame) throws IOException;
 
   /**
+   * Asks a server to say when it has done all that it was told. Returns at once, unless that server
+   * is slow.
+   *
+   * @param then runs when it says so, on any thread; never if the link is lost before
+   * @throws IOException if there is no link
+   */
+  void whenDone(long server, Runnable then) throws IOException;
+
+  /**
    * Waits until a server has done all that it was told.
    *
    * @throws IOException if the link is lost, or it takes too long
@@ -73,6 +82,11 @@ interface Peers extends AutoCloseable {
               new PeerFrame(PeerFrame.Kind.STEP, 0, room, step.ordinal(), slot, part));
           from = to;
         } while (from < offset + length);
+      }
+
+      @Override
+      public void whenThere(Runnable then) throws IOException {
+        Peers.this.whenDone(server.lease(), then);
       }
 
       @Override

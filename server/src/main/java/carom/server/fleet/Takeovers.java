@@ -8,7 +8,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
@@ -41,8 +40,13 @@ final class Takeovers {
   private final LongSupplier clock;
   private final Executor asks;
   private final Runnable changed;
-  private final Set<String> underWay = ConcurrentHashMap.newKeySet();
+  private final Set<String> underWay;
 
+  /**
+   * Creates an object that has nothing to do yet.
+   *
+   * @param underWay gets the names of rooms with which this server is about to go on; any thread
+   */
   Takeovers(
       Claims claims,
       FleetView view,
@@ -51,6 +55,7 @@ final class Takeovers {
       Lease lease,
       LongSupplier clock,
       Executor asks,
+      Set<String> underWay,
       Runnable changed) {
     this.claims = claims;
     this.view = view;
@@ -59,6 +64,7 @@ final class Takeovers {
     this.lease = lease;
     this.clock = clock;
     this.asks = asks;
+    this.underWay = underWay;
     this.changed = changed;
   }
 

@@ -10,8 +10,10 @@ import java.net.Socket;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -29,6 +31,7 @@ final class TcpPeers implements Peers {
   private static final Logger LOG = LoggerFactory.getLogger(TcpPeers.class);
   private static final int RETRY_MS = 250;
   private static final int AWAIT_MS = 5_000;
+  private static final int AWAIT_LOOK_MS = 20;
   private static final int BACKLOG = 64;
   private static final int MOST_SERVERS = 256;
 
@@ -137,11 +140,10 @@ final class TcpPeers implements Peers {
   /** The channel to one server, which is opened again and again until that server is forgotten. */
   private final class Outbound implements Runnable {
     private final ServerRecord server;
-    private final Object done = new Object();
+    private final Map<Long, Runnable> questions = new ConcurrentHashMap<>();
+    private final AtomicLong asked = new AtomicLong();
     private volatile PeerChannel channel; // null while there is none
     private volatile boolean forgotten;
-    private long asked; // guarded by done
-    private long answered; // guarded by done
 
     Outbound(ServerRecord server) {
       this.server = server;
@@ -180,9 +182,7 @@ final class TcpPeers implements Peers {
           }
         } finally {
           channel = null;
-          synchronized (done) {
-            done.notifyAll();
-          }
+          questions.clear();
         }
       }
     }
@@ -192,9 +192,9 @@ final class TcpPeers implements Peers {
     }
 
     private void heard(PeerFrame frame) {
-      synchronized (done) {
-        answered = frame.number();
-        done.notifyAll();
+      Runnable then = questions.remove(frame.number());
+      if (then != null) {
+        then.run();
       }
     }
 
@@ -206,27 +206,32 @@ final class TcpPeers implements Peers {
       return present;
     }
 
+    void whenDone(Runnable then) throws IOException {
+      PeerChannel present = reached();
+      long number = asked.incrementAndGet();
+      questions.put(number, then);
+      try {
+        present.write(PeerFrame.of(PeerFrame.Kind.AWAIT, number).toBytes());
+      } catch (IOException e) {
+        questions.remove(number);
+        throw e;
+      }
+    }
+
     void await() throws IOException {
       PeerChannel present = reached();
-      long number;
-      synchronized (done) {
-        number = ++asked;
-      }
-      present.write(PeerFrame.of(PeerFrame.Kind.AWAIT, number).toBytes());
+      CountDownLatch done = new CountDownLatch(1);
+      whenDone(done::countDown);
       long endNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(AWAIT_MS);
-      synchronized (done) {
-        while (answered < number) {
-          long leftMs = TimeUnit.NANOSECONDS.toMillis(endNs - System.nanoTime());
-          if (channel != present || leftMs <= 0) {
+      try {
+        while (!done.await(AWAIT_LOOK_MS, TimeUnit.MILLISECONDS)) {
+          if (channel != present || System.nanoTime() - endNs >= 0) {
             throw new IOException("server " + server.name() + " doesn't answer");
           }
-          try {
-            done.wait(leftMs);
-          } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IOException("interrupted", e);
-          }
         }
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        throw new IOException("interrupted", e);
       }
     }
 
@@ -291,6 +296,11 @@ final class TcpPeers implements Peers {
   @Override
   public void send(long server, PeerFrame frame) throws IOException {
     link(server).reached().write(frame.toBytes());
+  }
+
+  @Override
+  public void whenDone(long server, Runnable then) throws IOException {
+    link(server).whenDone(then);
   }
 
   @Override

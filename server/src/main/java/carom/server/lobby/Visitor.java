@@ -468,7 +468,10 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return;
     }
     if (expecting == null && requested == null && !waiting.room().isEmpty()) {
-      if (late || !directory.fleet().mayComeBack(waiting.room())) {
+      boolean mayComeBack = directory.fleet().mayComeBack(waiting.room());
+      if (mayComeBack && late) {
+        refuse(RefusalReason.FLEET_UNSETTLED, "The room isn't back yet.");
+      } else if (!mayComeBack) {
         refuse(RefusalReason.ROOM_UNKNOWN, directory.describe(link.isMovable()));
       }
       return;

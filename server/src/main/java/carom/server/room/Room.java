@@ -71,6 +71,10 @@ public final class Room {
   private final RoomTick ticks;
   private final OperatorCommands operator;
   private final AtomicReference<Runnable> next = new AtomicReference<>();
+
+  /** Number of ticks that are due and haven't been begun, since one before them is held. */
+  private int owed;
+
   private volatile boolean paused;
   private volatile Runnable wake = () -> {};
 
@@ -261,8 +265,9 @@ public final class Room {
    * @param disk sends; stays the caller's to close, after this room
    * @param link takes the journal there; null for none
    * @param seconds time between whole states, s
+   * @param waits whether the room tells a tick only when the other server has it
    */
-  public void followedBy(SlotDisk disk, SlotLink link, int seconds) {
+  public void followedBy(SlotDisk disk, SlotLink link, int seconds, boolean waits) {
     next.set(
         () -> {
           RoomCheckpoints before = parts.journals.follower();
@@ -270,8 +275,13 @@ public final class Room {
             before.endMatch("ANOTHER FOLLOWER");
           }
           boolean begins = link != null && !end.isClosed();
-          RoomCheckpoints follower =
-              begins ? new RoomCheckpoints(kept(), disk, link, seconds) : null;
+          RoomCheckpoints follower = null;
+          if (begins) {
+            follower =
+                waits
+                    ? new RoomCheckpoints(kept(), disk, link, seconds, () -> wake.run())
+                    : new RoomCheckpoints(kept(), disk, link, seconds);
+          }
           parts.journals.follower(follower);
           if (follower != null) {
             parts.changes.beginJournal(follower, parts.clock.getAsLong());
@@ -334,11 +344,17 @@ public final class Room {
    * @return the amount of work done; 0 when the caller may wait until {@link #nextDeadlineNs}
    */
   public int doWork(long nowNs) {
-    operator.serve();
     Runnable asked = next.getAndSet(null);
     if (asked != null) {
       asked.run();
     }
+    if (ticks.isHeld() && !end.isClosed()) {
+      ticks.goOn(nowNs);
+      if (ticks.isHeld()) {
+        return 0;
+      }
+    }
+    operator.serve();
     if (end.isClosed()) {
       return parts.partings.doWork(nowNs);
     }
@@ -353,9 +369,9 @@ public final class Room {
     if (paused) {
       parts.journals.rests(nowNs);
     }
-    int due = parts.pace.due(paused, ticks.tick(), nowNs);
-    for (int left = due; left > 0 && !end.isClosed(); left--) {
-      ticks.run(nowNs, left <= MAX_SENDS_PER_BURST);
+    int due = owed > 0 ? owed : parts.pace.due(paused, ticks.tick(), nowNs);
+    for (owed = due; owed > 0 && !end.isClosed() && !ticks.isHeld(); owed--) {
+      ticks.run(nowNs, owed <= MAX_SENDS_PER_BURST);
     }
     if ((due > 0 || paused) && pictures.isWanted()) {
       parts.stages.begin();
@@ -375,7 +391,7 @@ public final class Room {
 
   /** Returns when the next tick is due; valid after the first {@link #doWork}. */
   public long nextDeadlineNs() {
-    return parts.pace.nextDeadlineNs();
+    return ticks.isHeld() ? ticks.heldUntilNs() : parts.pace.nextDeadlineNs();
   }
 
   private int pollAll(long nowNs) {

@@ -26,6 +26,19 @@ final class RoomJournals {
     return follower;
   }
 
+  /** Returns whether nothing that happened must wait for the follower before it is told. */
+  boolean isThere() {
+    RoomCheckpoints present = follower;
+    return present == null || present.isThere();
+  }
+
+  /** Goes on without the follower, until it has a whole state again. */
+  void waitNoLonger() {
+    if (follower != null) {
+      follower.waitNoLonger();
+    }
+  }
+
   /** Returns whether players who come are kept in a moment; from any thread. */
   boolean isKept() {
     RoomCheckpoints kept = own == null ? follower : own;

@@ -25,6 +25,7 @@ import org.slf4j.LoggerFactory;
  *   Session             one input per player
  *   SimulationHost.step
  *   FrameCapture        the frame state, quantised once for all sessions
+ *   RoomJournals        the server that follows the room has the tick, if that is asked for
  *   SnapshotRound       each session's snapshot
  *   MessageDelivery     messages of the game, which Session collected before the step
  *   Announcer           notices of the game
@@ -33,6 +34,9 @@ import org.slf4j.LoggerFactory;
  *   MatchChange         another match, if one is wanted and loaded
  * </pre>
  *
+ * <p>With {@code --durability sync} the tick is held where it would be told, and the turn ends: the
+ * rest comes in a later turn, when the follower has the tick. The next tick waits for that.
+ *
  * <p>A tick that throws is logged, and the room goes on; a second of such ticks closes it. The
  * room's thread, but for {@link #tick} and {@link #phase}. The steady state allocates next to
  * nothing.
@@ -40,6 +44,9 @@ import org.slf4j.LoggerFactory;
 final class RoomTick {
   /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
   private static final int LAST_TICK = Integer.MAX_VALUE - (1 << 20);
+
+  /** Longest time for which a tick waits for the follower, ns. */
+  private static final long MOST_HELD_NS = 250_000_000;
 
   private static final Logger LOG = LoggerFactory.getLogger(RoomTick.class);
 
@@ -52,6 +59,14 @@ final class RoomTick {
   private final Consumer<String> sendNotice;
   private final BiConsumer<Session, Broadcast> sendTo;
   private int failedTicks;
+
+  /** True while the tick that was computed last isn't told yet. */
+  private boolean held;
+
+  private long heldNs;
+  private long tookNs;
+  private boolean sends;
+  private boolean stepped;
   private volatile int tick;
   private volatile String phase;
 
@@ -89,11 +104,41 @@ final class RoomTick {
    * Does a tick and guards it. An exception that gets through every inner guard is a bug. Counted
    * by ticks, not by turns: most turns have no tick to do and succeed.
    *
-   * @param sends whether the tick sends snapshots
+   * @param newSends whether the tick sends snapshots
    */
-  void run(long nowNs, boolean sends) {
+  void run(long nowNs, boolean newSends) {
+    sends = newSends;
+    run(nowNs);
+  }
+
+  /** Returns whether a tick that was computed isn't told yet, because the follower lacks it. */
+  boolean isHeld() {
+    return held;
+  }
+
+  /** Returns when the room waits no longer for the follower; valid while a tick is held. */
+  long heldUntilNs() {
+    return heldNs + MOST_HELD_NS;
+  }
+
+  /** Tells the tick that is held, if the follower has it or has had its time. */
+  void goOn(long nowNs) {
+    if (nowNs - heldUntilNs() >= 0) {
+      parts.journals.waitNoLonger();
+    }
+    if (parts.journals.isThere()) {
+      run(nowNs);
+    }
+  }
+
+  private void run(long nowNs) {
     try {
-      tick(nowNs, sends);
+      if (held) {
+        held = false;
+        tell(nowNs);
+      } else {
+        tick(nowNs);
+      }
       failedTicks = 0;
     } catch (RuntimeException | StackOverflowError e) {
       failedTicks++;
@@ -113,7 +158,7 @@ final class RoomTick {
     end.fail(why, tick);
   }
 
-  private void tick(long nowNs, boolean sends) {
+  private void tick(long nowNs) {
     long beginNs = parts.clock.getAsLong();
     stages.begin();
     parts.arrivals.admit(beginNs, nowNs);
@@ -123,15 +168,28 @@ final class RoomTick {
     SimulationHost simulation = match.simulation();
     takeInputs(simulation.tick() + 1);
     stages.end(TurnStage.INPUTS);
-    boolean stepped = step(simulation);
-    boolean late = false;
+    stepped = step(simulation);
     stages.end(TurnStage.STEP);
     if (stepped) {
       match.capture().capture();
       stages.end(TurnStage.CAPTURE);
       counters.add(Counter.EVENTS_LOST, match.takeDroppedEvents());
-      late = send(match, beginNs, nowNs, sends);
     }
+    tookNs = parts.clock.getAsLong() - beginNs;
+    if (stepped && !parts.journals.isThere()) {
+      held = true;
+      heldNs = nowNs;
+    } else {
+      tell(nowNs);
+    }
+  }
+
+  /** Tells players, files and the room's next match about the tick that was computed. */
+  private void tell(long nowNs) {
+    long beginNs = parts.clock.getAsLong() - tookNs;
+    stages.begin();
+    Match match = context.match();
+    boolean late = stepped && send(match, beginNs, nowNs);
     counters.add(Counter.TICKS, 1);
     context.passTick();
     parts.recording.tickEnds();
@@ -144,7 +202,7 @@ final class RoomTick {
     parts.pace.tickTook(parts.clock.getAsLong() - beginNs, late, nowNs);
     int rate = context.config().get(ServerConfig.TICK_RATE);
     if (match.failures().endTick() >= rate && !end.isClosed()) {
-      String game = simulation.game().name();
+      String game = match.simulation().game().name();
       fail("game " + game + " failed in each of the last " + rate + " ticks");
     }
   }
@@ -171,9 +229,9 @@ final class RoomTick {
   }
 
   /** Returns whether snapshots have to wait because the tick took too long. */
-  private boolean send(Match match, long beginNs, long nowNs, boolean snapshots) {
+  private boolean send(Match match, long beginNs, long nowNs) {
     boolean late = false;
-    if (snapshots) {
+    if (sends) {
       match.capture().narrowViews(parts.pace.viewsAreNarrow());
       late = parts.snapshots.run(beginNs, nowNs);
       stages.end(TurnStage.SNAPSHOTS);

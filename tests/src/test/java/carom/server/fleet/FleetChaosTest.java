@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.GameClient;
 import carom.client.link.ConnectionPhase;
+import carom.server.config.ServerConfig.Durability;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
@@ -15,8 +16,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Goal: whatever happens to servers and directory, a room has at most one owner, and in the end all
- * play. Method: crashes, freezes and partitions drawn at random, in virtual time; a seed
- * reproduces. {@code -Dcarom.fleet.seed=N} draws another one.
+ * play. Method: crashes, freezes, slow links and partitions drawn at random, in virtual time; a
+ * seed reproduces. {@code -Dcarom.fleet.seed=N} draws another one.
  */
 class FleetChaosTest {
   private static final double SLICE_S = FleetRig.SLICE_NS / 1e9;
@@ -30,6 +31,8 @@ class FleetChaosTest {
     System.out.println("fleet of seed " + seed + " (-Dcarom.fleet.seed=" + seed + ")");
     Random random = new Random(seed);
     try (FleetRig rig = new FleetRig(folder, 4)) {
+      rig.durability = random.nextBoolean() ? Durability.SYNC : Durability.ASYNC;
+      rig.lagNs = random.nextInt(3) * 10_000_000L;
       for (String name : List.of("a", "b", "c")) {
         rig.node(name, 2);
       }
@@ -42,10 +45,11 @@ class FleetChaosTest {
       for (int i = 0; i < 6; i++) {
         List<FleetRig.Node> all = List.copyOf(rig.nodes.values());
         FleetRig.Node node = all.get(random.nextInt(all.size()));
-        switch (random.nextInt(4)) {
+        switch (random.nextInt(5)) {
           case 0 -> node.frozen = true;
           case 1 -> node.door.away(true);
-          case 2 -> {
+          case 2 -> node.stuck = true;
+          case 3 -> {
             node.kill();
             run(rig, random.nextDouble());
             rig.node(node.name, restarts++ % 2); // another process at the same address
@@ -54,6 +58,7 @@ class FleetChaosTest {
         }
         run(rig, 0.2 + 4 * random.nextDouble());
         node.frozen = false;
+        node.stuck = false;
         node.door.away(false);
         if (node.member.isDrained() && !node.dead) {
           node.server.close();

@@ -10,16 +10,20 @@ import carom.net.transport.Link;
 import carom.server.Server;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.config.ServerConfig.Durability;
 import carom.server.directory.MemoryDirectory;
 import carom.server.match.MatchLibrary;
 import carom.server.room.Room;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
@@ -32,6 +36,19 @@ final class FleetRig implements AutoCloseable {
   final Map<String, Node> nodes = new LinkedHashMap<>();
   final List<GameClient> clients = new ArrayList<>();
   final MemoryDirectory directory = new MemoryDirectory(this::now);
+
+  /** How the servers' rooms are kept; before the first one. */
+  Durability durability = Durability.ASYNC;
+
+  /** Time that each word takes from one server to another. */
+  long lagNs;
+
+  /** Time that a server needs to take a room over, s. */
+  double takeoverS;
+
+  /** What is under way between two servers, by both names, in order. */
+  private final Map<String, ArrayDeque<Parcel>> wires = new TreeMap<>();
+
   private final Path folder;
   private final int places;
   private long nowNs = 1_000_000_000L;
@@ -45,6 +62,41 @@ final class FleetRig implements AutoCloseable {
     return nowNs;
   }
 
+  /** Something under way to a server: a frame, or what runs when its answer comes back. */
+  private record Parcel(long atNs, Node from, Node to, long lease, PeerFrame frame, Runnable then) {
+
+    void arrive() throws IOException {
+      if (frame == null) {
+        then.run();
+      } else {
+        to.member.inbox().take(lease, PeerFrame.parse(frame.toBytes()));
+      }
+    }
+  }
+
+  private void deliver(boolean all, ArrayDeque<Parcel> wire) throws IOException {
+    while (!wire.isEmpty()) {
+      Parcel first = wire.peekFirst();
+      if (!all && (first.atNs > nowNs || first.to.frozen || first.to.stuck)) {
+        return;
+      }
+      wire.removeFirst();
+      if (!first.to.dead && !first.from.dead) {
+        first.arrive();
+      }
+    }
+  }
+
+  private void deliver() {
+    try {
+      for (ArrayDeque<Parcel> wire : List.copyOf(wires.values())) {
+        deliver(false, wire);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
   /** A server of the fleet. */
   final class Node {
     final String name;
@@ -56,6 +108,9 @@ final class FleetRig implements AutoCloseable {
     boolean dead;
     boolean frozen;
 
+    /** Whether it hears nothing of other servers, though it lives. */
+    boolean stuck;
+
     /** Whether the word is lost by which it hands a room over. */
     boolean mumbles;
 
@@ -63,7 +118,7 @@ final class FleetRig implements AutoCloseable {
       this.name = name;
       FleetSettings settings =
           new FleetSettings(
-              name, name, "fleet", false, 0, folder.resolve(name).resolve("followed"));
+              name, name, "fleet", false, 0, durability, folder.resolve(name).resolve("followed"));
       member = new FleetMember(door, settings, FleetRig.this::now, Runnable::run, () -> {});
       member.reachesBy(peers, name + ":1");
       member.join();
@@ -85,7 +140,7 @@ final class FleetRig implements AutoCloseable {
               FleetRig.this::now,
               member::ownershipOf);
       server.fleet(member);
-      member.serves(server);
+      member.serves(new SlowHost(server));
     }
 
     /** Ends the process at once. */
@@ -106,6 +161,46 @@ final class FleetRig implements AutoCloseable {
         member.turn(nowNs);
         server.tick(nowNs);
       }
+    }
+  }
+
+  /** A server that takes its time to take a room over, while all else goes on. */
+  private final class SlowHost implements RoomHost {
+    private final RoomHost host;
+
+    SlowHost(RoomHost host) {
+      this.host = host;
+    }
+
+    @Override
+    public Room takeOver(RoomConfig own, Path slots) {
+      run(takeoverS);
+      return host.takeOver(own, slots);
+    }
+
+    @Override
+    public List<Room> rooms() {
+      return host.rooms();
+    }
+
+    @Override
+    public Room room(String name) {
+      return host.room(name);
+    }
+
+    @Override
+    public void forget(Room room) {
+      host.forget(room);
+    }
+
+    @Override
+    public void drop(Room room, String why) {
+      host.drop(room, why);
+    }
+
+    @Override
+    public boolean hasThreads() {
+      return host.hasThreads();
     }
   }
 
@@ -156,12 +251,32 @@ final class FleetRig implements AutoCloseable {
       if (self.mumbles && frame.kind() == PeerFrame.Kind.HAND_OVER) {
         throw new IOException("the link is lost");
       }
-      node(server).member.inbox().take(self.member.number(), PeerFrame.parse(frame.toBytes()));
+      put(node(server), frame, null, lagNs);
+    }
+
+    private ArrayDeque<Parcel> wire(Node to) {
+      return wires.computeIfAbsent(self.name + ">" + to.name, name -> new ArrayDeque<>());
+    }
+
+    private void put(Node to, PeerFrame frame, Runnable then, long lag) throws IOException {
+      ArrayDeque<Parcel> wire = wire(to);
+      wire.add(new Parcel(nowNs + lag, self, to, self.member.number(), frame, then));
+      if (lag == 0) {
+        deliver(false, wire);
+      }
+    }
+
+    @Override
+    public void whenDone(long server, Runnable then) throws IOException {
+      put(node(server), null, then, 2 * lagNs); // there and back
     }
 
     @Override
     public void await(long server) throws IOException {
-      node(server);
+      if (node(server).stuck) {
+        throw new IOException("server " + node(server).name + " doesn't answer");
+      }
+      deliver(true, wire(node(server)));
     }
 
     @Override
@@ -198,6 +313,7 @@ final class FleetRig implements AutoCloseable {
   void run(double seconds) {
     for (long endNs = nowNs + (long) (seconds * 1e9); nowNs < endNs; nowNs += SLICE_NS) {
       directory.tick();
+      deliver();
       nodes.values().forEach(Node::turn);
       clients.forEach(client -> client.update(nowNs));
     }

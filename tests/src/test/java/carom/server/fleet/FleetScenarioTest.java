@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.GameClient;
 import carom.client.link.ConnectionPhase;
+import carom.server.config.ServerConfig.Durability;
 import carom.server.room.Room;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -41,7 +42,13 @@ class FleetScenarioTest {
   }
 
   private FleetRig threeServers() throws Exception {
-    FleetRig rig = new FleetRig(folder, 4);
+    return threeServers(Durability.ASYNC, 0);
+  }
+
+  private FleetRig threeServers(Durability durability, long lagNs) throws Exception {
+    FleetRig rig = new FleetRig(folder.resolve(durability.name()), 4);
+    rig.durability = durability;
+    rig.lagNs = lagNs;
     for (String name : List.of("a", "b", "c")) {
       rig.node(name, 2);
     }
@@ -100,6 +107,90 @@ class FleetScenarioTest {
       rig.run(1);
       requireAllPlay(rig);
       assertEquals(seats, seats(rig), "everybody is back in the own body");
+    }
+  }
+
+  /** Returns the ticks that clients saw and that never happened, after a server was killed. */
+  private int ticksLost(Durability durability) throws Exception {
+    try (FleetRig rig = threeServers(durability, 25_000_000)) {
+      requireAllPlay(rig);
+      rig.nodes.get("b").kill();
+      rig.run(3);
+      requireAllPlay(rig);
+      return rig.clients.stream().mapToInt(client -> client.view().stats().ticksLost()).sum();
+    }
+  }
+
+  @Test
+  void withSyncNothingIsLostThatWasTold() throws Exception {
+    assertNotEquals(0, ticksLost(Durability.ASYNC), "25 ms are under way");
+    assertEquals(0, ticksLost(Durability.SYNC));
+  }
+
+  @Test
+  void withoutFollowersARoomBeginsAnewAndMovesAllTheSame() throws Exception {
+    try (FleetRig rig = threeServers(Durability.NONE, 0)) {
+      requireAllPlay(rig);
+      Map<String, String> seats = seats(rig);
+      FleetRig.Node dying = rig.nodes.get("b");
+      for (Room room : dying.server.rooms()) {
+        assertTrue(!room.isFollowed());
+      }
+      rig.nodes.get("c").member.drain();
+      rig.run(1);
+      requireAllPlay(rig);
+      assertEquals(seats, seats(rig));
+      String room = dying.server.rooms().get(0).name();
+      int tick = dying.server.rooms().get(0).tick();
+      dying.kill();
+      rig.run(4);
+      assertTrue(rig.owners(room).get(0).server.room(room).tick() < tick);
+    }
+  }
+
+  @Test
+  void aFollowerThatHearsNothingStopsNoRoomAndIsReplaced() throws Exception {
+    for (Durability durability : List.of(Durability.ASYNC, Durability.SYNC)) {
+      try (FleetRig rig = threeServers(durability, 1_000_000)) {
+        FleetRig.Node owner = rig.nodes.get("b");
+        Map<String, Integer> ticks = new HashMap<>();
+        owner.server.rooms().forEach(room -> ticks.put(room.name(), room.tick()));
+        rig.nodes.get("a").stuck = true;
+        rig.nodes.get("c").stuck = true;
+        rig.run(2);
+        for (Room room : owner.server.rooms()) {
+          int passed = room.tick() - ticks.get(room.name());
+          assertTrue(passed >= 0.85 * 2 * 60, () -> durability + ": ticks in 2 s = " + passed);
+        }
+        rig.nodes.get("a").stuck = false;
+        rig.run(5);
+        for (Room room : owner.server.rooms()) {
+          assertTrue(room.isFollowed(), () -> durability + ": a hears again");
+        }
+        owner.kill();
+        rig.run(3);
+        for (String room : ticks.keySet()) {
+          assertEquals("a", rig.owners(room).get(0).name, durability.name());
+          assertTrue(rig.owners(room).get(0).server.room(room).tick() > ticks.get(room) + 300);
+        }
+        assertEquals(
+            0,
+            durability == Durability.SYNC
+                ? rig.clients.stream().mapToInt(c -> c.view().stats().ticksLost()).sum()
+                : 0);
+      }
+    }
+  }
+
+  @Test
+  void playersWaitForARoomThatIsTakenOverSlowly() throws Exception {
+    try (FleetRig rig = threeServers()) {
+      Map<String, String> seats = seats(rig);
+      rig.takeoverS = 2;
+      rig.nodes.get("a").kill();
+      rig.run(8);
+      requireAllPlay(rig);
+      assertEquals(seats, seats(rig));
     }
   }
 
