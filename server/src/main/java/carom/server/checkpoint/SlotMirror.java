@@ -16,11 +16,12 @@ import java.util.concurrent.ConcurrentHashMap;
  * SlotLink} sends. The room can go on from the folder as from its own checkpoints. Nothing waits
  * for the disk, as the owner's death is what the mirror is for, not this machine's.
  *
- * <p>One thread, but for {@link #knows}.
+ * <p>One thread, but for {@link #knows} and {@link #isUsable}.
  */
 public final class SlotMirror implements AutoCloseable {
   private final SlotFolder folder;
   private final Map<Integer, FileChannel> logs = new HashMap<>();
+  private final Set<Integer> slots = ConcurrentHashMap.newKeySet();
   private final Set<Long> secrets = ConcurrentHashMap.newKeySet();
 
   /**
@@ -66,6 +67,7 @@ public final class SlotMirror implements AutoCloseable {
         note(bytes);
       }
       case DELETE -> {
+        slots.remove(slot);
         FileChannel log = logs.remove(slot);
         if (log != null) {
           log.close();
@@ -80,6 +82,7 @@ public final class SlotMirror implements AutoCloseable {
     if (log == null) {
       log = folder.newLog(slot);
       logs.put(slot, log);
+      slots.add(slot);
     }
     for (ByteBuffer rest = ByteBuffer.wrap(bytes); rest.hasRemaining(); ) {
       log.write(rest);
@@ -99,14 +102,15 @@ public final class SlotMirror implements AutoCloseable {
     return secrets.contains(secret);
   }
 
-  /** Returns whether the room could go on from here: a checkpoint and its seats are whole. */
+  /** Returns whether the room could go on from here, with players or without. Any thread. */
   public boolean isUsable() {
-    return !secrets.isEmpty() || !logs.isEmpty();
+    return !slots.isEmpty();
   }
 
   /** Closes and deletes the files, which have the secrets of sessions. */
   public void delete() throws IOException {
     close();
+    slots.clear();
     for (int slot : folder.slots()) {
       folder.delete(slot);
     }
