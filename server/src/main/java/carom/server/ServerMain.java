@@ -11,9 +11,7 @@ import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
 import carom.server.access.Logins;
 import carom.server.command.Caller;
-import carom.server.command.CommandException;
 import carom.server.command.CommandRegistry;
-import carom.server.command.CommandWords;
 import carom.server.command.RedirectCommands;
 import carom.server.command.ReloadCommand;
 import carom.server.command.RoomChangeCommands;
@@ -25,6 +23,7 @@ import carom.server.config.EffectiveSettings;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.config.SettingsLayers;
+import carom.server.fleet.FleetConsole;
 import carom.server.fleet.FleetService;
 import carom.server.metrics.Counter;
 import carom.server.query.ProtocolFlags;
@@ -405,24 +404,10 @@ public final class ServerMain implements Callable<Integer> {
         ReloadCommand.add(commands, flags.settings(), settings, live, access::reload);
     ServerCommands.add(commands, server::status, present, recordings(), ServerMain::replay);
     if (fleet != null) {
-      commands.add(
-          new carom.server.command.Command(
-              "fleet",
-              "[status | rooms | move ROOM [SERVER] | drain]",
-              "Shows the fleet, or moves this server's rooms to others.",
-              ServerMain.this::runFleet,
-              place -> place == 0 ? List.of("status", "rooms", "move", "drain") : List.of()));
+      FleetConsole.add(commands, fleet.member());
     }
     RoomChangeCommands.add(commands, server, server.rooms(), flags.dataFolder());
     return commands;
-  }
-
-  private String runFleet(CommandWords words) throws CommandException {
-    try {
-      return fleet.member().run(words.all());
-    } catch (IllegalArgumentException e) {
-      throw new CommandException(e.getMessage());
-    }
   }
 
   /** Waits for the ports. A server that lacks one isn't ready, and is closed. */
@@ -465,7 +450,8 @@ public final class ServerMain implements Callable<Integer> {
               version(),
               server.rooms(),
               server.networkCounters(),
-              logins);
+              logins,
+              fleet == null ? null : fleet.member().figures());
       return WebFlags.open(
           server.config(), subject, data, recordings(), flags.settings(), commands, logTail);
     } catch (IOException e) {

@@ -308,6 +308,15 @@ public final class RoomCheckpoints {
     return present != null && present.failure() == null;
   }
 
+  /**
+   * Returns how many blocks of the log may be missing where they are kept; in a follower's journal,
+   * each is a tick. From any thread.
+   */
+  public int uncertainBlocks() {
+    SlotFile present = slot;
+    return present == null ? 0 : present.uncertainBlocks();
+  }
+
   /** Begins a slot if one is due; once per tick. */
   public void tickEnds(long timeNs) {
     nowNs = timeNs;

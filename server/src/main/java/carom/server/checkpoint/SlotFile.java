@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.channels.Channels;
 import java.nio.channels.WritableByteChannel;
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
@@ -31,6 +32,8 @@ final class SlotFile implements BlockSink {
   private final SlotStore folder;
   private final int number;
   private final AtomicLong queued = new AtomicLong();
+  private final AtomicInteger blocks = new AtomicInteger();
+  private final AtomicInteger queuedBlocks = new AtomicInteger();
 
   /** Null until the first block is written. */
   private BlockWriter writer;
@@ -68,10 +71,13 @@ final class SlotFile implements BlockSink {
     }
     byte[] copy = Arrays.copyOf(bytes, length);
     queued.addAndGet(length);
+    blocks.incrementAndGet();
+    queuedBlocks.incrementAndGet();
     disk.write(
         () -> {
           attempt(() -> write(type, copy));
           queued.addAndGet(-length);
+          queuedBlocks.decrementAndGet();
         });
     return true;
   }
@@ -179,6 +185,14 @@ final class SlotFile implements BlockSink {
   /** Returns the number of bytes that wait for the disk. Any thread. */
   long queuedBytes() {
     return queued.get();
+  }
+
+  /**
+   * Returns the number of blocks that the disk may lack: all as long as the checkpoint isn't safe,
+   * then those that wait. Any thread.
+   */
+  int uncertainBlocks() {
+    return safe ? queuedBlocks.get() : blocks.get();
   }
 
   /** Returns the number of bytes written. Any thread. */

@@ -78,11 +78,13 @@ final class Claims {
 
   private final Directory directory;
   private final Lease lease;
+  private final FleetNews news;
   private final Map<String, Claim> claims = new ConcurrentHashMap<>();
 
-  Claims(Directory directory, Lease lease) {
+  Claims(Directory directory, Lease lease, FleetNews news) {
     this.directory = directory;
     this.lease = lease;
+    this.news = news;
   }
 
   /** Returns the claim of a room, or null. */
@@ -104,6 +106,7 @@ final class Claims {
     String value = RoomRecord.claimed(lease.number(), room).toJson();
     long number = directory.create(RoomRecord.key(room.name()), value, lease.number());
     if (number == 0) {
+      news.claimsRefused.incrementAndGet();
       return null;
     }
     Claim claim = new Claim(room, Ownership.under(lease, succeed(room.name(), number)), value);
@@ -142,15 +145,17 @@ final class Claims {
     return Long.parseLong(last.value());
   }
 
-  private static void own(Claim claim, long number) {
+  private void own(Claim claim, long number) {
     claim.number = number;
     claim.ownership.claim(number);
+    news.claimsWon.incrementAndGet();
     LOG.info("owns room={} claim={}", claim.room(), number);
   }
 
   /** Forgets a claim that is another server's by now. */
   void lose(Claim claim) {
     LOG.warn("lost room={} claim={}", claim.room(), claim.number);
+    news.lost(claim.room(), claim.number);
     claim.ownership.claim(0);
     claims.remove(claim.room());
   }

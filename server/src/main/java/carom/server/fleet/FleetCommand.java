@@ -1,6 +1,5 @@
 package carom.server.fleet;
 
-import carom.net.seal.ExchangeKey;
 import carom.net.seal.ServerKey;
 import carom.options.BadFlag;
 import carom.server.directory.Directories;
@@ -8,7 +7,6 @@ import carom.server.directory.Directory;
 import carom.server.directory.DirectoryTls;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -96,7 +94,7 @@ public final class FleetCommand implements Callable<Integer> {
           switch (verb) {
             case "status" -> snapshot.status();
             case "rooms" -> snapshot.roomList();
-            case "move" -> tell(owner(snapshot, words.get(1)), String.join(" ", words));
+            case "move" -> tell(snapshot.owner(words.get(1)), String.join(" ", words));
             default -> tell(snapshot.server(words.get(1)), "drain");
           });
       return 0;
@@ -123,16 +121,6 @@ public final class FleetCommand implements Callable<Integer> {
     return new BadFlag(spec.commandLine(), message);
   }
 
-  private static ServerRecord owner(FleetCommands.Snapshot snapshot, String room)
-      throws IOException {
-    RoomRecord record = snapshot.rooms.get(room);
-    ServerRecord owner = record == null ? null : snapshot.servers.get(record.server());
-    if (owner == null) {
-      throw new IOException("room=" + room + " isn't in the fleet; 'carom fleet rooms' lists all");
-    }
-    return owner;
-  }
-
   /** Tells a server what to do, and returns its answer. */
   private String tell(ServerRecord server, String line) throws IOException {
     if (keyFile == null) {
@@ -141,18 +129,6 @@ public final class FleetCommand implements Callable<Integer> {
     if (!Files.isRegularFile(keyFile)) {
       throw bad("--fleet-key=" + keyFile + " isn't there; copy it from a server of the fleet");
     }
-    ExchangeKey fleetKey = ServerKey.load(keyFile);
-    try (PeerChannel channel = PeerChannel.open(server.peerHost(), server.peerPort(), fleetKey)) {
-      channel.write(PeerFrame.of(PeerFrame.Kind.HELLO, 0).toBytes());
-      PeerFrame.parse(channel.read());
-      byte[] text = line.getBytes(StandardCharsets.UTF_8);
-      channel.write(PeerFrame.of(PeerFrame.Kind.COMMAND, 0, "", text).toBytes());
-      PeerFrame answer = PeerFrame.parse(channel.read());
-      String words = new String(answer.bytes(), StandardCharsets.UTF_8);
-      if (answer.number() != 0) {
-        throw new IOException(server.name() + ": " + words);
-      }
-      return words;
-    }
+    return TcpPeers.command(server, ServerKey.load(keyFile), line);
   }
 }

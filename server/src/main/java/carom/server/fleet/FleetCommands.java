@@ -14,68 +14,19 @@ import java.util.TreeMap;
 final class FleetCommands {
   private FleetCommands() {}
 
-  /** Returns the servers of a fleet as lines of text. */
-  static String status(Iterable<ServerRecord> servers, Map<String, RoomRecord> rooms) {
-    List<String> lines = new ArrayList<>();
-    lines.add(row("server", "rooms", "players", "follows", "load", "state"));
-    int count = 0;
-    for (ServerRecord server : servers) {
-      int owned = 0;
-      int players = 0;
-      int follows = 0;
-      for (RoomRecord room : rooms.values()) {
-        boolean own = room.server() == server.lease();
-        owned += own ? 1 : 0;
-        players += own ? room.entry().players() : 0;
-        follows += room.follower() == server.lease() ? 1 : 0;
-      }
-      count++;
-      lines.add(
-          row(
-              server.name(),
-              String.valueOf(owned),
-              String.valueOf(players),
-              String.valueOf(follows),
-              server.load() + " %",
-              server.draining() ? "draining" : "up"));
-    }
-    lines.add(String.format(Locale.ROOT, "servers=%d rooms=%d", count, rooms.size()));
-    return String.join("\n", lines);
-  }
+  /**
+   * The share of a server in its fleet.
+   *
+   * @param rooms that it owns
+   * @param players in them
+   * @param follows rooms of others that it follows
+   */
+  record Sums(int rooms, int players, int follows) {}
 
   private static String row(
       String server, String rooms, String players, String follows, String load, String state) {
     return String.format(
         Locale.ROOT, "%-28s %6s %8s %8s %6s  %s", server, rooms, players, follows, load, state);
-  }
-
-  /** Returns the rooms of a fleet as lines of text. */
-  static String rooms(
-      Map<Long, ServerRecord> servers, Map<String, RoomRecord> rooms, Map<String, Long> claims) {
-    List<String> lines = new ArrayList<>();
-    String format = "%-20s %9s  %-20s %8s  %-28s %s";
-    lines.add(
-        String.format(
-            Locale.ROOT, format, "room", "players", "level", "claim", "owner", "follower"));
-    for (Map.Entry<String, RoomRecord> one : rooms.entrySet()) {
-      RoomRecord room = one.getValue();
-      lines.add(
-          String.format(
-              Locale.ROOT,
-              format,
-              one.getKey(),
-              room.entry().players() + "/" + room.entry().places(),
-              room.entry().level(),
-              claims.get(one.getKey()),
-              name(servers, room.server()),
-              room.follower() == 0 ? "none yet" : name(servers, room.follower())));
-    }
-    return String.join("\n", lines);
-  }
-
-  private static String name(Map<Long, ServerRecord> servers, long lease) {
-    ServerRecord server = servers.get(lease);
-    return server == null ? "gone" : server.name();
   }
 
   /** A fleet as its directory has it now. */
@@ -106,12 +57,82 @@ final class FleetCommands {
               });
     }
 
-    String status() {
-      return FleetCommands.status(servers.values(), rooms);
+    /** Returns the share of a server. */
+    Sums sums(ServerRecord server) {
+      int owned = 0;
+      int players = 0;
+      int follows = 0;
+      for (RoomRecord room : rooms.values()) {
+        boolean own = room.server() == server.lease();
+        owned += own ? 1 : 0;
+        players += own ? room.entry().players() : 0;
+        follows += room.follower() == server.lease() ? 1 : 0;
+      }
+      return new Sums(owned, players, follows);
     }
 
+    /** Returns the name of a server; empty for none, or one that has gone. */
+    String name(long lease) {
+      ServerRecord server = servers.get(lease);
+      return server == null ? "" : server.name();
+    }
+
+    /** Returns the servers as lines of text. */
+    String status() {
+      List<String> lines = new ArrayList<>();
+      lines.add(row("server", "rooms", "players", "follows", "load", "state"));
+      for (ServerRecord server : servers.values()) {
+        Sums sums = sums(server);
+        lines.add(
+            row(
+                server.name(),
+                String.valueOf(sums.rooms()),
+                String.valueOf(sums.players()),
+                String.valueOf(sums.follows()),
+                server.load() + " %",
+                server.draining() ? "draining" : "up"));
+      }
+      lines.add(String.format(Locale.ROOT, "servers=%d rooms=%d", servers.size(), rooms.size()));
+      return String.join("\n", lines);
+    }
+
+    /** Returns the rooms as lines of text. */
     String roomList() {
-      return FleetCommands.rooms(servers, rooms, claims);
+      List<String> lines = new ArrayList<>();
+      String format = "%-20s %9s  %-20s %8s  %-28s %s";
+      lines.add(
+          String.format(
+              Locale.ROOT, format, "room", "players", "level", "claim", "owner", "follower"));
+      for (Map.Entry<String, RoomRecord> one : rooms.entrySet()) {
+        RoomRecord room = one.getValue();
+        String follower = name(room.follower());
+        lines.add(
+            String.format(
+                Locale.ROOT,
+                format,
+                one.getKey(),
+                room.entry().players() + "/" + room.entry().places(),
+                room.entry().level(),
+                claims.get(one.getKey()),
+                servers.containsKey(room.server()) ? name(room.server()) : "gone",
+                follower.isEmpty() ? "none yet" : follower));
+      }
+      return String.join("\n", lines);
+    }
+
+    /**
+     * Returns the owner of a room.
+     *
+     * @throws DirectoryException if there is none; the message says so
+     */
+    ServerRecord owner(String room) throws DirectoryException {
+      RoomRecord record = rooms.get(room);
+      ServerRecord owner = record == null ? null : servers.get(record.server());
+      if (owner == null) {
+        throw new DirectoryException(
+            "room=" + room + " isn't in the fleet; 'fleet rooms' lists all", null);
+      }
+      return owner;
     }
 
     /** Returns the server of a name. */

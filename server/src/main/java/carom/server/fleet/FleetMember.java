@@ -47,8 +47,10 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Loads are told in steps of so many percent, so that entries rest while rooms do. */
   private static final int LOAD_STEP = 10;
 
-  private final Directory directory;
+  private final CountedDirectory directory;
   private final FleetSettings settings;
+  private final FleetNews news;
+  private final FleetFigures figures;
   private final LongSupplier clock;
   private final Executor asks;
   private final Lease lease;
@@ -99,16 +101,27 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       LongSupplier clock,
       Executor asks,
       Runnable changed) {
-    this.directory = directory;
+    this.directory = new CountedDirectory(directory);
     this.settings = settings;
     this.clock = clock;
     this.asks = asks;
     this.changed = changed;
     lease = new Lease(clock, settings.keepsRooms());
-    claims = new Claims(directory, lease);
-    view = new FleetView(directory, clock, changed);
-    tickets = new Tickets(directory);
+    news = new FleetNews(clock, settings.name());
+    claims = new Claims(this.directory, lease, news);
+    view = new FleetView(directory, clock, changed, news);
+    tickets = new Tickets(this.directory);
     following = new Following(settings.followed());
+    figures =
+        new FleetFigures(
+            view,
+            claims,
+            following,
+            lease,
+            this.directory,
+            news,
+            clock,
+            () -> host == null ? List.of() : host.rooms());
   }
 
   /** Returns what hears other servers. */
@@ -127,7 +140,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         String answer;
         boolean done;
         try {
-          answer = run(List.of(new String(line.bytes(), StandardCharsets.UTF_8).split(" ")));
+          answer = runHere(List.of(new String(line.bytes(), StandardCharsets.UTF_8).split(" ")));
           done = true;
         } catch (IllegalArgumentException e) {
           answer = e.getMessage();
@@ -237,9 +250,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Sets whose rooms these are; before the first {@link #turn}. */
   public void serves(RoomHost newHost) {
     host = newHost;
-    followers = new Followers(claims, view, peers, host, lease, settings.durability(), asks);
+    followers = new Followers(claims, view, peers, host, lease, settings.durability(), asks, news);
     takeovers =
-        new Takeovers(claims, view, following, host, lease, clock, asks, returning, changed);
+        new Takeovers(claims, view, following, host, lease, clock, asks, returning, changed, news);
   }
 
   /** Does what is due. One thread. */
@@ -265,11 +278,13 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       if (away) {
         away = false;
         LOG.info("fleet: the directory answers again");
+        news.tell("the directory answers again");
       }
     } catch (DirectoryException e) {
       if (!away) {
         away = true;
         LOG.error("fleet: {}; {}", e.getMessage(), settings.onPartition());
+        news.tell("the directory doesn't answer");
       }
       renewNs = clock.getAsLong(); // again in the next turn
     }
@@ -374,6 +389,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
               room.isFollowed() ? claim.follower : 0,
               false,
               load(List.of(room)),
+              room.isFollowed()
+                  ? room.followerLag() / RoomRecord.LAG_STEP * RoomRecord.LAG_STEP
+                  : 0,
               room.settings(),
               room.entry());
       String value = record.toJson();
@@ -433,14 +451,38 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     }
   }
 
+  /** Returns the fleet as this server sees it. */
+  public FleetFigures figures() {
+    return figures;
+  }
+
   /**
    * Does what an operator says: {@code status}, {@code rooms}, {@code move ROOM [SERVER]}, {@code
-   * drain}. Any thread.
+   * drain [SERVER]}. What concerns another server is told to that one, which may take seconds. Any
+   * thread.
    *
    * @return the answer, perhaps of several lines
    * @throws IllegalArgumentException if it can't be done; the message says why
    */
   public String run(List<String> words) {
+    String verb = words.isEmpty() ? "" : words.get(0);
+    if (words.size() < 2 || !(verb.equals("move") || verb.equals("drain"))) {
+      return runHere(words);
+    }
+    try {
+      FleetCommands.Snapshot snapshot = new FleetCommands.Snapshot(view);
+      boolean drains = verb.equals("drain");
+      ServerRecord server = drains ? snapshot.server(words.get(1)) : snapshot.owner(words.get(1));
+      if (server.lease() == lease.number()) {
+        return runHere(words);
+      }
+      return server.name() + ": " + peers.command(server, drains ? verb : String.join(" ", words));
+    } catch (IOException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+
+  private String runHere(List<String> words) {
     String verb = words.isEmpty() ? "status" : words.get(0);
     FleetCommands.Snapshot snapshot = new FleetCommands.Snapshot(view);
     switch (verb) {
@@ -458,7 +500,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         return "drains: its rooms move to the other servers";
       default:
         throw new IllegalArgumentException(
-            "\"" + verb + "\" is none of status, rooms, move ROOM [SERVER], drain");
+            "\"" + verb + "\" is none of status, rooms, move ROOM [SERVER], drain [SERVER]");
     }
   }
 

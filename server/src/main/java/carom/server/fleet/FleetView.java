@@ -41,6 +41,7 @@ final class FleetView {
 
   private final LongSupplier clock;
   private final Runnable changed;
+  private final FleetNews news;
   private final Map<Long, ServerRecord> servers = new ConcurrentSkipListMap<>();
   private final Map<String, OwnedRoom> rooms = new ConcurrentSkipListMap<>();
   private final Map<String, Orphan> orphans = new ConcurrentHashMap<>();
@@ -49,10 +50,12 @@ final class FleetView {
    * Creates a view that begins to listen.
    *
    * @param changed told after each change, on the directory's thread; returns at once
+   * @param news told of servers that come and go
    */
-  FleetView(Directory directory, LongSupplier clock, Runnable changed) {
+  FleetView(Directory directory, LongSupplier clock, Runnable changed, FleetNews news) {
     this.clock = clock;
     this.changed = changed;
+    this.news = news;
     directory.watch(ServerRecord.PREFIX, new ServerWatcher());
     directory.watch(RoomRecord.PREFIX, new RoomWatcher());
   }
@@ -60,6 +63,12 @@ final class FleetView {
   /** Returns the servers by lease. */
   Map<Long, ServerRecord> servers() {
     return servers;
+  }
+
+  /** Returns the name of a server, for people. */
+  String nameOf(long lease) {
+    ServerRecord server = servers.get(lease);
+    return server == null ? "a server that is gone" : server.name();
   }
 
   /** Returns the rooms by name. */
@@ -79,7 +88,10 @@ final class FleetView {
     public void present(DirectoryEntry entry) {
       try {
         long lease = Long.parseLong(entry.key().substring(ServerRecord.PREFIX.length()));
-        servers.put(lease, ServerRecord.parse(lease, entry.value()));
+        ServerRecord server = ServerRecord.parse(lease, entry.value());
+        if (servers.put(lease, server) == null) {
+          news.came(server);
+        }
         changed.run();
       } catch (IOException | NumberFormatException e) {
         LOG.warn("fleet: the entry {} can't be read: {}", entry.key(), e.getMessage());
@@ -89,7 +101,11 @@ final class FleetView {
     @Override
     public void gone(DirectoryEntry last) {
       try {
-        servers.remove(Long.parseLong(last.key().substring(ServerRecord.PREFIX.length())));
+        ServerRecord server =
+            servers.remove(Long.parseLong(last.key().substring(ServerRecord.PREFIX.length())));
+        if (server != null) {
+          news.gone(server);
+        }
       } catch (NumberFormatException e) {
         return; // it was never taken for a server
       }

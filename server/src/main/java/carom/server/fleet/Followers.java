@@ -34,6 +34,7 @@ final class Followers implements AutoCloseable {
   private final Lease lease;
   private final Durability durability;
   private final Executor asks;
+  private final FleetNews news;
   private final Map<Long, SlotDisk> disks = new ConcurrentHashMap<>();
 
   Followers(
@@ -43,7 +44,8 @@ final class Followers implements AutoCloseable {
       RoomHost host,
       Lease lease,
       Durability durability,
-      Executor asks) {
+      Executor asks,
+      FleetNews news) {
     this.claims = claims;
     this.view = view;
     this.peers = peers;
@@ -51,6 +53,7 @@ final class Followers implements AutoCloseable {
     this.lease = lease;
     this.durability = durability;
     this.asks = asks;
+    this.news = news;
   }
 
   /**
@@ -261,6 +264,7 @@ final class Followers implements AutoCloseable {
     try {
       claims.leave(claim);
       LOG.info("moved room={} tick={}", claim.room(), room.tick());
+      news.movedOut(claim.room(), view.nameOf(to));
     } catch (DirectoryException e) {
       LOG.error("room={} is released when the lease ends: {}", claim.room(), e.getMessage());
     }

@@ -51,6 +51,11 @@ final class Lease implements BooleanSupplier {
     return number;
   }
 
+  /** Returns how long the lease still holds, 0 if it doesn't, ns. */
+  long leftNs() {
+    return number == 0 ? 0 : Math.max(0, untilNs - clock.getAsLong());
+  }
+
   /** Returns whether the lease holds now. */
   @Override
   public boolean getAsBoolean() {

@@ -104,6 +104,11 @@ final class PeerChannel implements AutoCloseable {
     socket.setSoTimeout(0);
   }
 
+  /** Sets how long {@link #read} waits before it throws, ms; otherwise it waits for ever. */
+  void waitAtMost(int ms) throws IOException {
+    socket.setSoTimeout(ms);
+  }
+
   /** Demands a proof of the other end, and returns the keys that the exchange leads to. */
   private LinkKeys prove(ExchangeKey key, boolean ofOpener) throws IOException {
     byte[] greeting = read();

@@ -58,6 +58,14 @@ interface Peers extends AutoCloseable {
    */
   void await(long server) throws IOException;
 
+  /**
+   * Tells a server what an operator says.
+   *
+   * @return the answer
+   * @throws IOException if it can't be reached or can't do it; the message says why
+   */
+  String command(ServerRecord server, String line) throws IOException;
+
   @Override
   void close();
 

@@ -17,6 +17,8 @@ import java.util.Map;
  * @param follower lease of the server that has the room's state, 0 for none
  * @param leaving whether the owner gives the room up for its follower
  * @param load the part of their time that its ticks take, percent
+ * @param lag how many ticks its follower may lack, in steps of {@value #LAG_STEP}, so that the
+ *     record rests while the follower keeps up
  * @param settings the room's settings, with which another server can go on with it
  * @param entry what lists of rooms show
  */
@@ -25,10 +27,14 @@ record RoomRecord(
     long follower,
     boolean leaving,
     int load,
+    int lag,
     RoomConfig settings,
     ServerMessage.RoomEntry entry) {
   /** Begins the keys of rooms in the directory. */
   static final String PREFIX = "rooms/";
+
+  /** Steps in which the lag is told, ticks. */
+  static final int LAG_STEP = 30;
 
   static String key(String room) {
     return PREFIX + room;
@@ -36,7 +42,7 @@ record RoomRecord(
 
   /** Returns this record as that of a room that its owner gives up for a follower. */
   RoomRecord leaving(long forServer) {
-    return new RoomRecord(server, forServer, true, load, settings, entry);
+    return new RoomRecord(server, forServer, true, load, lag, settings, entry);
   }
 
   /** Returns the record of a room that is claimed and not built yet. */
@@ -45,6 +51,7 @@ record RoomRecord(
         server,
         0,
         false,
+        0,
         0,
         settings,
         new ServerMessage.RoomEntry(
@@ -58,6 +65,7 @@ record RoomRecord(
           json.writeNumberField("follower", follower);
           json.writeBooleanField("leaving", leaving);
           json.writeNumberField("load", load);
+          json.writeNumberField("lag", lag);
           json.writeStringField("room", settings.name());
           json.writeStringField("game", settings.game());
           json.writeArrayFieldStart("levels");
@@ -117,6 +125,7 @@ record RoomRecord(
         FleetJson.number(json, "follower"),
         FleetJson.flag(json, "leaving"),
         FleetJson.whole(json, "load"),
+        FleetJson.whole(json, "lag"),
         settings,
         new ServerMessage.RoomEntry(
             settings.name(),

@@ -40,6 +40,7 @@ final class Takeovers {
   private final LongSupplier clock;
   private final Executor asks;
   private final Runnable changed;
+  private final FleetNews news;
   private final Set<String> underWay;
 
   /**
@@ -56,7 +57,8 @@ final class Takeovers {
       LongSupplier clock,
       Executor asks,
       Set<String> underWay,
-      Runnable changed) {
+      Runnable changed,
+      FleetNews news) {
     this.claims = claims;
     this.view = view;
     this.following = following;
@@ -66,6 +68,7 @@ final class Takeovers {
     this.asks = asks;
     this.underWay = underWay;
     this.changed = changed;
+    this.news = news;
   }
 
   /** Does what is due. */
@@ -114,6 +117,7 @@ final class Takeovers {
 
   private void goOn(String name, RoomRecord record) throws DirectoryException {
     Following.Followed followed = following.usable(name); // before anybody hears of the claim
+    FleetView.Orphan orphan = view.orphans().get(name);
     Claims.Claim claim = claims.make(record.settings());
     if (claim == null) {
       return; // another server was faster, or the owner hasn't released it yet
@@ -128,6 +132,12 @@ final class Takeovers {
           room.tick(),
           followed == null ? "all" : room.lostTicks(),
           followed == null ? ": nobody has followed it" : "");
+      if (record.leaving() || (followed != null && followed.isHandedOver())) {
+        news.movedIn(name, claim.number());
+      } else {
+        long lostNs = orphan == null ? beginNs : orphan.sinceNs();
+        news.tookOver(name, claim.number(), room.tick(), clock.getAsLong() - lostNs);
+      }
       LOG.debug(
           "room {} was built and computed in {} ms",
           name,

@@ -7,6 +7,7 @@ import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -306,6 +307,33 @@ final class TcpPeers implements Peers {
   @Override
   public void await(long server) throws IOException {
     link(server).await();
+  }
+
+  @Override
+  public String command(ServerRecord server, String line) throws IOException {
+    return command(server, key, line);
+  }
+
+  /**
+   * Tells a server what an operator says, over a link for that alone.
+   *
+   * @return the answer
+   * @throws IOException if it can't be reached or can't do it; the message says why
+   */
+  static String command(ServerRecord server, ExchangeKey key, String line) throws IOException {
+    try (PeerChannel channel = PeerChannel.open(server.peerHost(), server.peerPort(), key)) {
+      channel.waitAtMost(AWAIT_MS);
+      channel.write(PeerFrame.of(PeerFrame.Kind.HELLO, 0).toBytes());
+      PeerFrame.parse(channel.read());
+      byte[] text = line.getBytes(StandardCharsets.UTF_8);
+      channel.write(PeerFrame.of(PeerFrame.Kind.COMMAND, 0, "", text).toBytes());
+      PeerFrame answer = PeerFrame.parse(channel.read());
+      String words = new String(answer.bytes(), StandardCharsets.UTF_8);
+      if (answer.number() != 0) {
+        throw new IOException(server.name() + ": " + words);
+      }
+      return words;
+    }
   }
 
   @Override

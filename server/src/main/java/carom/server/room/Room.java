@@ -235,6 +235,15 @@ public final class Room {
   }
 
   /**
+   * Returns how many ticks the room's follower may lack, to within the second between two states;
+   * from any thread.
+   */
+  public int followerLag() {
+    RoomCheckpoints follower = parts.journals.follower();
+    return follower == null ? 0 : follower.uncertainBlocks();
+  }
+
+  /**
    * Returns how many ticks of its journal the room couldn't compute again when it went on from one;
    * from any thread.
    */

@@ -31,7 +31,7 @@ final class Health {
   /** Returns what is wrong, or an empty text. */
   synchronized String problem() {
     List<String> problems = new ArrayList<>();
-    boolean allFailed = true;
+    boolean allFailed = !rooms.isEmpty(); // a server of a fleet may have none
     seen.keySet().retainAll(rooms);
     for (Room room : rooms) {
       Seen last = seen.get(room);

@@ -4,6 +4,7 @@ import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
 import carom.server.command.Quoting;
 import carom.server.command.Role;
+import carom.server.fleet.FleetFigures;
 import carom.server.http.Origins;
 import carom.server.http.RequestGuard;
 import carom.server.http.SiteFiles;
@@ -79,6 +80,7 @@ final class LivePage implements AutoCloseable {
   private final Downloads downloads;
   private final ProcessFigures begin = ProcessFigures.now();
   private final List<Room> rooms;
+  private final FleetFigures fleet; // or null
   private final List<Viewer> viewers = new CopyOnWriteArrayList<>();
   private final WebSocketProtocolHandshakeHandler handshake =
       new WebSocketProtocolHandshakeHandler(this::connected);
@@ -97,9 +99,10 @@ final class LivePage implements AutoCloseable {
   /** Begins to note figures; {@link #handle} shows them. */
   @SuppressWarnings(
       "FutureReturnValueIgnored") // The guarded tasks throw nothing, and end with the clock.
-  public LivePage(PageConfig config, List<Room> rooms) {
+  public LivePage(PageConfig config, WebSubject subject) {
     this.config = config;
-    this.rooms = rooms;
+    rooms = subject.rooms();
+    fleet = subject.fleet();
     guard = new RequestGuard(config.hosts());
     origins = new Origins(config.proxies());
     downloads = new Downloads(config.recordings(), System::nanoTime);
@@ -412,11 +415,15 @@ final class LivePage implements AutoCloseable {
       return;
     }
     String figures = PageJson.second(List.copyOf(histories.values()));
+    String fleetNow = fleet == null ? null : PageJson.fleet(fleet.report());
     for (Viewer viewer : viewers) {
       if (nowNs - viewer.heardNs() > SILENCE_NS) {
         viewer.refuse("no sign of life");
       } else if (watches(viewer)) {
         viewer.send(figures);
+        if (fleetNow != null) {
+          viewer.send(fleetNow);
+        }
       }
       if (viewer.isAdmin()) {
         sendLog(viewer);

@@ -3,6 +3,7 @@ package carom.server.web;
 import carom.net.protocol.Protocol;
 import carom.net.transport.NetworkCounter;
 import carom.server.access.LoginThrottle;
+import carom.server.fleet.FleetFigures;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.TurnStage;
@@ -21,6 +22,7 @@ import io.micrometer.prometheusmetrics.PrometheusConfig;
 import io.micrometer.prometheusmetrics.PrometheusMeterRegistry;
 import io.prometheus.metrics.model.registry.Collector;
 import io.prometheus.metrics.model.snapshots.ClassicHistogramBuckets;
+import io.prometheus.metrics.model.snapshots.GaugeSnapshot;
 import io.prometheus.metrics.model.snapshots.HistogramSnapshot;
 import io.prometheus.metrics.model.snapshots.InfoSnapshot;
 import io.prometheus.metrics.model.snapshots.Labels;
@@ -33,8 +35,8 @@ import java.util.Map;
 
 /**
  * All counters as metrics for Prometheus: each room's with the label {@code room}, the transport's,
- * tick times as a histogram, the build, failed logins, memory, garbage collection, threads and
- * processor. Values are read when they are asked for. Any thread.
+ * tick times as a histogram, the fleet's, the build, failed logins, memory, garbage collection,
+ * threads and processor. Values are read when they are asked for. Any thread.
  */
 final class Metrics implements AutoCloseable {
   private static final String PREFIX = "carom.";
@@ -55,6 +57,9 @@ final class Metrics implements AutoCloseable {
 
   /** Kept here, because the registry doesn't keep what it reads. */
   private final WebSubject subject;
+
+  /** Kept for the same reason. */
+  private final List<FleetFigures.Figure> fleet;
 
   /** The meters of each room. */
   private final Map<Room, List<Meter>> meters = new HashMap<>();
@@ -81,6 +86,10 @@ final class Metrics implements AutoCloseable {
         .register(registry);
     registry.getPrometheusRegistry().register((Collector) () -> tickTimes(subject.rooms()));
     registry.getPrometheusRegistry().register((Collector) () -> build(subject.version()));
+    fleet = subject.fleet() == null ? List.of() : subject.fleet().all();
+    if (subject.fleet() != null) {
+      addFleet(subject.fleet());
+    }
     new JvmMemoryMetrics().bindTo(registry);
     collections.bindTo(registry);
     new JvmThreadMetrics().bindTo(registry);
@@ -141,6 +150,56 @@ final class Metrics implements AutoCloseable {
             .description("1 if the room has closed itself because of an error.")
             .register(registry));
     return added;
+  }
+
+  private void addFleet(FleetFigures figures) {
+    for (FleetFigures.Figure figure : fleet) {
+      String name = PREFIX + "fleet." + figure.name();
+      if (figure.isGauge()) {
+        Gauge.builder(name, figure, f -> f.value().getAsDouble())
+            .description(figure.help())
+            .register(registry);
+      } else {
+        FunctionCounter.builder(name, figure, f -> f.value().getAsDouble())
+            .description(figure.help())
+            .register(registry);
+      }
+    }
+    registry.getPrometheusRegistry().register((Collector) () -> lags(figures));
+    registry.getPrometheusRegistry().register((Collector) () -> takeovers(figures.takeovers()));
+  }
+
+  private static GaugeSnapshot lags(FleetFigures figures) {
+    GaugeSnapshot.Builder all =
+        GaugeSnapshot.builder()
+            .name("carom_fleet_follower_lag_ticks")
+            .help("Ticks that the follower of a room may lack; nothing for rooms without one.");
+    figures
+        .lags()
+        .forEach(
+            (room, lag) ->
+                all.dataPoint(
+                    GaugeSnapshot.GaugeDataPointSnapshot.builder()
+                        .labels(Labels.of("room", room))
+                        .value(lag)
+                        .build()));
+    return all.build();
+  }
+
+  private static HistogramSnapshot takeovers(FleetFigures.Durations times) {
+    ClassicHistogramBuckets.Builder buckets = ClassicHistogramBuckets.builder();
+    for (int i = 0; i < times.limits().size(); i++) {
+      buckets.bucket(times.limits().get(i), times.counts().get(i));
+    }
+    return HistogramSnapshot.builder()
+        .name("carom_fleet_takeover_duration_seconds")
+        .help("Time from the end of an owner's claim until its room went on at this server.")
+        .dataPoint(
+            HistogramSnapshot.HistogramDataPointSnapshot.builder()
+                .classicHistogramBuckets(buckets.build())
+                .sum(times.sum())
+                .build())
+        .build();
   }
 
   private void addLogins(String door, LoginThrottle throttle) {

@@ -4,6 +4,7 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
 import carom.server.command.CommandRegistry;
 import carom.server.command.Printable;
+import carom.server.fleet.FleetFigures;
 import carom.server.match.MatchInfo;
 import carom.server.metrics.TurnStage;
 import carom.server.room.BodyLook;
@@ -100,6 +101,60 @@ final class PageJson {
         });
   }
 
+  /** Returns the fleet as it is now. */
+  static String fleet(FleetFigures.Report fleet) {
+    return message(
+        "fleet",
+        g -> {
+          g.writeNumberField("lease", round(fleet.leaseS()));
+          g.writeBooleanField("directory", fleet.directoryUp());
+          g.writeArrayFieldStart("servers");
+          for (FleetFigures.ServerRow server : fleet.servers()) {
+            g.writeStartObject();
+            g.writeStringField("name", Printable.text(server.name()));
+            g.writeStringField("address", Printable.text(server.address()));
+            g.writeBooleanField("self", server.isSelf());
+            g.writeBooleanField("draining", server.draining());
+            g.writeNumberField("load", server.load());
+            g.writeNumberField("rooms", server.rooms());
+            g.writeNumberField("follows", server.follows());
+            g.writeNumberField("players", server.players());
+            g.writeEndObject();
+          }
+          g.writeEndArray();
+          g.writeNumberField("all", fleet.allRooms());
+          g.writeNumberField("step", FleetFigures.LAG_STEP);
+          g.writeArrayFieldStart("rooms");
+          for (FleetFigures.RoomRow room : fleet.rooms()) {
+            g.writeStartObject();
+            g.writeStringField("name", room.name());
+            g.writeStringField("game", Printable.text(room.game()));
+            g.writeStringField("level", Printable.text(room.level()));
+            g.writeStringField("owner", Printable.text(room.owner()));
+            g.writeNumberField("claim", room.claim());
+            g.writeStringField("follower", Printable.text(room.follower()));
+            g.writeNumberField("lag", room.lag());
+            g.writeBooleanField("exact", room.isLagExact());
+            g.writeNumberField("players", room.players());
+            g.writeNumberField("places", room.places());
+            g.writeEndObject();
+          }
+          g.writeEndArray();
+          g.writeArrayFieldStart("news");
+          for (FleetFigures.Happening happening : fleet.happenings()) {
+            g.writeStartArray();
+            g.writeNumber(round(happening.ageS()));
+            g.writeString(Printable.text(happening.text()));
+            g.writeEndArray();
+          }
+          g.writeEndArray();
+        });
+  }
+
+  private static double round(double value) {
+    return Math.round(value * 1_000.0) / 1_000.0;
+  }
+
   private static void writeRoom(JsonGenerator g, Room room) throws IOException {
     MatchInfo match = room.match();
     g.writeStringField("name", room.name());
@@ -118,7 +173,7 @@ final class PageJson {
       if (Float.isNaN(value)) {
         g.writeNull();
       } else {
-        g.writeNumber(Math.round(value * 1_000.0) / 1_000.0);
+        g.writeNumber(round(value));
       }
     }
     g.writeEndArray();

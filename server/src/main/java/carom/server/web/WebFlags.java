@@ -83,10 +83,7 @@ public final class WebFlags {
     try {
       WebServer server =
           new WebServer(
-              address,
-              config.get(ServerConfig.WEB_PORT),
-              subject,
-              new LivePage(page, subject.rooms()));
+              address, config.get(ServerConfig.WEB_PORT), subject, new LivePage(page, subject));
       log.info(
           "page: {} ({})",
           server.url(),

@@ -2,6 +2,7 @@ package carom.server.web;
 
 import carom.net.transport.NetworkCounter;
 import carom.server.access.Logins;
+import carom.server.fleet.FleetFigures;
 import carom.server.room.Room;
 import java.util.List;
 
@@ -13,9 +14,15 @@ import java.util.List;
  * @param rooms all rooms
  * @param network what the transport counts
  * @param logins where operators log in
+ * @param fleet the fleet as the server sees it, or null if it is alone
  */
 public record WebSubject(
-    String name, String version, List<Room> rooms, List<NetworkCounter> network, Logins logins) {
+    String name,
+    String version,
+    List<Room> rooms,
+    List<NetworkCounter> network,
+    Logins logins,
+    FleetFigures fleet) {
   /** Copies the lists. */
   public WebSubject {
     network = List.copyOf(network);

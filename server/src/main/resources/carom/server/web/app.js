@@ -146,6 +146,7 @@ const handlers = {
     showRoom();
     say({do: 'alive'});
   },
+  fleet: showFleet,
   match(message) { scene.begin(message.bounds); $('body').hidden = true; },
   looks(message) { scene.learn(message.bodies); },
   players(message) { if (message.room === $('room').value) showPlayers(message.players); },
@@ -189,7 +190,10 @@ const handlers = {
 
 function showRoom() {
   const room = rooms.get($('room').value);
-  if (!room) return;
+  if (!room) {
+    $('facts').textContent = 'This server has no rooms now.';
+    return;
+  }
   $('facts').textContent = room.failed ? 'This room has closed itself because of an error.'
     : `${room.game} · ${room.level} · ${room.taken} of ${room.places} places · tick ${room.tick}${room.paused ? ' · paused, as nobody plays' : ''}`;
   for (const chart of charts) chart.show(room.rows, columns);
@@ -297,21 +301,100 @@ function describe(look) {
   }
 }
 
+/** Asks before something that players notice; parts are what the dialog shows besides the question. */
+function ask(question, verb, parts, then) {
+  const dialog = $('sure');
+  $('sure-title').textContent = question;
+  $('sure-ok').textContent = verb;
+  for (const part of ['time', 'why', 'to', 'text']) $('sure-' + part).hidden = !parts.includes(part);
+  dialog.returnValue = '';
+  dialog.onclose = () => { if (dialog.returnValue === 'ok') then(); };
+  dialog.showModal();
+}
+
 /** Asks before a player is removed. The room is the line's last word, so that no reason can name another. */
 function sure(what, player) {
-  const dialog = $('sure');
-  $('sure-title').textContent = `${what === 'ban' ? 'Ban' : 'Kick'} ${player.name}?`;
-  $('sure-ok').textContent = what === 'ban' ? 'Ban' : 'Kick';
-  $('sure-time').hidden = what !== 'ban';
+  const verb = what === 'ban' ? 'Ban' : 'Kick';
   $('sure-reason').value = '';
-  dialog.returnValue = '';
-  dialog.onclose = () => {
-    if (dialog.returnValue !== 'ok') return;
+  ask(`${verb} ${player.name}?`, verb, what === 'ban' ? ['time', 'why'] : ['why'], () => {
     const reason = $('sure-reason').value.replaceAll('"', "'").trim();
     const time = what === 'ban' ? ' ' + $('sure-time').querySelector('select').value : '';
     run(`${what} #${player.id}${time}${reason ? ` "${reason}"` : ''} @${$('room').value}`);
-  };
-  dialog.showModal();
+  });
+}
+
+/** Puts rows of values into a table, and keeps the rows that stay, so that their buttons can be clicked. */
+function fill(table, items, kinds, values, actions) {
+  const body = $(table).tBodies[0];
+  const kept = new Map([...body.rows].map(row => [row.dataset.key, row]));
+  const rows = items.map(item => {
+    const key = item.name + ' ' + admin;
+    let row = kept.get(key);
+    if (!row) {
+      row = document.createElement('tr');
+      row.dataset.key = key;
+      for (const kind of kinds) cell(row, '', kind);
+      const place = cell(row, '', 'actions');
+      if (admin) actions(place, item);
+    }
+    values(item).forEach((value, i) => { if (row.cells[i].textContent !== String(value)) row.cells[i].textContent = value; });
+    return row;
+  });
+  if (rows.length !== body.rows.length || rows.some((row, i) => row !== body.rows[i])) body.replaceChildren(...rows);
+  return rows;
+}
+
+let fleet = null;
+
+function showFleet(message) {
+  fleet = message;
+  $('fleet').hidden = false;
+  const byName = (a, b) => a.name.localeCompare(b.name, undefined, {numeric: true});
+  const more = message.all - message.rooms.length;
+  $('fleet-state').textContent = `${message.servers.length} servers, ${message.all} rooms${more ? ` (${more} not shown)` : ''} · `
+    + (message.directory ? `lease ${message.lease.toFixed(1)} s` : 'the directory doesn\'t answer');
+  $('fleet-state').classList.toggle('bad', !message.directory);
+  const servers = message.servers.sort(byName);
+  fill('fleet-servers', servers, ['', '', 'num', 'num', 'wide num', 'num'],
+    s => [s.name + (s.self ? ' (this one)' : ''), s.draining ? 'draining' : 'up', s.load + ' %', s.rooms, s.follows, s.players],
+    (place, s) => button(place, 'Drain', () => drain(s.name), 'danger'))
+    .forEach((row, i) => {
+      row.cells[0].title = 'Players reach it at ' + servers[i].address;
+      row.cells[1].classList.toggle('bad', servers[i].draining);
+      for (const made of row.querySelectorAll('button')) made.disabled = servers[i].draining;
+    });
+  const rooms = message.rooms.sort(byName);
+  const lag = r => !r.follower ? '–' : r.exact ? r.lag : r.lag ? `≥ ${r.lag}` : `< ${message.step}`;
+  fill('fleet-rooms', rooms, ['', 'wide', 'num', '', 'wide num', 'wide', 'wide num'],
+    r => [r.name, r.level ? `${r.game} · ${r.level}` : r.game, `${r.players}/${r.places}`, r.owner || 'gone', r.claim, r.follower || 'none yet', lag(r)],
+    (place, r) => button(place, 'Move', () => move(r.name), 'danger'))
+    .forEach((row, i) => row.cells[6].classList.toggle('bad', rooms[i].lag >= message.step));
+  $('fleet-news').replaceChildren(...message.news.map(([age, text]) => {
+    const line = document.createElement('li');
+    line.className = /^lost|is lost$|doesn't answer$/.test(text) ? 'WARN' : '';
+    const at = line.appendChild(document.createElement('time'));
+    at.textContent = new Date(Date.now() - 1000 * age).toLocaleTimeString();
+    line.append(text);
+    return line;
+  }));
+}
+
+/** Asks before a room moves, and where to. */
+function move(room) {
+  const owner = fleet.rooms.find(r => r.name === room)?.owner;
+  const others = fleet.servers.filter(s => s.name !== owner && !s.draining).map(s => s.name);
+  $('sure-to').querySelector('select').replaceChildren(new Option('the best server', ''), ...others.map(name => new Option(name)));
+  $('sure-text').textContent = 'Its players go along and notice a moment at most.';
+  ask(`Move room ${room}?`, 'Move', ['to', 'text'], () => {
+    const to = $('sure-to').querySelector('select').value;
+    run(`fleet move "${room}"${to ? ` "${to}"` : ''}`);
+  });
+}
+
+/** Asks before a server loses all its rooms. */
+function drain(server) {
+  $('sure-text').textContent = 'All its rooms move to other servers, with their players. It takes no more until it is started again.';
+  ask(`Drain ${server}?`, 'Drain', ['text'], () => run(`fleet drain "${server}"`));
 }
 
 function append(parent, line) {

@@ -1,5 +1,7 @@
 package carom.server.fleet;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.bots.Bot;
@@ -30,10 +32,10 @@ import java.util.TreeSet;
  * A fleet in virtual time: servers with a directory in memory, and clients that reach each server
  * by its name. One thread does everything.
  */
-final class FleetRig implements AutoCloseable {
+public final class FleetRig implements AutoCloseable {
   static final long SLICE_NS = 5_000_000;
 
-  final Map<String, Node> nodes = new LinkedHashMap<>();
+  public final Map<String, Node> nodes = new LinkedHashMap<>();
   final List<GameClient> clients = new ArrayList<>();
   final MemoryDirectory directory = new MemoryDirectory(this::now);
 
@@ -53,7 +55,12 @@ final class FleetRig implements AutoCloseable {
   private final int places;
   private long nowNs = 1_000_000_000L;
 
-  FleetRig(Path folder, int places) {
+  /**
+   * Creates a fleet without servers.
+   *
+   * @param places of each room
+   */
+  public FleetRig(Path folder, int places) {
     this.folder = folder;
     this.places = places;
   }
@@ -98,13 +105,13 @@ final class FleetRig implements AutoCloseable {
   }
 
   /** A server of the fleet. */
-  final class Node {
+  public final class Node {
     final String name;
     final InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec(), "fleet");
     final MemoryDirectory.Door door = directory.door();
-    final FleetMember member;
+    public final FleetMember member;
     final MemoryPeers peers = new MemoryPeers(this);
-    final Server server;
+    public final Server server;
     boolean dead;
     boolean frozen;
 
@@ -144,7 +151,7 @@ final class FleetRig implements AutoCloseable {
     }
 
     /** Ends the process at once. */
-    void kill() {
+    public void kill() {
       dead = true;
       network.server().close();
       long lease = member.number();
@@ -280,12 +287,24 @@ final class FleetRig implements AutoCloseable {
     }
 
     @Override
+    public String command(ServerRecord server, String line) throws IOException {
+      PeerFrame ask = PeerFrame.of(PeerFrame.Kind.COMMAND, 0, "", line.getBytes(UTF_8));
+      PeerFrame answer = node(server.lease()).member.inbox().command(ask);
+      String words = new String(answer.bytes(), UTF_8);
+      if (answer.number() != 0) {
+        throw new IOException(words);
+      }
+      return words;
+    }
+
+    @Override
     public void close() {
       reached.clear();
     }
   }
 
-  Node node(String name, int rooms) throws IOException {
+  /** Adds a server with some rooms of its own. */
+  public Node node(String name, int rooms) throws IOException {
     Node node = new Node(name, rooms);
     nodes.put(name, node);
     return node;
@@ -302,7 +321,8 @@ final class FleetRig implements AutoCloseable {
     public void close() {}
   }
 
-  GameClient client(String name, String server) {
+  /** Adds a client that joins at a server. */
+  public GameClient client(String name, String server) {
     ClientConfig config =
         ClientConfig.of(name).withServer(server, 1, 1).with(ClientConfig.RECONNECT, true);
     GameClient client = new GameClient(config, new Roads(), new Bot(clients.size()), () -> 0);
@@ -310,7 +330,8 @@ final class FleetRig implements AutoCloseable {
     return client;
   }
 
-  void run(double seconds) {
+  /** Lets time pass, s. */
+  public void run(double seconds) {
     for (long endNs = nowNs + (long) (seconds * 1e9); nowNs < endNs; nowNs += SLICE_NS) {
       directory.tick();
       deliver();

@@ -227,6 +227,19 @@ class FleetScenarioTest {
   }
 
   @Test
+  void aRoomMovesWithItsStateThoughNobodyPlays() throws Exception {
+    try (FleetRig rig = new FleetRig(folder, 4)) {
+      FleetRig.Node a = rig.node("a", 1);
+      FleetRig.Node b = rig.node("b", 0);
+      rig.run(3);
+      int tick = a.server.rooms().get(0).tick();
+      assertEquals("a: ", b.member.run(List.of("move", "1", "b")).substring(0, 3), "a is told");
+      rig.run(2);
+      assertTrue(b.server.room("1").tick() > tick, "it goes on, and doesn't begin anew");
+    }
+  }
+
+  @Test
   void aClaimWhoseAnswerWasLostIsGivenUp() throws Exception {
     try (FleetRig rig = new FleetRig(folder, 4)) {
       FleetRig.Node node = rig.node("a", 1);

@@ -81,12 +81,10 @@ final class PageRig implements AutoCloseable {
             strangersWatch,
             proxies,
             Set.of("carom.example"));
+    WebSubject subject =
+        new WebSubject("Carom", "test", stepper.server().rooms(), List.of(), logins, null);
     web =
-        new WebServer(
-            InetAddress.getLoopbackAddress(),
-            0,
-            new WebSubject("Carom", "test", stepper.server().rooms(), List.of(), logins),
-            new LivePage(config, stepper.server().rooms()));
+        new WebServer(InetAddress.getLoopbackAddress(), 0, subject, new LivePage(config, subject));
     player = new Thread(this::play, "page-rig");
     player.start();
   }

@@ -50,7 +50,8 @@ final class WebSiegeTest {
             "1",
             stepper.server().rooms(),
             List.of(counter),
-            Logins.begin(System::nanoTime));
+            Logins.begin(System::nanoTime),
+            null);
     web = new WebServer(LOOPBACK, 0, subject, null);
   }
 
