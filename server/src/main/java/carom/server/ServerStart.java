@@ -144,7 +144,8 @@ final class ServerStart {
               ServerKey.load(flags.get(ServerConfig.FLEET_KEY)),
               bind.isEmpty() ? null : bind.get(0),
               transport.tcpPort(),
-              flags.dataFolder().followed());
+              flags.dataFolder(),
+              access.shared());
       return fleet.claim(rooms, numbered);
     } catch (IOException e) {
       transport.close();

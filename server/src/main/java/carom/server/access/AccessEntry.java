@@ -107,6 +107,14 @@ record AccessEntry(AddressRange range, String name, String account, Instant unti
     return other.range == null && isOf(other.name);
   }
 
+  /** Returns what this is about; the same for each {@linkplain #isAboutSame same} entry. */
+  String subject() {
+    if (range != null) {
+      return ADDRESS + " " + range;
+    }
+    return account != null ? ACCOUNT + " " + account : NAME + " " + PlayerName.folded(name);
+  }
+
   /** Returns whether this is about a name, or about an address that was banned together with it. */
   boolean isOf(String player) {
     return name != null

@@ -92,12 +92,7 @@ final class AccessFile {
     for (int i = 0; i < lines.size(); i++) {
       try {
         if (isEntry(lines.get(i))) {
-          AccessEntry entry = AccessEntry.parse(lines.get(i));
-          if (entry.name() != null && !takesNames) {
-            throw new IllegalArgumentException(
-                "anybody can take a name; list an account or an address");
-          }
-          found.add(entry);
+          found.add(parse(lines.get(i)));
         }
       } catch (IllegalArgumentException e) {
         LOG.error("{}: {}: {}; the line has no effect", file, i + 1, e.getMessage());
@@ -131,7 +126,7 @@ final class AccessFile {
    * @throws IOException if the file can't be written; the message says what to do
    */
   synchronized void add(AccessEntry entry) throws IOException {
-    rewrite(entry::isAboutSame, entry);
+    rewrite(entry::isAboutSame, List.of(entry));
   }
 
   /**
@@ -142,12 +137,35 @@ final class AccessFile {
   synchronized int remove(Predicate<AccessEntry> which) throws IOException {
     int before = entries.size();
     if (entries.stream().anyMatch(which)) {
-      rewrite(which, null);
+      rewrite(which, List.of());
     }
     return before - entries.size();
   }
 
-  private void rewrite(Predicate<AccessEntry> without, AccessEntry added) throws IOException {
+  /**
+   * Removes entries and adds others, in one step.
+   *
+   * @throws IOException if the file can't be written; the message says what to do
+   */
+  synchronized void change(Predicate<AccessEntry> without, List<AccessEntry> added)
+      throws IOException {
+    rewrite(without, added);
+  }
+
+  /**
+   * Returns the entry of a line.
+   *
+   * @throws IllegalArgumentException if it is none of this list
+   */
+  AccessEntry parse(String line) {
+    AccessEntry entry = AccessEntry.parse(line);
+    if (entry.name() != null && !takesNames) {
+      throw new IllegalArgumentException("anybody can take a name; list an account or an address");
+    }
+    return entry;
+  }
+
+  private void rewrite(Predicate<AccessEntry> without, List<AccessEntry> added) throws IOException {
     List<String> kept = new ArrayList<>();
     for (String line : lines()) {
       if (!isEntry(line) || !matches(line, without)) {
@@ -157,9 +175,7 @@ final class AccessFile {
     if (kept.isEmpty()) {
       kept.add(head);
     }
-    if (added != null) {
-      kept.add(added.line());
-    }
+    added.forEach(entry -> kept.add(entry.line()));
     try {
       String text = String.join(System.lineSeparator(), kept) + System.lineSeparator();
       DataFolder.replace(file, text.getBytes(StandardCharsets.UTF_8));

@@ -7,7 +7,12 @@ import java.nio.file.Path;
 import java.time.InstantSource;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
@@ -81,6 +86,48 @@ public final class AccessLists implements EntryRule {
       }
     }
     return false;
+  }
+
+  /** Returns the lists, to keep them the same on several servers. */
+  public List<SharedList> shared() {
+    return List.of(
+        new Shared("bans", bans), new Shared("allow", allowed), new Shared("admin", admins));
+  }
+
+  /** A list that other servers change, too. */
+  private final class Shared implements SharedList {
+    private final String name;
+    private final AccessFile file;
+
+    Shared(String name, AccessFile file) {
+      this.name = name;
+      this.file = file;
+    }
+
+    @Override
+    public String name() {
+      return name;
+    }
+
+    @Override
+    public Map<String, String> lines() {
+      Map<String, String> lines = new HashMap<>();
+      file.entries().forEach(entry -> lines.put(entry.subject(), entry.line()));
+      return lines;
+    }
+
+    @Override
+    public String subjectOf(String line) {
+      return file.parse(line).subject();
+    }
+
+    @Override
+    public void change(Map<String, String> lines) throws IOException {
+      List<AccessEntry> added = new ArrayList<>();
+      lines.values().stream().filter(Objects::nonNull).forEach(l -> added.add(file.parse(l)));
+      file.change(entry -> lines.containsKey(entry.subject()), added);
+      changed.set(true); // for the thread that removes players
+    }
   }
 
   boolean onlyAllowed() {

@@ -76,6 +76,11 @@ public record DataFolder(Path root) {
     return root.resolve("followed");
   }
 
+  /** Returns the folder of the lists on which this server and its fleet agreed last. */
+  public Path agreed() {
+    return root.resolve("fleet");
+  }
+
   /** Returns the file of a saved match. */
   public Path saved(String name) {
     return root.resolve("saves").resolve(name + SAVED);

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLException;
 
@@ -35,6 +36,7 @@ final class EtcdGateway {
   private final int deadlineMs;
   private final HttpClient client;
   private volatile int current;
+  private final AtomicBoolean away = new AtomicBoolean();
 
   /**
    * An answer.
@@ -43,6 +45,11 @@ final class EtcdGateway {
    * @param isRepeated whether an attempt before failed in a way that leaves open if it happened
    */
   record Reply(EtcdJson json, boolean isRepeated) {}
+
+  /** Returns whether watches have logged that etcd is away; theirs to change. */
+  AtomicBoolean away() {
+    return away;
+  }
 
   /** Says that etcd understood and refused; another member would, too. */
   private static final class Refusal extends IOException {

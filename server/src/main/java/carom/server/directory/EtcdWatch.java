@@ -26,7 +26,6 @@ final class EtcdWatch implements Runnable {
   private final Thread thread = new Thread(this, "carom-directory-watch");
   private volatile boolean isClosed;
   private int member;
-  private boolean isProblemTold;
 
   /** Revision up to which all is told; 0: it must read all. */
   private long revision;
@@ -74,16 +73,14 @@ final class EtcdWatch implements Runnable {
     watch.all(range.entries());
     watch.complete();
     revision = range.revision();
-    if (isProblemTold) {
+    if (gateway.away().compareAndSet(true, false)) {
       LOG.info("directory: etcd answers again");
-      isProblemTold = false;
     }
   }
 
   private void failed(Exception e) {
-    if (!isProblemTold) {
+    if (gateway.away().compareAndSet(false, true)) {
       LOG.warn("{}; trying on", gateway.problem(member, e));
-      isProblemTold = true;
     }
     revision = 0;
     member++;

@@ -2,6 +2,7 @@ package carom.server.fleet;
 
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
+import carom.server.access.SharedList;
 import carom.server.config.RoomConfig;
 import carom.server.directory.Directory;
 import carom.server.directory.DirectoryException;
@@ -11,6 +12,7 @@ import carom.server.room.Room;
 import carom.server.session.Ownership;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -53,6 +55,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private final FleetFigures figures;
   private final LongSupplier clock;
   private final Executor asks;
+  private final Executor builds;
   private final Lease lease;
   private final Claims claims;
   private final FleetView view;
@@ -73,17 +76,19 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** When rooms were first seen that are claimed by this server and aren't here. */
   private final Map<String, Long> strays = new HashMap<>();
 
+  private FleetLists lists; // or null
   private Peers peers;
   private volatile String peerAddress = "";
   private Followers followers;
   private Takeovers takeovers;
-  private RoomHost host;
+  private volatile RoomHost host; // null until the server has its rooms
   private volatile boolean draining;
   private long renewNs;
   private long serverNumber;
   private String serverTold = "";
   private long serverNextNs;
   private long clientsNextNs;
+  private long listsNextNs;
   private boolean away;
   private volatile boolean closed;
 
@@ -93,6 +98,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
    * @param directory stays the caller's to close, after this
    * @param clock monotonic nanoseconds
    * @param asks runs what waits for the directory or a room; may run it at once
+   * @param builds runs what builds a room, in order; may run it at once
    * @param changed told when {@link #turn} should come soon; any thread, returns at once
    */
   public FleetMember(
@@ -100,11 +106,13 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       FleetSettings settings,
       LongSupplier clock,
       Executor asks,
+      Executor builds,
       Runnable changed) {
     this.directory = new CountedDirectory(directory);
     this.settings = settings;
     this.clock = clock;
     this.asks = asks;
+    this.builds = builds;
     this.changed = changed;
     lease = new Lease(clock, settings.keepsRooms());
     news = new FleetNews(clock, settings.name());
@@ -172,6 +180,16 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   void reachesBy(Peers newPeers, String address) {
     peers = newPeers;
     peerAddress = address;
+  }
+
+  /**
+   * Keeps lists the same on all servers of the fleet; before {@link #join}.
+   *
+   * @param folder gets what the servers agreed on last
+   * @throws IOException if a file in the folder can't be read
+   */
+  void shares(Path folder, List<SharedList> shared) throws IOException {
+    lists = new FleetLists(directory, folder, shared);
   }
 
   /** Returns this server's number in the fleet, 0 while it has none. */
@@ -247,15 +265,22 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         "room=" + room.name() + " belongs to another server of the fleet");
   }
 
-  /** Sets whose rooms these are; before the first {@link #turn}. */
+  /** Sets whose rooms these are. */
   public void serves(RoomHost newHost) {
-    host = newHost;
-    followers = new Followers(claims, view, peers, host, lease, settings.durability(), asks, news);
+    followers =
+        new Followers(claims, view, peers, newHost, lease, settings.durability(), asks, news);
     takeovers =
-        new Takeovers(claims, view, following, host, lease, clock, asks, returning, changed, news);
+        new Takeovers(
+            claims, view, following, newHost, lease, clock, builds, returning, changed, news);
+    host = newHost;
   }
 
-  /** Does what is due. One thread. */
+  /** Returns whether the member has rooms to serve. */
+  boolean isServing() {
+    return host != null;
+  }
+
+  /** Does what is due: before {@link #serves}, only the lease is. One thread. */
   public void turn(long nowNs) {
     if (closed) {
       return;
@@ -264,7 +289,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       if (nowNs - renewNs >= 0) {
         renew();
       }
-      if (lease.number() != 0) {
+      if (lease.number() != 0 && host != null) {
         bury();
         tellServer(nowNs);
         Map<String, Room> rooms = new HashMap<>();
@@ -274,6 +299,10 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         tellRooms(rooms, nowNs);
         forgetStrays(nowNs);
         tellClients(rooms, nowNs);
+        if (lists != null && nowNs - listsNextNs >= 0) {
+          listsNextNs = nowNs + 2 * PUBLISH_NS;
+          asks.execute(lists::agree);
+        }
       }
       if (away) {
         away = false;
@@ -296,7 +325,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     if (lease.number() != 0 && directory.renew(lease.number())) {
       lease.renewed(lease.number(), askedNs);
       renewNs = askedNs + RENEW_NS;
-      if (!held) {
+      if (!held && host != null) {
         host.rooms().forEach(Room::ownershipChanged); // they stand still, and sleep
       }
       return;
@@ -313,12 +342,14 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         lose(claim);
       }
     }
-    host.rooms().forEach(Room::ownershipChanged);
+    if (host != null) {
+      host.rooms().forEach(Room::ownershipChanged);
+    }
   }
 
   private void lose(Claims.Claim claim) {
     claims.lose(claim);
-    Room room = host.room(claim.room());
+    Room room = host == null ? null : host.room(claim.room());
     if (room != null) {
       host.drop(room, "another server owns room " + claim.room());
     }

@@ -2,6 +2,8 @@ package carom.server.fleet;
 
 import carom.net.seal.ExchangeKey;
 import carom.net.seal.ServerKey;
+import carom.server.access.SharedList;
+import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.directory.Directories;
@@ -9,7 +11,6 @@ import carom.server.directory.Directory;
 import carom.server.directory.DirectoryTls;
 import java.io.IOException;
 import java.net.InetAddress;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -28,29 +29,34 @@ public final class FleetService implements AutoCloseable {
   private final FleetMember member;
   private final TcpPeers peers;
   private final ExecutorService asks;
+  private final ExecutorService builds;
   private final Object bell = new Object();
   private boolean rung; // guarded by bell
   private volatile boolean closed;
-  private Thread thread;
+  private final Thread thread = new Thread(this::run, "carom-fleet");
 
   private FleetService(
       Directory directory, FleetSettings settings, ExchangeKey key, InetAddress bind, int port)
       throws IOException {
     this.directory = directory;
-    AtomicInteger number = new AtomicInteger();
-    asks =
-        Executors.newFixedThreadPool(
-            ASKS,
-            task -> {
-              Thread made = new Thread(task, "carom-fleet-asks-" + number.incrementAndGet());
-              made.setDaemon(true);
-              return made;
-            });
-    member = new FleetMember(directory, settings, System::nanoTime, asks, this::ring);
+    asks = threads(ASKS, "carom-fleet-asks-");
+    builds = threads(Runtime.getRuntime().availableProcessors(), "carom-fleet-builds-");
+    member = new FleetMember(directory, settings, System::nanoTime, asks, builds, this::ring);
     peers = new TcpPeers(bind, port, key, member::number, member.inbox());
     String address = settings.address();
     String host = address.substring(0, address.lastIndexOf(':'));
     member.reachesBy(peers, host + ":" + peers.port());
+  }
+
+  private static ExecutorService threads(int count, String name) {
+    AtomicInteger number = new AtomicInteger();
+    return Executors.newFixedThreadPool(
+        count,
+        task -> {
+          Thread made = new Thread(task, name + number.incrementAndGet());
+          made.setDaemon(true);
+          return made;
+        });
   }
 
   /**
@@ -60,11 +66,17 @@ public final class FleetService implements AutoCloseable {
    * @param key the fleet's
    * @param bind address of this machine for the port of the fleet, or null for all
    * @param tcpPort the server's port for players
-   * @param followed folder for the journals of rooms that this server follows
+   * @param data folder for what the server keeps of the fleet
+   * @param shared lists that are the same on all servers
    * @throws IOException if the directory or the port can't be used; the message says why
    */
   public static FleetService join(
-      ServerConfig config, ExchangeKey key, InetAddress bind, int tcpPort, Path followed)
+      ServerConfig config,
+      ExchangeKey key,
+      InetAddress bind,
+      int tcpPort,
+      DataFolder data,
+      List<SharedList> shared)
       throws IOException {
     String advertise = config.get(ServerConfig.ADVERTISE);
     String address = FleetFlags.address(advertise, tcpPort);
@@ -76,7 +88,7 @@ public final class FleetService implements AutoCloseable {
             config.get(ServerConfig.ON_PARTITION) == ServerConfig.OnPartition.KEEP,
             (int) Math.round(100 * config.get(ServerConfig.MAX_LOAD)),
             config.get(ServerConfig.DURABILITY),
-            followed);
+            data.followed());
     Directory directory =
         Directories.open(
             config.get(ServerConfig.FLEET),
@@ -88,7 +100,9 @@ public final class FleetService implements AutoCloseable {
     try {
       service =
           new FleetService(directory, settings, key, bind, config.get(ServerConfig.FLEET_PORT));
+      service.member.shares(data.agreed(), shared);
       service.member.join();
+      service.start();
       LOG.info(
           "fleet: this server is {} in {}; other servers reach it at port {}",
           address,
@@ -126,10 +140,13 @@ public final class FleetService implements AutoCloseable {
     }
   }
 
-  /** Serves the rooms of a server from now on, on a thread of its own. */
+  /** Serves the rooms of a server from now on. */
   public void serve(RoomHost host) {
     member.serves(host);
-    thread = new Thread(this::run, "carom-fleet");
+    ring();
+  }
+
+  private void start() {
     thread.setDaemon(true);
     thread.setPriority(Thread.MAX_PRIORITY); // a lease that isn't renewed stops every room
     thread.start();
@@ -162,7 +179,7 @@ public final class FleetService implements AutoCloseable {
    * @return whether they are
    */
   public boolean drain(int mostMs) {
-    if (thread == null) {
+    if (!member.isServing()) {
       return true;
     }
     member.drain();
@@ -185,6 +202,7 @@ public final class FleetService implements AutoCloseable {
     ring();
     member.close();
     asks.shutdownNow();
+    builds.shutdownNow();
     directory.close();
   }
 }

@@ -6,7 +6,10 @@ import carom.server.directory.DirectoryException;
 import carom.server.room.Room;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
@@ -27,6 +30,9 @@ final class Followers implements AutoCloseable {
   /** Time after which a follower that can't go on with a room is too slow for it, ns. */
   private static final long SLOW_NS = 3_000_000_000L;
 
+  /** Longest time for which rooms wait for another one that moves, ns. */
+  private static final long MOVE_NS = 1_000_000_000;
+
   private final Claims claims;
   private final FleetView view;
   private final Peers peers;
@@ -35,6 +41,8 @@ final class Followers implements AutoCloseable {
   private final Durability durability;
   private final Executor asks;
   private final FleetNews news;
+  private String moving; // a room on its way to another server, or null
+  private long movingNs;
   private final Map<Long, SlotDisk> disks = new ConcurrentHashMap<>();
 
   Followers(
@@ -76,7 +84,11 @@ final class Followers implements AutoCloseable {
         }
       }
     }
-    for (Claims.Claim claim : claims.all()) {
+    boolean onItsWay = isOnItsWay(nowNs);
+    List<Claims.Claim> all = new ArrayList<>(claims.all());
+    all.sort(Comparator.comparing(claim -> -players(rooms.get(claim.room()))));
+    boolean crowded = !all.isEmpty() && players(rooms.get(all.get(0).room())) > 0;
+    for (Claims.Claim claim : all) {
       Room room = rooms.get(claim.room());
       if (room == null || claim.handedOver) {
         continue;
@@ -89,11 +101,36 @@ final class Followers implements AutoCloseable {
         claim.movesTo = 0; // that server is gone
       }
       if (claim.movesTo != 0 && claim.follower == claim.movesTo && room.isFollowed()) {
-        handOver(claim, room);
+        if (!onItsWay && (players(room) > 0 || !(draining && crowded))) {
+          handOver(claim, room);
+          onItsWay = players(room) > 0;
+          moving = onItsWay ? claim.room() : moving;
+          movingNs = nowNs;
+        }
         continue;
       }
       findFollower(claim, room, nowNs);
     }
+  }
+
+  private static int players(Room room) {
+    return room == null ? 0 : room.seats().takenCount();
+  }
+
+  /**
+   * Returns whether a room with players is between two servers. Others wait for it: side by side,
+   * each would take as long as all, and its players wait for it.
+   */
+  private boolean isOnItsWay(long nowNs) {
+    if (moving != null) {
+      FleetView.OwnedRoom there = view.rooms().get(moving);
+      boolean isThere =
+          there != null && there.record().server() != lease.number() && there.record().isBuilt();
+      if (isThere || nowNs - movingNs > MOVE_NS) {
+        moving = null;
+      }
+    }
+    return moving != null;
   }
 
   private void findFollower(Claims.Claim claim, Room room, long nowNs) {

@@ -58,6 +58,11 @@ record RoomRecord(
             settings.name(), settings.game(), "", "", 0, 0, 0, settings.metadata()));
   }
 
+  /** Returns whether the owner has built the room. */
+  boolean isBuilt() {
+    return !entry.level().isEmpty();
+  }
+
   String toJson() {
     return FleetJson.write(
         json -> {

@@ -38,7 +38,7 @@ final class Takeovers {
   private final RoomHost host;
   private final Lease lease;
   private final LongSupplier clock;
-  private final Executor asks;
+  private final Executor builds;
   private final Runnable changed;
   private final FleetNews news;
   private final Set<String> underWay;
@@ -55,7 +55,7 @@ final class Takeovers {
       RoomHost host,
       Lease lease,
       LongSupplier clock,
-      Executor asks,
+      Executor builds,
       Set<String> underWay,
       Runnable changed,
       FleetNews news) {
@@ -65,28 +65,36 @@ final class Takeovers {
     this.host = host;
     this.lease = lease;
     this.clock = clock;
-    this.asks = asks;
+    this.builds = builds;
     this.underWay = underWay;
     this.changed = changed;
     this.news = news;
   }
 
-  /** Does what is due. */
+  /** Does what is due: rooms with players first, as they wait. */
   void turn(long nowNs, boolean draining) {
+    Map<String, RoomRecord> due = new HashMap<>();
     for (Map.Entry<String, Following.Followed> one : following.rooms().entrySet()) {
       FleetView.OwnedRoom owned = view.rooms().get(one.getKey());
       boolean isFree = owned == null || owned.claim() == one.getValue().claim();
       if (one.getValue().isHandedOver() && isFree) {
-        begin(one.getKey(), one.getValue().record());
+        due.put(one.getKey(), one.getValue().record());
       } else if (owned != null
           && owned.claim() > one.getValue().claim()
           && !underWay.contains(one.getKey())) {
         following.end(one.getKey()); // another server has gone on with it
       }
     }
-    if (draining) {
-      return;
+    if (!draining) {
+      findOrphans(nowNs, due);
     }
+    due.entrySet().stream()
+        .sorted(Comparator.comparing(one -> -one.getValue().entry().players()))
+        .forEach(one -> begin(one.getKey(), one.getValue()));
+  }
+
+  /** Adds the rooms that have lost their owner, if it is this server's turn to go on with them. */
+  private void findOrphans(long nowNs, Map<String, RoomRecord> due) {
     for (Map.Entry<String, FleetView.Orphan> one : view.orphans().entrySet()) {
       FleetView.Orphan orphan = one.getValue();
       boolean ownerIsGone =
@@ -94,14 +102,14 @@ final class Takeovers {
       boolean restIsHere =
           !following.hears(orphan.record().server()) || nowNs - orphan.sinceNs() >= REST_NS;
       if (ownerIsGone && restIsHere && nowNs - orphan.sinceNs() >= patienceNs(orphan)) {
-        begin(one.getKey(), orphan.record());
+        due.put(one.getKey(), orphan.record());
       }
     }
   }
 
   private void begin(String room, RoomRecord record) {
     if (claims.of(room) == null && underWay.add(room)) {
-      asks.execute(
+      builds.execute(
           () -> {
             try {
               goOn(room, record);

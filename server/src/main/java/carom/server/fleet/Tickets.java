@@ -6,9 +6,6 @@ import carom.server.directory.DirectoryException;
 import carom.server.room.FleetDoor;
 import carom.text.Json;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.security.SecureRandom;
 import java.util.Base64;
 import org.slf4j.Logger;
@@ -53,7 +50,7 @@ final class Tickets {
               json.writeStringField("game", guest.game());
               json.writeBooleanField("anywhere", guest.anywhere());
             });
-    if (directory.create(key(ticket), value, directory.lease(TTL_MS)) == 0) {
+    if (directory.create(HashedKey.of(PREFIX, ticket), value, directory.lease(TTL_MS)) == 0) {
       throw new DirectoryException("the directory took no ticket", null);
     }
     return ticket;
@@ -66,7 +63,7 @@ final class Tickets {
    * @return who has it, or null if it isn't good here
    */
   FleetDoor.Guest redeem(long server, String ticket) throws DirectoryException {
-    DirectoryEntry entry = directory.get(key(ticket));
+    DirectoryEntry entry = directory.get(HashedKey.of(PREFIX, ticket));
     if (entry == null) {
       return null;
     }
@@ -86,16 +83,6 @@ final class Tickets {
     } catch (IOException e) {
       LOG.warn("fleet: the entry {} can't be read: {}", entry.key(), e.getMessage());
       return null;
-    }
-  }
-
-  private static String key(String ticket) {
-    try {
-      MessageDigest hash = MessageDigest.getInstance("SHA-256");
-      byte[] digest = hash.digest(ticket.getBytes(StandardCharsets.US_ASCII));
-      return PREFIX + Base64.getUrlEncoder().withoutPadding().encodeToString(digest);
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("this Java has no SHA-256", e);
     }
   }
 }

@@ -432,7 +432,11 @@ public final class HostEntity implements Entity {
 
   @Override
   public void forEachOverlap(Predicate<Entity> visitor) {
-    table.forEachOverlap(this, visitor);
+    body.forEachOverlap(
+        other -> {
+          table.overlapRead(this, other.user());
+          return visitor.test(other.user());
+        });
   }
 
   @Override

@@ -126,12 +126,15 @@ public final class FleetRig implements AutoCloseable {
       FleetSettings settings =
           new FleetSettings(
               name, name, "fleet", false, 0, durability, folder.resolve(name).resolve("followed"));
-      member = new FleetMember(door, settings, FleetRig.this::now, Runnable::run, () -> {});
+      member =
+          new FleetMember(
+              door, settings, FleetRig.this::now, Runnable::run, Runnable::run, () -> {});
       member.reachesBy(peers, name + ":1");
       member.join();
       ServerConfig config =
           ServerConfig.defaults()
               .with(ServerConfig.STATUS_INTERVAL, 0)
+              .with(ServerConfig.IDLE, ServerConfig.Idle.PAUSE)
               .with(ServerConfig.ROOMS, Math.max(1, rooms))
               .with(ServerConfig.MAX_PLAYERS, places);
       List<RoomConfig> own =

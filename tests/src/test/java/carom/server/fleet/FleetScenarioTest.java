@@ -209,6 +209,34 @@ class FleetScenarioTest {
   }
 
   @Test
+  void aRoomWithoutPlayersKeepsItsWorldWhereverItGoes() throws Exception {
+    try (FleetRig rig = new FleetRig(folder, 4)) {
+      FleetRig.Node node = rig.node("a", 1);
+      rig.node("b", 0);
+      GameClient client = rig.client("bot", "a");
+      rig.run(2);
+      client.close();
+      rig.clients.clear();
+      rig.run(1);
+      Room room = node.server.rooms().get(0);
+      int tick = room.tick();
+      assertTrue(room.isPaused() && tick > 60, () -> "tick=" + tick);
+      node.member.drain();
+      rig.run(1);
+      FleetRig.Node other = rig.owners(room.name()).get(0);
+      assertEquals("b", other.name);
+      assertEquals(tick + 1, other.server.room(room.name()).tick(), "it looks around once");
+      rig.node("c", 0);
+      rig.run(1);
+      other.kill();
+      rig.run(1);
+      FleetRig.Node last = rig.owners(room.name()).get(0);
+      assertEquals("c", last.name);
+      assertEquals(tick + 2, last.server.room(room.name()).tick());
+    }
+  }
+
+  @Test
   void aRoomGoesOnIfTheWordIsLostByWhichItIsHandedOver() throws Exception {
     try (FleetRig rig = threeServers()) {
       Map<String, String> seats = seats(rig);
