@@ -7,6 +7,7 @@ import carom.options.NetworkConditions;
 import carom.options.Setting;
 import carom.options.Sockets;
 import carom.server.access.AddressRange;
+import carom.server.agones.AgonesFlags;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
 import carom.server.config.ServerConfig;
@@ -84,7 +85,8 @@ final class ServerFlags {
             PlayFlags.problem(config),
             ProtocolFlags.problem(config),
             PlainFlags.problem(config, bindAddresses()),
-            FleetFlags.problem(config));
+            AgonesFlags.problem(config, System.getenv()),
+            FleetFlags.problem(config, AgonesFlags.isOn(config, System.getenv())));
     if (problem != null) {
       throw bad(problem);
     }

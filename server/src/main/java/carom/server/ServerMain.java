@@ -10,6 +10,8 @@ import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
 import carom.server.access.Logins;
+import carom.server.agones.AgonesFlags;
+import carom.server.agones.AgonesService;
 import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RedirectCommands;
@@ -123,6 +125,7 @@ public final class ServerMain implements Callable<Integer> {
   private PlayPort play; // or null
   private PlainDoor plain; // or null
   private FleetService fleet; // or null
+  private AgonesService agones; // or null
 
   /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -228,7 +231,10 @@ public final class ServerMain implements Callable<Integer> {
     logTail = LogTail.begin(logging);
     openData(logging, log);
     access = openAccess();
-    ServerStart start = new ServerStart(flags, choice, config, access, log);
+    if (AgonesFlags.isOn(config, System.getenv())) {
+      agones = AgonesService.start(AgonesFlags.port(System.getenv()));
+    }
+    ServerStart start = new ServerStart(flags, choice, config, access, agones, log);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
     StartWatch watch = new StartWatch(GuardedGame.class, start::progress, ServerMain::hangs);
@@ -319,6 +325,9 @@ public final class ServerMain implements Callable<Integer> {
         new Thread(
             () -> {
               log.info("stop: asked to");
+              if (agones != null) {
+                agones.stops();
+              }
               WebServer answers = web.get();
               if (answers != null) {
                 answers.stopping();
@@ -329,6 +338,9 @@ public final class ServerMain implements Callable<Integer> {
               server.close();
               if (fleet != null) {
                 fleet.close();
+              }
+              if (agones != null) {
+                agones.close();
               }
               server.status().forEach(line -> log.info("stopped: {}", line));
               logging.stop(); // writes the lines that are still queued
@@ -361,6 +373,9 @@ public final class ServerMain implements Callable<Integer> {
     String plainPorts = plain == null ? null : plain.ports();
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort(), playPort, plainPorts);
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
+    if (agones != null) {
+      agones.serve(new PodServer(server, fleet));
+    }
     kernels.begin(); // not before: it would take the processor from the start
     String page = web.get() == null ? null : web.get().url();
     List<InetAddress> bound = flags.bindAddresses();

@@ -13,11 +13,14 @@ import carom.net.transport.PortUnavailableException;
 import carom.net.transport.ServerTransport;
 import carom.net.transport.ServerTransports;
 import carom.options.BadFlag;
+import carom.options.Setting;
 import carom.server.access.AccessLists;
 import carom.server.access.AddressRange;
 import carom.server.access.GamePassword;
 import carom.server.access.LoginThrottle;
 import carom.server.access.Secret;
+import carom.server.agones.AgonesService;
+import carom.server.agones.GameServer;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.fleet.FleetFlags;
@@ -54,10 +57,15 @@ final class ServerStart {
   /** Open files besides those of players: jars, logs, ports, and links that wait. */
   private static final int SPARE_FILES = 500;
 
+  /** Longest time in which Agones must tell the address of the pod, ms. */
+  private static final int ADDRESS_MS = 30_000;
+
   private final ServerFlags flags;
   private final GameChoice choice;
   private final ServerConfig config;
   private final AccessLists access;
+  private final AgonesService agones; // or null
+  private GameServer pod; // or null if nothing is asked of it
   private final Logger log;
   private final AtomicInteger roomsBegun = new AtomicInteger();
   private volatile Server server;
@@ -66,11 +74,17 @@ final class ServerStart {
   private FleetService fleet; // or null
 
   ServerStart(
-      ServerFlags flags, GameChoice choice, ServerConfig config, AccessLists access, Logger log) {
+      ServerFlags flags,
+      GameChoice choice,
+      ServerConfig config,
+      AccessLists access,
+      AgonesService agones,
+      Logger log) {
     this.flags = flags;
     this.choice = choice;
     this.config = config;
     this.access = access;
+    this.agones = agones;
     this.log = log;
   }
 
@@ -98,6 +112,7 @@ final class ServerStart {
    */
   Server open() throws StartFailure {
     List<RoomConfig> rooms = choice.rooms(config);
+    awaitPod();
     ServerTransport transport = openTransport(rooms);
     if (FleetFlags.isFleet(config)) {
       rooms = joinFleet(rooms, transport);
@@ -120,6 +135,28 @@ final class ServerStart {
     }
   }
 
+  /** Waits until Agones tells address and ports of the pod, if the settings leave them to it. */
+  private void awaitPod() throws StartFailure {
+    boolean named =
+        config.get(ServerConfig.TCP_PORT) > 0
+            && config.get(ServerConfig.UDP_PORT) > 0
+            && (!FleetFlags.isFleet(config) || config.get(ServerConfig.ADVERTISE) != null);
+    if (agones == null || named) {
+      return;
+    }
+    try {
+      pod = agones.awaitAddress(ADDRESS_MS);
+    } catch (IOException e) {
+      throw new StartFailure("--agones: " + e.getMessage(), e);
+    }
+  }
+
+  /** Returns a port that an operator has set; if that is 0, the pod's of a name if it has one. */
+  private int podPort(Setting<Integer> row, String name) {
+    int port = config.get(row);
+    return port == 0 && pod != null ? pod.port(name) : port;
+  }
+
   /** Tells if not all places can be taken at once, since each player's link is an open file. */
   private void compareWithOpenFiles(int places) {
     if (ManagementFactory.getOperatingSystemMXBean() instanceof UnixOperatingSystemMXBean system
@@ -138,12 +175,21 @@ final class ServerStart {
     List<InetAddress> bind = flags.bindAddresses();
     boolean numbered = flags.get(ServerConfig.ROOM).isEmpty();
     try {
+      ServerConfig advertised = config;
+      String peer = null;
+      if (config.get(ServerConfig.ADVERTISE) == null) {
+        advertised = config.with(ServerConfig.ADVERTISE, pod.advertise());
+        peer = pod.peer();
+      }
+      int port = podPort(ServerConfig.FLEET_PORT, GameServer.FLEET);
+      advertised = advertised.with(ServerConfig.FLEET_PORT, port);
       fleet =
           FleetService.join(
-              config,
+              advertised,
               ServerKey.load(flags.get(ServerConfig.FLEET_KEY)),
               bind.isEmpty() ? null : bind.get(0),
               transport.tcpPort(),
+              peer,
               flags.dataFolder(),
               access.shared());
       return fleet.claim(rooms, numbered);
@@ -207,8 +253,8 @@ final class ServerStart {
       transport =
           new KryoServerTransport(
               flags.bindAddresses(),
-              flags.get(ServerConfig.TCP_PORT),
-              flags.get(ServerConfig.UDP_PORT),
+              podPort(ServerConfig.TCP_PORT, GameServer.TCP),
+              podPort(ServerConfig.UDP_PORT, GameServer.UDP),
               limits,
               identity(),
               impairment == null ? Impairment.NONE : impairment,

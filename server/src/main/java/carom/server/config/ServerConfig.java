@@ -63,11 +63,15 @@ public final class ServerConfig extends Settings<ServerConfig> {
 
   public static final Setting<Integer> TCP_PORT =
       ROWS.port("tcp-port", 54555)
-          .text("Port for reliable messages, {range}, 0 = any free one ({default}).");
+          .text(
+              "Port for reliable messages, {range}, 0 = any free one, or that of the pod's"
+                  + " GameServer ({default}).");
 
   public static final Setting<Integer> UDP_PORT =
       ROWS.port("udp-port", 54777)
-          .text("Port for datagrams, {range}, 0 = any free one ({default}).");
+          .text(
+              "Port for datagrams, {range}, 0 = any free one, or that of the pod's GameServer"
+                  + " ({default}).");
 
   public static final Setting<List<String>> PROXY_FROM =
       ROWS.texts("proxy-from", "NETWORK")
@@ -288,11 +292,13 @@ public final class ServerConfig extends Settings<ServerConfig> {
       ROWS.text("advertise", "HOST[:TCP[:UDP]]", null)
           .text(
               "Address by which players and the other servers of the fleet reach this one; without"
-                  + " ports, those of the server (none).");
+                  + " ports, those of the server (that of the pod, or none).");
 
   public static final Setting<Integer> FLEET_PORT =
       ROWS.port("fleet-port", 54556)
-          .text("Port for the other servers of the fleet, {range}, 0 = any free one ({default}).");
+          .text(
+              "Port for the other servers of the fleet, {range}, 0 = any free one, or that of the"
+                  + " pod's GameServer ({default}).");
 
   public static final Setting<OnPartition> ON_PARTITION =
       ROWS.choice("on-partition", "stop|keep", OnPartition.STOP)
@@ -305,6 +311,12 @@ public final class ServerConfig extends Settings<ServerConfig> {
           .text(
               "What outlives a server of the fleet: nothing, its rooms but perhaps the last"
                   + " moment, or all that players were told ({default}).");
+
+  public static final Setting<Agones> AGONES =
+      ROWS.choice("agones", "on|auto|off", Agones.AUTO)
+          .text(
+              "Tell the sidecar of Agones how the server is, see docs/server/AGONES.md; auto: if"
+                  + " Agones has set AGONES_SDK_HTTP_PORT in the environment ({default}).");
 
   public static final Setting<Integer> STATUS_INTERVAL =
       ROWS.whole("status-interval", "S", 0, 86400, 60)
@@ -506,6 +518,16 @@ public final class ServerConfig extends Settings<ServerConfig> {
     ASYNC,
     /** Players are told of a tick when the follower has it. */
     SYNC
+  }
+
+  /** The values of {@code --agones}. */
+  public enum Agones {
+    /** There is a sidecar, at its usual port unless the environment has another. */
+    ON,
+    /** There is a sidecar if the environment has its port. */
+    AUTO,
+    /** The server tells nobody. */
+    OFF
   }
 
   /** The values of {@code --log-level}, from nothing to everything. */

@@ -18,8 +18,12 @@ public final class FleetFlags {
     return !config.get(ServerConfig.FLEET).equals(NONE);
   }
 
-  /** Returns why the settings can't be used together, or null if they can. */
-  public static String problem(ServerConfig config) {
+  /**
+   * Returns why the settings can't be used together, or null if they can.
+   *
+   * @param hasAddress whether the server learns its address without {@code --advertise}
+   */
+  public static String problem(ServerConfig config, boolean hasAddress) {
     boolean fleet = isFleet(config);
     String advertise = config.get(ServerConfig.ADVERTISE);
     if (!fleet) {
@@ -33,10 +37,10 @@ public final class FleetFlags {
     if (config.get(ServerConfig.FLEET_KEY) == null) {
       return "--fleet needs --fleet-key FILE, the same key on every server of the fleet";
     }
-    if (advertise == null) {
+    if (advertise == null && !hasAddress) {
       return "--fleet needs --advertise HOST, by which players and other servers reach this server";
     }
-    if (!ADDRESS.matcher(advertise).matches()) {
+    if (advertise != null && !ADDRESS.matcher(advertise).matches()) {
       return "--advertise="
           + advertise
           + " must be HOST, HOST:TCP or HOST:TCP:UDP, such as a.example.org:54555";

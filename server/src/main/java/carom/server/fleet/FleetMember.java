@@ -552,6 +552,11 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     changed.run();
   }
 
+  /** Returns whether this server takes no more rooms and players. */
+  public boolean isDraining() {
+    return draining;
+  }
+
   /** Returns whether no room of this server moves any longer: all are gone, or none can go. */
   public boolean isDrained() {
     return claims.all().isEmpty() || view.servers().values().stream().noneMatch(this::takesRooms);

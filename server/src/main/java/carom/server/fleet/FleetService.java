@@ -28,6 +28,7 @@ public final class FleetService implements AutoCloseable {
   private final Directory directory;
   private final FleetMember member;
   private final TcpPeers peers;
+  private final String reachedAt;
   private final ExecutorService asks;
   private final ExecutorService builds;
   private final Object bell = new Object();
@@ -36,7 +37,12 @@ public final class FleetService implements AutoCloseable {
   private final Thread thread = new Thread(this::run, "carom-fleet");
 
   private FleetService(
-      Directory directory, FleetSettings settings, ExchangeKey key, InetAddress bind, int port)
+      Directory directory,
+      FleetSettings settings,
+      ExchangeKey key,
+      InetAddress bind,
+      int port,
+      String peer)
       throws IOException {
     this.directory = directory;
     asks = threads(ASKS, "carom-fleet-asks-");
@@ -45,7 +51,8 @@ public final class FleetService implements AutoCloseable {
     peers = new TcpPeers(bind, port, key, member::number, member.inbox());
     String address = settings.address();
     String host = address.substring(0, address.lastIndexOf(':'));
-    member.reachesBy(peers, host + ":" + peers.port());
+    reachedAt = peer == null ? host + ":" + peers.port() : peer;
+    member.reachesBy(peers, reachedAt);
   }
 
   private static ExecutorService threads(int count, String name) {
@@ -66,6 +73,8 @@ public final class FleetService implements AutoCloseable {
    * @param key the fleet's
    * @param bind address of this machine for the port of the fleet, or null for all
    * @param tcpPort the server's port for players
+   * @param peer where other servers reach this one's fleet port, {@code host:port}; null for the
+   *     host of {@code --advertise} and that port
    * @param data folder for what the server keeps of the fleet
    * @param shared lists that are the same on all servers
    * @throws IOException if the directory or the port can't be used; the message says why
@@ -75,6 +84,7 @@ public final class FleetService implements AutoCloseable {
       ExchangeKey key,
       InetAddress bind,
       int tcpPort,
+      String peer,
       DataFolder data,
       List<SharedList> shared)
       throws IOException {
@@ -99,15 +109,16 @@ public final class FleetService implements AutoCloseable {
     FleetService service = null;
     try {
       service =
-          new FleetService(directory, settings, key, bind, config.get(ServerConfig.FLEET_PORT));
+          new FleetService(
+              directory, settings, key, bind, config.get(ServerConfig.FLEET_PORT), peer);
       service.member.shares(data.agreed(), shared);
       service.member.join();
       service.start();
       LOG.info(
-          "fleet: this server is {} in {}; other servers reach it at port {}",
+          "fleet: this server is {} in {}; other servers reach it at {}",
           address,
           config.get(ServerConfig.FLEET).replaceAll("//[^/@]*@", "//"),
-          service.peers.port());
+          service.reachedAt);
       return service;
     } catch (IOException | RuntimeException e) {
       if (service != null) {

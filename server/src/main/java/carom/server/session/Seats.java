@@ -344,6 +344,17 @@ public final class Seats {
     return takenCount;
   }
 
+  /** Returns the names of those who have the taken seats. */
+  public synchronized List<String> names() {
+    List<String> names = new ArrayList<>();
+    for (Seat seat : taken) {
+      if (seat != null) {
+        names.add(seat.name);
+      }
+    }
+    return names;
+  }
+
   private long freshSecret() {
     long secret;
     do {

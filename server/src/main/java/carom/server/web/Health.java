@@ -11,7 +11,7 @@ import java.util.function.LongSupplier;
  * Tells whether a server does its work: it has not failed, and each room that has not failed goes
  * on or is paused. Between two questions nothing is done. Any thread.
  */
-final class Health {
+public final class Health {
   /** A room that has computed no tick for so long is stuck. */
   static final long STUCK_NS = 10_000_000_000L;
 
@@ -23,13 +23,19 @@ final class Health {
 
   private record Seen(int age, long ns) {}
 
-  Health(List<Room> rooms, LongSupplier clock) {
+  /**
+   * Creates the health of a server.
+   *
+   * @param rooms a live list
+   * @param clock monotonic nanoseconds
+   */
+  public Health(List<Room> rooms, LongSupplier clock) {
     this.rooms = rooms;
     this.clock = clock;
   }
 
   /** Returns what is wrong, or an empty text. */
-  synchronized String problem() {
+  public synchronized String problem() {
     List<String> problems = new ArrayList<>();
     boolean allFailed = !rooms.isEmpty(); // a server of a fleet may have none
     seen.keySet().retainAll(rooms);

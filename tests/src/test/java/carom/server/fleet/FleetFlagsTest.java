@@ -17,20 +17,20 @@ class FleetFlagsTest {
 
   @Test
   void aFleetNeedsAKeyAndAnAddress() {
-    assertNull(FleetFlags.problem(ServerConfig.defaults()));
-    assertNull(FleetFlags.problem(FLEET));
+    assertNull(FleetFlags.problem(ServerConfig.defaults(), false));
+    assertNull(FleetFlags.problem(FLEET, false));
     assertEquals(
         "--fleet needs --fleet-key FILE, the same key on every server of the fleet",
-        FleetFlags.problem(FLEET.with(ServerConfig.FLEET_KEY, null)));
+        FleetFlags.problem(FLEET.with(ServerConfig.FLEET_KEY, null), false));
     assertEquals(
         "--fleet needs --advertise HOST, by which players and other servers reach this server",
-        FleetFlags.problem(FLEET.with(ServerConfig.ADVERTISE, null)));
+        FleetFlags.problem(FLEET.with(ServerConfig.ADVERTISE, null), false));
     assertEquals(
         "--fleet-key needs --fleet",
-        FleetFlags.problem(FLEET.with(ServerConfig.FLEET, FleetFlags.NONE)));
+        FleetFlags.problem(FLEET.with(ServerConfig.FLEET, FleetFlags.NONE), false));
     assertEquals(
         "--advertise=a b must be HOST, HOST:TCP or HOST:TCP:UDP, such as a.example.org:54555",
-        FleetFlags.problem(FLEET.with(ServerConfig.ADVERTISE, "a b")));
+        FleetFlags.problem(FLEET.with(ServerConfig.ADVERTISE, "a b"), false));
   }
 
   @Test
