@@ -286,7 +286,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       return;
     }
     try {
-      if (nowNs - renewNs >= 0) {
+      if (nowNs - renewNs >= 0 || isTakenForDead()) {
         renew();
       }
       if (lease.number() != 0 && host != null) {
@@ -317,6 +317,14 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       }
       renewNs = clock.getAsLong(); // again in the next turn
     }
+  }
+
+  /**
+   * Returns whether another server may have ended this one's lease, because it took this server for
+   * dead: then this one knows before it renews again that its rooms are others'.
+   */
+  private boolean isTakenForDead() {
+    return serverNumber != 0 && host != null && !view.servers().containsKey(lease.number());
   }
 
   private void renew() throws DirectoryException {

@@ -16,12 +16,16 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Goal: whatever happens to servers and directory, a room has at most one owner, and in the end all
- * play. Method: crashes, freezes, slow links and partitions drawn at random, in virtual time; a
- * seed reproduces. {@code -Dcarom.fleet.seed=N} draws another one.
+ * play. Method: crashes, freezes, slow links, partitions, false words of a death and clocks that go
+ * wrong, drawn at random, in virtual time; a seed reproduces. {@code -Dcarom.fleet.seed=N} draws
+ * another one.
  */
 class FleetChaosTest {
   private static final double SLICE_S = FleetRig.SLICE_NS / 1e9;
   private static final List<String> ROOMS = List.of("1", "2", "3", "4", "5", "6");
+
+  /** A hundred times what a quartz does. */
+  private static final double MOST_DRIFT = 0.01;
 
   @TempDir private Path folder;
 
@@ -34,6 +38,7 @@ class FleetChaosTest {
       rig.durability = random.nextBoolean() ? Durability.SYNC : Durability.ASYNC;
       rig.lagNs = random.nextInt(3) * 10_000_000L;
       for (String name : List.of("a", "b", "c")) {
+        rig.nextPace = 1 + MOST_DRIFT * (2 * random.nextDouble() - 1);
         rig.node(name, 2);
       }
       rig.run(1);
@@ -45,10 +50,11 @@ class FleetChaosTest {
       for (int i = 0; i < 6; i++) {
         List<FleetRig.Node> all = List.copyOf(rig.nodes.values());
         FleetRig.Node node = all.get(random.nextInt(all.size()));
-        switch (random.nextInt(5)) {
+        switch (random.nextInt(6)) {
           case 0 -> node.frozen = true;
           case 1 -> node.door.away(true);
           case 2 -> node.stuck = true;
+          case 4 -> node.slander();
           case 3 -> {
             node.kill();
             run(rig, random.nextDouble());

@@ -45,6 +45,9 @@ public final class FleetRig implements AutoCloseable {
   /** Time that each word takes from one server to another. */
   long lagNs;
 
+  /** Pace of the clock of the next server. */
+  double nextPace = 1;
+
   /** Time that a server needs to take a room over, s. */
   double takeoverS;
 
@@ -115,6 +118,9 @@ public final class FleetRig implements AutoCloseable {
     boolean dead;
     boolean frozen;
 
+    /** Seconds of its clock in one true second. */
+    final double pace = nextPace;
+
     /** Whether it hears nothing of other servers, though it lives. */
     boolean stuck;
 
@@ -126,9 +132,7 @@ public final class FleetRig implements AutoCloseable {
       FleetSettings settings =
           new FleetSettings(
               name, name, "fleet", false, 0, durability, folder.resolve(name).resolve("followed"));
-      member =
-          new FleetMember(
-              door, settings, FleetRig.this::now, Runnable::run, Runnable::run, () -> {});
+      member = new FleetMember(door, settings, this::now, Runnable::run, Runnable::run, () -> {});
       member.reachesBy(peers, name + ":1");
       member.join();
       ServerConfig config =
@@ -147,7 +151,7 @@ public final class FleetRig implements AutoCloseable {
               own,
               MatchLibrary.INSTALLED,
               network.server(),
-              FleetRig.this::now,
+              this::now,
               member::ownershipOf);
       server.fleet(member);
       member.serves(new SlowHost(server));
@@ -168,8 +172,21 @@ public final class FleetRig implements AutoCloseable {
 
     void turn() {
       if (!dead && !frozen) {
-        member.turn(nowNs);
-        server.tick(nowNs);
+        member.turn(now());
+        server.tick(now());
+      }
+    }
+
+    private long now() {
+      return (long) (nowNs * pace);
+    }
+
+    /** Lets the others believe that it is dead, as a firewall or a proxy may. */
+    void slander() {
+      for (Node other : nodes.values()) {
+        if (other != this && !other.dead) {
+          other.member.inbox().dead(member.number());
+        }
       }
     }
   }

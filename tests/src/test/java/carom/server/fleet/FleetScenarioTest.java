@@ -284,6 +284,29 @@ class FleetScenarioTest {
   }
 
   @Test
+  void aServerThatOthersFalselyTakeForDeadCostsNobodyAnything() throws Exception {
+    try (FleetRig rig = threeServers()) {
+      Map<String, String> seats = seats(rig);
+      FleetRig.Node innocent = rig.nodes.get("c");
+      Set<String> rooms = new HashSet<>();
+      innocent.server.rooms().forEach(room -> rooms.add(room.name()));
+      innocent.slander();
+      for (int i = 0; i < 400; i++) {
+        rig.run(0.005);
+        for (String room : rooms) {
+          assertTrue(rig.owners(room).size() <= 1, room);
+        }
+      }
+      for (String room : rooms) {
+        assertEquals(1, rig.owners(room).size(), room);
+      }
+      requireAllPlay(rig);
+      assertEquals(seats, seats(rig));
+      assertEquals(0, rig.clients.stream().mapToInt(c -> c.view().stats().ticksLost()).sum());
+    }
+  }
+
+  @Test
   void aServerThatIsAloneStopsAtOnce() throws Exception {
     try (FleetRig rig = new FleetRig(folder, 4)) {
       FleetRig.Node node = rig.node("a", 1);
