@@ -30,6 +30,7 @@ import carom.server.fleet.FleetService;
 import carom.server.metrics.Counter;
 import carom.server.query.ProtocolFlags;
 import carom.server.query.StatusFacts;
+import carom.server.room.Room;
 import carom.server.thin.plain.PlainDoor;
 import carom.server.thin.web.PlayPort;
 import carom.server.threads.StartWatch;
@@ -241,8 +242,13 @@ public final class ServerMain implements Callable<Integer> {
     try {
       start.warmUp();
       root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.get(ServerConfig.LOG_LEVEL).name()));
-      logStart(log, config, choice.rooms(config));
+      logStart(log, config);
       Server server = start.open();
+      for (Room room : server.rooms()) { // those that are this server's, in a fleet
+        RoomConfig own = room.settings();
+        log.info(
+            "room {}: {}, {} places", own.name(), String.join(", ", own.levels()), own.places());
+      }
       play = start.play();
       plain = start.plain();
       fleet = start.fleet();
@@ -288,7 +294,7 @@ public final class ServerMain implements Callable<Integer> {
     }
   }
 
-  private void logStart(Logger log, ServerConfig config, List<RoomConfig> rooms) {
+  private void logStart(Logger log, ServerConfig config) {
     log.info(
         "start: {} {}, {} Hz, seed {}, Java {}",
         config.get(ServerConfig.NAME),
@@ -300,10 +306,6 @@ public final class ServerMain implements Callable<Integer> {
     layers.warnings().forEach(log::warn);
     if (layers.file() != null) {
       log.info("settings: {}", layers.file());
-    }
-    for (RoomConfig room : rooms) {
-      log.info(
-          "room {}: {}, {} places", room.name(), String.join(", ", room.levels()), room.places());
     }
     if (flags.get(ServerConfig.SCENE) != null) {
       SceneRun run = Scenes.get(flags.get(ServerConfig.SCENE)).start();

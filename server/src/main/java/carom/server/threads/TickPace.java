@@ -48,7 +48,7 @@ public final class TickPace {
     }
     int due = paused ? 0 : loop.due(nowNs);
     counters.set(Counter.LOAD_PERCENT, load.percent());
-    if (!paused) {
+    if (!paused && tick > 0) { // while a server with many rooms starts, nobody is there to notice
       warnings.ticksDropped(loop.droppedNow(), tick, nowNs);
     }
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
