@@ -26,8 +26,9 @@ import java.util.List;
  * <p>With equal coefficients that is the force of air that bounces off a flat plate. As in Box2D
  * 3.2 (b2Shape_ApplyWind), a force acts on each edge, from the velocity of the edge itself. Each
  * half of an edge is felt at a point of its own, so rotation is damped, too. Rounded corners, and
- * circles, have the drag of a disc. Edges in the lee feel nothing. Each part of a compound feels
- * the wind as if the others weren't there.
+ * circles, have the drag of a disc. Edges in the lee feel nothing, nor do half edges at which
+ * another part of the same body begins: it doesn't matter into which parts a body is cut. All other
+ * edges feel the wind as if nothing were in front of them.
  *
  * <p>Forces are limited so that none reverses the velocity of an edge against the air in a step, so
  * light bodies stay stable in any wind. It has no influence on sleeping bodies: after a change, or
@@ -36,6 +37,9 @@ import java.util.List;
 public final class Wind implements Effect {
   /** Distance of Gauss' two points from the middle of an edge, in its lengths: 1 / sqrt(12). */
   private static final float GAUSS = 0.28867513f;
+
+  /** Distance before an edge at which it feels the wind, m, unless the body's own part is there. */
+  private static final float BEFORE = 1e-3f;
 
   private final Aabb area = new Aabb();
   private final float x;
@@ -177,11 +181,29 @@ public final class Wind implements Effect {
       float middleX = 0.5f * (part.vertexX(e) + part.vertexX(next)) + rim * part.normalX(e);
       float middleY = 0.5f * (part.vertexY(e) + part.vertexY(next)) + rim * part.normalY(e);
       float half = 0.5f * (float) Math.sqrt(ex * ex + ey * ey);
-      float x0 = middleX - GAUSS * ex;
-      float y0 = middleY - GAUSS * ey;
-      act(body, x0, y0, nx, ny, half, frame, factor, dt);
-      act(body, middleX + GAUSS * ex, middleY + GAUSS * ey, nx, ny, half, frame, factor, dt);
+      float beforeX = middleX + BEFORE * part.normalX(e);
+      float beforeY = middleY + BEFORE * part.normalY(e);
+      for (int which = -1; which <= 1; which += 2) {
+        float side = which * GAUSS;
+        if (!isWithin(body, part, beforeX + side * ex, beforeY + side * ey)) {
+          act(body, middleX + side * ex, middleY + side * ey, nx, ny, half, frame, factor, dt);
+        }
+      }
     }
+  }
+
+  /** Returns whether a point, in the body's frame, is in another part of the body than one. */
+  @SuppressWarnings("ReferenceEquality") // equal parts may lie side by side
+  private static boolean isWithin(Body<?> body, Convex but, float x, float y) {
+    for (int i = 0; i < body.shapeCount(); i++) {
+      List<Convex> parts = body.sensor(i) ? List.of() : body.shape(i).parts();
+      for (int k = 0; k < parts.size(); k++) {
+        if (parts.get(k) != but && parts.get(k).containsPoint(x, y)) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   private void actOnRounding(Body<?> body, Convex part, Transform frame, float factor, float dt) {

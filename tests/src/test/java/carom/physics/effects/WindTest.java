@@ -21,6 +21,7 @@ import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -65,6 +66,36 @@ final class WindTest {
     assertEquals(force * DT / b.mass(), b.velocityX(), 1e-4 * force * DT / b.mass());
     assertEquals(0, b.velocityY(), 1e-12);
     assertEquals(0, b.angularVelocity(), 1e-12);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
+  void itDoesNotMatterIntoWhichPartsABodyIsCut(int seed) {
+    Random random = new Random(seed);
+    float width = 0.5f + 2 * random.nextFloat();
+    float height = 0.5f + 2 * random.nextFloat();
+    float angle = 6 * random.nextFloat();
+    Body<String> whole = body(new Box(width / 2, height / 2), angle, 1e5f);
+    BodyDef def = new BodyDef(BodyType.DYNAMIC).position(10, 0).angle(angle);
+    Material material = Material.DEFAULT.withDensity(1e5f);
+    int columns = 1 + random.nextInt(4);
+    int rows = 1 + random.nextInt(4);
+    for (int i = 0; i < columns; i++) {
+      for (int k = 0; k < rows; k++) {
+        float x0 = width * (i / (float) columns - 0.5f);
+        float x1 = width * ((i + 1) / (float) columns - 0.5f);
+        float y0 = height * (k / (float) rows - 0.5f);
+        float y1 = height * ((k + 1) / (float) rows - 0.5f);
+        def.shape(Polygon.of(x0, y0, x1, y0, x1, y1, x0, y1), material);
+      }
+    }
+    Body<String> cut = world.createBody(def, "cut");
+    step(new Wind(AREA, 20, 5));
+    double speed = Math.hypot(whole.velocityX(), whole.velocityY());
+    assertTrue(speed > 0);
+    assertEquals(whole.velocityX(), cut.velocityX(), 1e-3 * speed, columns + " x " + rows);
+    assertEquals(whole.velocityY(), cut.velocityY(), 1e-3 * speed, columns + " x " + rows);
+    assertEquals(whole.angularVelocity(), cut.angularVelocity(), 1e-3 * speed);
   }
 
   @ParameterizedTest
