@@ -40,6 +40,9 @@ public final class RoomFinder {
     if (rooms.size() > 1) {
       throw new CommandException("which room? name one of " + String.join(", ", names()));
     }
+    if (rooms.isEmpty()) {
+      throw new CommandException("this server has no rooms now; the fleet's are at other servers");
+    }
     return rooms.get(0);
   }
 

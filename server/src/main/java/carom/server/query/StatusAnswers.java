@@ -82,10 +82,13 @@ final class StatusAnswers {
   }
 
   private byte[] info() {
-    Room first = facts.rooms().get(0);
+    String level = "";
+    String game = "";
     int players = 0;
     int places = 0;
-    for (Room room : facts.rooms()) {
+    for (Room room : facts.rooms()) { // a server of a fleet may have none
+      level = level.isEmpty() ? room.match().level().level().name() : level;
+      game = game.isEmpty() ? room.match().game() : game;
       players += room.seats().takenCount();
       places += room.seats().count();
     }
@@ -93,9 +96,9 @@ final class StatusAnswers {
     char platform = system.startsWith("Win") ? 'w' : system.startsWith("Mac") ? 'm' : 'l';
     ByteBuffer out = begin(INFO).put(PROTOCOL);
     out.put(text(facts.name()))
-        .put(text(first.match().level().level().name()))
+        .put(text(level))
         .put(text("carom"))
-        .put(text(first.match().game()))
+        .put(text(game))
         .putShort((short) 0) // no number of Steam's
         .put((byte) Math.min(MAX_COUNT, players))
         .put((byte) Math.min(MAX_COUNT, places))
@@ -141,7 +144,9 @@ final class StatusAnswers {
     rules.put("udp_port", String.valueOf(facts.udpPort()));
     rules.put("protocol", String.valueOf(Protocol.VERSION));
     rules.put("physics", Protocol.PHYSICS_VERSION);
-    rules.put("tick_rate", String.valueOf(facts.rooms().get(0).tickRateHz()));
+    for (Room room : facts.rooms()) {
+      rules.putIfAbsent("tick_rate", String.valueOf(room.tickRateHz()));
+    }
     rules.put("rooms", String.valueOf(facts.rooms().size()));
     for (Room room : facts.rooms()) {
       rules.put(

@@ -20,6 +20,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -150,6 +151,19 @@ final class StatusQueryTest {
     }
     assertEquals("room_1=arena, Corner Pocket, 2/64", last);
     assertEquals(0, in.remaining());
+  }
+
+  @Test
+  void aServerOfAFleetWithoutRoomsAnswers() throws IOException {
+    server.close();
+    server = new StatusQuery(LOOPBACK, 0, new StatusFacts("My server", "1.2", 1, 2, List.of()));
+    ByteBuffer in = askTwice('T', INFO);
+    assertEquals('I', in.get());
+    assertEquals(17, in.get());
+    assertEquals("My server", text(in));
+    assertEquals("", text(in));
+    assertEquals('E', askTwice('V', query('V')).get());
+    assertEquals('D', askTwice('U', query('U')).get());
   }
 
   @Test
