@@ -235,6 +235,7 @@ final class ArchitectureTest {
     game("arena");
     game("platformer");
     game("rockets");
+    game("shooter");
     allow("carom.net.codec", "carom.physics.simd");
     allow("carom.net.snapshot.ledger", "carom.net.codec");
     allow(
@@ -316,7 +317,8 @@ final class ArchitectureTest {
         "carom.replay",
         "carom.sim..",
         "carom.game",
-        "carom.game.rockets", // its look shows its fields
+        "carom.game.rockets", // looks and brains know the fields of their games
+        "carom.game.shooter",
         "carom.physics..");
     // The one that knows both: it starts a server in the client's process.
     allow(

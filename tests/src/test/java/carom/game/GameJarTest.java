@@ -74,7 +74,8 @@ class GameJarTest {
       Throwable e = assertThrows(IllegalArgumentException.class, () -> create(program, "chess"));
       String message = e.getMessage();
       assertTrue(
-          message.contains("\"chess\" is unknown, known are [arena, platformer, rockets, tag]"),
+          message.contains(
+              "\"chess\" is unknown, known are [arena, platformer, rockets, shooter, tag]"),
           message);
       assertTrue(message.contains("a game can't be loaded: "), message);
       assertTrue(message.contains("missing.Game not found"), message);

@@ -56,7 +56,9 @@ final class LocalServersTest {
   @Test
   void oneCanPlayEveryLevelWithBotsAndNoNetwork() throws Exception {
     List<String> levels = levelsWithFiles();
-    assertTrue(levels.containsAll(List.of("arena", "platformer", "rockets")), "levels=" + levels);
+    assertTrue(
+        levels.containsAll(List.of("arena", "platformer", "rockets", "shooter")),
+        "levels=" + levels);
     for (String level : levels) {
       try (LocalServer game = LocalServers.start(new GameChoice(level, 3, false), 0, 0);
           GameClient me = client(game.transport(), 0, 0)) {

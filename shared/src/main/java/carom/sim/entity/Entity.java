@@ -186,13 +186,13 @@ public sealed interface Entity extends FieldHolder<Entity, Player> permits HostE
   /** Turns in the next step, N m. */
   void applyTorque(float torque);
 
-  /** Changes the velocity at once by a blow at the centre of mass, N s. */
+  /** Pushes by a blow at the centre of mass, N s: the velocity changes as the next step begins. */
   void applyImpulse(float jx, float jy);
 
-  /** Changes the motion at once by a blow at a point of the world, N s and m. */
+  /** Pushes by a blow at a point of the world as the next step begins, N s and m. */
   void applyImpulse(float jx, float jy, float px, float py);
 
-  /** Changes the angular velocity at once, N m s. */
+  /** Changes the angular velocity as the next step begins, N m s. */
   void applyAngularImpulse(float j);
 
   /** Sets the velocity of the centre of mass, m/s. */

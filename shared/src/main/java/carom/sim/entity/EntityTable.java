@@ -3,6 +3,7 @@ package carom.sim.entity;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.BodyDef;
+import carom.physics.BodyVisitor;
 import carom.physics.Joint;
 import carom.physics.World;
 import carom.physics.math.SimRandom;
@@ -23,6 +24,7 @@ import carom.sim.spawn.Origin;
 import java.util.Arrays;
 import java.util.function.BiConsumer;
 import java.util.function.IntSupplier;
+import java.util.function.Predicate;
 
 /**
  * The entities of a simulation by id, their bodies, and their part of its state. A free id keeps
@@ -70,6 +72,9 @@ public final class EntityTable
   private EntityContactVisitor contacts;
   private final BodyContactVisitor<HostEntity> onContact =
       (other, x, y, impulse) -> contacts.contact(other.user(), x, y, impulse);
+  private HostEntity overlapped;
+  private Predicate<Entity> overlaps;
+  private final BodyVisitor<HostEntity> onOverlap = this::overlap;
   private Answers answers;
   private BiConsumer<HostEntity, HostEntity> overlapReader = (asked, other) -> {};
 
@@ -175,8 +180,23 @@ public final class EntityTable
     overlapReader = reader;
   }
 
-  void overlapRead(HostEntity asked, HostEntity other) {
-    overlapReader.accept(asked, other);
+  /** Visits an entity's overlaps as a game sees them; a visitor may ask for those of another. */
+  void forEachOverlap(HostEntity asked, Predicate<Entity> visitor) {
+    HostEntity outer = overlapped;
+    Predicate<Entity> outerVisitor = overlaps;
+    overlapped = asked;
+    overlaps = visitor;
+    try {
+      asked.body().forEachOverlap(onOverlap);
+    } finally {
+      overlapped = outer;
+      overlaps = outerVisitor;
+    }
+  }
+
+  private boolean overlap(Body<HostEntity> other) {
+    overlapReader.accept(overlapped, other.user());
+    return overlaps.test(other.user());
   }
 
   /** Destroys a joint, if it is there. */

@@ -432,11 +432,7 @@ public final class HostEntity implements Entity {
 
   @Override
   public void forEachOverlap(Predicate<Entity> visitor) {
-    body.forEachOverlap(
-        other -> {
-          table.overlapRead(this, other.user());
-          return visitor.test(other.user());
-        });
+    table.forEachOverlap(this, visitor);
   }
 
   @Override

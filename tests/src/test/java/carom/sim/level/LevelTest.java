@@ -375,7 +375,8 @@ class LevelTest {
   @Test
   void theSchemaAcceptsWhatShips() throws Exception {
     SchemaChecker schema = SchemaChecker.levels();
-    for (String name : List.of("arena", "commons", "lagoon", "platformer", "rockets", "sluice")) {
+    for (String name :
+        List.of("arena", "commons", "lagoon", "platformer", "rockets", "shooter", "sluice")) {
       Level level = Level.builtIn(name);
       assertEquals("", schema.check(Json.parse(level.source())));
     }

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
 final class PlayPageTest {
   private static final int ENTER = 13;
   private static final int ESCAPE = 27;
-  private static final List<String> GAMES = List.of("arena", "platformer", "rockets");
+  private static final List<String> GAMES = List.of("arena", "platformer", "rockets", "shooter");
 
   @TempDir private Path folder;
   private Path program;
@@ -78,7 +78,7 @@ final class PlayPageTest {
         Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
       browser.look(1280, 720, true);
       browser.open(port.url() + "#room=arena");
-      browser.await("document.querySelectorAll('#rooms li').length === 3");
+      browser.await("document.querySelectorAll('#rooms li').length === " + GAMES.size());
       browser.evaluate("document.getElementById('name').value = 'Zoë <b>'");
       browser.click("document.getElementById('go')");
       for (String game : GAMES) {
@@ -140,7 +140,7 @@ final class PlayPageTest {
                   + ".data[0] < 128 ? 1 : 0; return [4, n - 11].map(x => Array.from({length: 7},"
                   + " (_, i) => at(x + i, 7)).join('')).join(' '); })()");
       assertEquals("1011101 1011101", row);
-      browser.await("document.querySelectorAll('#rooms li').length === 3");
+      browser.await("document.querySelectorAll('#rooms li').length === " + GAMES.size());
       browser.click("document.getElementById('go')");
       browser.await("caromPlay.world.own");
       browser.evaluate("document.getElementById('glass').hidden = false");
