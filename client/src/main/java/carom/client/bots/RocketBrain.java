@@ -96,7 +96,7 @@ final class RocketBrain implements BotBrain {
   }
 
   /** Returns how old the picture of a body is, seconds: what isn't predicted is in the past. */
-  private static float lateness(ClientView view, Drawn drawn) {
+  static float lateness(ClientView view, Drawn drawn) {
     double ticks = Math.max(0, view.tick() - view.renderTick());
     return (float) ((1 - drawn.predicted()) * ticks / view.tickRate());
   }

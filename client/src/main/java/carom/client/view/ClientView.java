@@ -274,7 +274,27 @@ public final class ClientView {
    */
   public boolean isWall(float x, float y, float wayX, float wayY) {
     return geometry != null
-        && geometry.rayAny(x, y, wayX, wayY, (body, shape) -> body.user().isLevel());
+        && geometry.rayAny(
+            x, y, wayX, wayY, (body, shape) -> body.user().isLevel() && !body.sensor(shape));
+  }
+
+  /**
+   * Returns what {@link #isWall} does, but for one-way platforms, which hold from above only.
+   *
+   * @param x x of the start, metres
+   * @param y y of the start, metres
+   * @param wayX x from start to end, metres
+   * @param wayY y from start to end, metres
+   */
+  public boolean isSolid(float x, float y, float wayX, float wayY) {
+    return geometry != null
+        && geometry.rayAny(
+            x,
+            y,
+            wayX,
+            wayY,
+            (body, shape) ->
+                body.user().isLevel() && !body.sensor(shape) && !body.user().archetype().oneWay());
   }
 
   /** Returns the player's own id, or -1 before it is known. */

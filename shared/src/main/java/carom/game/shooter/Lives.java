@@ -2,8 +2,10 @@ package carom.game.shooter;
 
 import static carom.game.shooter.ShooterFields.AMMO;
 import static carom.game.shooter.ShooterFields.BLAMED;
+import static carom.game.shooter.ShooterFields.BROKEN;
 import static carom.game.shooter.ShooterFields.DAMAGE;
 import static carom.game.shooter.ShooterFields.FADES;
+import static carom.game.shooter.ShooterFields.HEALS;
 import static carom.game.shooter.ShooterFields.HIT_BY;
 import static carom.game.shooter.ShooterFields.LIVES;
 import static carom.game.shooter.ShooterFields.OUT;
@@ -23,6 +25,9 @@ final class Lives {
   private static final float OUT_SECONDS = 2;
   private static final float SAFE_SECONDS = 1.5f;
   private static final float RAGDOLL_SECONDS = 2.5f;
+
+  /** Damage that a medkit takes away. */
+  private static final int MEDKIT = 60;
 
   private final Stage stage;
 
@@ -106,14 +111,21 @@ final class Lives {
     return nearest;
   }
 
-  /** Takes players out who have fallen or can bear no more, and takes away what else has fallen. */
+  /** Takes players out who have fallen or can bear no more, and takes away what fell or broke. */
   void afterStep(Match m) {
     for (Entity e : m.entities()) {
-      if (e.isDynamic() && !e.isOwned() && stage.isLost(e)) {
+      if (e.get(BROKEN)) {
+        m.emit(stage.crash).at(e.x(), e.y());
+        e.despawn();
+      } else if (e.isDynamic() && !e.isOwned() && stage.isLost(e)) {
         e.despawn();
       }
     }
     for (Player p : m.players()) {
+      if (p.get(HEALS)) {
+        p.add(DAMAGE, -MEDKIT);
+        p.set(HEALS, false);
+      }
       if (p.isAlive() && (p.get(DAMAGE) == DAMAGE.max() || stage.isLost(p.entity()))) {
         knockOut(m, p);
       }

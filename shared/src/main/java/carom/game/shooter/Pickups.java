@@ -1,7 +1,7 @@
 package carom.game.shooter;
 
 import static carom.game.shooter.ShooterFields.AMMO;
-import static carom.game.shooter.ShooterFields.DAMAGE;
+import static carom.game.shooter.ShooterFields.HEALS;
 import static carom.game.shooter.ShooterFields.PICKUP;
 import static carom.game.shooter.ShooterFields.PICKUP_WAIT;
 import static carom.game.shooter.ShooterFields.PLACE;
@@ -41,7 +41,7 @@ final class Pickups {
         continue;
       }
       if (content == null) {
-        taker.add(DAMAGE, -Stage.MEDKIT);
+        taker.set(HEALS, true); // damage is the server's word
       } else {
         taker.set(WEAPON, content);
         taker.set(AMMO, content.ammo);
@@ -52,18 +52,18 @@ final class Pickups {
     }
   }
 
-  /** Finds the first player who needs the content; full hands leave it there. */
+  /** Finds the first player who may take the content; full hands leave it there. */
   private boolean visit(Entity visitor) {
     Player p = visitor.owner();
     boolean isFighter = p != null && p.entity() == visitor;
-    if (isFighter && (content == null ? p.get(DAMAGE) > 0 : !isFull(p))) {
+    if (isFighter && !isFull(p)) {
       taker = p;
     }
     return taker == null;
   }
 
   private boolean isFull(Player p) {
-    return p.get(WEAPON) == content && p.get(AMMO) == content.ammo;
+    return content != null && p.get(WEAPON) == content && p.get(AMMO) == content.ammo;
   }
 
   /** Brings back what was taken long enough ago. */

@@ -56,11 +56,17 @@ public final class ShooterFields {
   static final Countdown DROPS = Field.countdown("drops"); // one-way platforms don't hold
   static final Countdown RELOAD = Field.countdown("reload");
 
+  // Of a player who took a medkit: rules say so, the server heals.
+  static final Flag HEALS = Field.flag("heals");
+
   // Of a player, the server's: the one that a fall is put down to, and what is left of it.
   static final PlayerRef HIT_BY = Field.player("hitBy").to(NOBODY);
   static final Countdown BLAMED = Field.countdown("blamed").to(NOBODY);
   static final EntityRef RAGDOLL = Field.entity("ragdoll").to(NOBODY);
   static final Countdown FADES = Field.countdown("fades").to(NOBODY);
+
+  // Of cover.
+  static final Flag BROKEN = Field.flag("broken").of(ENTITY).to(NOBODY); // goes after the tick
 
   // Of a shot.
   static final Choice<Weapon> FIRED_BY = Field.choice("firedBy", Weapon.class).of(ENTITY);
@@ -91,10 +97,12 @@ public final class ShooterFields {
         JUMPING,
         DROPS,
         RELOAD,
+        HEALS,
         HIT_BY,
         BLAMED,
         RAGDOLL,
         FADES,
+        BROKEN,
         FIRED_BY,
         FUEL,
         PLACE,

@@ -51,7 +51,7 @@ import java.util.List;
  */
 public final class ShooterGame implements Game {
   /** Number of lives of a player in a match. */
-  public static final int LIVES = 3;
+  public static final int LIVES = 4;
 
   /** Longest match, seconds. */
   public static final float MATCH_SECONDS = 150;

@@ -2,6 +2,7 @@ package carom.game.shooter;
 
 import static carom.game.shooter.ShooterFields.AMMO;
 import static carom.game.shooter.ShooterFields.BLAMED;
+import static carom.game.shooter.ShooterFields.BROKEN;
 import static carom.game.shooter.ShooterFields.COVER;
 import static carom.game.shooter.ShooterFields.DAMAGE;
 import static carom.game.shooter.ShooterFields.FIRED_BY;
@@ -194,11 +195,7 @@ final class Shots {
       }
     } else if (e.get(COVER) > 0 && MatchClock.isPlaying(m)) {
       e.add(COVER, -weapon.damage * share / COVER_STRENGTH);
-      if (e.get(COVER) == 0) {
-        m.emit(stage.crash).at(e.x(), e.y());
-        e.despawn();
-        return;
-      }
+      e.set(BROKEN, e.get(COVER) == 0);
     }
     if (e.isDynamic()) {
       e.applyImpulse(speed * e.mass() * wayX, speed * e.mass() * (wayY + LIFT));

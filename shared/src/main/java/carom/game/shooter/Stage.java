@@ -28,9 +28,6 @@ final class Stage {
   /** Parts of a ragdoll; the first is its root. */
   static final String[] PARTS = {"torso", "head", "arm", "arm2", "leg", "leg2"};
 
-  /** Damage that a medkit takes away. */
-  static final int MEDKIT = 60;
-
   private static final int[] COLORS = {
     0xef476f, 0x4cc9f0, 0xffd166, 0x06d6a0, 0xb388eb, 0xf78c6b, 0x9ef01a, 0xff9ebb
   };
@@ -138,7 +135,6 @@ final class Stage {
         .shape(new Circle(radius), LEAD)
         .filter(SHOT)
         .fixedRotation(true)
-        .bullet(true)
         .appearance(Appearance.of(rgb, Appearance.Look.BALL));
   }
 

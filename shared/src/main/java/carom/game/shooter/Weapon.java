@@ -3,11 +3,11 @@ package carom.game.shooter;
 /** A weapon, and what its shots do. Players begin with the first. */
 public enum Weapon {
   /** Never empty. */
-  PISTOL(0.26f, 1, 34, 0.02f, 0.8f, 9, 5, 1, 0),
+  PISTOL(0.26f, 1, 34, 0.02f, 0.8f, 8, 5, 1, 0),
   /** A fan of pellets that don't fly far. */
-  SHOTGUN(0.75f, 6, 30, 0.28f, 0.3f, 6, 3.2f, 6, 10),
+  SHOTGUN(0.75f, 6, 30, 0.28f, 0.3f, 5, 3.2f, 6, 10),
   /** Fast and inexact. */
-  RIFLE(0.1f, 1, 40, 0.1f, 0.7f, 5, 3, 0.8f, 40),
+  RIFLE(0.1f, 1, 40, 0.1f, 0.7f, 4, 3, 0.8f, 40),
   /** A rocket that goes off where it hits. */
   LAUNCHER(0.9f, 1, 21, 0, 2, 42, 15, 5, 5);
 
