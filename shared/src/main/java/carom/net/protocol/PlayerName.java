@@ -69,9 +69,16 @@ public final class PlayerName {
    * valid name has 1..{@link ProtocolLimits#MAX_NAME_BYTES} UTF-8 bytes and starts with something
    * visible. It has no control, format, surrogate, line or blank characters and no space except
    * U+0020, which it does not end with. It carries at most {@value #MAX_MARKS} marks (accents) on a
-   * character.
+   * character. All that holds for its composed form, too: some marks are two in one.
    */
   public static String problem(String name) {
+    String problem = problemAsWritten(name);
+    return problem != null
+        ? problem
+        : problemAsWritten(Normalizer.normalize(name, Normalizer.Form.NFC));
+  }
+
+  private static String problemAsWritten(String name) {
     if (name.isEmpty()) {
       return "the name is empty; choose one with 1 to " + ProtocolLimits.MAX_NAME_BYTES + " bytes";
     }

@@ -1,6 +1,8 @@
 package carom.net.protocol;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -53,6 +55,14 @@ final class PlayerNameTest {
     assertTrue(PlayerName.looksLike("Will", "vviLL"));
     assertTrue(PlayerName.looksLike("The Boss", "The  Boss"), "two spaces");
     assertTrue(PlayerName.looksLike("The Boss", "The \u0323Boss"), "a mark on a space");
+  }
+
+  @Test
+  void aMarkThatIsTwoInOneCountsAsTwo() {
+    assertNull(PlayerName.problem("\u060a\u0335\u0344"));
+    assertNotNull(PlayerName.problem("\u060a\u0335\u0347\u0344"));
+    assertNotNull(PlayerName.problem("\u0344".repeat(2)));
+    assertNotNull(PlayerName.problem("a\u0344".repeat(10)), "30 bytes, and 40 composed");
   }
 
   @Test

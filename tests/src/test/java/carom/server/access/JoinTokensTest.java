@@ -133,7 +133,8 @@ final class JoinTokensTest {
       {"\u0645\u06cc\u200c\u062e\u0648", "\u0645\u06cc\u062e\u0648"},
       {"x".repeat(33), "x".repeat(32)},
       {"Ann\u00a0Lee\u0000", "Ann Lee"},
-      {"\u0301e\u0301\u0301\u0301\u0301\u0301", "\u00e9\u0301\u0301\u0301"}
+      {"\u0301e\u0301\u0301\u0301\u0301\u0301", "\u00e9\u0301\u0301\u0301"},
+      {"\u060a\u0335\u0347\u0344", "\u060a\u0335\u0347\u0308"} // the last mark is two in one
     };
     for (String[] name : names) {
       String claims = claims(",\"name\":" + quoted(name[0]));
