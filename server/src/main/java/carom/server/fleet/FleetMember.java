@@ -271,7 +271,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         new Followers(claims, view, peers, newHost, lease, settings.durability(), asks, news);
     takeovers =
         new Takeovers(
-            claims, view, following, newHost, lease, clock, builds, returning, changed, news);
+            claims, view, following, newHost, lease, clock, asks, builds, returning, changed, news);
     host = newHost;
   }
 

@@ -38,6 +38,7 @@ final class Takeovers {
   private final RoomHost host;
   private final Lease lease;
   private final LongSupplier clock;
+  private final Executor asks;
   private final Executor builds;
   private final Runnable changed;
   private final FleetNews news;
@@ -55,6 +56,7 @@ final class Takeovers {
       RoomHost host,
       Lease lease,
       LongSupplier clock,
+      Executor asks,
       Executor builds,
       Set<String> underWay,
       Runnable changed,
@@ -65,6 +67,7 @@ final class Takeovers {
     this.host = host;
     this.lease = lease;
     this.clock = clock;
+    this.asks = asks;
     this.builds = builds;
     this.underWay = underWay;
     this.changed = changed;
@@ -107,29 +110,46 @@ final class Takeovers {
     }
   }
 
+  /** Claims a room, which waits for the directory, and then builds it, which takes a processor. */
   private void begin(String room, RoomRecord record) {
     if (claims.of(room) == null && underWay.add(room)) {
-      builds.execute(
+      asks.execute(
           () -> {
+            Following.Followed followed = following.usable(room); // before anybody hears of it
+            FleetView.Orphan orphan = view.orphans().get(room);
+            long lostNs = orphan == null ? clock.getAsLong() : orphan.sinceNs();
+            Claims.Claim claim = null;
             try {
-              goOn(room, record);
+              claim = claims.make(record.settings());
             } catch (DirectoryException e) {
               LOG.warn("fleet: room={} can't be claimed: {}", room, e.getMessage());
-            } finally {
-              underWay.remove(room);
-              changed.run();
             }
+            if (claim == null) { // or another server was faster, or the owner is still there
+              end(room);
+              return;
+            }
+            Claims.Claim own = claim;
+            builds.execute(
+                () -> {
+                  try {
+                    goOn(record, own, followed, lostNs);
+                  } finally {
+                    end(room);
+                  }
+                });
           });
     }
   }
 
-  private void goOn(String name, RoomRecord record) throws DirectoryException {
-    Following.Followed followed = following.usable(name); // before anybody hears of the claim
-    FleetView.Orphan orphan = view.orphans().get(name);
-    Claims.Claim claim = claims.make(record.settings());
-    if (claim == null) {
-      return; // another server was faster, or the owner hasn't released it yet
-    }
+  private void end(String room) {
+    underWay.remove(room);
+    changed.run();
+  }
+
+  /** Goes on with a room that was lost at a time. */
+  private void goOn(
+      RoomRecord record, Claims.Claim claim, Following.Followed followed, long lostNs) {
+    String name = claim.room();
     long beginNs = clock.getAsLong();
     try {
       Room room = host.takeOver(record.settings(), followed == null ? null : followed.folder());
@@ -143,7 +163,6 @@ final class Takeovers {
       if (record.leaving() || (followed != null && followed.isHandedOver())) {
         news.movedIn(name, claim.number());
       } else {
-        long lostNs = orphan == null ? beginNs : orphan.sinceNs();
         news.tookOver(name, claim.number(), room.tick(), clock.getAsLong() - lostNs);
       }
       LOG.debug(
@@ -152,10 +171,18 @@ final class Takeovers {
           (clock.getAsLong() - beginNs) / NS_PER_MS);
     } catch (IllegalArgumentException e) {
       LOG.error("room={} can't go on here: {}", name, e.getMessage());
-      claims.release(claim);
+      release(claim);
     } finally { // not before: clients that stand by wait for the room as long as it is followed
       following.end(name);
       view.orphans().remove(name);
+    }
+  }
+
+  private void release(Claims.Claim claim) {
+    try {
+      claims.release(claim);
+    } catch (DirectoryException e) {
+      LOG.warn("fleet: room={} stays claimed: {}", claim.room(), e.getMessage());
     }
   }
 

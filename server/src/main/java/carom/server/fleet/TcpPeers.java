@@ -31,6 +31,8 @@ import org.slf4j.LoggerFactory;
 final class TcpPeers implements Peers {
   private static final Logger LOG = LoggerFactory.getLogger(TcpPeers.class);
   private static final int RETRY_MS = 250;
+  private static final int FRESH_RETRY_MS = 10;
+  private static final long FRESH_NS = 1_000_000_000;
   private static final int AWAIT_MS = 5_000;
   private static final int AWAIT_LOOK_MS = 20;
   private static final int BACKLOG = 64;
@@ -98,7 +100,7 @@ final class TcpPeers implements Peers {
       } catch (IOException e) {
         if (!closed) {
           LOG.warn("fleet: the port can't accept a server: {}", e.getMessage());
-          pause();
+          pause(RETRY_MS);
         }
       }
     }
@@ -145,6 +147,7 @@ final class TcpPeers implements Peers {
     private final AtomicLong asked = new AtomicLong();
     private volatile PeerChannel channel; // null while there is none
     private volatile boolean forgotten;
+    private long lostNs; // its own thread's; 0 while it was never lost
 
     Outbound(ServerRecord server) {
       this.server = server;
@@ -163,7 +166,7 @@ final class TcpPeers implements Peers {
             if (wasThere) {
               inbox.dead(server.lease());
             }
-            pause();
+            rest();
             continue;
           }
           wasThere = true;
@@ -175,17 +178,27 @@ final class TcpPeers implements Peers {
           if (wasThere && !forgotten && isRefused(e)) {
             inbox.dead(server.lease());
           }
-          pause();
+          rest();
         } catch (IOException e) {
-          if (channel == null && !forgotten) {
+          if (channel != null) {
+            lostNs = System.nanoTime();
+          } else if (!forgotten) {
             LOG.debug("fleet: server {} isn't reached: {}", server.name(), e.toString());
-            pause();
+            rest();
           }
         } finally {
           channel = null;
           questions.clear();
         }
       }
+    }
+
+    /**
+     * Waits a moment: a short one after a loss, since a process that ends refuses a little later.
+     */
+    private void rest() {
+      boolean isFresh = lostNs != 0 && System.nanoTime() - lostNs < FRESH_NS;
+      pause(isFresh ? FRESH_RETRY_MS : RETRY_MS);
     }
 
     private boolean isRefused(ConnectException e) {
@@ -245,9 +258,9 @@ final class TcpPeers implements Peers {
     }
   }
 
-  private static void pause() {
+  private static void pause(int ms) {
     try {
-      Thread.sleep(RETRY_MS);
+      Thread.sleep(ms);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
