@@ -79,7 +79,7 @@ final class Takeovers {
     Map<String, RoomRecord> due = new HashMap<>();
     for (Map.Entry<String, Following.Followed> one : following.rooms().entrySet()) {
       FleetView.OwnedRoom owned = view.rooms().get(one.getKey());
-      boolean isFree = owned == null || owned.claim() == one.getValue().claim();
+      boolean isFree = owned == null; // no sooner: each try in vain is a write to etcd's disk
       if (one.getValue().isHandedOver() && isFree) {
         due.put(one.getKey(), one.getValue().record());
       } else if (owned != null
