@@ -52,7 +52,7 @@ final class GameWarmup {
 
   private static final long MAX_FLEET_NS = 3_000_000_000L;
 
-  /** Rooms that are taken over: the first takes 80 ms, the 20th 11, the 60th 9. */
+  /** Rooms that are taken over: the first takes 80 ms of a processor, the 60th 9. */
   private static final int TAKEOVERS = 60;
 
   private static final Logger LOG = LoggerFactory.getLogger(GameWarmup.class);

@@ -126,6 +126,9 @@ public final class RoomCheckpoints {
   /** Number of those that the follower has. */
   private volatile long there;
 
+  /** True from when the room waited in vain until the follower has a whole checkpoint again. */
+  private volatile boolean givenUp;
+
   /**
    * Creates checkpoints that have nothing yet.
    *
@@ -291,11 +294,15 @@ public final class RoomCheckpoints {
    * that could go on with it at all.
    */
   public boolean isThere() {
-    return confirms == null || there == handed || !isSafe();
+    return confirms == null || there == handed || givenUp || !isSafe();
   }
 
-  /** Gives the present slot up, because the room can't wait for the follower any longer. */
+  /**
+   * Gives the present slot up, because the room can't wait for the follower any longer. It waits
+   * again when the follower has a later checkpoint.
+   */
   public void waitNoLonger() {
+    givenUp = true;
     SlotFile present = slot;
     if (present != null) {
       present.cut(store.title() + " is too slow; the room goes on without it");
@@ -453,6 +460,7 @@ public final class RoomCheckpoints {
             forgetFailures();
           }
           safeSlot = number;
+          givenUp = false;
           if (failing) {
             failing = false;
             LOG.info(

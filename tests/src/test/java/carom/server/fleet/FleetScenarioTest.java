@@ -157,10 +157,11 @@ class FleetScenarioTest {
         owner.server.rooms().forEach(room -> ticks.put(room.name(), room.tick()));
         rig.nodes.get("a").stuck = true;
         rig.nodes.get("c").stuck = true;
-        rig.run(2);
+        rig.run(6);
         for (Room room : owner.server.rooms()) {
           int passed = room.tick() - ticks.get(room.name());
-          assertTrue(passed >= 0.85 * 2 * 60, () -> durability + ": ticks in 2 s = " + passed);
+          // a quarter of a second, once, is all that it may wait
+          assertTrue(passed >= 5.7 * 60, () -> durability + ": ticks in 6 s = " + passed);
         }
         rig.nodes.get("a").stuck = false;
         rig.run(5);
@@ -173,11 +174,10 @@ class FleetScenarioTest {
           assertEquals("a", rig.owners(room).get(0).name, durability.name());
           assertTrue(rig.owners(room).get(0).server.room(room).tick() > ticks.get(room) + 300);
         }
-        assertEquals(
-            0,
-            durability == Durability.SYNC
-                ? rig.clients.stream().mapToInt(c -> c.view().stats().ticksLost()).sum()
-                : 0);
+        if (durability == Durability.SYNC) {
+          int lost = rig.clients.stream().mapToInt(c -> c.view().stats().ticksLost()).sum();
+          assertEquals(0, lost);
+        }
       }
     }
   }
