@@ -141,7 +141,7 @@ final class HostileServerTest {
       void talk(DataOutputStream out) throws IOException {
         out.write(frame(greeting()));
         out.write(frame(new byte[] {Frame.REGISTER_UDP}));
-        byte[] answer = new byte[65];
+        byte[] answer = new byte[49];
         answer[0] = Frame.KEY_ANSWER;
         out.write(frame(answer));
       }
@@ -151,7 +151,7 @@ final class HostileServerTest {
       void talk(DataOutputStream out) throws IOException {
         out.write(frame(greeting()));
         out.write(frame(new byte[] {Frame.REGISTER_UDP}));
-        byte[] answer = new byte[65];
+        byte[] answer = new byte[49];
         new Random(SEED).nextBytes(answer);
         answer[0] = Frame.KEY_ANSWER;
         out.write(frame(answer));

@@ -115,15 +115,15 @@ final class PeerChannel implements AutoCloseable {
     if (greeting.length != GREETING_BYTES || greeting[0] != (ofOpener ? OPENS : ACCEPTS)) {
       throw new IOException("the other end is no server of a fleet");
     }
-    KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, key.publicKey(), greeting);
-    write(offer.bytes());
-    byte[] answer = read();
     try {
+      KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, key.publicKey(), greeting);
+      write(offer.bytes());
+      byte[] answer = read();
       if (answer.length != KeyExchange.ANSWER_BYTES) {
         throw new IOException("the other end is no server of a fleet");
       }
       return offer.finish(answer, 1, 1);
-    } catch (GeneralSecurityException e) {
+    } catch (GeneralSecurityException | EOFException e) { // it couldn't open the offer
       throw new IOException("the other end hasn't the fleet's key", e);
     }
   }
@@ -150,7 +150,7 @@ final class PeerChannel implements AutoCloseable {
         sealedBy(answer.keys());
       }
     } catch (GeneralSecurityException e) {
-      throw new IOException("the other end's key is none", e);
+      throw new IOException("the other end hasn't the fleet's key", e);
     }
   }
 

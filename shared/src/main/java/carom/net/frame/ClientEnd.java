@@ -320,7 +320,12 @@ public abstract class ClientEnd extends FramedLink {
   }
 
   private void offerKey() {
-    offer = new KeyExchange.Offer(trust.encryption(), serverKey, greeting);
+    try {
+      offer = new KeyExchange.Offer(trust.encryption(), serverKey, greeting);
+    } catch (GeneralSecurityException x) {
+      lose("the connection was tampered with: the server's key is none");
+      return;
+    }
     byte[] bytes = offer.bytes();
     transmit(new Frame.Payload().set(Frame.KEY_OFFER, bytes, 0, bytes.length));
   }

@@ -18,8 +18,8 @@ import java.nio.charset.StandardCharsets;
  *                             server's key 32       first frame
  *  2 REGISTER_UDP  UDP c-&gt;s   link i32, token i64, solution i64, 14 zeros   repeated until answered
  *                  TCP s-&gt;c   none                  the UDP address is known now
- *  9 KEY_OFFER     TCP c-&gt;s   encryption u8, new key 32
- * 10 KEY_ANSWER    TCP s-&gt;c   new key 32, proof 32  the server's last frame in the clear
+ *  9 KEY_OFFER     TCP c-&gt;s   encryption u8, new key 32, tag 16
+ * 10 KEY_ANSWER    TCP s-&gt;c   new key 32, tag 16  the server's last frame in the clear
  * 11 KEY_CONFIRM   TCP c-&gt;s   none                  the client's first sealed frame
  *  7 CHALLENGE     UDP s-&gt;c   nonce i64             one for each datagram that is no shorter
  *  8 ANSWER        UDP c-&gt;s   nonce i64             the link is open: datagrams pass in both directions

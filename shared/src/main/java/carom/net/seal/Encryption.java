@@ -12,7 +12,7 @@ public enum Encryption {
   OFF(
       "nothing is encrypted: a program that sees packets can read them, change them and be any"
           + " player"),
-  /** Frames are encrypted and authenticated by AES-128-GCM. */
+  /** Frames are encrypted and authenticated by AES-256-GCM. */
   ON("links are encrypted");
 
   private final String meaning;

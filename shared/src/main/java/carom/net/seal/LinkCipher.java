@@ -10,10 +10,10 @@ import javax.crypto.spec.GCMParameterSpec;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * One key for frames of one kind in one direction. The sender seals a frame under a counter that it
- * never uses again, and the receiver opens it under the same counter. It works in place: a frame is
- * a readable head, a body and a tag of {@value #TAG_BYTES} bytes. The tag proves head, body and
- * counter. Use it from one thread at a time, and for one direction only.
+ * Seals or opens the frames of one kind in one direction. The sender seals a frame under a counter
+ * that it never uses again, and the receiver opens it under the same counter. It works in place: a
+ * frame is a readable head, a body and a tag of {@value #TAG_BYTES} bytes. The tag proves head,
+ * body and counter. Use it from one thread at a time, and for one direction only.
  *
  * <p>The JDK's cipher allocates about 1 kB per frame, because it must be initialised anew for each.
  */
@@ -21,12 +21,12 @@ abstract class LinkCipher {
   /** Bytes of the tag behind a frame. */
   static final int TAG_BYTES = 16;
 
-  /** Bytes of key material for a seal. */
-  static final int KEY_BYTES = 16 + 12;
+  /** Bytes of a key. */
+  static final int KEY_BYTES = 32;
 
   /**
-   * Number of frames that a key may seal. The link closes before the next one. It bounds what an
-   * observer can learn by AES's block size: 2^36 frames of 1,200 bytes are 2^43 blocks. A client
+   * Number of frames that one cipher may seal. The link closes before the next one. It bounds what
+   * an observer can learn by AES's block size: 2^36 frames of 1,200 bytes are 2^43 blocks. A client
    * that sends 240 datagrams a second takes nine years.
    */
   static final long MAX_FRAMES = 1L << 36;
@@ -34,10 +34,12 @@ abstract class LinkCipher {
   /**
    * Returns a seal.
    *
-   * @param material {@value #KEY_BYTES} bytes, used for nothing else
+   * @param key {@value #KEY_BYTES} bytes
+   * @param firstNonce nonce of the frame with the counter 0; no other cipher of this key may have
+   *     one of the {@link #MAX_FRAMES} from here on
    */
-  static LinkCipher of(Encryption encryption, byte[] material) {
-    return encryption == Encryption.ON ? new Gcm(material) : new Clear(material);
+  static LinkCipher of(Encryption encryption, byte[] key, long firstNonce) {
+    return encryption == Encryption.ON ? new Gcm(key, firstNonce) : new Clear(key);
   }
 
   /**
@@ -56,16 +58,19 @@ abstract class LinkCipher {
    */
   abstract boolean open(long counter, byte[] bytes, int offset, int headLength, int bodyLength);
 
-  /** Authenticated encryption by AES-128-GCM. */
+  /**
+   * Authenticated encryption by AES-256-GCM, with nonces as Noise has them: four bytes of 0, then
+   * the number in eight bytes, big-endian.
+   */
   private static final class Gcm extends LinkCipher {
     private final Key key;
-    private final byte[] mask;
+    private final long firstNonce;
     private final byte[] nonce = new byte[12];
     private final Cipher cipher;
 
-    Gcm(byte[] material) {
-      key = new SecretKeySpec(material, 0, 16, "AES");
-      mask = Arrays.copyOfRange(material, 16, KEY_BYTES);
+    Gcm(byte[] key, long firstNonce) {
+      this.key = new SecretKeySpec(key, "AES");
+      this.firstNonce = firstNonce;
       try {
         cipher = Cipher.getInstance("AES/GCM/NoPadding");
       } catch (GeneralSecurityException e) {
@@ -74,9 +79,8 @@ abstract class LinkCipher {
     }
 
     private void begin(int mode, long counter) throws GeneralSecurityException {
-      System.arraycopy(mask, 0, nonce, 0, nonce.length);
       for (int i = 0; i < Long.BYTES; i++) {
-        nonce[nonce.length - 1 - i] ^= (byte) (counter >>> 8 * i);
+        nonce[nonce.length - 1 - i] = (byte) (firstNonce + counter >>> 8 * i);
       }
       cipher.init(mode, key, new GCMParameterSpec(8 * TAG_BYTES, nonce));
     }
@@ -113,8 +117,8 @@ abstract class LinkCipher {
   private static final class Clear extends LinkCipher {
     private final byte[] tag;
 
-    Clear(byte[] material) {
-      tag = Arrays.copyOf(material, TAG_BYTES);
+    Clear(byte[] key) {
+      tag = Arrays.copyOf(key, TAG_BYTES);
     }
 
     @Override

@@ -1,7 +1,7 @@
 /**
  * Keys and sealed frames: how the two ends of a link agree on keys, and how they encrypt and
- * authenticate what they send. All of it is made of the JDK's own X25519, HMAC-SHA256 and AES-GCM.
- * It opens no socket.
+ * authenticate what they send. The handshake is Noise's NK, made of the JDK's own X25519,
+ * HMAC-SHA256 and AES-GCM. It opens no socket.
  *
  * <p>Imports {@code carom.text}.
  *

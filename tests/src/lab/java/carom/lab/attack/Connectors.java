@@ -13,6 +13,7 @@ import java.nio.channels.DatagramChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
+import java.security.GeneralSecurityException;
 import java.util.concurrent.LinkedBlockingDeque;
 import java.util.concurrent.atomic.AtomicLong;
 
@@ -207,7 +208,12 @@ final class Connectors implements Runnable {
   private void offer(SocketChannel channel, byte[] greeting) throws IOException {
     byte[] serverKey = new byte[ExchangeKey.BYTES];
     ByteBuffer.wrap(greeting).position(WORK_BITS_AT + 1).get(serverKey);
-    byte[] offer = new KeyExchange.Offer(Encryption.ON, serverKey, greeting).bytes();
+    byte[] offer;
+    try {
+      offer = new KeyExchange.Offer(Encryption.ON, serverKey, greeting).bytes();
+    } catch (GeneralSecurityException e) {
+      throw new IOException("the server's key is none", e);
+    }
     ByteBuffer frame = ByteBuffer.allocate(Frame.LENGTH_BYTES + 1 + offer.length);
     frame.putInt(1 + offer.length).put(Frame.KEY_OFFER).put(offer);
     channel.write(frame.flip());

@@ -107,11 +107,11 @@ final class RawPeer implements AutoCloseable {
     register(id, token); // a client repeats itself until it is answered
     assertEquals(Frame.REGISTER_UDP, readFrame()[0]);
     byte[] key = Arrays.copyOfRange(greeting, greeting.length - 32, greeting.length);
-    KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, key, greeting);
-    frame(frameOf(Frame.KEY_OFFER, offer.bytes()));
-    byte[] answer = readFrame();
-    assertEquals(Frame.KEY_ANSWER, answer[0]);
     try {
+      KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, key, greeting);
+      frame(frameOf(Frame.KEY_OFFER, offer.bytes()));
+      byte[] answer = readFrame();
+      assertEquals(Frame.KEY_ANSWER, answer[0]);
       keys =
           offer.finish(
               Arrays.copyOfRange(answer, 1, answer.length), id, Frame.SERVER_BUFFER_BYTES * 20);

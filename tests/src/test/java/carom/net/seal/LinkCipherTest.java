@@ -43,15 +43,15 @@ final class LinkCipherTest {
   }
 
   @Test
-  void sealsAsTheTestCasesOfGcm() {
-    LinkCipher seal = LinkCipher.of(Encryption.ON, new byte[LinkCipher.KEY_BYTES]);
+  void sealsAsTheTestCasesOfGcm() { // test case 14 of its authors: 256 bits of key, all zero
+    LinkCipher seal = LinkCipher.of(Encryption.ON, new byte[LinkCipher.KEY_BYTES], 0);
     byte[] frame = new byte[32];
     seal.seal(0, frame, 0, 0, 16);
     assertEquals(
-        "0388dace60b6a392f328c2b971b2fe78ab6e47d42cec13bdf53a67b21257bddf",
+        "cea7403d4d606b6e074ec5d3baf39d18d0d1c8a799996bf0265b98b5d48ab919",
         HexFormat.of().formatHex(frame));
     assertTrue(
-        LinkCipher.of(Encryption.ON, new byte[LinkCipher.KEY_BYTES]).open(0, frame, 0, 0, 16));
+        LinkCipher.of(Encryption.ON, new byte[LinkCipher.KEY_BYTES], 0).open(0, frame, 0, 0, 16));
     assertArrayEquals(new byte[16], Arrays.copyOf(frame, 16));
   }
 
@@ -132,20 +132,20 @@ final class LinkCipherTest {
   }
 
   @Test
-  void noTwoKeysOfALinkAreEqual() {
-    Set<String> outputs = new HashSet<>();
-    byte[] secret = new byte[32];
-    for (boolean server : new boolean[] {false, true}) {
-      LinkKeys keys = LinkKeys.derive(Encryption.OFF, secret, server, 0, 0);
-      byte[] frame = new byte[StreamSeal.EXTRA_BYTES];
-      keys.streamOut().seal(frame, 0, 0);
-      byte[] datagram = sealed(keys.datagramsOut(), new byte[0]);
-      outputs.add(Arrays.toString(frame));
-      outputs.add(
-          Arrays.toString(
-              Arrays.copyOfRange(datagram, DatagramSealer.HEAD_BYTES, datagram.length)));
+  void noNonceOfAKeyServesTwice() throws GeneralSecurityException {
+    Ends ends = ends(Encryption.ON);
+    Set<String> sealed = new HashSet<>();
+    for (LinkKeys keys : List.of(ends.client(), ends.server())) {
+      for (int i = 0; i < 3; i++) {
+        byte[] frame = new byte[16 + StreamSeal.EXTRA_BYTES];
+        keys.streamOut().seal(frame, 0, 16);
+        sealed.add(HexFormat.of().formatHex(frame, 0, 16));
+        byte[] datagram = sealed(keys.datagramsOut(), new byte[16]);
+        int fields = DatagramSealer.HEAD_BYTES;
+        sealed.add(HexFormat.of().formatHex(datagram, fields, fields + 16));
+      }
     }
-    assertEquals(4, outputs.size(), "without a cipher the tag is the key itself");
+    assertEquals(12, sealed.size(), "the same 16 bytes are sealed each time");
   }
 
   @Test
@@ -172,18 +172,18 @@ final class LinkCipherTest {
   void noCounterServesTwice() {
     byte[] material = new byte[LinkCipher.KEY_BYTES];
     StreamSeal stream =
-        new StreamSeal(LinkCipher.of(Encryption.ON, material), LinkCipher.MAX_FRAMES - 1);
+        new StreamSeal(LinkCipher.of(Encryption.ON, material, 0), LinkCipher.MAX_FRAMES - 1);
     stream.seal(new byte[16], 0, 0);
     assertTrue(stream.isUsedUp());
     assertThrows(IllegalStateException.class, () -> stream.seal(new byte[16], 0, 0));
     DatagramSealer sealer =
         new DatagramSealer(
-            LinkCipher.of(Encryption.ON, material), 1, 10, LinkCipher.MAX_FRAMES - 1);
+            LinkCipher.of(Encryption.ON, material, 0), 1, 10, LinkCipher.MAX_FRAMES - 1);
     assertFalse(sealer.isUsedUp());
     byte[] last = sealed(sealer, new byte[10]);
     assertTrue(sealer.isUsedUp());
     assertThrows(IllegalStateException.class, () -> sealer.seal(TAG, new byte[1], 0, 1));
-    DatagramOpener opener = new DatagramOpener(LinkCipher.of(Encryption.ON, material), 1);
+    DatagramOpener opener = new DatagramOpener(LinkCipher.of(Encryption.ON, material, 0), 1);
     assertEquals(10, opener.open(last, last.length));
   }
 
@@ -199,31 +199,32 @@ final class LinkCipherTest {
     assertEquals(36, ends.server().datagramsIn().open(good, good.length));
   }
 
+  private KeyExchange.Offer offer() throws GeneralSecurityException {
+    return new KeyExchange.Offer(Encryption.ON, serverKey.publicKey(), GREETING);
+  }
+
+  private byte[] answer(byte[] greeting, byte[] offer) throws GeneralSecurityException {
+    return KeyExchange.answer(Encryption.ON, serverKey, greeting, offer, LINK, 1_200).bytes();
+  }
+
   @Test
   void everyByteOfTheExchangeCounts() throws GeneralSecurityException {
-    KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, serverKey.publicKey(), GREETING);
-    byte[] bytes = offer.bytes();
-    byte[] answer =
-        KeyExchange.answer(Encryption.ON, serverKey, GREETING, bytes, LINK, 1_200).bytes();
-    for (int i = 0; i < answer.length; i++) {
-      byte[] bad = answer.clone();
+    byte[] bytes = offer().bytes();
+    for (int i = 0; i < bytes.length; i++) {
+      byte[] bad = bytes.clone();
+      bad[i] ^= 1;
+      assertThrows(GeneralSecurityException.class, () -> answer(GREETING, bad), "byte=" + i);
+    }
+    assertThrows(GeneralSecurityException.class, () -> answer(new byte[] {1, 2, 4}, bytes));
+    for (int i = 0; i < KeyExchange.ANSWER_BYTES; i++) {
+      KeyExchange.Offer offer = offer();
+      byte[] bad = answer(GREETING, offer.bytes());
       bad[i] ^= 1;
       assertThrows(
           GeneralSecurityException.class, () -> offer.finish(bad, LINK, 1_200), "byte=" + i);
     }
-    for (int i = 0; i < bytes.length; i++) {
-      byte[] bad = bytes.clone();
-      bad[i] ^= 1;
-      byte[] misled =
-          KeyExchange.answer(Encryption.ON, serverKey, GREETING, bad, LINK, 1_200).bytes();
-      assertThrows(
-          GeneralSecurityException.class, () -> offer.finish(misled, LINK, 1_200), "byte=" + i);
-    }
-    byte[] otherGreeting =
-        KeyExchange.answer(Encryption.ON, serverKey, new byte[] {1, 2, 4}, bytes, LINK, 1_200)
-            .bytes();
-    assertThrows(GeneralSecurityException.class, () -> offer.finish(otherGreeting, LINK, 1_200));
-    assertEquals(LINK, DatagramOpener.link(sealedBy(offer, answer), 27));
+    KeyExchange.Offer offer = offer();
+    assertEquals(LINK, DatagramOpener.link(sealedBy(offer, answer(GREETING, offer.bytes())), 27));
   }
 
   private static byte[] sealedBy(KeyExchange.Offer offer, byte[] answer)
@@ -233,16 +234,23 @@ final class LinkCipherTest {
 
   @Test
   void aThiefOfTheLastingKeyReadsNoOlderLink() throws GeneralSecurityException {
-    KeyExchange.Offer offer = new KeyExchange.Offer(Encryption.ON, serverKey.publicKey(), GREETING);
-    byte[] first =
-        KeyExchange.answer(Encryption.ON, serverKey, GREETING, offer.bytes(), LINK, 9).bytes();
-    byte[] second =
-        KeyExchange.answer(Encryption.ON, serverKey, GREETING, offer.bytes(), LINK, 9).bytes();
+    KeyExchange.Offer offer = offer();
+    byte[] first = answer(GREETING, offer.bytes());
+    byte[] second = answer(GREETING, offer.bytes());
     assertNotEquals(
         Arrays.toString(first), Arrays.toString(second), "the server's part is new each time");
     byte[] datagram = sealedBy(offer, first);
     LinkKeys thief =
         KeyExchange.answer(Encryption.ON, serverKey, GREETING, offer.bytes(), LINK, 9).keys();
     assertEquals(DatagramOpener.FORGED, thief.datagramsIn().open(datagram, datagram.length));
+  }
+
+  @Test
+  void onlyTheOwnerOfTheLastingKeyReadsAnOffer() throws GeneralSecurityException {
+    byte[] offer = offer().bytes();
+    ExchangeKey another = ExchangeKey.random();
+    assertThrows(
+        GeneralSecurityException.class,
+        () -> KeyExchange.answer(Encryption.ON, another, GREETING, offer, LINK, 9));
   }
 }

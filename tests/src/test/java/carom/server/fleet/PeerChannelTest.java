@@ -102,8 +102,8 @@ class PeerChannelTest {
     try (Socket socket = new Socket("127.0.0.1", port.getLocalPort())) {
       DataInputStream in = new DataInputStream(socket.getInputStream());
       DataOutputStream out = new DataOutputStream(socket.getOutputStream());
-      in.readFully(new byte[in.readInt()]); // the greeting
-      byte[] offer = new KeyExchange.Offer(Encryption.ON, key.publicKey(), new byte[33]).bytes();
+      byte[] greeting = in.readNBytes(in.readInt());
+      byte[] offer = new KeyExchange.Offer(Encryption.ON, key.publicKey(), greeting).bytes();
       out.writeInt(offer.length);
       out.write(offer);
       in.readFully(new byte[in.readInt()]); // its proof

@@ -499,7 +499,9 @@ final class ServerConnection extends Connection implements Entrance.Guest {
       sendTCP(new Frame.Payload().set(Frame.KEY_ANSWER, bytes, 0, bytes.length));
     } catch (GeneralSecurityException x) {
       network.counters.expelled.incrementAndGet();
-      abandon("the client offered a key that is none");
+      String reason = "the connection was tampered with: the offered key isn't for this server";
+      sendTCP(Frame.bye(reason));
+      abandon(reason);
     }
   }
 
